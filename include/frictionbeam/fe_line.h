@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/fe/fe.h>
+
+#include <array>
+
+namespace frictionbeam {
+
+/**
+ * Base of the finite elements on straight lines in space, with three displacements and three
+ * rotations as components (ux, uy, uz, rx, ry, rz; global axes) and all degrees of freedom at the
+ * two vertices. Its shape functions are vector-valued in every component (non-primitive) and depend
+ * on the cell's tangent and length, which FEValues hands in with the cell.
+ *
+ * Limits, all of deal.II 9.4 with non-primitive elements: no VectorTools::interpolate_boundary_values
+ * (use constrain_vertex_dofs()), no DoFTools::map_dofs_to_support_points; second derivatives are not
+ * offered; FEValues views return only the first component (use generalized_strain()).
+ */
+class FE_Line : public dealii::FiniteElement<1, 3> {
+public:
+  static constexpr unsigned int n_line_components = 6;
+
+  dealii::UpdateFlags requires_update_flags(const dealii::UpdateFlags flags) const override;
+
+  std::vector<std::pair<unsigned int, unsigned int>>
+  hp_vertex_dof_identities(const dealii::FiniteElement<1, 3> &other) const override;
+  std::vector<std::pair<unsigned int, unsigned int>>
+  hp_line_dof_identities(const dealii::FiniteElement<1, 3> &other) const override;
+  bool hp_constraints_are_implemented() const override { return true; }
+  dealii::FiniteElementDomination::Domination
+  compare_for_domination(const dealii::FiniteElement<1, 3> &other,
+                         const unsigned int codim = 0) const override;
+
+protected:
+  /// Geometry of one cell, as the shape functions need it.
+  struct CellGeometry {
+    dealii::Tensor<1, 3> tangent; ///< unit vector from the first to the second vertex
+    double length;                ///< [m]
+    unsigned int material_id;
+  };
+
+  /// Six components of one shape function, and their derivatives along the line [1/m].
+  struct ShapeFunction {
+    std::array<double, n_line_components> value{};
+    std::array<double, n_line_components> derivative{};
+  };
+
+  explicit FE_Line(const unsigned int dofs_per_vertex);
+
+  /// All shape functions at the point xi in [0, 1] of a cell; @p shapes arrives zeroed.
+  virtual void evaluate(const CellGeometry &cell, const double xi,
+                        std::vector<ShapeFunction> &shapes) const = 0;
+
+private:
+  using Cell = dealii::Triangulation<1, 3>::cell_iterator;
+  using MappingData = dealii::Mapping<1, 3>::InternalDataBase;
+  using MappingOutput = dealii::internal::FEValuesImplementation::MappingRelatedData<1, 3>;
+  using ElementOutput = dealii::internal::FEValuesImplementation::FiniteElementRelatedData<1, 3>;
+
+  std::unique_ptr<InternalDataBase> get_data(const dealii::UpdateFlags flags,
+                                             const dealii::Mapping<1, 3> &mapping,
+                                             const dealii::Quadrature<1> &quadrature,
+                                             ElementOutput &output) const override;
+  using dealii::FiniteElement<1, 3>::get_face_data;
+  using dealii::FiniteElement<1, 3>::fill_fe_face_values;
+
+  void fill_fe_values(const Cell &cell, const dealii::CellSimilarity::Similarity,
+                      const dealii::Quadrature<1> &quadrature, const dealii::Mapping<1, 3> &,
+                      const MappingData &, const MappingOutput &,
+                      const InternalDataBase &fe_internal, ElementOutput &output) const override;
+  void fill_fe_face_values(const Cell &cell, const unsigned int face,
+                           const dealii::hp::QCollection<0> &quadrature,
+                           const dealii::Mapping<1, 3> &, const MappingData &,
+                           const MappingOutput &, const InternalDataBase &fe_internal,
+                           ElementOutput &output) const override;
+  void fill_fe_subface_values(const Cell &, const unsigned int, const unsigned int,
+                              const dealii::Quadrature<0> &, const dealii::Mapping<1, 3> &,
+                              const MappingData &, const MappingOutput &, const InternalDataBase &,
+                              ElementOutput &) const override;
+
+  /// Fill row block of quadrature point @p q with the shape functions at @p xi.
+  void fill_point(const Cell &cell, const double xi, const unsigned int q,
+                  const InternalDataBase &fe_internal, ElementOutput &output) const;
+};
+
+} // namespace frictionbeam

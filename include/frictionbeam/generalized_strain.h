@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace frictionbeam {
+
+/**
+ * Local axes of a straight cell, unit vectors in global axes: x along the cell, z as near to global
+ * z as can be (global x for a vertical cell), y = z x x.
+ */
+struct LocalAxes {
+  dealii::Tensor<1, 3> x, y, z;
+
+  /// @param direction of the cell, of any length but zero.
+  explicit LocalAxes(const dealii::Tensor<1, 3> &direction);
+};
+
+/**
+ * Generalized strains of a line in its local axes: axial strain, two shears, twist [rad/m], two
+ * curvatures [rad/m], in this order:
+ *   eps = x.u',  gamma_y = y.u' - theta_z,  gamma_z = z.u' + theta_y,
+ *   chi = x.theta',  kappa_y = y.theta',  kappa_z = z.theta'.
+ */
+using GeneralizedStrain = dealii::Tensor<1, 6>;
+
+/**
+ * Generalized strain of shape function @p i at quadrature point @p q. Right for the non-primitive
+ * functions of FE_Line in 1D-in-3D, where FEValues views of deal.II 9.4 are not. Needs update_values
+ * and update_gradients.
+ */
+GeneralizedStrain generalized_strain(const dealii::FEValuesBase<1, 3> &fe_values,
+                                     const LocalAxes &axes, const unsigned int i,
+                                     const unsigned int q);
+
+/// Generalized strain at quadrature point @p q of the cell's solution with the values @p dof_values.
+GeneralizedStrain generalized_strain(const dealii::FEValuesBase<1, 3> &fe_values,
+                                     const LocalAxes &axes, const std::vector<double> &dof_values,
+                                     const unsigned int q);
+
+} // namespace frictionbeam

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+/**
+ * @file
+ * The interface of a constitutive law, plain C++ without deal.II: one law is compiled once, into a
+ * shared library of its own, and then loaded by debug and release programs alike.
+ *
+ * A law's library exports one constant object,
+ * @code
+ *   extern "C" const frictionbeam::LawDescription frictionbeam_law;
+ * @endcode
+ * plugin/law_skeleton.cc is a law that compiles and explains itself; start from a copy of it.
+ */
+namespace frictionbeam {
+
+/// Raised whenever the layout of anything in this header changes. A library of another version is
+/// refused at loading.
+inline constexpr int law_interface_version = 1;
+
+/// What a law is evaluated on, and with that the meaning of its strains and stresses.
+enum class LawKind : int {
+  /// Friction element: 4 strains eps, gamma_y, gamma_z, chi (twist rate, rad/m); 4 stresses
+  /// N, T_y, T_z [N], torsional moment M_x [N m]. Axis x from the pipe (first node) to the ground.
+  support = 0,
+  /// Beam section: 6 strains eps, gamma_y, gamma_z, chi, kappa_y, kappa_z [-, -, -, rad/m (3)];
+  /// 6 stresses N, V_y, V_z [N], M_x, M_y, M_z [N m].
+  section = 1
+};
+
+inline constexpr int n_support_strains = 4;
+inline constexpr int n_section_strains = 6;
+
+/// State of a contact. A law of kind `section` reports `none`.
+enum class ContactStatus : int { none = 0, stick = 1, slip = 2, open = 3, closed = 4 };
+
+/// Which tangent d stress / d strain the caller wants.
+enum class LawTangent : int {
+  none = 0,       ///< no tangent: leave LawOutput::tangent untouched
+  consistent = 1, ///< derivative of the stress that this very call returns
+  elastic = 2     ///< the elastic stiffness of the closed, sticking contact, whatever the state
+};
+
+/// Outcome of LawBase::integrate. A failure makes the program cut the increment.
+enum class LawStatus : int { ok = 0, failed = 1 };
+
+/// One parameter of a law. The host turns it into an entry of the parameter file with bounds and
+/// unit, and into documentation; the author writes it once, here.
+struct LawParameter {
+  const char *name;
+  const char *unit; ///< SI, "-" if none
+  double default_value;
+  double minimum;
+  double maximum;
+  const char *meaning;
+};
+
+/// What integrate() reads. All arrays belong to the caller.
+struct LawInput {
+  const double *parameters;   ///< in the order of LawDescription::parameters
+  const double *strain;       ///< generalized strain at the end of the increment
+  const double *strain_rate;  ///< its mean rate over the increment [1/s]; zero in statics
+  const double *displacement; ///< kind support: displacement of the second node relative to the
+                              ///< first in local axes, 3 values [m]; otherwise null
+  double length;              ///< length of the element [m]
+  double time;                ///< at the end of the increment [s]
+  double time_increment;      ///< [s]
+  double temperature;         ///< [degC]
+  const double *old_state;    ///< internal variables at the start of the increment; zero at first
+  LawTangent tangent;         ///< which tangent to write
+};
+
+/// What integrate() writes. All arrays belong to the caller.
+struct LawOutput {
+  double *stress;         ///< n_strains values
+  double *tangent;        ///< n_strains x n_strains, row-major: tangent[i*n+j] = d stress_i/d strain_j
+  double *new_state;      ///< n_internal_variables values; never aliases old_state
+  double dissipation;     ///< energy dissipated in the increment per unit length [J/m], >= 0
+  ContactStatus contact;  ///< state at the end of the increment
+};
+
+/// A law. Objects are stateless and constant: all data comes in through LawInput.
+class LawBase {
+public:
+  /**
+   * Integrate the law over one increment: stress, tangent and new internal variables at its end
+   * from the strain there and the internal variables at its start. Equal calls give equal results.
+   * Committing is the caller's swap of the two states; a failed step is the caller doing nothing.
+   */
+  virtual LawStatus integrate(const LawInput &input, LawOutput &output) const noexcept = 0;
+
+protected:
+  ~LawBase() = default;
+};
+
+/**
+ * Closed form of a Coulomb law for the exact contact method, which needs no stiffness:
+ * |T| <= static_friction |N|, slipping at dynamic_friction |N|. Rigidities are those of the element,
+ * ES and GS [N]; infinity stands for a rigid contact.
+ */
+struct FrictionThreshold {
+  double static_friction;
+  double dynamic_friction;
+  double gap; ///< [m], >= 0 open
+  double axial_rigidity;
+  double shear_rigidity_y;
+  double shear_rigidity_z;
+};
+
+/// Everything the host knows about a law before it calls it.
+struct LawDescription {
+  int interface_version; ///< always first: law_interface_version of the compiled header
+  LawKind kind;
+  int n_strains;
+  int n_internal_variables;
+  bool symmetric_tangent; ///< true if the consistent tangent is symmetric in every state
+  const char *name;       ///< as in the parameter file
+  const char *reference;  ///< where the law is from
+  int n_parameters;
+  const LawParameter *parameters;
+  const LawBase *law;
+  /// The law's closed form, or null if it has none.
+  void (*threshold)(const double *parameters, FrictionThreshold &threshold);
+};
+
+} // namespace frictionbeam
+
+/// The object that a law's library exports.
+extern "C" __attribute__((visibility("default"))) const frictionbeam::LawDescription frictionbeam_law;

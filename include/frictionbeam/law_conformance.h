@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/law.h>
+
+#include <string>
+#include <vector>
+
+namespace frictionbeam {
+
+/**
+ * The conformance test that every law passes. Along seeded random strain paths of several
+ * magnitudes, in compression and in traction, it is checked that
+ *  - equal calls give equal results,
+ *  - the consistent tangent equals the difference quotient away from kinks, and is symmetric if the
+ *    law says so,
+ *  - evaluating again after a commit reproduces the stress,
+ *  - dissipation is never negative,
+ *  - the old state is not written, and all results are finite.
+ *
+ * @param parameters values in the order of the law's list.
+ * @return what was violated, in plain words; empty if the law conforms.
+ */
+std::vector<std::string> check_law(const LawDescription &law,
+                                   const std::vector<double> &parameters);
+
+} // namespace frictionbeam

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/law.h>
+
+#include <algorithm>
+#include <cmath>
+
+/**
+ * Coulomb friction with unilateral contact on the generalized stresses of the friction element
+ * (Millard, Prost, Ricard, SMiRT 7, 1983, sections 2.1 to 2.3). With g the gap, l the length:
+ *
+ *   N = ES (eps + g/l) if negative, else N = T = 0 (open; plastic slip then follows the node);
+ *   T* = GS (gamma - gamma_p),  T = T* while |T*| <= f |N|,
+ *   else T is the point of |T| = f |N| nearest to T* in the norm of GS^-1 (return mapping) and
+ *   gamma_p grows by GS^-1 (T* - T): with equal shear rigidities along T*, no normal strain.
+ *
+ * A contact that slips obeys the dynamic coefficient until it sticks again. Torsion is elastic, or
+ * limited by f |N| r if a patch radius r is given.
+ */
+namespace {
+
+using namespace frictionbeam;
+
+enum Parameter { ES, GS, shear_ratio, f_static, f_dynamic, gap, GJ, patch_radius, n_parameters };
+
+constexpr double infinity = 1e300;
+
+constexpr LawParameter parameters[n_parameters] = {
+    {"Axial rigidity", "N", 1e9, 0., infinity,
+     "ES of the friction element; ES over its length is the contact's normal stiffness"},
+    {"Shear rigidity", "N", 1e9, 0., infinity,
+     "GS_y of the friction element; GS over its length is the tangential stiffness"},
+    {"Shear rigidity ratio", "-", 1., 1e-6, 1e6, "GS_z over GS_y"},
+    {"Friction coefficient", "-", 0.3, 0., 100., "f at which sticking ends"},
+    {"Dynamic friction coefficient", "-", -1., -1., 100., "f while slipping; -1: equal to f"},
+    {"Gap", "m", 0., 0., infinity, "distance to travel before contact"},
+    {"Torsional rigidity", "N m2", 0., 0., infinity, "GJ about the contact's normal"},
+    {"Patch radius", "m", 0., 0., infinity, "limits the torsional moment to f|N|r; 0: no limit"}};
+
+enum State { slip_y, slip_z, twist, was_slipping, n_states };
+
+/// Nearest point to a trial stress on the circle |T| = g in the norm of diag(k)^-1:
+/// T_i = T*_i / (1 + lambda k_i), with lambda > 0 from |T| = g by Newton's method, which increases
+/// monotonically from 0 as |T(lambda)| is convex.
+double multiplier(const double (&trial)[2], const double (&k)[2], const double g) {
+  const double size = std::hypot(trial[0], trial[1]);
+  if (k[0] == k[1])
+    return (size / g - 1.) / k[0];
+  double lambda = 0.;
+  for (unsigned int iteration = 0; iteration < 100; ++iteration) {
+    double norm2 = 0., slope = 0.;
+    for (int i = 0; i < 2; ++i) {
+      const double a = 1. + lambda * k[i], t = trial[i] / a;
+      norm2 += t * t;
+      slope += t * t * k[i] / a;
+    }
+    // Newton on 1/|T| - 1/g, nearly linear in lambda.
+    const double norm = std::sqrt(norm2);
+    const double step = (norm - g) / g * norm2 / slope;
+    lambda += step;
+    if (std::abs(step) <= 1e-15 * lambda)
+      break;
+  }
+  return lambda;
+}
+
+class Coulomb final : public LawBase {
+public:
+  LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {
+    const double *const p = in.parameters;
+    const double k[2] = {p[GS], p[GS] * p[shear_ratio]};
+    const double opening = in.strain[0] + p[gap] / in.length;
+    double tangent[n_support_strains][n_support_strains] = {};
+    const double old_slip[2] = {in.old_state[slip_y], in.old_state[slip_z]};
+
+    std::fill(out.stress, out.stress + n_support_strains, 0.);
+    out.dissipation = 0.;
+    if (opening >= 0.) {
+      out.new_state[slip_y] = in.strain[1];
+      out.new_state[slip_z] = in.strain[2];
+      out.new_state[twist] = in.strain[3];
+      out.new_state[was_slipping] = 0.;
+      out.contact = ContactStatus::open;
+    } else {
+      const double N = p[ES] * opening;
+      const double dynamic = p[f_dynamic] < 0. ? p[f_static] : p[f_dynamic];
+      const double trial[2] = {k[0] * (in.strain[1] - old_slip[0]),
+                               k[1] * (in.strain[2] - old_slip[1])};
+      const double size = std::hypot(trial[0], trial[1]);
+      const double f = in.old_state[was_slipping] != 0. ? dynamic : p[f_static];
+      const bool slips = size > f * -N;
+      out.stress[0] = N;
+      tangent[0][0] = p[ES];
+      std::copy(old_slip, old_slip + 2, out.new_state);
+      if (!slips) {
+        for (int i = 0; i < 2; ++i) {
+          out.stress[1 + i] = trial[i];
+          tangent[1 + i][1 + i] = k[i];
+        }
+      } else
+        slide(in, trial, k, dynamic, N, out, tangent);
+      out.new_state[was_slipping] = slips ? 1. : 0.;
+      out.contact = p[f_static] == 0. ? ContactStatus::closed
+                    : slips           ? ContactStatus::slip
+                                      : ContactStatus::stick;
+      turn(in, (slips ? dynamic : p[f_static]), N, out, tangent);
+    }
+
+    if (in.tangent == LawTangent::elastic) {
+      const double diagonal[n_support_strains] = {p[ES], k[0], k[1], p[GJ]};
+      for (int i = 0; i < n_support_strains; ++i)
+        for (int j = 0; j < n_support_strains; ++j)
+          out.tangent[n_support_strains * i + j] = i == j ? diagonal[i] : 0.;
+    } else if (in.tangent == LawTangent::consistent)
+      std::copy(&tangent[0][0], &tangent[0][0] + n_support_strains * n_support_strains,
+                out.tangent);
+    return LawStatus::ok;
+  }
+
+private:
+  /// Return to the circle of radius f|N|, with stress, state, dissipation and tangent.
+  static void slide(const LawInput &in, const double (&trial)[2], const double (&k)[2],
+                    const double f, const double N, LawOutput &out,
+                    double (&tangent)[n_support_strains][n_support_strains]) {
+    const double g = f * -N;
+    const double dg_dN = -f;
+    if (g == 0.) { // frictionless: the slip follows the node
+      for (int i = 0; i < 2; ++i)
+        out.new_state[i] = in.strain[1 + i];
+      return;
+    }
+    const double lambda = multiplier(trial, k, g);
+    double a[2], T[2], weight[2], sum = 0.;
+    for (int i = 0; i < 2; ++i) {
+      a[i] = 1. + lambda * k[i];
+      T[i] = trial[i] / a[i];
+      weight[i] = k[i] * T[i] / a[i]; // -dT_i/d lambda
+      sum += T[i] * weight[i];
+      out.stress[1 + i] = T[i];
+      out.new_state[i] = in.old_state[i] + lambda * T[i];
+      out.dissipation += lambda * T[i] * T[i];
+    }
+    // |T| = g fixes d lambda = (sum_j T_j/a_j dT*_j - g dg) / sum.
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j)
+        tangent[1 + i][1 + j] =
+            ((i == j ? 1. / a[i] : 0.) - weight[i] * T[j] / a[j] / sum) * k[j];
+      tangent[1 + i][0] = weight[i] * g / sum * dg_dN * in.parameters[ES];
+    }
+  }
+
+  /// Torsional moment about the normal: elastic, limited by f|N|r if there is a patch.
+  static void turn(const LawInput &in, const double f, const double N, LawOutput &out,
+                   double (&tangent)[n_support_strains][n_support_strains]) {
+    const double *const p = in.parameters;
+    const double trial = p[GJ] * (in.strain[3] - in.old_state[twist]);
+    const double limit = f * -N * p[patch_radius];
+    out.new_state[twist] = in.old_state[twist];
+    if (p[patch_radius] == 0. || std::abs(trial) <= limit) {
+      out.stress[3] = trial;
+      tangent[3][3] = p[GJ];
+    } else {
+      out.stress[3] = std::copysign(limit, trial);
+      tangent[3][0] = std::copysign(f * p[patch_radius] * p[ES], -trial);
+      const double slip = (trial - out.stress[3]) / p[GJ];
+      out.new_state[twist] += slip;
+      out.dissipation += out.stress[3] * slip;
+    }
+  }
+};
+
+constexpr Coulomb law;
+
+void threshold(const double *p, FrictionThreshold &t) {
+  t = {p[f_static],
+       p[f_dynamic] < 0. ? p[f_static] : p[f_dynamic],
+       p[gap],
+       p[ES],
+       p[GS],
+       p[GS] * p[shear_ratio]};
+}
+
+} // namespace
+
+const frictionbeam::LawDescription frictionbeam_law = {
+    frictionbeam::law_interface_version,
+    frictionbeam::LawKind::support,
+    frictionbeam::n_support_strains,
+    n_states,
+    false,
+    "coulomb",
+    "A. Millard, J. M. Prost, A. Ricard, Friction finite elements for numerical analysis of piping "
+    "systems, SMiRT 7, Chicago, 1983",
+    n_parameters,
+    parameters,
+    &law,
+    &threshold};

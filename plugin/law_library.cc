@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/law_library.h>
+
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+namespace frictionbeam {
+
+namespace {
+
+void check(const bool condition, const std::string &file, const std::string &message) {
+  if (!condition)
+    throw std::runtime_error("The law library '" + file + "' cannot be used: " + message);
+}
+
+bool is_given(const char *text) { return text != nullptr && *text != '\0'; }
+
+void check_description(const LawDescription &law, const std::string &file) {
+  check(law.interface_version == law_interface_version, file,
+        "it was compiled for version " + std::to_string(law.interface_version) +
+            " of the law interface, this program has version " +
+            std::to_string(law_interface_version) +
+            ". Compile it again with the header frictionbeam/law.h of this program.");
+  check(law.kind == LawKind::support || law.kind == LawKind::section, file,
+        "its kind is " + std::to_string(static_cast<int>(law.kind)) +
+            ", expected 0 (support) or 1 (section). Set LawDescription::kind.");
+  const int n_strains = law.kind == LawKind::support ? n_support_strains : n_section_strains;
+  check(law.n_strains == n_strains, file,
+        "it has " + std::to_string(law.n_strains) + " strains, a law of its kind has " +
+            std::to_string(n_strains) + ". Set LawDescription::n_strains.");
+  check(law.n_internal_variables >= 0 && law.n_internal_variables <= 1000, file,
+        "it has " + std::to_string(law.n_internal_variables) +
+            " internal variables, expected 0 to 1000. Set LawDescription::n_internal_variables.");
+  check(law.law != nullptr, file,
+        "it has no law object. Let LawDescription::law point to a constant object.");
+  check(law.n_parameters == 0 || (law.n_parameters > 0 && law.parameters != nullptr), file,
+        "it announces " + std::to_string(law.n_parameters) +
+            " parameters without a list. Set n_parameters and parameters together.");
+}
+
+void check_texts(const LawDescription &law, const std::string &file) {
+  for (int i = 0; i < law.n_parameters; ++i) {
+    const LawParameter &p = law.parameters[i];
+    const std::string which = is_given(p.name) ? "parameter '" + std::string(p.name) + "'"
+                                               : "parameter number " + std::to_string(i);
+    check(is_given(p.name) && is_given(p.unit) && is_given(p.meaning), file,
+          which + " lacks a name, a unit or a meaning. Give all three ('-' if it has no unit).");
+    check(p.minimum <= p.default_value && p.default_value <= p.maximum, file,
+          "the default " + std::to_string(p.default_value) + " of " + which +
+              " is outside its bounds " + std::to_string(p.minimum) + " to " +
+              std::to_string(p.maximum) + ".");
+  }
+  check(is_given(law.reference), file,
+        "the law '" + std::string(law.name) +
+            "' names no reference. Say where it is from in LawDescription::reference.");
+}
+
+} // namespace
+
+LawLibrary::~LawLibrary() {
+  for (void *const handle : handles)
+    dlclose(handle);
+}
+
+const LawDescription &LawLibrary::load(const std::string &file) {
+  void *const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    const std::string reason = dlerror();
+    check(false, file,
+          "it does not open (" + reason +
+              "). Expected a shared library; give its path from the folder the program runs in, and "
+              "compile it with frictionbeam_add_law() or 'g++ -std=c++17 -shared -fPIC'.");
+  }
+  handles.push_back(handle);
+
+  const auto *const law = static_cast<const LawDescription *>(dlsym(handle, "frictionbeam_law"));
+  check(law != nullptr, file,
+        "it does not export the object 'frictionbeam_law'. Define it with extern \"C\", as "
+        "plugin/law_skeleton.cc does.");
+  check_description(*law, file);
+  check(is_given(law->name), file, "its law has no name. Set LawDescription::name.");
+  const auto present = files.find(law->name);
+  check(present == files.end(), file,
+        "its law is called '" + std::string(law->name) + "', as is the one already loaded from '" +
+            (present == files.end() ? "" : present->second) + "'. Give it a name of its own.");
+  check_texts(*law, file);
+
+  laws[law->name] = law;
+  files[law->name] = file;
+  return *law;
+}
+
+void LawLibrary::load_builtin() {
+  std::set<std::string> found; // in alphabetical order, whatever the file system's
+  for (const auto &entry : std::filesystem::directory_iterator(builtin_directory()))
+    if (entry.path().extension() == ".so")
+      found.insert(entry.path().string());
+  for (const std::string &file : found)
+    load(file);
+}
+
+const LawDescription &LawLibrary::find(const std::string &name) const {
+  const auto law = laws.find(name);
+  if (law == laws.end()) {
+    std::string known;
+    for (const auto &entry : laws)
+      known += (known.empty() ? "" : ", ") + entry.first;
+    throw std::runtime_error("There is no law called '" + name + "'. Loaded are: " + known +
+                             ". Name the shared library of another one in 'Law libraries'.");
+  }
+  return *law->second;
+}
+
+std::vector<std::string> LawLibrary::names(const LawKind kind) const {
+  std::vector<std::string> result;
+  for (const auto &[name, law] : laws)
+    if (law->kind == kind)
+      result.push_back(name);
+  return result;
+}
+
+std::string LawLibrary::builtin_directory() {
+  Dl_info info;
+  // Laws stand in a folder beside the library that this very function is in.
+  if (dladdr(reinterpret_cast<void *>(&LawLibrary::builtin_directory), &info) == 0)
+    throw std::runtime_error("The folder of FrictionBeam's shared library cannot be found.");
+  return (std::filesystem::absolute(info.dli_fname).parent_path() / "frictionbeam-laws").string();
+}
+
+std::vector<double> default_parameters(const LawDescription &law) {
+  std::vector<double> values(law.n_parameters);
+  for (int i = 0; i < law.n_parameters; ++i)
+    values[i] = law.parameters[i].default_value;
+  return values;
+}
+
+unsigned int parameter_index(const LawDescription &law, const std::string &name) {
+  std::string known;
+  for (int i = 0; i < law.n_parameters; ++i) {
+    if (name == law.parameters[i].name)
+      return i;
+    known += (known.empty() ? "" : ", ") + std::string(law.parameters[i].name);
+  }
+  throw std::runtime_error("The law '" + std::string(law.name) + "' has no parameter '" + name +
+                           "'. It has: " + known + ".");
+}
+
+} // namespace frictionbeam
