@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/scene/scene.h>
+
+#include <map>
+
+/**
+ * @file
+ * What an analysis leaves behind, as plain data in SI units: everything that the writers of csv,
+ * json, vtu and report need, and nothing of how it was computed.
+ */
+namespace frictionbeam {
+
+/// A friction element in place.
+struct SupportInfo {
+  std::string name; ///< `rests` for a single one, `rests.1`, `rests.2`, ... for a repeated one
+  std::string kind;
+  Point3 position;
+  Vector3 normal, t1, t2; ///< right-handed (t1, t2, n), n from the ground into the pipe
+};
+
+/// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in compression.
+struct SupportState {
+  ContactStatus status = ContactStatus::open;
+  double fn = 0., ft1 = 0., ft2 = 0.;  ///< [N]
+  double gap = 0.;                     ///< [m], >= 0 open
+  double slip1 = 0., slip2 = 0.;       ///< of the pipe on the ground since contact began [m]
+  double work_friction = 0.;           ///< dissipated so far [J]
+};
+
+/// A restraint or spring in place; its forces on the pipe in global axes are in Frame::reactions.
+struct RestraintInfo {
+  std::string name, kind;
+  Point3 position;
+};
+
+/// A point of a pipe: a mesh node or a station between two.
+struct Station {
+  unsigned int pipe = 0;
+  double s = 0.; ///< along the pipe [m]
+  Point3 position;
+  Motion displacement{}; ///< global axes [m, rad]
+  Motion force{};        ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
+  bool node = true;
+};
+
+/// The state at one instant. Neighbouring stations of one pipe are joined by the pipe; a pipe's
+/// stations are stored one after the other.
+struct Frame {
+  unsigned int step = 0; ///< place in Scene::steps
+  unsigned int increment = 0;
+  double time = 0.;
+  bool end_of_step = true;
+  std::vector<Station> line;
+  std::vector<SupportState> supports;
+  std::vector<Motion> reactions; ///< of RestraintInfo
+};
+
+/// Motion of a monitored point at every increment.
+struct History {
+  std::string point;
+  std::vector<double> time;
+  std::vector<Motion> displacement;
+};
+
+struct QuantityResult {
+  std::string name, unit, source;
+  double value = 0.;
+  std::optional<double> reference, error; ///< error relative to the reference (absolute if that is 0)
+};
+
+/// What the solver did in one step.
+struct StepReport {
+  std::string step;
+  unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
+  double residual = 0.;  ///< largest of its increments, relative
+  bool converged = false;
+  std::string remark;    ///< why it was cut or stopped, in plain words
+};
+
+enum class RunStatus { converged, failed, no_equilibrium };
+
+struct Cost {
+  double wall_seconds = 0., mesh_seconds = 0., setup_seconds = 0., solve_seconds = 0.;
+  std::size_t unknowns = 0, cells = 0, contacts = 0;
+  std::size_t steps = 0, iterations = 0, factorizations = 0;
+  double peak_memory_mb = 0.;
+};
+
+struct Results {
+  std::vector<SupportInfo> supports;
+  std::vector<RestraintInfo> restraints;
+  std::vector<Frame> frames;    ///< ends of steps, and output instants in between
+  std::vector<History> histories;
+  std::vector<QuantityResult> quantities;
+  std::vector<StepReport> steps;
+  std::map<std::string, double> certificate; ///< name, relative residual (equilibrium, contact, ...)
+  std::vector<std::string> remarks; ///< warnings to the user
+  std::string method;               ///< in plain words
+  RunStatus status = RunStatus::failed;
+  Cost cost;
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/law.h>
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/**
+ * @file
+ * The scene: what a parameter file describes, as plain data in SI units (angles in radians), named
+ * and checked once at the door. Parts refer to each other by their place in these lists. No mesh and
+ * no unknowns here.
+ */
+namespace frictionbeam {
+
+using Point3 = dealii::Point<3>;
+using Vector3 = dealii::Tensor<1, 3>;
+/// Three translations [m] and three rotations [rad], or three forces [N] and three moments [N m].
+using Motion = std::array<double, 6>;
+
+struct Material {
+  std::string name;
+  double youngs_modulus = 0.; ///< [Pa]
+  double poissons_ratio = 0.;
+  double density = 0.;   ///< [kg/m3]
+  double expansion = 0.; ///< [1/K]
+};
+
+struct Section {
+  std::string name;
+  double area = 0.;             ///< metal [m2]
+  double inertia = 0.;          ///< about either axis [m4]
+  double torsion_constant = 0.; ///< [m4]
+  double shear_area = 0.;       ///< [m2]; 0: no shear flexibility
+  double outer_radius = 0.;     ///< [m]; 0 where the section is given by its figures
+  double wall = 0.;             ///< [m]; 0 likewise
+  double added_mass = 0.;       ///< contents, insulation [kg/m]
+
+  double bore_area() const; ///< [m2]; 0 where the wall is not known
+};
+
+struct RoutePoint {
+  std::string name; ///< may be empty
+  Point3 position;
+  double bend_radius = 0.; ///< of the bend that rounds this corner; 0: sharp
+};
+
+/// How much more flexible than a straight pipe a bend is.
+struct BendFlexibility {
+  enum class Rule { none, code, given } rule = Rule::code; ///< code: k = 1.65/h >= 1, h = t R/r^2
+  double factor = 1.;                                      ///< if given
+};
+
+struct Pipe {
+  std::string name;
+  unsigned int section = 0, material = 0;
+  std::vector<RoutePoint> route; ///< empty if the pipe is the curve of this name in Mesh/File
+  BendFlexibility bend_flexibility;
+  double bend_radius = 0.; ///< of a pipe from a file that is a bend [m]; 0: straight
+};
+
+/// A point with a name that is no corner of a route: on a pipe, or free in space.
+struct NamedPoint {
+  std::string name;
+  Point3 position;
+};
+
+/// Where a support stands: at named points, or repeated along a pipe between two of its points.
+struct Placement {
+  std::vector<std::string> points;
+  std::string pipe;      ///< if repeated
+  std::string from, to;  ///< named points on the pipe; empty: its ends
+  double every = 0.;     ///< distance [m], the first one at that distance from `from`
+  bool continuous = false; ///< a bed: at every mesh node from `from` to `to`, each for its share
+};
+
+/// A direction in space, or one that follows the pipe where the support stands.
+struct Direction {
+  enum class Kind { global, along, across } kind = Kind::global; ///< across: local y of the pipe
+  Vector3 vector;                                                ///< unit, if global
+};
+
+/// A friction element with its law.
+struct FrictionSupport {
+  enum class Rotations { none, averaged, pipe };
+
+  std::string name, kind; ///< kind as the user called it: rest, guide, ...
+  Placement placement;
+  Direction normal;        ///< from the ground into the pipe
+  std::string law;
+  std::vector<double> parameters; ///< of the law, in its order; per metre for a continuous bed
+  double length = 1.;             ///< of the element [m]
+  double share = 1.;              ///< factor on the element's forces (half elements)
+  Rotations rotations = Rotations::none;
+  bool torsion = false;
+  double normal_force = 0.; ///< of a platen that is pressed on [N]; 0: the ground is fixed
+  std::string ground;       ///< named point of another pipe to stand on; empty: the ground
+};
+
+/// Motions held exactly: anchor, guide, line stop, any set of fixed motions.
+struct Restraint {
+  std::string name, kind;
+  Placement placement;
+  std::array<bool, 6> fixed{};        ///< global axes
+  std::vector<Direction> translations; ///< further directions held
+};
+
+/// Linear spring in global axes, to the ground or between two points.
+struct Spring {
+  std::string name;
+  std::string point, other; ///< other empty: the ground
+  Motion stiffness{};       ///< [N/m] (3), [N m/rad] (3)
+};
+
+struct PointMass {
+  std::string name;
+  std::vector<std::string> points;
+  double mass = 0.; ///< [kg]
+};
+
+struct Load {
+  enum class Kind { weight, temperature, pressure, force, line_force, displacement };
+  struct AtPoint {
+    std::string point;
+    Motion value{};               ///< force and moment, or displacement and rotation
+    std::array<bool, 6> given{};  ///< displacement: which motions are imposed
+  };
+
+  std::string name;
+  Kind kind = Kind::weight;
+  Vector3 vector;              ///< weight: acceleration [m/s2]; line_force: [N/m]
+  double value = 0.;           ///< temperature: rise above installation [K]; pressure [Pa]
+  std::vector<std::string> pipes; ///< temperature, pressure, line_force: empty means all
+  std::vector<AtPoint> at;     ///< force, displacement
+};
+
+/// One step of the declared load sequence: all loads active at its end, with factors; they change
+/// linearly in time from their values before.
+struct LoadStep {
+  std::string name;
+  std::vector<std::pair<unsigned int, double>> loads; ///< load, factor
+  unsigned int n_increments = 1; ///< static
+  bool transient = false;
+  double duration = 1.;  ///< [s]; of a static step, the pseudo-time it takes
+  double ramp = 0.;      ///< transient: time in which the loads reach their values [s]; 0: at once
+};
+
+struct InitialCondition {
+  std::string point;
+  Motion displacement{}, velocity{};
+};
+
+/// A number that the user asks for.
+struct Quantity {
+  std::string name;
+  std::string what;  ///< ux .. rz, fx .. mz, N .. Mz, fn, ft1, ft2, gap, slip1, slip2, work,
+                     ///< sum_normal, sum_friction, n_stick, n_slip, n_open, max_error
+  bool absolute = false;
+  std::string where; ///< named point, or name of a support or restraint
+  std::string step;  ///< empty: the last one
+  std::optional<double> time; ///< [s], instead of a step's end
+  double scale = 1.;
+  std::optional<double> reference;
+  std::string source;
+};
+
+/// Exact course of one motion of one point, for quantities of kind max_error.
+struct ExactHistory {
+  std::string point;
+  unsigned int component = 0;
+  std::function<double(const double)> value;
+};
+
+struct MeshSettings {
+  std::string file;            ///< .geo or .msh of the user's own; empty: routes
+  double cell_length = 0.;     ///< longest cell of a straight run [m]; 0: one cell a run
+  unsigned int cells_per_bend = 8; ///< in 90 degrees
+};
+
+struct SolverSettings {
+  enum class Method { elastic, newton } method = Method::newton;
+  double tolerance = 1e-10;         ///< of the residual, relative to the largest force
+  unsigned int max_iterations = 50; ///< newton, an increment; elastic: max_elastic_iterations
+  unsigned int max_elastic_iterations = 10000;
+  unsigned int max_halvings = 10;   ///< of an increment
+};
+
+struct TimeSettings {
+  enum class Integrator { newmark } integrator = Integrator::newmark;
+  double step = 0.01;            ///< [s]
+  double output_interval = 0.;   ///< [s]; 0: every step
+  double beta = 0.25, gamma = 0.5;
+};
+
+struct OutputSettings {
+  std::string directory;
+  unsigned int stations = 3;     ///< between the nodes of a cell
+  bool every_increment = false;  ///< csv rows and vtu at every increment, not only at step ends
+  bool vtu = true, report = true;
+};
+
+struct Scene {
+  std::string name;  ///< of the parameter file, without folder and ending
+  std::string title;
+  std::string input; ///< the file's text, as read, for the report
+  std::vector<std::string> overrides; ///< the --set options
+
+  std::vector<Material> materials;
+  std::vector<Section> sections;
+  std::vector<Pipe> pipes;
+  std::vector<NamedPoint> points;
+  std::vector<FrictionSupport> supports;
+  std::vector<Restraint> restraints;
+  std::vector<Spring> springs;
+  std::vector<PointMass> masses;
+  std::vector<Load> loads;
+  std::vector<LoadStep> steps;
+  std::vector<InitialCondition> initial;
+  std::vector<Quantity> quantities;
+  std::vector<std::string> monitors; ///< points whose motion is recorded at every increment
+  std::optional<ExactHistory> exact;
+  std::array<bool, 6> free_motions{{true, true, true, true, true, true}}; ///< of pipe nodes
+
+  MeshSettings mesh;
+  SolverSettings solver;
+  TimeSettings time;
+  OutputSettings output;
+};
+
+} // namespace frictionbeam
