@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/results/results.h>
+
+/**
+ * @file
+ * Numbers, names and units as text, the same in every output file. None of it depends on a locale.
+ */
+namespace frictionbeam {
+
+/// The shortest text that reads back as the same number; nan, inf, -inf where it is none.
+std::string exact_number(const double value);
+
+/// @p value with @p digits significant digits, for a reader's eye.
+std::string rounded_number(const double value, const unsigned int digits = 4);
+
+/// @p value with @p decimals digits after the point and no negative zero.
+std::string fixed_number(const double value, const unsigned int decimals);
+
+/// Number of decimals that shows @p largest with four significant digits.
+unsigned int decimals_for(const double largest);
+
+/// @p text for HTML and SVG, as content or within quotes. Control characters become spaces.
+std::string escape_xml(const std::string &text);
+
+/// @p text as part of a file's name: letters, digits, dot, minus; anything else becomes _.
+std::string file_name_part(const std::string &text);
+
+/// stick, slip, open, closed; none for a law without contact.
+std::string status_word(const ContactStatus status);
+
+/// converged, failed, no_equilibrium.
+std::string status_word(const RunStatus status);
+
+/// Name of the step that a frame belongs to.
+const std::string &step_name(const Scene &scene, const Frame &frame);
+
+/// Size of the friction force [N].
+double friction_force(const SupportState &state);
+
+/// A multiple of an SI unit in which numbers are pleasant to read.
+struct DisplayUnit {
+  double factor = 1.; ///< displayed number = factor times number in SI
+  std::string name;
+};
+
+/// Unit in which to show a column or chart of numbers in @p si_unit (N, N m, m, rad, J; any other
+/// is left as it is) that are no larger than @p largest.
+DisplayUnit display_unit(const std::string &si_unit, const double largest);
+
+/// Keeps the largest size of the finite numbers given to it.
+class Largest {
+public:
+  void operator()(const double value);
+  double value() const { return largest; }
+
+private:
+  double largest = 0.;
+};
+
+} // namespace frictionbeam

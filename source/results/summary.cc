@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/output_file.h>
+#include <frictionbeam/results/summary.h>
+#include <frictionbeam/results/text.h>
+
+#include <deal.II/base/config.h>
+
+#include <cmath>
+
+#ifndef FRICTIONBEAM_VERSION
+#define FRICTIONBEAM_VERSION "unknown"
+#endif
+
+namespace frictionbeam {
+
+namespace {
+
+/// Whether @p text at @p i begins a well-formed UTF-8 sequence, and of how many bytes.
+unsigned int utf8_length(const std::string &text, const std::size_t i) {
+  const auto byte = [&](const std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+  };
+  const unsigned int first = byte(i), second = byte(i + 1);
+  const unsigned int length = first >= 0xc2 && first < 0xe0   ? 2
+                              : first >= 0xe0 && first < 0xf0 ? 3
+                              : first >= 0xf0 && first < 0xf5 ? 4
+                                                              : 0;
+  for (unsigned int k = 1; k < length; ++k)
+    if ((byte(i + k) & 0xc0) != 0x80)
+      return 0;
+  // overlong forms, surrogates, beyond the last code point
+  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0) ||
+      (first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90))
+    return 0;
+  return length;
+}
+
+std::string json(const std::string &text) {
+  std::string quoted = "\"";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned char c = text[i];
+    if (c == '"' || c == '\\')
+      (quoted += '\\') += text[i];
+    else if (c == '\n')
+      quoted += "\\n";
+    else if (c == '\t')
+      quoted += "\\t";
+    else if (c < 0x20 || c == 0x7f) {
+      const char *digits = "0123456789abcdef";
+      ((quoted += "\\u00") += digits[c >> 4]) += digits[c & 15];
+    } else if (c < 0x80)
+      quoted += text[i];
+    else if (const unsigned int length = utf8_length(text, i)) {
+      quoted += text.substr(i, length);
+      i += length - 1;
+    } else
+      quoted += "\\ufffd";
+  }
+  return quoted + '"';
+}
+
+std::string json(const double value) {
+  return std::isfinite(value) ? rounded_number(value, 17) : "null";
+}
+
+std::string json(const std::optional<double> &value) { return value ? json(*value) : "null"; }
+
+std::string json(const std::size_t value) { return std::to_string(value); }
+
+std::string json(const unsigned int value) { return std::to_string(value); }
+
+/// The members of an object or array, each on a line of its own if @p indent is given.
+class List {
+public:
+  List(const char open, const char close, const std::string &indent = "")
+      : close(close), indent(indent), text(1, open) {}
+
+  List &add(const std::string &member) {
+    text += empty ? "" : (indent.empty() ? ", " : ",");
+    text += indent.empty() ? "" : "\n" + indent + "  ";
+    text += member;
+    empty = false;
+    return *this;
+  }
+
+  template <typename Value>
+  List &add(const std::string &name, const Value &value) {
+    return add(json(name) + ": " + json(value));
+  }
+
+  List &add_list(const std::string &name, const List &list) {
+    return add(json(name) + ": " + list.str());
+  }
+
+  std::string str() const { return text + (empty || indent.empty() ? "" : "\n" + indent) + close; }
+
+private:
+  char close;
+  std::string indent, text;
+  bool empty = true;
+};
+
+} // namespace
+
+std::string program_version() { return FRICTIONBEAM_VERSION; }
+
+std::string deal_ii_version() { return DEAL_II_PACKAGE_VERSION; }
+
+void write_summary(const Scene &scene, const Results &results, const std::string &folder) {
+  List quantities('[', ']', "  ");
+  for (const auto &quantity : results.quantities)
+    quantities.add(List('{', '}')
+                       .add("name", quantity.name)
+                       .add("value", quantity.value)
+                       .add("unit", quantity.unit)
+                       .add("reference", quantity.reference)
+                       .add("error", quantity.error)
+                       .add("source", quantity.source)
+                       .str());
+
+  List certificate('{', '}');
+  for (const auto &[name, value] : results.certificate)
+    certificate.add(name, value);
+
+  const Cost &cost = results.cost;
+  List costs('{', '}', "  ");
+  costs.add("wall_seconds", cost.wall_seconds)
+      .add("mesh_seconds", cost.mesh_seconds)
+      .add("setup_seconds", cost.setup_seconds)
+      .add("solve_seconds", cost.solve_seconds)
+      .add("unknowns", cost.unknowns)
+      .add("cells", cost.cells)
+      .add("contacts", cost.contacts)
+      .add("steps", cost.steps)
+      .add("iterations", cost.iterations)
+      .add("factorizations", cost.factorizations)
+      .add("peak_memory_mb", cost.peak_memory_mb);
+
+  List steps('[', ']', "  ");
+  for (const auto &step : results.steps)
+    steps.add(List('{', '}')
+                  .add("step", step.step)
+                  .add("increments", step.increments)
+                  .add("halvings", step.halvings)
+                  .add("iterations", step.iterations)
+                  .add("factorizations", step.factorizations)
+                  .add("residual", step.residual)
+                  .add(json("converged") + (step.converged ? ": true" : ": false"))
+                  .add("remark", step.remark)
+                  .str());
+
+  List remarks('[', ']', "  ");
+  for (const auto &remark : results.remarks)
+    remarks.add(json(remark));
+
+  std::string text = "{\n";
+  const auto member = [&](const std::string &name, const std::string &value) {
+    text += (text.size() > 2 ? ",\n  " : "  ") + json(name) + ": " + value;
+  };
+  member("case", json(scene.name));
+  member("program",
+         List('{', '}').add("version", program_version()).add("deal_ii", deal_ii_version()).str());
+  member("status", json(status_word(results.status)));
+  member("quantities", quantities.str());
+  member("certificate", certificate.str());
+  member("cost", costs.str());
+  member("method", json(results.method));
+  member("steps", steps.str());
+  member("remarks", remarks.str());
+  write_file(folder + "/summary.json", text + "\n}\n");
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/text.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+template <typename... Format>
+std::string number_text(const double value, const Format... format) {
+  if (std::isnan(value))
+    return "nan";
+  char buffer[400]; // a double in fixed notation has at most 309 digits before the point
+  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value, format...);
+  Assert(result.ec == std::errc(), dealii::ExcInternalError());
+  return std::string(buffer, result.ptr);
+}
+
+} // namespace
+
+std::string exact_number(const double value) { return number_text(value); }
+
+std::string rounded_number(const double value, const unsigned int digits) {
+  return number_text(value, std::chars_format::general, static_cast<int>(digits));
+}
+
+std::string fixed_number(const double value, const unsigned int decimals) {
+  if (!std::isfinite(value) || std::abs(value) >= 1e12)
+    return rounded_number(value);
+  const std::string text =
+      number_text(value, std::chars_format::fixed, static_cast<int>(std::min(decimals, 30u)));
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+unsigned int decimals_for(const double largest) {
+  if (!std::isfinite(largest) || largest <= 0.)
+    return 0;
+  return static_cast<unsigned int>(std::clamp(3. - std::floor(std::log10(largest)), 0., 12.));
+}
+
+std::string escape_xml(const std::string &text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (const char c : text)
+    switch (c) {
+    case '&':
+      escaped += "&amp;";
+      break;
+    case '<':
+      escaped += "&lt;";
+      break;
+    case '>':
+      escaped += "&gt;";
+      break;
+    case '"':
+      escaped += "&quot;";
+      break;
+    case '\'':
+      escaped += "&#39;";
+      break;
+    case '\n':
+    case '\t':
+      escaped += c;
+      break;
+    default:
+      escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  return escaped;
+}
+
+std::string file_name_part(const std::string &text) {
+  std::string name = text;
+  for (char &c : name)
+    if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+          c == '-'))
+      c = '_';
+  return name;
+}
+
+std::string status_word(const ContactStatus status) {
+  switch (status) {
+  case ContactStatus::stick:
+    return "stick";
+  case ContactStatus::slip:
+    return "slip";
+  case ContactStatus::open:
+    return "open";
+  case ContactStatus::closed:
+    return "closed";
+  case ContactStatus::none:
+    break;
+  }
+  return "none";
+}
+
+std::string status_word(const RunStatus status) {
+  switch (status) {
+  case RunStatus::converged:
+    return "converged";
+  case RunStatus::no_equilibrium:
+    return "no_equilibrium";
+  case RunStatus::failed:
+    break;
+  }
+  return "failed";
+}
+
+const std::string &step_name(const Scene &scene, const Frame &frame) {
+  AssertIndexRange(frame.step, scene.steps.size());
+  return scene.steps[frame.step].name;
+}
+
+double friction_force(const SupportState &state) { return std::hypot(state.ft1, state.ft2); }
+
+DisplayUnit display_unit(const std::string &si_unit, const double largest) {
+  if (largest == 0.)
+    return {1., si_unit};
+  if (si_unit == "N" || si_unit == "N m" || si_unit == "J") {
+    if (largest >= 1e7)
+      return {1e-6, "M" + si_unit};
+    if (largest >= 1e3)
+      return {1e-3, "k" + si_unit};
+  }
+  if (si_unit == "m" || si_unit == "rad") {
+    if (largest < 1e-4)
+      return {1e6, "\u00b5" + si_unit};
+    if (largest < (si_unit == "m" ? 10. : 1.))
+      return {1e3, "m" + si_unit};
+  }
+  return {1., si_unit};
+}
+
+void Largest::operator()(const double value) {
+  if (std::isfinite(value))
+    largest = std::max(largest, std::abs(value));
+}
+
+} // namespace frictionbeam
