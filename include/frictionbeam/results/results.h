@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/analysis/step_report.h>
 #include <frictionbeam/scene/scene.h>
 
 #include <map>
@@ -68,15 +69,6 @@ struct QuantityResult {
   std::string name, unit, source;
   double value = 0.;
   std::optional<double> reference, error; ///< error relative to the reference (absolute if that is 0)
-};
-
-/// What the solver did in one step.
-struct StepReport {
-  std::string step;
-  unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
-  double residual = 0.;  ///< largest of its increments, relative
-  bool converged = false;
-  std::string remark;    ///< why it was cut or stopped, in plain words
 };
 
 enum class RunStatus { converged, failed, no_equilibrium };

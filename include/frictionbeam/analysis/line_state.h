@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/model/linear_part.h>
+
+#include <string>
+#include <vector>
+
+namespace frictionbeam {
+
+/// The line at one instant: everything needed to go on from there and to report it.
+struct LineState {
+  Vector unknowns;                   ///< free unknowns q
+  Vector dofs;                       ///< all degrees of freedom u = C q + imposed motions
+  Vector velocity, acceleration;     ///< of the unknowns; zero in statics
+  ContactState contacts;             ///< committed
+  std::vector<Contact::Strains> contact_stress;
+  std::vector<ContactStatus> contact_status;
+  std::vector<double> load_factors;  ///< beside Scene::loads
+  double time = 0.;
+};
+
+/// The stages before the analysis, together.
+struct Model {
+  const Scene &scene;
+  const LineMesh &mesh;
+  const Discretization &discretization;
+  const ReducedSpace &space;
+  const Contacts &contacts;
+  const LinearPart &linear;
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+namespace frictionbeam {
+
+/// What the solver did in one step of the load sequence.
+struct StepReport {
+  std::string step;
+  unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
+  double residual = 0.; ///< largest of its increments, relative to the largest force
+  bool converged = false;
+  std::string remark; ///< why it was cut or stopped, in plain words
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/scene/scene.h>
+
+#include <map>
+
+namespace frictionbeam {
+
+/// One pipe as a chain of vertices in the direction of its route.
+struct MeshedPipe {
+  std::vector<unsigned int> vertices;
+  std::vector<double> s;           ///< arc length at the vertices [m]
+  std::vector<double> bend_radius; ///< of each cell between two vertices; 0: straight
+};
+
+/// Where a part of the scene stands on the mesh.
+struct Site {
+  unsigned int vertex = 0;
+  Vector3 tangent;         ///< of the pipe there, unit; zero at a free point
+  double tributary = 1.;   ///< length of pipe that falls to it [m], for a bed; otherwise 1
+};
+
+/// The line as gmsh meshed it, with everything the scene places on it found again.
+struct LineMesh {
+  std::vector<Point3> vertices;
+  std::vector<MeshedPipe> pipes;              ///< beside Scene::pipes
+  std::map<std::string, unsigned int> points; ///< vertex of each named point
+  std::vector<std::vector<Site>> supports;    ///< beside Scene::supports
+  std::vector<std::vector<Site>> restraints;  ///< beside Scene::restraints
+};
+
+/**
+ * Mesh the scene's pipes with gmsh: a vertex at every corner, named point and support, bends cut as
+ * finely as Mesh/Cells per bend says, straight runs in one cell or as Mesh/Cell length says. With
+ * Mesh/File, the pipes and points are the physical curves and points of that file.
+ * @throws UserError for a support off the line, a point that no pipe reaches, a file that cannot be
+ * read or whose physical names do not fit.
+ */
+LineMesh build_line_mesh(const Scene &scene);
+
+} // namespace frictionbeam

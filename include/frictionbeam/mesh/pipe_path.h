@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/scene/scene.h>
+
+namespace frictionbeam {
+
+/// The axis of a pipe: straight runs and circular bends, as the route gives them, by arc length.
+class PipePath {
+public:
+  struct Segment {
+    double start = 0., length = 0.; ///< along the pipe [m]
+    Point3 begin, end;
+    double radius = 0.;      ///< of a bend; 0: straight
+    Point3 centre;           ///< of a bend
+    Vector3 first_tangent;   ///< unit
+    Vector3 inward;          ///< of a bend: unit, from its beginning to its centre
+
+    Point3 point(const double s) const; ///< s from the segment's start [m]
+    Vector3 tangent(const double s) const;
+  };
+
+  /// @throws UserError if a bend does not fit between its neighbours or the route turns back.
+  explicit PipePath(const Pipe &pipe);
+
+  double length() const { return total_length; }
+  const std::vector<Segment> &segments() const { return parts; }
+
+  Point3 point(const double s) const;
+
+  /// Arc length of the point of the path at @p position, within @p tolerance [m].
+  std::optional<double> locate(const Point3 &position, const double tolerance) const;
+
+  /// Where the name of a route point lies: the point itself, the middle of its bend.
+  struct Named {
+    std::string name;
+    double s;
+  };
+  const std::vector<Named> &named_points() const { return names; }
+
+private:
+  const Segment &segment_at(const double s) const;
+  void append(Segment segment);
+
+  std::vector<Segment> parts;
+  std::vector<Named> names;
+  double total_length = 0.;
+};
+
+} // namespace frictionbeam

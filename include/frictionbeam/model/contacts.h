@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/generalized_strain.h>
+#include <frictionbeam/model/reduced_space.h>
+
+#include <Eigen/SparseCore>
+
+namespace frictionbeam {
+
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+
+/// Add to an entry that the matrix's pattern has.
+void add_to(SparseMatrix &matrix, const int row, const int column, const double value);
+
+/// A friction element with its law, ready to be evaluated.
+struct Contact {
+  using Strains = Eigen::Matrix<double, n_support_strains, 1>;
+
+  const LawDescription *law = nullptr;
+  const std::vector<double> *parameters = nullptr;
+  std::array<unsigned int, 2> vertices{}; ///< pipe, ground
+  LocalAxes axes{Vector3({0., 0., -1.})}; ///< x from the pipe to the ground
+  double length = 0.;                     ///< [m]
+  double weight = 0.; ///< length times share times tributary length: forces are weight B^T stress
+  std::vector<unsigned int> dofs;                                     ///< of the cell
+  Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B;         ///< strains of these
+  std::vector<int> unknowns;                                          ///< free ones they depend on
+  Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B_reduced; ///< strains of those
+  double platen_force = 0.;  ///< pressed on the ground node [N]
+  unsigned int state_offset = 0, support = 0, site = 0;
+
+  Strains strain(const Vector &all_dofs) const;
+};
+
+/// Committed or trial state of all contacts: internal variables, strains, what was dissipated.
+struct ContactState {
+  std::vector<double> internal;
+  std::vector<Contact::Strains> strain;
+  std::vector<Contact::Strains> touch; ///< strain at which the contact began
+  std::vector<double> dissipated;      ///< [J]
+};
+
+/// What one evaluation of all contacts gives.
+struct ContactResponse {
+  std::vector<Contact::Strains> stress;
+  std::vector<Eigen::Matrix<double, n_support_strains, n_support_strains, Eigen::RowMajor>> tangent;
+  std::vector<ContactStatus> status;
+  ContactState state; ///< at the end of the increment, if it is committed
+  bool failed = false;
+};
+
+/// All friction elements of a scene.
+class Contacts {
+public:
+  Contacts(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+           const ReducedSpace &space, const LawLibrary &laws);
+
+  unsigned int size() const { return list.size(); }
+  const Contact &operator[](const unsigned int i) const { return list[i]; }
+
+  /// Evaluate the laws at the displacements @p all_dofs from the committed state.
+  void evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
+                const double time_increment, const LawTangent tangent,
+                ContactResponse &response) const;
+
+  /// forces += weight B^T stress, on the unknowns.
+  void add_forces(const ContactResponse &response, Vector &forces) const;
+  /// matrix += weight B^T D B; the pattern has the entries (add_pattern()).
+  void add_tangent(const ContactResponse &response, SparseMatrix &matrix) const;
+
+  /// Forces of platens on the unknowns, present from the start.
+  const Vector &platen_forces() const { return preload; }
+  /// Add the positions at which platens are in equilibrium with a line at rest.
+  void place_platens(Vector &unknowns) const;
+  /// The state at the start: no shear force at the displacements @p all_dofs.
+  ContactState initial_state(const Vector &all_dofs) const;
+
+private:
+  std::vector<Contact> list;
+  unsigned int n_internal = 0;
+  Vector preload;
+  std::vector<std::pair<int, double>> platen_positions; ///< unknown, its value in equilibrium
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/model/contacts.h>
+
+namespace frictionbeam {
+
+/**
+ * What is linear in a scene, assembled once: stiffness and mass of pipes, springs and point masses
+ * on the free unknowns, and for each load (at factor 1) its forces and its imposed motions.
+ */
+class LinearPart {
+public:
+  LinearPart(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+             const ReducedSpace &space, const Contacts &contacts, const bool with_mass);
+
+  /// Symmetric, with the pattern of the contacts' tangents in it.
+  const SparseMatrix &stiffness() const { return K; }
+  /// Same pattern; empty if not asked for.
+  const SparseMatrix &mass() const { return M; }
+
+  /// Forces of load @p l on the unknowns, those of its imposed motions included.
+  const Vector &forces(const unsigned int l) const { return load_forces[l]; }
+  /// Motions that load @p l imposes on all degrees of freedom, as (dof, value) pairs.
+  const std::vector<std::pair<unsigned int, double>> &imposed(const unsigned int l) const {
+    return imposed_motions[l];
+  }
+  /// Forces and moments that load @p l puts on vertices by itself (point loads, weight of masses).
+  const std::map<unsigned int, Motion> &nodal(const unsigned int l) const { return nodal_loads[l]; }
+
+private:
+  void find_imposed_motions(const Scene &scene, const LineMesh &mesh,
+                            const Discretization &discretization, const ReducedSpace &space);
+  void find_nodal_loads(const Scene &scene, const LineMesh &mesh,
+                        const Discretization &discretization, const ReducedSpace &space);
+  void make_pattern(const Discretization &discretization, const ReducedSpace &space,
+                    const Contacts &contacts, const Scene &scene, const LineMesh &mesh);
+  void add_pipes(const Scene &scene, const Discretization &discretization,
+                 const ReducedSpace &space, const bool with_mass);
+  void add_springs(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+                   const ReducedSpace &space);
+
+  SparseMatrix K, M;
+  std::vector<Vector> load_forces;
+  std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;
+  std::vector<std::map<unsigned int, Motion>> nodal_loads;
+};
+
+/// Force per length and axial strain that a load puts on a cell of @p pipe with @p profile.
+struct CellLoad {
+  Vector3 line_force;
+  double axial_strain = 0.;
+};
+CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile);
+
+} // namespace frictionbeam

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/results/frame_builder.h>
+
+#include <functional>
+
+namespace frictionbeam {
+
+/**
+ * Gathers results while the analysis runs: frames at the ends of steps and at output instants,
+ * histories of monitored points, and the values of the quantities that the scene asks for.
+ */
+class Collector {
+public:
+  /// Called with each frame as soon as it is made, so that it can be written.
+  using FrameSink = std::function<void(const Frame &)>;
+
+  Collector(const Model &model, Results &results, FrameSink sink);
+
+  /// To be called after every increment of the analysis.
+  void observe(const unsigned int step, const unsigned int increment,
+               const unsigned int n_increments, const LineState &state);
+
+  /// Fill in the quantities' results; those never reached are left out with a remark.
+  void finish();
+
+private:
+  struct Pending {
+    std::optional<double> value;
+    double previous = 0.;
+  };
+
+  double evaluate(const Quantity &quantity, const LineState &state);
+  double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
+  const Frame &current_frame(const LineState &state);
+  bool output_is_due(const LoadStep &step, const double time, const bool last) const;
+
+  const Model &model;
+  Results &results;
+  FrameSink sink;
+  FrameBuilder builder;
+  std::vector<Pending> pending; ///< beside Scene::quantities
+  Frame frame;
+  bool frame_is_current = false;
+  double previous_time = 0., last_output = 0., largest_error = 0.;
+};
+
+/// SI unit of what a quantity measures.
+std::string unit_of(const std::string &what);
+
+} // namespace frictionbeam

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/analysis/line_state.h>
+#include <frictionbeam/model/pipe_element.h>
+#include <frictionbeam/results/results.h>
+
+namespace frictionbeam {
+
+/// Turns a state of the analysis into what is reported: section forces, support forces, reactions.
+class FrameBuilder {
+public:
+  explicit FrameBuilder(const Model &model);
+
+  std::vector<SupportInfo> support_infos() const;
+  std::vector<RestraintInfo> restraint_infos() const;
+
+  /// Displacements and section forces along the pipes, supports, reactions.
+  Frame make(const LineState &state);
+
+  /// Motion of a named point in global axes.
+  Motion motion(const LineState &state, const std::string &point) const;
+
+  /// Force of restraints and imposed motions on a vertex, of the frame made last.
+  const Motion &reaction(const unsigned int vertex) const { return vertex_forces[vertex]; }
+  /// Force of friction element @p i on its pipe in global axes [N].
+  Vector3 support_force(const LineState &state, const unsigned int i) const;
+  /// Force of a spring on its first point.
+  Motion spring_force(const LineState &state, const Spring &spring) const;
+
+private:
+  void add_pipe(const LineState &state, const unsigned int pipe, std::vector<Station> &line);
+  void add_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
+  void add_vertex_forces(const LineState &state);
+  SupportState support_state(const LineState &state, const unsigned int i) const;
+
+  const Model &model;
+  PipeElement element;
+  dealii::FEValues<1, 3> station_values;
+  std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()
+  std::vector<Motion> vertex_forces;    ///< what holds each vertex of the line
+};
+
+} // namespace frictionbeam

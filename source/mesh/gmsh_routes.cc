@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "gmsh_line.h"
+
+#include <frictionbeam/mesh/pipe_path.h>
+#include <frictionbeam/scene/user_error.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+GmshSession::GmshSession() {
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+}
+
+GmshSession::~GmshSession() { gmsh::finalize(); }
+
+namespace {
+
+/// Points that are the same within a tolerance get one number.
+class PointSet {
+public:
+  explicit PointSet(const double tolerance) : cell(4. * tolerance), tolerance(tolerance) {}
+
+  int insert(const Point3 &p) {
+    std::array<long, 3> key;
+    for (unsigned int d = 0; d < 3; ++d)
+      key[d] = std::lround(p[d] / cell);
+    for (long i = -1; i <= 1; ++i)
+      for (long j = -1; j <= 1; ++j)
+        for (long k = -1; k <= 1; ++k) {
+          const auto range = grid.equal_range(hash({key[0] + i, key[1] + j, key[2] + k}));
+          for (auto it = range.first; it != range.second; ++it)
+            if (points[it->second].distance(p) <= tolerance)
+              return it->second;
+        }
+    grid.emplace(hash(key), points.size());
+    points.push_back(p);
+    return points.size() - 1;
+  }
+
+  std::vector<Point3> points;
+
+private:
+  static std::size_t hash(const std::array<long, 3> &key) {
+    return key[0] * 73856093ul ^ key[1] * 19349663ul ^ key[2] * 83492791ul;
+  }
+
+  const double cell, tolerance;
+  std::unordered_multimap<std::size_t, int> grid;
+};
+
+double extent(const std::vector<PipePath> &paths) {
+  Point3 low = paths.front().point(0.), high = low;
+  for (const PipePath &path : paths)
+    for (const auto &segment : path.segments())
+      for (unsigned int d = 0; d < 3; ++d) {
+        low[d] = std::min({low[d], segment.begin[d], segment.end[d]});
+        high[d] = std::max({high[d], segment.begin[d], segment.end[d]});
+      }
+  return (high - low).norm();
+}
+
+double named_position(const PipePath &path, const std::string &pipe, const std::string &name,
+                      const Scene &scene, const double tolerance) {
+  for (const auto &named : path.named_points())
+    if (named.name == name)
+      return named.s;
+  for (const NamedPoint &point : scene.points)
+    if (point.name == name)
+      if (const auto s = path.locate(point.position, tolerance))
+        return *s;
+  throw UserError("The point '" + name + "' is not on pipe '" + pipe +
+                  "', where a repeated support is to begin or end. Name a point of that pipe in "
+                  "From and To, or leave them out for the whole pipe.");
+}
+
+/// Arc lengths at which a pipe must have a vertex.
+class Breaks {
+public:
+  Breaks(const Scene &scene, const std::vector<PipePath> &paths, const double tolerance)
+      : s(paths.size()), tolerance(tolerance) {
+    for (unsigned int p = 0; p < paths.size(); ++p) {
+      for (const auto &segment : paths[p].segments())
+        s[p].push_back(segment.start);
+      s[p].push_back(paths[p].length());
+      for (const auto &named : paths[p].named_points())
+        s[p].push_back(named.s);
+    }
+    for (const NamedPoint &point : scene.points)
+      add_where_it_lies(paths, point.position);
+    if (paths.size() > 1) // tees: where another pipe begins or ends
+      for (const PipePath &path : paths) {
+        add_where_it_lies(paths, path.point(0.));
+        add_where_it_lies(paths, path.point(path.length()));
+      }
+    for (const FrictionSupport &support : scene.supports)
+      add_repeated(scene, paths, support.placement);
+    for (const Restraint &restraint : scene.restraints)
+      add_repeated(scene, paths, restraint.placement);
+    for (auto &breaks : s) {
+      std::sort(breaks.begin(), breaks.end());
+      breaks.erase(std::unique(breaks.begin(), breaks.end(),
+                               [&](const double a, const double b) { return b - a <= tolerance; }),
+                   breaks.end());
+    }
+  }
+
+  std::vector<std::vector<double>> s;
+
+private:
+  void add_where_it_lies(const std::vector<PipePath> &paths, const Point3 &position) {
+    for (unsigned int p = 0; p < paths.size(); ++p)
+      if (const auto at = paths[p].locate(position, tolerance))
+        s[p].push_back(*at);
+  }
+
+  void add_repeated(const Scene &scene, const std::vector<PipePath> &paths,
+                    const Placement &placement) {
+    if (placement.pipe.empty())
+      return;
+    for (unsigned int p = 0; p < paths.size(); ++p) {
+      if (scene.pipes[p].name != placement.pipe)
+        continue;
+      const auto end = [&](const std::string &name, const double otherwise) {
+        return name.empty() ? otherwise
+                            : named_position(paths[p], placement.pipe, name, scene, tolerance);
+      };
+      const double from = end(placement.from, 0.), to = end(placement.to, paths[p].length());
+      if (placement.every > 0.)
+        for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i)
+          s[p].push_back(from + i * placement.every);
+    }
+  }
+
+  const double tolerance;
+};
+
+/// One curve of gmsh.
+struct Piece {
+  int curve;
+  double start, length, bend_radius;
+  int n_cells;
+};
+
+int cells_of_piece(const MeshSettings &settings, const PipePath::Segment &segment,
+                   const double length) {
+  const double cells = segment.radius > 0.
+                           ? settings.cells_per_bend * length / segment.radius / (numbers::PI / 2.)
+                       : settings.cell_length > 0. ? length / settings.cell_length
+                                                   : 1.;
+  return std::max(1, static_cast<int>(std::ceil(cells - 1e-9)));
+}
+
+} // namespace
+
+LineMesh mesh_routes(const Scene &scene) {
+  std::vector<PipePath> paths;
+  for (const Pipe &pipe : scene.pipes)
+    paths.emplace_back(pipe);
+  if (paths.empty())
+    return {};
+  const double tolerance = 1e-7 * extent(paths);
+  const Breaks breaks(scene, paths, tolerance);
+
+  const GmshSession session;
+  gmsh::model::add(scene.name);
+  PointSet corners(tolerance);
+  const auto gmsh_point = [&](const Point3 &p) {
+    const auto n_before = corners.points.size();
+    const int tag = corners.insert(p) + 1;
+    if (corners.points.size() > n_before)
+      gmsh::model::geo::addPoint(p[0], p[1], p[2], 0., tag);
+    return tag;
+  };
+
+  std::vector<std::vector<Piece>> pieces(paths.size());
+  for (unsigned int p = 0; p < paths.size(); ++p) {
+    auto segment = paths[p].segments().begin();
+    for (unsigned int i = 0; i + 1 < breaks.s[p].size(); ++i) {
+      const double begin = breaks.s[p][i], end = breaks.s[p][i + 1];
+      while (begin >= segment->start + segment->length - tolerance &&
+             segment + 1 != paths[p].segments().end())
+        ++segment;
+      Piece piece{0, begin, end - begin, segment->radius, 0};
+      piece.n_cells = cells_of_piece(scene.mesh, *segment, piece.length);
+      const int first = gmsh_point(segment->point(begin - segment->start));
+      const int last = gmsh_point(segment->point(end - segment->start));
+      piece.curve = segment->radius > 0.
+                        ? gmsh::model::geo::addCircleArc(first, gmsh_point(segment->centre), last)
+                        : gmsh::model::geo::addLine(first, last);
+      pieces[p].push_back(piece);
+    }
+  }
+  gmsh::model::geo::synchronize();
+  for (const auto &pipe : pieces)
+    for (const Piece &piece : pipe)
+      gmsh::model::mesh::setTransfiniteCurve(piece.curve, piece.n_cells + 1);
+  gmsh::model::mesh::generate(1);
+
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, unused;
+  gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
+  std::unordered_map<std::size_t, unsigned int> place;
+  place.reserve(tags.size());
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    place[tags[i]] = i;
+
+  LineMesh mesh;
+  std::vector<unsigned int> vertex(tags.size(), numbers::invalid_unsigned_int);
+  const auto vertex_of = [&](const std::size_t tag) {
+    unsigned int &v = vertex[place.at(tag)];
+    if (v == numbers::invalid_unsigned_int) { // a bend's centre stays without
+      v = mesh.vertices.size();
+      const double *const x = &coordinates[3 * place.at(tag)];
+      mesh.vertices.emplace_back(x[0], x[1], x[2]);
+    }
+    return v;
+  };
+  mesh.pipes.resize(paths.size());
+  for (unsigned int p = 0; p < paths.size(); ++p)
+    for (const Piece &piece : pieces[p]) {
+      std::vector<int> types;
+      std::vector<std::vector<std::size_t>> elements, nodes;
+      gmsh::model::mesh::getElements(types, elements, nodes, 1, piece.curve);
+      AssertThrow(nodes.size() == 1 && nodes[0].size() == 2u * piece.n_cells,
+                  ExcMessage("gmsh did not mesh a curve as it was told."));
+      MeshedPipe &pipe = mesh.pipes[p];
+      if (pipe.vertices.empty()) {
+        pipe.vertices.push_back(vertex_of(nodes[0][0]));
+        pipe.s.push_back(piece.start);
+      }
+      for (int i = 0; i < piece.n_cells; ++i) {
+        AssertThrow(vertex_of(nodes[0][2 * i]) == pipe.vertices.back(),
+                    ExcMessage("gmsh did not list the cells of a curve in its direction."));
+        pipe.vertices.push_back(vertex_of(nodes[0][2 * i + 1]));
+        pipe.s.push_back(piece.start + (i + 1) * piece.length / piece.n_cells);
+        pipe.bend_radius.push_back(piece.bend_radius);
+      }
+    }
+
+  for (unsigned int p = 0; p < paths.size(); ++p) {
+    const auto vertex_at = [&](const double s) {
+      const auto &list = mesh.pipes[p].s;
+      return mesh.pipes[p].vertices[std::lower_bound(list.begin(), list.end(), s - tolerance) -
+                                    list.begin()];
+    };
+    for (const auto &named : paths[p].named_points())
+      mesh.points[named.name] = vertex_at(named.s);
+    for (const NamedPoint &point : scene.points)
+      if (const auto s = paths[p].locate(point.position, tolerance))
+        mesh.points[point.name] = vertex_at(*s);
+  }
+  return mesh;
+}
+
+} // namespace frictionbeam

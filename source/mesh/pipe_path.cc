@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/mesh/pipe_path.h>
+#include <frictionbeam/scene/user_error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+Point3 PipePath::Segment::point(const double s) const {
+  if (radius == 0.)
+    return begin + s * first_tangent;
+  const double angle = s / radius;
+  return centre + radius * (std::sin(angle) * first_tangent - std::cos(angle) * inward);
+}
+
+Vector3 PipePath::Segment::tangent(const double s) const {
+  if (radius == 0.)
+    return first_tangent;
+  const double angle = s / radius;
+  return std::cos(angle) * first_tangent + std::sin(angle) * inward;
+}
+
+PipePath::PipePath(const Pipe &pipe) {
+  const auto &route = pipe.route;
+  const auto where = [&](const unsigned int i) {
+    return "point " +
+           (route[i].name.empty() ? "number " + std::to_string(i + 1) : "'" + route[i].name + "'") +
+           " of the route of pipe '" + pipe.name + "'";
+  };
+
+  Point3 begin = route.front().position;
+  if (!route.front().name.empty())
+    names.push_back({route.front().name, 0.});
+  for (unsigned int i = 1; i < route.size(); ++i) {
+    const Vector3 leg = route[i].position - begin;
+    if (leg.norm() == 0.)
+      throw UserError("The " + where(i) + " lies where the run before it begins, so the run has no "
+                      "length. Remove one of the two points or give a smaller bend radius.");
+    const Vector3 t = leg / leg.norm();
+    double cut = 0.; // of the leg, by the bend at its end
+    Vector3 next;
+    double angle = 0.;
+    if (route[i].bend_radius > 0. && i + 1 < route.size()) {
+      next = route[i + 1].position - route[i].position;
+      if (next.norm() == 0.)
+        throw UserError("The " + where(i + 1) + " lies on the point before it.");
+      next /= next.norm();
+      angle = std::acos(std::clamp(t * next, -1., 1.));
+      if (angle > numbers::PI - 1e-6)
+        throw UserError("The route turns back on itself at " + where(i) +
+                        ": a bend needs an angle below 180 degrees. Use two corners.");
+      cut = route[i].bend_radius * std::tan(angle / 2.);
+      const double next_length = (route[i + 1].position - route[i].position).norm();
+      if (cut > leg.norm() * (1. + 1e-12) || cut > next_length * (1. + 1e-12))
+        throw UserError("The bend of radius " + std::to_string(route[i].bend_radius) + " m at " +
+                        where(i) + " takes " + std::to_string(cut) +
+                        " m of each leg, and what is left of the legs is " +
+                        std::to_string(leg.norm()) + " m and " + std::to_string(next_length) +
+                        " m. Give a smaller radius or longer legs.");
+    }
+    if (leg.norm() - cut > 1e-9 * leg.norm()) {
+      Segment straight;
+      straight.length = leg.norm() - cut;
+      straight.begin = begin;
+      straight.end = begin + straight.length * t;
+      straight.first_tangent = t;
+      append(straight);
+    }
+    begin = route[i].position;
+    if (angle > 1e-9) {
+      Segment bend;
+      bend.radius = route[i].bend_radius;
+      bend.length = bend.radius * angle;
+      bend.begin = route[i].position - cut * t;
+      bend.end = begin = route[i].position + cut * next;
+      bend.first_tangent = t;
+      bend.inward = next - (next * t) * t;
+      bend.inward /= bend.inward.norm();
+      bend.centre = bend.begin + bend.radius * bend.inward;
+      append(bend);
+    }
+    if (!route[i].name.empty())
+      names.push_back(
+          {route[i].name, angle > 1e-9 ? total_length - parts.back().length / 2. : total_length});
+  }
+}
+
+void PipePath::append(Segment segment) {
+  segment.start = total_length;
+  total_length += segment.length;
+  parts.push_back(segment);
+}
+
+const PipePath::Segment &PipePath::segment_at(const double s) const {
+  const auto after =
+      std::upper_bound(parts.begin(), parts.end(), s,
+                       [](const double value, const Segment &part) { return value < part.start; });
+  return after == parts.begin() ? parts.front() : *(after - 1);
+}
+
+Point3 PipePath::point(const double s) const {
+  const Segment &part = segment_at(s);
+  return part.point(s - part.start);
+}
+
+std::optional<double> PipePath::locate(const Point3 &position, const double tolerance) const {
+  for (const Segment &part : parts) {
+    double s = (position - part.begin) * part.first_tangent;
+    if (part.radius > 0.) {
+      const Vector3 arm = position - part.centre;
+      s = part.radius * std::atan2(arm * part.first_tangent, -(arm * part.inward));
+    }
+    s = std::clamp(s, 0., part.length);
+    if (part.point(s).distance(position) <= tolerance)
+      return part.start + s;
+  }
+  return {};
+}
+
+} // namespace frictionbeam

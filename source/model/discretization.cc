@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/model/discretization.h>
+
+#include <frictionbeam/fe_friction_beam.h>
+#include <frictionbeam/fe_timoshenko_beam.h>
+#include <frictionbeam/generalized_strain.h>
+#include <frictionbeam/scene/user_error.h>
+
+#include <algorithm>
+#include <set>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+double bend_flexibility(const Pipe &pipe, const Section &section, const double bend_radius) {
+  if (bend_radius == 0. || pipe.bend_flexibility.rule == BendFlexibility::Rule::none)
+    return 1.;
+  if (pipe.bend_flexibility.rule == BendFlexibility::Rule::given)
+    return pipe.bend_flexibility.factor;
+  if (section.wall == 0.)
+    throw UserError("Pipe " + pipe.name + ": Bend flexibility = code needs the outer diameter and "
+                    "the wall of section '" + section.name +
+                    "', which is given by its area and inertia. Give them, a number, or none.");
+  const double r = section.outer_radius - section.wall / 2.;
+  return std::max(1., 1.65 * r * r / (section.wall * bend_radius));
+}
+
+Vector3 resolve(const Direction &direction, const Vector3 &tangent, const std::string &part) {
+  if (direction.kind == Direction::Kind::global)
+    return direction.vector;
+  if (tangent.norm() == 0.)
+    throw UserError("Support " + part + " follows the direction of a pipe, and no pipe reaches its "
+                    "point. Give its direction, or place it on a pipe.");
+  const LocalAxes axes(tangent);
+  return direction.kind == Direction::Kind::along ? axes.x : axes.y;
+}
+
+namespace {
+
+/// The section law's tangent at zero strain, through the law interface.
+Table<2, double> section_tangent(const LawDescription &law, const Profile &profile) {
+  std::vector<double> parameters = default_parameters(law);
+  const std::pair<const char *, double> values[] = {{"Axial rigidity", profile.EA},
+                                                    {"Shear rigidity", profile.GA},
+                                                    {"Torsional rigidity", profile.GJ},
+                                                    {"Bending rigidity", profile.EI}};
+  for (const auto &[name, value] : values)
+    parameters[parameter_index(law, name)] = value;
+  const std::vector<double> zero(std::max(n_section_strains, law.n_internal_variables), 0.);
+  std::vector<double> stress(n_section_strains), tangent(n_section_strains * n_section_strains),
+      state(law.n_internal_variables);
+  const LawInput input{parameters.data(), zero.data(), zero.data(), nullptr, 1., 0.,
+                       0.,                20.,         zero.data(), LawTangent::consistent};
+  LawOutput output{stress.data(), tangent.data(), state.data(), 0., ContactStatus::none};
+  law.law->integrate(input, output);
+  Table<2, double> result(n_section_strains, n_section_strains);
+  result.fill(tangent.begin(), true);
+  return result;
+}
+
+Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
+                     const double bend_radius, const LawDescription &law) {
+  const double E = material.youngs_modulus, G = E / (2. * (1. + material.poissons_ratio));
+  Profile profile;
+  profile.EA = E * section.area;
+  profile.GA = G * section.shear_area;
+  profile.GJ = G * section.torsion_constant;
+  profile.EI = E * section.inertia / bend_flexibility(pipe, section, bend_radius);
+  profile.mass = material.density * section.area + section.added_mass;
+  profile.rotary_inertia = material.density * section.inertia;
+  profile.expansion = material.expansion;
+  profile.pressure_strain = section.bore_area() * (1. - 2. * material.poissons_ratio) / profile.EA;
+  profile.tangent = section_tangent(law, profile);
+  return profile;
+}
+
+} // namespace
+
+Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws)
+    : dofs(triangulation), points(mesh.vertices), n_own(mesh.vertices.size()) {
+  add_profiles(scene, mesh, laws);
+  std::vector<double> shear_flexibility;
+  for (const Profile &profile : sections)
+    shear_flexibility.push_back(profile.GA > 0. ? 12. * profile.EI / profile.GA : 0.);
+  fe.push_back(FE_TimoshenkoBeam(shear_flexibility));
+  for (const FrictionSupport &support : scene.supports) {
+    const std::pair<FrictionSupport::Rotations, bool> option(support.rotations, support.torsion);
+    if (std::find(options.begin(), options.end(), option) == options.end())
+      options.push_back(option);
+  }
+  const bool turning_spring =
+      std::any_of(scene.springs.begin(), scene.springs.end(), [](const Spring &spring) {
+        return spring.stiffness[3] != 0. || spring.stiffness[4] != 0. || spring.stiffness[5] != 0.;
+      });
+  if (!scene.springs.empty()) // carriers of free points
+    options.emplace_back(
+        turning_spring ? FrictionSupport::Rotations::averaged : FrictionSupport::Rotations::none,
+        turning_spring);
+  for (const auto &[rotations, torsion] : options)
+    fe.push_back(FE_FrictionBeam(static_cast<FE_FrictionBeam::Rotations>(rotations), torsion));
+  add_supports(scene, mesh);
+  add_carriers(scene, mesh);
+  AssertThrow(!cells.empty(), ExcMessage("The scene has no cells."));
+
+  const std::vector<CellOrigin> origins = create_line_triangulation(points, cells, triangulation);
+  infos.resize(cells.size());
+  cell_level_index.resize(cells.size());
+  for (const auto &cell : dofs.active_cell_iterators()) {
+    const CellOrigin &origin = origins[cell->active_cell_index()];
+    cell_level_index[origin.index] = cell->index();
+    CellInfo &info = infos[cell->active_cell_index()];
+    if (origin.index < pipes.size()) {
+      info = {CellKind::pipe, origin.index};
+      pipes[origin.index].reversed = origin.reversed;
+    } else if (origin.index < pipes.size() + supports.size())
+      info = {CellKind::support, origin.index - static_cast<unsigned int>(pipes.size())};
+    else
+      info = {CellKind::carrier, 0};
+    cell->set_active_fe_index(fe_index[origin.index]);
+  }
+  dofs.distribute_dofs(fe);
+  dofs_at_vertex = std::make_unique<const VertexDofs>(dofs);
+}
+
+Discretization::Cell Discretization::at(const unsigned int author_index) const {
+  return {&triangulation, 0, static_cast<int>(cell_level_index[author_index]), &dofs};
+}
+
+void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
+                                  const LawLibrary &laws) {
+  const LawDescription &law = laws.find("elastic_section");
+  std::map<std::pair<unsigned int, double>, unsigned int> known; // pipe, bend radius
+  for (unsigned int p = 0; p < mesh.pipes.size(); ++p) {
+    const MeshedPipe &meshed = mesh.pipes[p];
+    const Pipe &pipe = scene.pipes[p];
+    for (unsigned int i = 0; i + 1 < meshed.vertices.size(); ++i) {
+      const auto [entry, is_new] =
+          known.try_emplace({p, meshed.bend_radius[i]}, static_cast<unsigned int>(sections.size()));
+      if (is_new)
+        sections.push_back(make_profile(pipe, scene.sections[pipe.section],
+                                        scene.materials[pipe.material], meshed.bend_radius[i], law));
+      cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, entry->second});
+      fe_index.push_back(0);
+      pipes.push_back({p, i, false});
+    }
+  }
+}
+
+unsigned int Discretization::element_index(const FrictionSupport &support) const {
+  const std::pair<FrictionSupport::Rotations, bool> option(support.rotations, support.torsion);
+  return 1 + (std::find(options.begin(), options.end(), option) - options.begin());
+}
+
+void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
+  for (unsigned int i = 0; i < scene.supports.size(); ++i) {
+    const FrictionSupport &support = scene.supports[i];
+    for (unsigned int site = 0; site < mesh.supports[i].size(); ++site) {
+      const unsigned int on = mesh.supports[i][site].vertex;
+      unsigned int ground;
+      if (support.ground.empty()) {
+        const Vector3 normal = resolve(support.normal, mesh.supports[i][site].tangent, support.name);
+        ground = points.size();
+        points.push_back(points[on] - support.length * normal);
+      } else
+        ground = mesh.points.at(support.ground);
+      cells.push_back({{on, ground}, 0});
+      fe_index.push_back(element_index(support));
+      supports.push_back({i, site, {on, ground}});
+    }
+  }
+}
+
+void Discretization::add_carriers(const Scene &scene, const LineMesh &mesh) {
+  std::set<unsigned int> reached;
+  for (const LineCell &cell : cells)
+    reached.insert(cell.vertices.begin(), cell.vertices.end());
+  for (const Spring &spring : scene.springs)
+    for (const std::string &name : {spring.point, spring.other}) {
+      if (name.empty() || !reached.insert(mesh.points.at(name)).second)
+        continue;
+      const unsigned int vertex = mesh.points.at(name);
+      points.push_back(points[vertex] + Vector3({0., 0., -1.}));
+      cells.push_back({{vertex, static_cast<unsigned int>(points.size() - 1)}, 0});
+      fe_index.push_back(fe.size() - 1);
+    }
+}
+
+} // namespace frictionbeam

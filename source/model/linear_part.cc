@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/model/linear_part.h>
+
+#include <frictionbeam/model/pipe_element.h>
+#include <frictionbeam/scene/user_error.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile) {
+  CellLoad result;
+  if (!load.pipes.empty() && std::count(load.pipes.begin(), load.pipes.end(), pipe) == 0)
+    return result;
+  switch (load.kind) {
+  case Load::Kind::weight:
+    result.line_force = profile.mass * load.vector;
+    break;
+  case Load::Kind::line_force:
+    result.line_force = load.vector;
+    break;
+  case Load::Kind::temperature:
+    result.axial_strain = profile.expansion * load.value;
+    break;
+  case Load::Kind::pressure:
+    result.axial_strain = profile.pressure_strain * load.value;
+    break;
+  case Load::Kind::force:
+  case Load::Kind::displacement:
+    break;
+  }
+  return result;
+}
+
+namespace {
+
+/// Unknowns of a small set of degrees of freedom, and how they depend on them: u_e = C_e q_e.
+struct LocalSpace {
+  std::vector<int> unknowns;
+  bool plain; ///< every degree of freedom is an unknown or held
+
+  LocalSpace(const std::vector<types::global_dof_index> &dofs, const ReducedSpace &space)
+      : plain(true) {
+    for (const auto dof : dofs)
+      for (const auto &term : space.terms(dof)) {
+        unknowns.push_back(term.unknown);
+        plain = plain && term.weight == 1. && space.terms(dof).begin() + 1 == space.terms(dof).end();
+      }
+    std::sort(unknowns.begin(), unknowns.end());
+    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  }
+};
+
+/// Adds a matrix on degrees of freedom to the one on unknowns.
+template <typename Matrix>
+void add_local(const Matrix &local, const std::vector<types::global_dof_index> &dofs,
+               const ReducedSpace &space, SparseMatrix &global) {
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    for (const auto &row : space.terms(dofs[i]))
+      for (unsigned int j = 0; j < dofs.size(); ++j)
+        for (const auto &column : space.terms(dofs[j]))
+          add_to(global, row.unknown, column.unknown, row.weight * column.weight * local(i, j));
+}
+
+std::vector<types::global_dof_index> dofs_of_vertices(const VertexDofs &vertex_dofs,
+                                                      const std::vector<unsigned int> &vertices) {
+  std::vector<types::global_dof_index> dofs;
+  for (const unsigned int v : vertices)
+    for (unsigned int c = 0; c < 6; ++c)
+      if (vertex_dofs.index(v, c) != numbers::invalid_dof_index)
+        dofs.push_back(vertex_dofs.index(v, c));
+  return dofs;
+}
+
+} // namespace
+
+LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
+                       const Discretization &discretization, const ReducedSpace &space,
+                       const Contacts &contacts, const bool with_mass)
+    : load_forces(scene.loads.size(), Vector::Zero(space.n_unknowns())),
+      imposed_motions(scene.loads.size()), nodal_loads(scene.loads.size()) {
+  find_imposed_motions(scene, mesh, discretization, space);
+  find_nodal_loads(scene, mesh, discretization, space);
+  make_pattern(discretization, space, contacts, scene, mesh);
+  if (with_mass)
+    M = K;
+  add_pipes(scene, discretization, space, with_mass);
+  add_springs(scene, mesh, discretization, space);
+  if (with_mass)
+    for (const PointMass &mass : scene.masses)
+      for (const std::string &point : mass.points) {
+        const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), {mesh.points.at(point)});
+        add_local(mass.mass * Eigen::Matrix3d::Identity(), {dofs.begin(), dofs.begin() + 3}, space, M);
+      }
+}
+
+void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
+                                      const Discretization &discretization,
+                                      const ReducedSpace &space) {
+  for (unsigned int l = 0; l < scene.loads.size(); ++l) {
+    if (scene.loads[l].kind != Load::Kind::displacement)
+      continue;
+    for (const Load::AtPoint &at : scene.loads[l].at) {
+      const unsigned int vertex = mesh.points.at(at.point);
+      // The smallest motion of the vertex that has the given values and respects all that is held.
+      Eigen::MatrixXd rows(0, 6);
+      Eigen::VectorXd values(0);
+      const auto append = [&](const Tensor<1, 6> &direction, const double value) {
+        rows.conservativeResize(rows.rows() + 1, 6);
+        values.conservativeResize(values.size() + 1);
+        for (unsigned int c = 0; c < 6; ++c)
+          rows(rows.rows() - 1, c) = direction[c];
+        values[values.size() - 1] = value;
+      };
+      for (const auto &held : space.held()) {
+        if (held.vertex != vertex)
+          continue;
+        double value = 0.;
+        for (unsigned int c = 0; c < 6; ++c)
+          if (at.given[c] && held.direction[c] == 1.)
+            value = at.value[c];
+        append(held.direction, value);
+      }
+      const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
+      if ((rows * motion - values).norm() > 1e-9 * values.norm())
+        throw UserError("Load " + scene.loads[l].name + ": the motion imposed at point '" +
+                        at.point + "' contradicts a restraint there. Impose it only in directions "
+                        "that are free otherwise.");
+      for (unsigned int c = 0; c < 6; ++c) {
+        const auto dof = discretization.vertex_dofs().index(vertex, c);
+        if (motion[c] != 0. && dof != numbers::invalid_dof_index)
+          imposed_motions[l].emplace_back(dof, motion[c]);
+      }
+    }
+  }
+}
+
+void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
+                                  const Discretization &discretization,
+                                  const ReducedSpace &space) {
+  for (unsigned int l = 0; l < scene.loads.size(); ++l) {
+    const Load &load = scene.loads[l];
+    if (load.kind == Load::Kind::force)
+      for (const Load::AtPoint &at : load.at)
+        for (unsigned int c = 0; c < 6; ++c)
+          nodal_loads[l][mesh.points.at(at.point)][c] += at.value[c];
+    if (load.kind == Load::Kind::weight)
+      for (const PointMass &mass : scene.masses)
+        for (const std::string &point : mass.points)
+          for (unsigned int d = 0; d < 3; ++d)
+            nodal_loads[l][mesh.points.at(point)][d] += mass.mass * load.vector[d];
+    for (const auto &[vertex, force] : nodal_loads[l])
+      for (unsigned int c = 0; c < 6; ++c) {
+        const auto dof = discretization.vertex_dofs().index(vertex, c);
+        if (force[c] == 0.)
+          continue;
+        if (dof == numbers::invalid_dof_index)
+          throw UserError("Load " + load.name + " puts a moment on a point that has no rotations. "
+                          "Leave the moment out.");
+        for (const auto &term : space.terms(dof))
+          load_forces[l][term.unknown] += term.weight * force[c];
+      }
+  }
+}
+
+void LinearPart::make_pattern(const Discretization &discretization, const ReducedSpace &space,
+                              const Contacts &contacts, const Scene &scene, const LineMesh &mesh) {
+  DynamicSparsityPattern pattern(space.n_unknowns());
+  const auto couple = [&](const std::vector<int> &unknowns) {
+    for (const int row : unknowns)
+      pattern.add_entries(row, unknowns.begin(), unknowns.end(), true);
+  };
+  std::vector<types::global_dof_index> dofs(12);
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    if (discretization.info(cell).kind == Discretization::CellKind::pipe) {
+      cell->get_dof_indices(dofs);
+      couple(LocalSpace(dofs, space).unknowns);
+    }
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    couple(contacts[i].unknowns);
+  for (const Spring &spring : scene.springs) {
+    std::vector<unsigned int> vertices = {mesh.points.at(spring.point)};
+    if (!spring.other.empty())
+      vertices.push_back(mesh.points.at(spring.other));
+    couple(LocalSpace(dofs_of_vertices(discretization.vertex_dofs(), vertices), space).unknowns);
+  }
+  for (unsigned int i = 0; i < space.n_unknowns(); ++i)
+    pattern.add(i, i);
+
+  K.resize(space.n_unknowns(), space.n_unknowns());
+  K.resizeNonZeros(pattern.n_nonzero_elements());
+  int n = 0;
+  for (unsigned int i = 0; i < space.n_unknowns(); ++i) {
+    K.outerIndexPtr()[i] = n;
+    for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry) {
+      K.innerIndexPtr()[n] = entry->column();
+      K.valuePtr()[n++] = 0.;
+    }
+  }
+  K.outerIndexPtr()[space.n_unknowns()] = n;
+}
+
+void LinearPart::add_pipes(const Scene &scene, const Discretization &discretization,
+                           const ReducedSpace &space, const bool with_mass) {
+  std::unordered_map<unsigned int, std::vector<std::pair<unsigned int, double>>> imposed; // dof: load
+  for (unsigned int l = 0; l < imposed_motions.size(); ++l)
+    for (const auto &[dof, value] : imposed_motions[l])
+      imposed[dof].emplace_back(l, value);
+
+  PipeElement element(discretization);
+  std::vector<types::global_dof_index> dofs(12);
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
+    const auto &info = discretization.info(cell);
+    if (info.kind != Discretization::CellKind::pipe)
+      continue;
+    const std::string &pipe = scene.pipes[discretization.pipe_cells()[info.index].pipe].name;
+    cell->get_dof_indices(dofs);
+    element.reinit(cell);
+    const PipeElement::Matrix12 stiffness = element.stiffness();
+    add_local(stiffness, dofs, space, K);
+    if (with_mass)
+      add_local(element.mass(cell), dofs, space, M);
+
+    const auto line = element.unit_line_loads();
+    const PipeElement::Vector12 strain = element.unit_axial_strain();
+    for (unsigned int l = 0; l < scene.loads.size(); ++l) {
+      const CellLoad load = cell_load(scene.loads[l], pipe, element.profile());
+      if (load.axial_strain == 0. && load.line_force.norm() == 0.)
+        continue;
+      const PipeElement::Vector12 forces =
+          line * Eigen::Vector3d(load.line_force[0], load.line_force[1], load.line_force[2]) +
+          load.axial_strain * strain;
+      for (unsigned int i = 0; i < 12; ++i)
+        for (const auto &term : space.terms(dofs[i]))
+          load_forces[l][term.unknown] += term.weight * forces[i];
+    }
+    if (!imposed.empty())
+      for (unsigned int j = 0; j < 12; ++j)
+        if (const auto found = imposed.find(dofs[j]); found != imposed.end())
+          for (const auto &[l, value] : found->second)
+            for (unsigned int i = 0; i < 12; ++i)
+              for (const auto &term : space.terms(dofs[i]))
+                load_forces[l][term.unknown] -= term.weight * stiffness(i, j) * value;
+  }
+}
+
+void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
+                             const Discretization &discretization, const ReducedSpace &space) {
+  const VertexDofs &vertex_dofs = discretization.vertex_dofs();
+  for (const Spring &spring : scene.springs)
+    for (unsigned int c = 0; c < 6; ++c) {
+      if (spring.stiffness[c] == 0.)
+        continue;
+      std::vector<types::global_dof_index> dofs = {
+          vertex_dofs.index(mesh.points.at(spring.point), c)};
+      if (!spring.other.empty())
+        dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
+      for (const auto dof : dofs)
+        if (dof == numbers::invalid_dof_index)
+          throw UserError("Spring " + spring.name +
+                          " has a rotational stiffness at a point without rotations. Set it to 0.");
+      Eigen::Matrix2d local;
+      local << 1., -1., -1., 1.;
+      local *= spring.stiffness[c];
+      add_local(local, dofs, space, K);
+      for (unsigned int l = 0; l < imposed_motions.size(); ++l)
+        for (const auto &[dof, value] : imposed_motions[l])
+          for (unsigned int j = 0; j < dofs.size(); ++j)
+            if (dofs[j] == dof)
+              for (unsigned int i = 0; i < dofs.size(); ++i)
+                for (const auto &term : space.terms(dofs[i]))
+                  load_forces[l][term.unknown] -= term.weight * local(i, j) * value;
+    }
+}
+
+} // namespace frictionbeam

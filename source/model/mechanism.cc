@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/model/mechanism.h>
+
+#include <frictionbeam/scene/user_error.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Vertices joined into parts.
+class Parts {
+public:
+  explicit Parts(const unsigned int n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
+
+  unsigned int find(unsigned int v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  }
+  void join(const unsigned int a, const unsigned int b) { parent[find(a)] = find(b); }
+
+private:
+  std::vector<unsigned int> parent;
+};
+
+/// Rigid motions of one part about its centre and the directions in which it is held, as the sum of
+/// row^T row; rotations are scaled by the part's size.
+struct Part {
+  Vector3 centre;
+  double size = 0.;
+  unsigned int n_vertices = 0;
+  bool turns = false; ///< has rotations or more than one place
+  unsigned int pipe = numbers::invalid_unsigned_int;
+  unsigned int vertex = 0;
+  Matrix6 held = Matrix6::Zero(), held_by_friction = Matrix6::Zero();
+};
+
+class MechanismCheck {
+public:
+  MechanismCheck(const Scene &scene, const LineMesh &mesh, const Discretization &discretization)
+      : scene(scene), mesh(mesh), points(discretization.vertices()),
+        n(discretization.n_line_vertices()), root(points.size()) {}
+
+  void find_parts(const Contacts &contacts) {
+    for (const MeshedPipe &pipe : mesh.pipes)
+      for (unsigned int i = 0; i + 1 < pipe.vertices.size(); ++i)
+        root.join(pipe.vertices[i], pipe.vertices[i + 1]);
+    for (const Spring &spring : scene.springs)
+      if (!spring.other.empty())
+        root.join(mesh.points.at(spring.point), mesh.points.at(spring.other));
+    for (unsigned int i = 0; i < contacts.size(); ++i)
+      if (contacts[i].vertices[1] < n)
+        root.join(contacts[i].vertices[0], contacts[i].vertices[1]);
+    for (unsigned int v = 0; v < n; ++v) {
+      Part &part = parts[root.find(v)];
+      part.centre += points[v];
+      part.vertex = v;
+      ++part.n_vertices;
+    }
+    for (auto &[r, part] : parts)
+      part.centre /= part.n_vertices;
+    for (unsigned int v = 0; v < n; ++v) {
+      Part &part = parts[root.find(v)];
+      part.size = std::max(part.size, (points[v] - Point3(part.centre)).norm());
+    }
+    for (unsigned int p = 0; p < mesh.pipes.size(); ++p) {
+      Part &part = parts[root.find(mesh.pipes[p].vertices.front())];
+      part.pipe = p;
+      part.turns = true;
+    }
+    for (auto &[r, part] : parts)
+      part.turns = part.turns || part.size > 0.;
+  }
+
+  /// The motion @p direction is held at a vertex.
+  void hold(const unsigned int vertex, const Tensor<1, 6> &direction, const bool friction) {
+    if (vertex >= n)
+      return;
+    Part &part = parts.at(root.find(vertex));
+    const Vector3 force({direction[0], direction[1], direction[2]});
+    const Vector3 moment =
+        Vector3({direction[3], direction[4], direction[5]}) +
+        cross_product_3d(Vector3(points[vertex] - Point3(part.centre)), force);
+    Vector6 row;
+    const double scale = part.size > 0. ? part.size : 1.;
+    for (unsigned int d = 0; d < 3; ++d) {
+      row[d] = force[d];
+      row[3 + d] = moment[d] / scale;
+    }
+    (friction ? part.held_by_friction : part.held) += row * row.transpose();
+  }
+
+  std::vector<std::string> judge() const {
+    std::vector<std::string> warnings;
+    for (const auto &[r, part] : parts) {
+      const int size = part.turns ? 6 : 3;
+      const auto free_motion = [&](const Matrix6 &held) {
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held.topLeftCorner(size, size));
+        const bool is_free =
+            eigen.eigenvalues()[0] <= 1e-12 * std::max(eigen.eigenvalues()[size - 1], 1e-300);
+        Vector6 mode = Vector6::Zero();
+        mode.head(size) = eigen.eigenvectors().col(0);
+        return std::make_pair(is_free, mode);
+      };
+      const auto [is_free, mode] = free_motion(part.held + part.held_by_friction);
+      if (is_free)
+        throw UserError(name(part) + " is held by nothing against " + describe(part, mode) +
+                        ". A static analysis needs every motion held: add an anchor, a restraint, "
+                        "a spring or a support, or take the motion out with 'Free motions'.");
+      const auto [slides, sliding] = free_motion(part.held);
+      if (slides)
+        warnings.push_back(name(part) + " is held by friction alone against " +
+                           describe(part, sliding) + ".");
+    }
+    return warnings;
+  }
+
+private:
+  std::string name(const Part &part) const {
+    if (part.pipe != numbers::invalid_unsigned_int)
+      return "The line with pipe '" + scene.pipes[part.pipe].name + "'";
+    for (const auto &[point, vertex] : mesh.points)
+      if (vertex == part.vertex)
+        return "The point '" + point + "'";
+    return "A part of the line";
+  }
+
+  static std::string text(const Vector3 &v) {
+    std::ostringstream out;
+    out.precision(3);
+    out << '(';
+    for (unsigned int d = 0; d < 3; ++d)
+      out << (std::abs(v[d]) < 1e-6 * v.norm() ? 0. : v[d]) << (d < 2 ? ", " : ")");
+    return out.str();
+  }
+
+  static std::string describe(const Part &part, const Vector6 &mode) {
+    Vector3 shift, turn;
+    for (unsigned int d = 0; d < 3; ++d) {
+      shift[d] = mode[d];
+      turn[d] = mode[3 + d];
+    }
+    if (turn.norm() < 1e-6)
+      return "moving along " + text(shift / shift.norm());
+    Vector3 axis = turn / turn.norm();
+    const Vector3 rate = turn / (part.size > 0. ? part.size : 1.);
+    const Vector3 through = part.centre + cross_product_3d(rate, shift) / rate.norm_square();
+    return "turning about the axis " + text(axis) + " through " + text(through);
+  }
+
+  const Scene &scene;
+  const LineMesh &mesh;
+  const std::vector<Point3> &points;
+  const unsigned int n;
+  Parts root;
+  std::map<unsigned int, Part> parts;
+};
+
+Tensor<1, 6> along(const Vector3 &direction) {
+  Tensor<1, 6> row;
+  for (unsigned int d = 0; d < 3; ++d)
+    row[d] = direction[d];
+  return row;
+}
+
+/// Whether a support resists sliding: its law, loaded and then sheared, answers with a force.
+bool resists_sliding(const Contact &contact) {
+  const double e = 1e-6;
+  const double base = -1. - e;
+  const double strain[n_support_strains] = {base, e, 0., 0.}, rate[n_support_strains] = {};
+  double stress[n_support_strains];
+  const double displacement[3] = {base * contact.length, e * contact.length, 0.};
+  std::vector<double> zero(contact.law->n_internal_variables + 1, 0.), state(zero);
+  const LawInput input{contact.parameters->data(), strain, rate, displacement, contact.length, 0.,
+                       0., 20., zero.data(), LawTangent::none};
+  LawOutput output{stress, nullptr, state.data(), 0., ContactStatus::none};
+  contact.law->law->integrate(input, output);
+  return stress[1] != 0.;
+}
+
+} // namespace
+
+std::vector<std::string> check_mechanisms(const Scene &scene, const LineMesh &mesh,
+                                          const Discretization &discretization,
+                                          const ReducedSpace &space, const Contacts &contacts) {
+  MechanismCheck check(scene, mesh, discretization);
+  check.find_parts(contacts);
+  for (const auto &held : space.held())
+    check.hold(held.vertex, held.direction, false);
+  for (const Spring &spring : scene.springs)
+    for (unsigned int c = 0; c < 6; ++c)
+      if (spring.stiffness[c] > 0. && spring.other.empty()) {
+        Tensor<1, 6> row;
+        row[c] = 1.;
+        check.hold(mesh.points.at(spring.point), row, false);
+      }
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const Contact &contact = contacts[i];
+    if (contact.vertices[1] < discretization.n_line_vertices())
+      continue; // joined above
+    if (contact.platen_force == 0.)
+      check.hold(contact.vertices[0], along(contact.axes.x), false);
+    if (resists_sliding(contact)) {
+      check.hold(contact.vertices[0], along(contact.axes.y), true);
+      check.hold(contact.vertices[0], along(contact.axes.z), true);
+    }
+  }
+  return check.judge();
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/collector.h>
+
+#include <frictionbeam/scene/user_error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
+const std::vector<std::string> forces = {"fx", "fy", "fz", "mx", "my", "mz"};
+const std::vector<std::string> section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz"};
+
+/// Place in a list of words, or -1.
+int place(const std::vector<std::string> &words, const std::string &word) {
+  const auto found = std::find(words.begin(), words.end(), word);
+  return found == words.end() ? -1 : static_cast<int>(found - words.begin());
+}
+
+double support_value(const SupportState &support, const std::string &what) {
+  return what == "fn"      ? support.fn
+         : what == "ft1"   ? support.ft1
+         : what == "ft2"   ? support.ft2
+         : what == "gap"   ? support.gap
+         : what == "slip1" ? support.slip1
+         : what == "slip2" ? support.slip2
+                           : support.work_friction;
+}
+
+double sum_over_supports(const std::vector<SupportState> &supports, const std::string &what) {
+  double sum = 0.;
+  for (const SupportState &support : supports)
+    sum += what == "sum_normal"     ? std::abs(support.fn)
+           : what == "sum_friction" ? std::hypot(support.ft1, support.ft2)
+           : what == "n_stick"      ? support.status == ContactStatus::stick
+           : what == "n_slip"       ? support.status == ContactStatus::slip
+                                    : support.status == ContactStatus::open;
+  return sum;
+}
+
+} // namespace
+
+std::string unit_of(const std::string &what) {
+  const int motion = place(motions, what), force = place(forces, what),
+            section = place(section_forces, what);
+  if (motion >= 0)
+    return motion < 3 ? "m" : "rad";
+  if (force >= 0 || section >= 0)
+    return std::max(force, section) < 3 ? "N" : "N m";
+  if (what == "fn" || what == "ft1" || what == "ft2" || what == "sum_normal" ||
+      what == "sum_friction")
+    return "N";
+  if (what == "gap" || what == "slip1" || what == "slip2" || what == "max_error")
+    return "m";
+  return what == "work" ? "J" : "-";
+}
+
+Collector::Collector(const Model &model, Results &results, FrameSink sink)
+    : model(model), results(results), sink(std::move(sink)), builder(model),
+      pending(model.scene.quantities.size()) {
+  results.supports = builder.support_infos();
+  results.restraints = builder.restraint_infos();
+  for (const std::string &point : model.scene.monitors)
+    results.histories.push_back({point, {}, {}});
+}
+
+const Frame &Collector::current_frame(const LineState &state) {
+  if (!frame_is_current)
+    frame = builder.make(state);
+  frame_is_current = true;
+  return frame;
+}
+
+double Collector::force_at(const Quantity &quantity, const LineState &state,
+                           const unsigned int component) {
+  const Frame &now = current_frame(state);
+  for (unsigned int i = 0; i < results.restraints.size(); ++i)
+    if (results.restraints[i].name == quantity.where)
+      return now.reactions[i][component];
+  for (unsigned int i = 0; i < results.supports.size(); ++i)
+    if (results.supports[i].name == quantity.where)
+      return component < 3 ? builder.support_force(state, i)[component] : 0.;
+  const auto point = model.mesh.points.find(quantity.where);
+  if (point == model.mesh.points.end())
+    throw UserError("Quantity " + quantity.name + ": there is no point, restraint, spring or "
+                    "support called '" + quantity.where +
+                    "'. A repeated support's names are numbered: name.1, name.2, ...");
+  double force = builder.reaction(point->second)[component];
+  for (unsigned int i = 0; component < 3 && i < model.contacts.size(); ++i)
+    if (model.contacts[i].vertices[0] == point->second)
+      force += builder.support_force(state, i)[component];
+  return force;
+}
+
+double Collector::evaluate(const Quantity &quantity, const LineState &state) {
+  const std::string &what = quantity.what;
+  double value = 0.;
+  if (const int c = place(motions, what); c >= 0)
+    value = builder.motion(state, quantity.where)[c];
+  else if (const int c = place(forces, what); c >= 0)
+    value = force_at(quantity, state, c);
+  else if (const int c = place(section_forces, what); c >= 0) {
+    const unsigned int vertex = model.mesh.points.at(quantity.where);
+    for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p) {
+      const MeshedPipe &pipe = model.mesh.pipes[p];
+      const auto found = std::find(pipe.vertices.begin(), pipe.vertices.end(), vertex);
+      if (found == pipe.vertices.end())
+        continue;
+      const double s = pipe.s[found - pipe.vertices.begin()];
+      for (const Station &station : current_frame(state).line)
+        if (station.pipe == p && station.node && std::abs(station.s - s) <= 1e-9 * pipe.s.back()) {
+          value = station.force[c];
+          break;
+        }
+      break;
+    }
+  } else if (what == "max_error")
+    value = largest_error;
+  else if (quantity.where.empty())
+    value = sum_over_supports(current_frame(state).supports, what);
+  else {
+    bool found = false;
+    for (unsigned int i = 0; i < results.supports.size() && !found; ++i)
+      if (results.supports[i].name == quantity.where) {
+        value = support_value(current_frame(state).supports[i], what);
+        found = true;
+      }
+    if (!found)
+      throw UserError("Quantity " + quantity.name + ": there is no friction support called '" +
+                      quantity.where + "'. A repeated support's names are numbered: name.1, ...");
+  }
+  return quantity.scale * (quantity.absolute ? std::abs(value) : value);
+}
+
+bool Collector::output_is_due(const LoadStep &step, const double time, const bool last) const {
+  if (last)
+    return true;
+  if (step.transient)
+    return model.scene.time.output_interval == 0. ||
+           time >= last_output + model.scene.time.output_interval * (1. - 1e-9);
+  return model.scene.output.every_increment;
+}
+
+void Collector::observe(const unsigned int step, const unsigned int increment,
+                        const unsigned int n_increments, const LineState &state) {
+  frame_is_current = false;
+  const bool start = n_increments == 0, last = !start && increment == n_increments;
+  for (History &history : results.histories) {
+    history.time.push_back(state.time);
+    history.displacement.push_back(builder.motion(state, history.point));
+  }
+  if (model.scene.exact)
+    largest_error =
+        std::max(largest_error,
+                 std::abs(builder.motion(state, model.scene.exact->point)[model.scene.exact->component] -
+                          model.scene.exact->value(state.time)));
+
+  for (unsigned int i = 0; i < pending.size(); ++i) {
+    const Quantity &quantity = model.scene.quantities[i];
+    if (quantity.time) {
+      if (pending[i].value)
+        continue;
+      const double rounding = 1e-9 * std::max(1e-300, std::abs(*quantity.time));
+      if (*quantity.time > state.time + rounding) {
+        pending[i].previous = evaluate(quantity, state);
+      } else {
+        const double now = evaluate(quantity, state);
+        const double part = state.time > previous_time && !start
+                                ? std::min(1., (*quantity.time - previous_time) / (state.time - previous_time))
+                                : 1.;
+        pending[i].value = part == 1. ? now : pending[i].previous + part * (now - pending[i].previous);
+      }
+    } else if (last && (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
+      pending[i].value = evaluate(quantity, state);
+  }
+  previous_time = state.time;
+
+  if (!start && output_is_due(model.scene.steps[step], state.time, last)) {
+    last_output = state.time;
+    current_frame(state);
+    frame.step = step;
+    frame.increment = increment;
+    frame.end_of_step = last;
+    sink(frame);
+    if (last)
+      results.frames.push_back(frame);
+  }
+}
+
+void Collector::finish() {
+  for (unsigned int i = 0; i < pending.size(); ++i) {
+    const Quantity &quantity = model.scene.quantities[i];
+    if (!pending[i].value) {
+      results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
+      continue;
+    }
+    QuantityResult result{quantity.name, unit_of(quantity.what), quantity.source,
+                          *pending[i].value, quantity.reference, {}};
+    if (quantity.reference) {
+      const double difference = std::abs(result.value - *quantity.reference);
+      result.error = *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
+    }
+    results.quantities.push_back(result);
+  }
+}
+
+} // namespace frictionbeam

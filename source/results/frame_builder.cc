@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/frame_builder.h>
+
+#include <limits>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+Quadrature<1> station_points(const unsigned int n) {
+  std::vector<Point<1>> points;
+  for (unsigned int i = 1; i <= n; ++i)
+    points.emplace_back(static_cast<double>(i) / (n + 1));
+  return Quadrature<1>(points);
+}
+
+std::string instance_name(const std::string &name, const unsigned int site, const bool several) {
+  return several ? name + "." + std::to_string(site + 1) : name;
+}
+
+Vector3 vector_at(const PipeElement::Vector12 &values, const unsigned int first) {
+  return Vector3({values[first], values[first + 1], values[first + 2]});
+}
+
+} // namespace
+
+FrameBuilder::FrameBuilder(const Model &model)
+    : model(model), element(model.discretization),
+      station_values(model.discretization.elements()[0],
+                     station_points(model.scene.output.stations), update_values) {
+  const auto &cells = model.discretization.pipe_cells();
+  for (unsigned int i = 0; i < cells.size(); ++i)
+    if (cells[i].position == 0)
+      first_cell.push_back(i);
+}
+
+std::vector<SupportInfo> FrameBuilder::support_infos() const {
+  std::vector<SupportInfo> infos;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const FrictionSupport &support = model.scene.supports[contact.support];
+    infos.push_back({instance_name(support.name, contact.site,
+                                   model.mesh.supports[contact.support].size() > 1),
+                     support.kind, model.discretization.vertices()[contact.vertices[0]],
+                     -contact.axes.x, contact.axes.z, contact.axes.y});
+  }
+  return infos;
+}
+
+std::vector<RestraintInfo> FrameBuilder::restraint_infos() const {
+  std::vector<RestraintInfo> infos;
+  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
+    for (unsigned int site = 0; site < model.mesh.restraints[i].size(); ++site)
+      infos.push_back({instance_name(model.scene.restraints[i].name, site,
+                                     model.mesh.restraints[i].size() > 1),
+                       model.scene.restraints[i].kind,
+                       model.mesh.vertices[model.mesh.restraints[i][site].vertex]});
+  for (const Spring &spring : model.scene.springs)
+    infos.push_back({spring.name, "spring", model.mesh.vertices[model.mesh.points.at(spring.point)]});
+  return infos;
+}
+
+Motion FrameBuilder::motion(const LineState &state, const std::string &point) const {
+  Motion result{};
+  for (unsigned int c = 0; c < 6; ++c) {
+    const auto dof = model.discretization.vertex_dofs().index(model.mesh.points.at(point), c);
+    if (dof != numbers::invalid_dof_index)
+      result[c] = state.dofs[dof];
+  }
+  return result;
+}
+
+Vector3 FrameBuilder::support_force(const LineState &state, const unsigned int i) const {
+  const Contact &contact = model.contacts[i];
+  const Contact::Strains stress = contact.weight / contact.length * state.contact_stress[i];
+  return stress[0] * contact.axes.x + stress[1] * contact.axes.y + stress[2] * contact.axes.z;
+}
+
+Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) const {
+  Motion force = motion(state, spring.point);
+  if (!spring.other.empty()) {
+    const Motion other = motion(state, spring.other);
+    for (unsigned int c = 0; c < 6; ++c)
+      force[c] -= other[c];
+  }
+  for (unsigned int c = 0; c < 6; ++c)
+    force[c] *= -spring.stiffness[c];
+  return force;
+}
+
+SupportState FrameBuilder::support_state(const LineState &state, const unsigned int i) const {
+  const Contact &contact = model.contacts[i];
+  const double share = contact.weight / contact.length;
+  const Contact::Strains &stress = state.contact_stress[i], &strain = state.contacts.strain[i];
+  SupportState result;
+  result.status = state.contact_status[i];
+  result.fn = -share * stress[0];
+  result.ft1 = share * stress[2];
+  result.ft2 = share * stress[1];
+  result.work_friction = state.contacts.dissipated[i];
+  FrictionThreshold law{0., 0., 0., 0., std::numeric_limits<double>::infinity(),
+                        std::numeric_limits<double>::infinity()};
+  if (contact.law->threshold != nullptr)
+    contact.law->threshold(contact.parameters->data(), law);
+  result.gap = strain[0] * contact.length + law.gap;
+  if (result.status != ContactStatus::open) {
+    // What is left of the displacement since contact began when the elastic part is taken out.
+    const Contact::Strains &touch = state.contacts.touch[i];
+    const auto slip = [&](const unsigned int e, const double rigidity) {
+      const double elastic = rigidity > 0. ? stress[e] / rigidity : 0.;
+      return -(strain[e] - touch[e] - elastic) * contact.length;
+    };
+    result.slip1 = slip(2, law.shear_rigidity_z);
+    result.slip2 = slip(1, law.shear_rigidity_y);
+  }
+  return result;
+}
+
+Frame FrameBuilder::make(const LineState &state) {
+  Frame frame;
+  frame.time = state.time;
+  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
+    add_pipe(state, p, frame.line);
+  add_vertex_forces(state);
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    frame.supports.push_back(support_state(state, i));
+  for (const auto &sites : model.mesh.restraints)
+    for (const Site &site : sites)
+      frame.reactions.push_back(vertex_forces[site.vertex]);
+  for (const Spring &spring : model.scene.springs)
+    frame.reactions.push_back(spring_force(state, spring));
+  return frame;
+}
+
+void FrameBuilder::add_pipe(const LineState &state, const unsigned int pipe,
+                            std::vector<Station> &line) {
+  const unsigned int n = model.mesh.pipes[pipe].bend_radius.size();
+  for (unsigned int i = 0; i < n; ++i)
+    add_cell(state, first_cell[pipe] + i, line);
+}
+
+void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
+                            std::vector<Station> &line) {
+  const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
+  const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
+  const auto cell = model.discretization.pipe_cell(index);
+  element.reinit(cell);
+  const Profile &profile = element.profile();
+
+  std::vector<types::global_dof_index> dofs(12);
+  cell->get_dof_indices(dofs);
+  PipeElement::Vector12 u;
+  for (unsigned int i = 0; i < 12; ++i)
+    u[i] = state.dofs[dofs[i]];
+  CellLoad load;
+  for (unsigned int l = 0; l < state.load_factors.size(); ++l) {
+    const CellLoad one =
+        cell_load(model.scene.loads[l], model.scene.pipes[pipe_cell.pipe].name, profile);
+    load.line_force += state.load_factors[l] * one.line_force;
+    load.axial_strain += state.load_factors[l] * one.axial_strain;
+  }
+  const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
+  const PipeElement::Vector12 ends = element.stiffness() * u -
+                                     element.unit_line_loads() * line_force -
+                                     load.axial_strain * element.unit_axial_strain();
+  for (const unsigned int v : {0u, 1u})
+    for (unsigned int c = 0; c < 6; ++c)
+      vertex_forces[cell->vertex_index(v)][c] += ends[6 * v + c];
+
+  // From here on in the direction of the route: section force F and moment M act on the face that
+  // looks forward, with F' = -q, M' = -x cross F.
+  const unsigned int start = pipe_cell.reversed ? 6 : 0;
+  const Point3 begin = cell->vertex(pipe_cell.reversed ? 1 : 0);
+  const Vector3 axis = cell->vertex(pipe_cell.reversed ? 0 : 1) - begin;
+  const LocalAxes axes(axis);
+  const double length = axis.norm();
+  const Vector3 force = -vector_at(ends, start), moment = -vector_at(ends, start + 3);
+  const auto station = [&](const double x) {
+    Station result;
+    result.pipe = pipe_cell.pipe;
+    result.s = meshed.s[pipe_cell.position] +
+               x / length * (meshed.s[pipe_cell.position + 1] - meshed.s[pipe_cell.position]);
+    result.position = begin + x * axes.x;
+    const Vector3 F = force - x * load.line_force;
+    const Vector3 M =
+        moment - cross_product_3d(axes.x, x * force - x * x / 2. * load.line_force);
+    result.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    return result;
+  };
+  const auto at_node = [&](const double x, const unsigned int first) {
+    Station result = station(x);
+    for (unsigned int c = 0; c < 6; ++c)
+      result.displacement[c] = u[first + c];
+    return result;
+  };
+
+  // Where the forces jump (a support, a point load), a node appears with both sides.
+  const Station first = at_node(0., start);
+  bool jumps = line.empty() || line.back().pipe != first.pipe;
+  if (!jumps)
+    for (unsigned int c = 0; c < 6; ++c)
+      jumps = jumps || std::abs(first.force[c] - line.back().force[c]) >
+                           1e-6 * (std::abs(first.force[c]) + std::abs(line.back().force[c]));
+  if (jumps)
+    line.push_back(first);
+
+  station_values.reinit(cell);
+  const unsigned int n = model.scene.output.stations;
+  const Vector3 across = load.line_force - (load.line_force * axes.x) * axes.x;
+  for (unsigned int i = 0; i < n; ++i) {
+    const double x = length * (i + 1) / (n + 1), rest = length - x;
+    Station result = station(x);
+    result.node = false;
+    const unsigned int q = pipe_cell.reversed ? n - 1 - i : i;
+    for (unsigned int j = 0; j < 12; ++j)
+      for (unsigned int c = 0; c < 6; ++c)
+        result.displacement[c] += u[j] * station_values.shape_value_component(j, q, c);
+    // Deflection of the clamped cell under its own load, which the shape functions leave out.
+    Vector3 bubble = x * rest / (2. * profile.EA) * (load.line_force - across);
+    bubble += x * x * rest * rest / (24. * profile.EI) * across;
+    if (profile.GA > 0.)
+      bubble += x * rest / (2. * profile.GA) * across;
+    const Vector3 turn =
+        cross_product_3d(axes.x, x * rest * (rest - x) / (12. * profile.EI) * across);
+    for (unsigned int d = 0; d < 3; ++d) {
+      result.displacement[d] += bubble[d];
+      result.displacement[3 + d] += turn[d];
+    }
+    line.push_back(result);
+  }
+  line.push_back(at_node(length, 6 - start));
+}
+
+void FrameBuilder::add_vertex_forces(const LineState &state) {
+  for (unsigned int l = 0; l < state.load_factors.size(); ++l)
+    for (const auto &[vertex, force] : model.linear.nodal(l))
+      for (unsigned int c = 0; c < 6; ++c)
+        vertex_forces[vertex][c] -= state.load_factors[l] * force[c];
+  for (const Spring &spring : model.scene.springs) {
+    const Motion force = spring_force(state, spring);
+    for (unsigned int c = 0; c < 6; ++c) {
+      vertex_forces[model.mesh.points.at(spring.point)][c] -= force[c];
+      if (!spring.other.empty())
+        vertex_forces[model.mesh.points.at(spring.other)][c] += force[c];
+    }
+  }
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Contact::Strains stress = contact.weight * state.contact_stress[i];
+    const unsigned int per_vertex = contact.dofs.size() / 2;
+    for (unsigned int j = 0; j < contact.dofs.size(); ++j) {
+      const unsigned int vertex = contact.vertices[0];
+      const unsigned int other = contact.vertices[1];
+      const auto &at = model.discretization.vertex_dofs();
+      for (const unsigned int v : {vertex, other})
+        if (v < vertex_forces.size() && at.index(v, j % per_vertex) == contact.dofs[j])
+          vertex_forces[v][j % per_vertex] += contact.B.col(j).dot(stress);
+    }
+  }
+}
+
+} // namespace frictionbeam
