@@ -14,8 +14,8 @@
 /**
  * @file
  * The scene: what a parameter file describes, as plain data in SI units (angles in radians), named
- * and checked once at the door. Parts refer to each other by their place in these lists. No mesh and
- * no unknowns here.
+ * and checked once at the door. Parts refer to each other by their place in these lists. No mesh
+ * and no unknowns here.
  */
 namespace frictionbeam {
 
@@ -74,9 +74,9 @@ struct NamedPoint {
 /// Where a support stands: at named points, or repeated along a pipe between two of its points.
 struct Placement {
   std::vector<std::string> points;
-  std::string pipe;      ///< if repeated
-  std::string from, to;  ///< named points on the pipe; empty: its ends
-  double every = 0.;     ///< distance [m], the first one at that distance from `from`
+  std::string pipe;        ///< if repeated
+  std::string from, to;    ///< named points on the pipe; empty: its ends
+  double every = 0.;       ///< distance [m], the first one at that distance from `from`
   bool continuous = false; ///< a bed: at every mesh node from `from` to `to`, each for its share
 };
 
@@ -84,6 +84,7 @@ struct Placement {
 struct Direction {
   enum class Kind { global, along, across } kind = Kind::global; ///< across: local y of the pipe
   Vector3 vector;                                                ///< unit, if global
+  double sign = 1.;                                              ///< -1: the opposite direction
 };
 
 /// A friction element with its law.
@@ -92,14 +93,16 @@ struct FrictionSupport {
 
   std::string name, kind; ///< kind as the user called it: rest, guide, ...
   Placement placement;
-  Direction normal;        ///< from the ground into the pipe
+  Direction normal; ///< from the ground into the pipe
   std::string law;
   std::vector<double> parameters; ///< of the law, in its order; per metre for a continuous bed
   double length = 1.;             ///< of the element [m]
-  double share = 1.;              ///< factor on the element's forces (half elements)
+  double share = 1.;              ///< of a whole element that this is: scales its forces, stiffness
+                                  ///< and normal_force
   Rotations rotations = Rotations::none;
   bool torsion = false;
-  double normal_force = 0.; ///< of a platen that is pressed on [N]; 0: the ground is fixed
+  double normal_force = 0.; ///< of a platen that is pressed on [N], for a whole element (per metre
+                            ///< for a bed); 0: the ground is fixed
   std::string ground;       ///< named point of another pipe to stand on; empty: the ground
 };
 
@@ -107,7 +110,7 @@ struct FrictionSupport {
 struct Restraint {
   std::string name, kind;
   Placement placement;
-  std::array<bool, 6> fixed{};        ///< global axes
+  std::array<bool, 6> fixed{};         ///< global axes
   std::vector<Direction> translations; ///< further directions held
 };
 
@@ -128,16 +131,16 @@ struct Load {
   enum class Kind { weight, temperature, pressure, force, line_force, displacement };
   struct AtPoint {
     std::string point;
-    Motion value{};               ///< force and moment, or displacement and rotation
-    std::array<bool, 6> given{};  ///< displacement: which motions are imposed
+    Motion value{};              ///< force and moment, or displacement and rotation
+    std::array<bool, 6> given{}; ///< displacement: which motions are imposed
   };
 
   std::string name;
   Kind kind = Kind::weight;
-  Vector3 vector;              ///< weight: acceleration [m/s2]; line_force: [N/m]
-  double value = 0.;           ///< temperature: rise above installation [K]; pressure [Pa]
+  Vector3 vector;                 ///< weight: acceleration [m/s2]; line_force: [N/m]
+  double value = 0.;              ///< temperature: rise above installation [K]; pressure [Pa]
   std::vector<std::string> pipes; ///< temperature, pressure, line_force: empty means all
-  std::vector<AtPoint> at;     ///< force, displacement
+  std::vector<AtPoint> at;        ///< force, displacement
 };
 
 /// One step of the declared load sequence: all loads active at its end, with factors; they change
@@ -145,10 +148,10 @@ struct Load {
 struct LoadStep {
   std::string name;
   std::vector<std::pair<unsigned int, double>> loads; ///< load, factor
-  unsigned int n_increments = 1; ///< static
+  unsigned int n_increments = 1;                      ///< static
   bool transient = false;
-  double duration = 1.;  ///< [s]; of a static step, the pseudo-time it takes
-  double ramp = 0.;      ///< transient: time in which the loads reach their values [s]; 0: at once
+  double duration = 1.; ///< [s]; of a static step, the pseudo-time it takes
+  double ramp = 0.;     ///< transient: time in which the loads reach their values [s]; 0: at once
 };
 
 struct InitialCondition {
@@ -159,11 +162,11 @@ struct InitialCondition {
 /// A number that the user asks for.
 struct Quantity {
   std::string name;
-  std::string what;  ///< ux .. rz, fx .. mz, N .. Mz, fn, ft1, ft2, gap, slip1, slip2, work,
-                     ///< sum_normal, sum_friction, n_stick, n_slip, n_open, max_error
+  std::string what; ///< ux .. rz, fx .. mz, N .. Mz, fn, ft1, ft2, gap, slip1, slip2, work,
+                    ///< sum_normal, sum_friction, n_stick, n_slip, n_open, max_error
   bool absolute = false;
-  std::string where; ///< named point, or name of a support or restraint
-  std::string step;  ///< empty: the last one
+  std::string where;          ///< named point, or name of a support or restraint
+  std::string step;           ///< empty: the last one
   std::optional<double> time; ///< [s], instead of a step's end
   double scale = 1.;
   std::optional<double> reference;
@@ -178,8 +181,8 @@ struct ExactHistory {
 };
 
 struct MeshSettings {
-  std::string file;            ///< .geo or .msh of the user's own; empty: routes
-  double cell_length = 0.;     ///< longest cell of a straight run [m]; 0: one cell a run
+  std::string file;                ///< .geo or .msh of the user's own; empty: routes
+  double cell_length = 0.;         ///< longest cell of a straight run [m]; 0: one cell a run
   unsigned int cells_per_bend = 8; ///< in 90 degrees
 };
 
@@ -188,28 +191,29 @@ struct SolverSettings {
   double tolerance = 1e-10;         ///< of the residual, relative to the largest force
   unsigned int max_iterations = 50; ///< newton, an increment; elastic: max_elastic_iterations
   unsigned int max_elastic_iterations = 10000;
-  unsigned int max_halvings = 10;   ///< of an increment
+  unsigned int max_halvings = 10; ///< of an increment
 };
 
 struct TimeSettings {
   enum class Integrator { newmark } integrator = Integrator::newmark;
-  double step = 0.01;            ///< [s]
-  double output_interval = 0.;   ///< [s]; 0: every step
+  double step = 0.01;          ///< [s]
+  double output_interval = 0.; ///< [s]; 0: every step
   double beta = 0.25, gamma = 0.5;
 };
 
 struct OutputSettings {
   std::string directory;
-  unsigned int stations = 3;     ///< between the nodes of a cell
-  bool every_increment = false;  ///< csv rows and vtu at every increment, not only at step ends
+  unsigned int stations = 3;    ///< between the nodes of a cell
+  bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
   bool vtu = true, report = true;
 };
 
 struct Scene {
-  std::string name;  ///< of the parameter file, without folder and ending
+  std::string name; ///< of the parameter file, without folder and ending
   std::string title;
-  std::string input; ///< the file's text, as read, for the report
+  std::string input;                  ///< the file's text, as read, for the report
   std::vector<std::string> overrides; ///< the --set options
+  std::vector<std::string> remarks;   ///< what the user should know about how the file was read
 
   std::vector<Material> materials;
   std::vector<Section> sections;

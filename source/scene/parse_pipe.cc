@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam::parts {
+
+std::vector<std::string> point_names(const Scene &scene) {
+  std::vector<std::string> result = names(scene.points);
+  for (const Pipe &pipe : scene.pipes)
+    for (const RoutePoint &point : pipe.route)
+      if (!point.name.empty() && std::count(result.begin(), result.end(), point.name) == 0)
+        result.push_back(point.name);
+  return result;
+}
+
+void check_point(const ParameterReader &in, const std::string &entry, const std::string &name,
+                 const Scene &scene) {
+  if (scene.mesh.file.empty() || name.empty())
+    in.find(entry, name, point_names(scene), "point");
+}
+
+void declare_material(ParameterReader &in) {
+  in.declare_number("Young's modulus", 2e11, "Pa", positive, 1e300, "Of the pipe's metal.");
+  in.declare_number("Poisson's ratio", 0.3, "-", -1., 0.5, "Of the pipe's metal.");
+  in.declare_number("Density", 7850., "kg/m3", 0., 1e300, "Of the pipe's metal.");
+  in.declare_number("Expansion", 1.2e-5, "1/K", -1., 1., "Coefficient of thermal expansion.");
+}
+
+void parse_material(const ParameterReader &in, const std::string &name, Scene &scene) {
+  scene.materials.push_back({name, in.number("Young's modulus"), in.number("Poisson's ratio"),
+                             in.number("Density"), in.number("Expansion")});
+}
+
+void declare_point(ParameterReader &in) {
+  in.declare_text("Position", "0 0 0", "x y z [m]",
+                  "Of a named point on a pipe, or free in space for springs, masses and supports "
+                  "without a pipe.");
+}
+
+void parse_point(const ParameterReader &in, const std::string &name, Scene &scene) {
+  scene.points.push_back({name, Point3(in.vector("Position"))});
+}
+
+void declare_pipe(ParameterReader &in) {
+  in.declare_text("Section", "", "name of a section", "May be left out if there is only one.");
+  in.declare_text("Material", "", "name of a material", "May be left out if there is only one.");
+  in.declare_text(
+      "Route", "",
+      "points separated by ';', each: name x y z [m], name by dx dy dz [m], x y z or "
+      "name, and then bend R [m] if the corner is rounded",
+      "The pipe's course, straight from corner to corner. 'by' counts from the point before; a "
+      "name "
+      "alone is a point that a Point or a pipe further up has placed (a tee). The name of a bend's "
+      "corner stands for the middle of the bend. Empty: the physical curve of this pipe's name in "
+      "Mesh/File.");
+  in.declare_text(
+      "Bend flexibility", "code", "code, none, or a number >= 1 [-]",
+      "How many times more flexible than a straight pipe a bend is. code: k = 1.65/h, at "
+      "least 1, h = t R/r^2 (ASME B31.3, appendix D).");
+  in.declare_number("Bend radius", 0., "m", 0., 1e300,
+                    "Of a pipe from Mesh/File that is a bend; 0: it is straight.");
+}
+
+namespace {
+
+constexpr double tolerance = 1e-9;
+
+/// Position of a named point that is already there.
+const Point3 *find_position(const std::string &name, const Scene &scene, const Pipe &pipe) {
+  for (const NamedPoint &point : scene.points)
+    if (point.name == name)
+      return &point.position;
+  for (const Pipe &other : scene.pipes)
+    for (const RoutePoint &point : other.route)
+      if (point.name == name)
+        return &point.position;
+  for (const RoutePoint &point : pipe.route)
+    if (point.name == name)
+      return &point.position;
+  return nullptr;
+}
+
+[[noreturn]] void fail_point(const ParameterReader &in, const std::string &text,
+                             const std::string &allowed, const std::string &hint) {
+  in.fail("Route", allowed, hint, "'" + text + "'");
+}
+
+/// One point of a route.
+RoutePoint parse_route_point(const ParameterReader &in, const std::string &text, const Scene &scene,
+                             const Pipe &pipe) {
+  const std::string form = "name x y z, name by dx dy dz, x y z, or the name of a point that is "
+                           "placed already; then bend R";
+  std::vector<std::string> words = split(text, ' ');
+  RoutePoint point;
+  if (words.size() >= 2 && words[words.size() - 2] == "bend") {
+    if (!to_number(words.back(), point.bend_radius) || point.bend_radius <= 0.)
+      fail_point(in, text, "bend R with a radius > 0 [m]", "bend 0.457");
+    words.resize(words.size() - 2);
+  }
+  const bool relative = words.size() >= 4 && words[words.size() - 4] == "by";
+  if (words.empty() || words.size() == 2 || words.size() > (relative ? 5 : 4))
+    fail_point(in, text, form, "'P1 0 0 0'");
+  if (relative)
+    words.erase(words.end() - 4);
+  if (words.size() != 3) {
+    point.name = words[0];
+    words.erase(words.begin());
+  }
+  const Point3 *const known = point.name.empty() ? nullptr : find_position(point.name, scene, pipe);
+  if (words.empty()) {
+    if (known == nullptr) {
+      const std::string like = nearest(point.name, point_names(scene));
+      fail_point(in, text, form,
+                 like.empty() ? "coordinates after the name; it has none up to here"
+                              : "'" + like + "'");
+    }
+    point.position = *known;
+    return point;
+  }
+  for (unsigned int d = 0; d < 3; ++d)
+    if (!to_number(words[d], point.position[d]))
+      fail_point(in, text, form, "a number in place of '" + words[d] + "'");
+  if (relative) {
+    if (pipe.route.empty())
+      fail_point(in, text, "'by' from the second point on", "the first point's coordinates");
+    point.position += pipe.route.back().position;
+  }
+  if (known != nullptr && known->distance(point.position) > tolerance)
+    fail_point(in, text,
+               "one place for each name; '" + point.name + "' is at " + to_text((*known)[0]) + " " +
+                   to_text((*known)[1]) + " " + to_text((*known)[2]),
+               "another name, or the name alone to come back to that point");
+  return point;
+}
+
+/// Length that a bend takes from either leg of its corner [m]; also checks the corner itself.
+double tangent_length(const ParameterReader &in, const std::vector<RoutePoint> &route,
+                      const unsigned int i) {
+  const RoutePoint &corner = route[i];
+  if (corner.bend_radius == 0.)
+    return 0.;
+  const std::string which = "the bend at " + (corner.name.empty() ? "point " + std::to_string(i + 1)
+                                                                  : "'" + corner.name + "'");
+  if (i == 0 || i + 1 == route.size())
+    fail_point(in, which, "bends between two points of a route", "removing 'bend' at its end");
+  const Vector3 a = corner.position - route[i - 1].position,
+                b = route[i + 1].position - corner.position;
+  const double cosine = a * b / (a.norm() * b.norm());
+  if (cosine < -1. + 1e-9)
+    fail_point(in, which, "corners of less than 180 degrees", "a route that does not turn back");
+  return corner.bend_radius * std::sqrt((1. - cosine) / (1. + cosine));
+}
+
+void check_route(const ParameterReader &in, const std::vector<RoutePoint> &route) {
+  if (route.size() < 2)
+    in.fail("Route", "at least two points, separated by ';'", "'P1 0 0 0; P2 by 6 0 0'");
+  for (unsigned int i = 0; i + 1 < route.size(); ++i)
+    if (route[i].position.distance(route[i + 1].position) < tolerance)
+      fail_point(in,
+                 "points " + std::to_string(i + 1) + " and " + std::to_string(i + 2) +
+                     " at the same place",
+                 "points apart from each other", "removing one of them");
+  for (unsigned int i = 0; i + 1 < route.size(); ++i) {
+    const double leg = route[i].position.distance(route[i + 1].position);
+    const double before = tangent_length(in, route, i), after = tangent_length(in, route, i + 1);
+    if (before + after > leg * (1. + tolerance)) {
+      const unsigned int corner = before >= after ? i : i + 1;
+      const std::string name = route[corner].name.empty() ? "point " + std::to_string(corner + 1)
+                                                          : "'" + route[corner].name + "'";
+      fail_point(in, "bend " + to_text(route[corner].bend_radius) + " at " + name,
+                 "bends that fit their legs: from point " + std::to_string(i + 1) + " to " +
+                     std::to_string(i + 2) + " there are " + to_text(leg) + " m, the bends take " +
+                     to_text(before + after) + " m",
+                 "a smaller radius, or points further apart");
+    }
+  }
+}
+
+/// The part that an entry names; the only one if the entry is empty.
+unsigned int one_of(const ParameterReader &in, const std::string &entry,
+                    const std::vector<std::string> &names, const std::string &kind) {
+  if (in.text(entry).empty() && names.size() == 1)
+    return 0;
+  return in.find(entry, in.text(entry), names, kind);
+}
+
+} // namespace
+
+void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene) {
+  Pipe pipe;
+  pipe.name = name;
+  pipe.section = one_of(in, "Section", names(scene.sections), "section");
+  pipe.material = one_of(in, "Material", names(scene.materials), "material");
+  for (const std::string &point : split(in.text("Route"), ';'))
+    if (!point.empty())
+      pipe.route.push_back(parse_route_point(in, point, scene, pipe));
+  if (!pipe.route.empty() || scene.mesh.file.empty())
+    check_route(in, pipe.route);
+  pipe.bend_radius = in.number("Bend radius");
+  if (pipe.bend_radius > 0. && !pipe.route.empty())
+    in.fail("Bend radius", "a radius here for pipes from Mesh/File only",
+            "'bend " + to_text(pipe.bend_radius) + "' at a corner of the route");
+
+  const std::string flexibility = in.text("Bend flexibility");
+  using Rule = BendFlexibility::Rule;
+  BendFlexibility &bend = pipe.bend_flexibility;
+  if (flexibility == "none")
+    bend.rule = Rule::none;
+  else if (flexibility == "code") {
+    bend.rule = Rule::code;
+    const bool bends = pipe.bend_radius > 0. ||
+                       std::any_of(pipe.route.begin(), pipe.route.end(),
+                                   [](const RoutePoint &p) { return p.bend_radius > 0.; });
+    if (bends && scene.sections[pipe.section].wall == 0.)
+      in.fail("Bend flexibility", "code where the section gives 'Outer diameter' and 'Wall'",
+              "none, a number, or a section with diameter and wall", "code");
+  } else {
+    bend.rule = Rule::given;
+    if (!to_number(flexibility, bend.factor) || bend.factor < 1.)
+      in.fail("Bend flexibility", "code, none, or a number >= 1", "code");
+  }
+  scene.pipes.push_back(pipe);
+}
+
+} // namespace frictionbeam::parts

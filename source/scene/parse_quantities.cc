@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "parts.h"
+
+#include <algorithm>
+
+namespace frictionbeam::parts {
+
+namespace {
+
+const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"},
+                               reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
+                               section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz"},
+                               contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work"},
+                               sums = {"sum_normal", "sum_friction", "n_stick",
+                                       "n_slip",     "n_open",       "max_error"};
+
+bool contains(const std::vector<std::string> &list, const std::string &item) {
+  return std::count(list.begin(), list.end(), item) > 0;
+}
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string> &b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Supports that stand at several places are called name.1, name.2, ...: is this one of them?
+bool is_repeated(const std::string &where, const std::vector<std::string> &supports) {
+  const auto dot = where.rfind('.');
+  return dot != std::string::npos && dot + 1 < where.size() &&
+         where.find_first_not_of("0123456789", dot + 1) == std::string::npos &&
+         contains(supports, where.substr(0, dot));
+}
+
+void check_where(const ParameterReader &in, const Quantity &quantity, const Scene &scene) {
+  const std::vector<std::string> supports = names(scene.supports);
+  const std::vector<std::string> holders =
+      supports + names(scene.restraints) + names(scene.springs);
+  const std::string &what = quantity.what, &where = quantity.where;
+  const std::string entry = quantity.name;
+  if (contains(motions, what) || contains(section_forces, what))
+    check_point(in, entry, where, scene);
+  else if (contains(reactions, what)) {
+    if (!contains(holders, where) && !is_repeated(where, holders) && scene.mesh.file.empty())
+      in.find(entry, where, point_names(scene) + holders, "point, support or spring");
+  } else if (contains(contact, what)) {
+    if (!is_repeated(where, supports))
+      in.find(entry, where, supports, "friction support");
+  } else if (what == "max_error") {
+    if (!scene.exact)
+      in.fail(entry, "max_error in scenes with an exact solution", "Scene = oscillator");
+  } else if (!where.empty())
+    in.find(entry, where, supports, "friction support");
+}
+
+[[noreturn]] void fail_form(const ParameterReader &in, const std::string &entry,
+                            const std::string &read) {
+  in.fail(entry,
+          "what at where, step NAME, time T; scale F; reference R; source TEXT (all but 'what' may "
+          "be left out; |what| is its absolute value)",
+          "'ux at P1, step heat; reference 0.012; source hand calculation'", "'" + read + "'");
+}
+
+double number_of(const ParameterReader &in, const std::string &entry, const std::string &text) {
+  double value;
+  if (!to_number(text, value))
+    in.fail(entry, "a number", "a number in place of '" + text + "'");
+  return value;
+}
+
+/// `[|]what[|] [at where][, step NAME][, time T]`
+void parse_definition(const ParameterReader &in, const std::string &text, const Scene &scene,
+                      Quantity &quantity) {
+  for (const std::string &piece : split(text, ',')) {
+    const std::vector<std::string> words = split(piece, ' ');
+    if (words.empty())
+      fail_form(in, quantity.name, text);
+    if (quantity.what.empty()) {
+      std::string what = words[0];
+      quantity.absolute = what.size() > 2 && what.front() == '|' && what.back() == '|';
+      if (quantity.absolute)
+        what = what.substr(1, what.size() - 2);
+      quantity.what = what;
+      in.find(quantity.name, what, motions + reactions + section_forces + contact + sums,
+              "quantity");
+      if (words.size() == 3 && words[1] == "at")
+        quantity.where = words[2];
+      else if (words.size() != 1)
+        fail_form(in, quantity.name, piece);
+    } else if (words.size() == 2 && words[0] == "step") {
+      quantity.step = words[1];
+      in.find(quantity.name, words[1], names(scene.steps), "step");
+    } else if (words.size() == 2 && words[0] == "time")
+      quantity.time = number_of(in, quantity.name, words[1]);
+    else
+      fail_form(in, quantity.name, piece);
+  }
+}
+
+} // namespace
+
+void declare_quantities(ParameterReader &in) {
+  in.declare_text("Source", "", "any text",
+                  "Where references come from, unless a quantity says so.");
+  const ParameterFile::Section *const section = in.file().find("Quantities");
+  if (section == nullptr)
+    return;
+  for (const ParameterFile::Entry &entry : section->entries)
+    if (entry.name != "Source")
+      in.declare_text(entry.name, "",
+                      "what at where, step NAME, time T; scale F; reference R; source TEXT",
+                      "A number to compute.");
+}
+
+void parse_quantities(const ParameterReader &in, Scene &scene) {
+  const ParameterFile::Section *const section = in.file().find("Quantities");
+  if (section == nullptr)
+    return;
+  for (const ParameterFile::Entry &entry : section->entries) {
+    if (entry.name == "Source")
+      continue;
+    Quantity quantity;
+    quantity.name = entry.name;
+    if (contains(names(scene.quantities), entry.name))
+      in.fail(entry.name,
+              "a name that the generated scene does not use itself: " +
+                  join(names(scene.quantities)),
+              "another name");
+    const std::vector<std::string> pieces = split(entry.value, ';');
+    if (pieces.empty())
+      fail_form(in, entry.name, "nothing");
+    parse_definition(in, pieces[0], scene, quantity);
+    check_where(in, quantity, scene);
+    for (unsigned int i = 1; i < pieces.size(); ++i) {
+      const auto blank = pieces[i].find(' ');
+      const std::string key = pieces[i].substr(0, blank),
+                        value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
+      if (key == "scale")
+        quantity.scale = number_of(in, entry.name, value);
+      else if (key == "reference")
+        quantity.reference = number_of(in, entry.name, value);
+      else if (key == "source")
+        quantity.source = value;
+      else
+        fail_form(in, entry.name, pieces[i]);
+    }
+    if (quantity.reference && in.scene_changed() && !entry.is_override) {
+      quantity.reference.reset();
+      scene.remarks.push_back("Quantity '" + quantity.name +
+                              "' has no reference in this run: --set has changed the scene that "
+                              "the reference in the file belongs to.");
+    }
+    if (quantity.reference && quantity.source.empty())
+      quantity.source = in.text("Source");
+    scene.quantities.push_back(quantity);
+  }
+}
+
+} // namespace frictionbeam::parts

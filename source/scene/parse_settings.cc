@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "parts.h"
+
+#include <filesystem>
+
+namespace frictionbeam::parts {
+
+void declare_mesh(ParameterReader &in) {
+  in.declare_text("File", "", "path of a .geo or .msh file, from the parameter file's folder",
+                  "A mesh of your own: its physical curves are the pipes, its physical points the "
+                  "points. Empty: the routes are meshed.");
+  in.declare_number("Cell length", 0., "m", 0., 1e300,
+                    "Longest cell of a straight run; 0: one cell from point to point.");
+  in.declare_count("Cells per bend", 8, 1, "In 90 degrees.");
+}
+
+void parse_mesh(const ParameterReader &in, Scene &scene) {
+  scene.mesh.file = in.text("File");
+  if (!scene.mesh.file.empty()) {
+    namespace fs = std::filesystem;
+    const fs::path beside = fs::path(in.file().name()).parent_path() / scene.mesh.file;
+    if (fs::exists(beside))
+      scene.mesh.file = beside.string();
+    else if (!fs::exists(scene.mesh.file))
+      in.fail("File", "a file that exists, from the parameter file's folder or the working folder",
+              "the path from " + fs::absolute(in.file().name()).parent_path().string());
+  }
+  scene.mesh.cell_length = in.number("Cell length");
+  scene.mesh.cells_per_bend = in.count("Cells per bend");
+}
+
+void declare_solver(ParameterReader &in) {
+  in.declare_choice("Method", "newton", {"elastic", "newton"},
+                    "elastic: the elastic stiffness kept, residual forces sent back, as TEDEL did; "
+                    "newton: consistent tangent, line search, increments halved where needed.");
+  in.declare_number("Tolerance", 1e-10, "-", positive, 1.,
+                    "Of the residual, relative to the largest force.");
+  in.declare_count("Max iterations", 50, 1, "Of newton, in one increment.");
+  in.declare_count("Max elastic iterations", 10000, 1, "Of elastic, in one increment.");
+  in.declare_count("Max halvings", 10, 0, "How often an increment that fails may be halved.");
+}
+
+void parse_solver(const ParameterReader &in, Scene &scene) {
+  using Method = SolverSettings::Method;
+  scene.solver.method = in.text("Method") == "elastic" ? Method::elastic : Method::newton;
+  scene.solver.tolerance = in.number("Tolerance");
+  scene.solver.max_iterations = in.count("Max iterations");
+  scene.solver.max_elastic_iterations = in.count("Max elastic iterations");
+  scene.solver.max_halvings = in.count("Max halvings");
+}
+
+void declare_time(ParameterReader &in) {
+  in.declare_choice("Integrator", "newmark", {"newmark"}, "Of transient steps.");
+  in.declare_number("Step", 0.01, "s", positive, 1e300, "Of the integrator.");
+  in.declare_number("Output interval", 0., "s", 0., 1e300,
+                    "Of what is written of a transient step; 0: every time step.");
+  in.declare_number("Beta", 0.25, "-", 0., 0.5, "Of Newmark; 0.25 is the average acceleration.");
+  in.declare_number("Gamma", 0.5, "-", 0., 1., "Of Newmark; above 0.5 it damps.");
+}
+
+void parse_time(const ParameterReader &in, Scene &scene) {
+  scene.time.step = in.number("Step");
+  scene.time.output_interval = in.number("Output interval");
+  scene.time.beta = in.number("Beta");
+  scene.time.gamma = in.number("Gamma");
+}
+
+void declare_output(ParameterReader &in) {
+  in.declare_count("Stations", 3, 0, "Between the two nodes of a cell, in line.csv.");
+  in.declare_flag("Every increment", false,
+                  "Write the state at every increment, not only at the ends of steps.");
+  in.declare_flag("VTU", true, "Write files for ParaView.");
+  in.declare_flag("Report", true, "Write report.html.");
+}
+
+void parse_output(const ParameterReader &in, Scene &scene) {
+  scene.output.stations = in.count("Stations");
+  scene.output.every_increment = in.flag("Every increment");
+  scene.output.vtu = in.flag("VTU");
+  scene.output.report = in.flag("Report");
+}
+
+void declare_global(ParameterReader &in) {
+  in.declare_text("Title", "", "any text", "Of the report.");
+  in.declare_choice("Scene", "line", {"line", "slab", "oscillator", "friction bed"},
+                    "line: from the parts in this file; the others are generated from the few "
+                    "entries of a section of their own: Slab, Oscillator, Rack.");
+  in.declare_text("Law libraries", "", "paths of .so files, separated by commas",
+                  "Shared libraries with laws of your own, from the parameter file's folder or the "
+                  "folder the program runs in.");
+  in.declare_text("Free motions", "ux, uy, uz, rx, ry, rz", "motions out of ux, uy, uz, rx, ry, rz",
+                  "Of all points; the others are held, as out of the plane of a plane scene.");
+  in.declare_text("Monitors", "", "names of points, separated by commas",
+                  "Points whose motion is recorded at every increment.");
+  in.declare_number("Installation temperature", 20., "degC", -273.15, 1e300,
+                    "At which the pipes are free of thermal strain.");
+}
+
+void parse_global(const ParameterReader &in, Scene &scene) {
+  scene.title = in.text("Title");
+  scene.free_motions = parse_motions(in, "Free motions");
+  if (scene.free_motions == std::array<bool, 6>{})
+    in.fail("Free motions", "at least one of ux, uy, uz, rx, ry, rz", "'ux, uz, ry'");
+}
+
+void parse_monitors(const ParameterReader &in, Scene &scene) {
+  scene.monitors = in.list("Monitors");
+  for (const std::string &point : scene.monitors)
+    check_point(in, "Monitors", point, scene);
+}
+
+} // namespace frictionbeam::parts

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "parts.h"
+
+namespace frictionbeam::parts {
+
+namespace {
+
+/// Six numbers, or three for the translations alone. @p angles: rotations are given in degrees.
+Motion parse_motion(const ParameterReader &in, const std::string &entry, const bool angles) {
+  const std::vector<double> values = in.numbers(entry);
+  if (values.size() != 3 && values.size() != 6)
+    in.fail(entry, "three numbers, or six with the rotations", "'0 0 0'");
+  Motion motion{};
+  for (unsigned int i = 0; i < values.size(); ++i)
+    motion[i] = values[i] * (angles && i >= 3 ? degree : 1.);
+  return motion;
+}
+
+} // namespace
+
+void declare_spring(ParameterReader &in) {
+  in.declare_text("At", "", "name of a point", "Where the spring acts.");
+  in.declare_text("To", "", "name of a point", "Its other end; empty: the ground.");
+  in.declare_text("Stiffness", "0 0 0", "kx ky kz [N/m], or with three more about x y z [N m/rad]",
+                  "In global axes, none of them negative.");
+}
+
+void parse_spring(const ParameterReader &in, const std::string &name, Scene &scene) {
+  Spring spring;
+  spring.name = name;
+  spring.point = in.text("At");
+  spring.other = in.text("To");
+  check_point(in, "At", spring.point, scene);
+  if (!spring.other.empty())
+    check_point(in, "To", spring.other, scene);
+  if (spring.point == spring.other)
+    in.fail("To", "another point than At", "a second point, or nothing for the ground");
+  spring.stiffness = parse_motion(in, "Stiffness", false);
+  double sum = 0.;
+  for (const double k : spring.stiffness) {
+    if (k < 0.)
+      in.fail("Stiffness", "numbers >= 0", "a positive stiffness");
+    sum += k;
+  }
+  if (sum == 0.)
+    in.fail("Stiffness", "at least one number > 0", "'1e6 0 0'");
+  scene.springs.push_back(spring);
+}
+
+void declare_mass(ParameterReader &in) {
+  in.declare_text("At", "", "names of points, separated by commas", "One such mass at each.");
+  in.declare_number("Mass", 0., "kg", 0., 1e300, "Of a valve, a flange.");
+}
+
+void parse_mass(const ParameterReader &in, const std::string &name, Scene &scene) {
+  PointMass mass;
+  mass.name = name;
+  mass.points = in.list("At");
+  if (mass.points.empty())
+    in.fail("At", "at least one point", "the name of a point");
+  for (const std::string &point : mass.points)
+    check_point(in, "At", point, scene);
+  mass.mass = in.number("Mass");
+  scene.masses.push_back(mass);
+}
+
+void declare_initial(ParameterReader &in) {
+  in.declare_text("At", "", "names of points, separated by commas", "Which points start so.");
+  in.declare_text("Displacement", "0 0 0", "ux uy uz [m], or with rx ry rz [degrees]",
+                  "At the start of a transient analysis.");
+  in.declare_text("Velocity", "0 0 0", "vx vy vz [m/s], or with three more [degrees/s]",
+                  "At the start of a transient analysis.");
+}
+
+void parse_initial(const ParameterReader &in, Scene &scene) {
+  const std::vector<std::string> points = in.list("At");
+  if (points.empty())
+    in.fail("At", "at least one point", "the name of a point");
+  for (const std::string &point : points) {
+    check_point(in, "At", point, scene);
+    scene.initial.push_back(
+        {point, parse_motion(in, "Displacement", true), parse_motion(in, "Velocity", true)});
+  }
+}
+
+} // namespace frictionbeam::parts

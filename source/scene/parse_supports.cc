@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "parts.h"
+
+#include <algorithm>
+
+namespace frictionbeam::parts {
+
+namespace {
+
+const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
+const std::vector<std::string> kinds = {"anchor",    "restraint", "guide",
+                                        "line stop", "rest",      "friction"};
+const std::vector<std::string> element_entries = {"Law",     "Normal",       "Length", "Rotations",
+                                                  "Torsion", "Normal force", "Ground"};
+
+bool is_restraint(const std::string &kind) { return kind == "anchor" || kind == "restraint"; }
+bool is_pair(const std::string &kind) { return kind == "guide" || kind == "line stop"; }
+
+/// The law of this section before it is declared, or null if there is none of that name.
+const LawDescription *law_of(const ParameterReader &in, const LawLibrary &laws) {
+  const std::vector<std::string> known = laws.names(LawKind::support);
+  const std::string name = in.raw("Law", "coulomb");
+  return std::count(known.begin(), known.end(), name) == 0 ? nullptr : &laws.find(name);
+}
+
+} // namespace
+
+unsigned int motion_index(const std::string &name) {
+  return std::find(motions.begin(), motions.end(), name) - motions.begin();
+}
+
+std::array<bool, 6> parse_motions(const ParameterReader &in, const std::string &entry) {
+  std::array<bool, 6> result{};
+  for (const std::string &name : in.list(entry)) {
+    const unsigned int i = motion_index(name);
+    if (i == 6)
+      in.fail(entry, "motions out of " + join(motions) + ", separated by commas",
+              "one of these in place of '" + name + "'");
+    result[i] = true;
+  }
+  return result;
+}
+
+void declare_support(ParameterReader &in, const LawLibrary &laws) {
+  const std::string kind = in.raw("Kind", "rest");
+  in.declare_choice(
+      "Kind", "rest", kinds,
+      "anchor: all six motions held; restraint: those in Fixed; guide: no motion "
+      "sideways (horizontal, across the pipe); line stop: none along the pipe; rest: "
+      "stands under the pipe, lifts off, slides with friction; friction: as rest, with "
+      "any normal.");
+  in.declare_text("At", "", "names of points, separated by commas", "Where the support stands.");
+  in.declare_text("Pipe", "", "name of a pipe", "Repeated along this pipe, instead of At.");
+  in.declare_number("Every", 0., "m", 0., 1e300,
+                    "Distance along the pipe; the first one at this distance from From, none at "
+                    "From and To themselves.");
+  in.declare_text("From", "", "name of a point of that pipe", "Empty: its first point.");
+  in.declare_text("To", "", "name of a point of that pipe", "Empty: its last point.");
+  in.declare_flag("Continuous", false,
+                  "A bed from From to To instead of Every; the law's rigidities and Normal force "
+                  "are then per metre of pipe.");
+  in.declare_text("Fixed", kind == "restraint" ? "ux, uy, uz" : "ux, uy, uz, rx, ry, rz",
+                  "motions out of ux, uy, uz, rx, ry, rz", "Of anchor and restraint, global axes.");
+  in.declare_text("Law", "coulomb", join(laws.names(LawKind::support)),
+                  "Of the friction element. Its parameters are entries of the support.");
+  in.declare_text(
+      "Normal", "0 0 1", "x y z [-], along, or across",
+      "Direction from the ground into the pipe, of rest and friction; along the pipe or "
+      "across it (horizontal).");
+  in.declare_number("Length", 1., "m", positive, 1e300,
+                    "Of the friction element. Rigidity over length is stiffness; with Rotations it "
+                    "is the lever arm as well.");
+  in.declare_choice("Rotations", "none", {"none", "averaged", "pipe"},
+                    "Rotations of the pipe in the shear strain: none; averaged over the element "
+                    "(moment T l/2 on the pipe); the pipe's own (T l: contact at its surface, with "
+                    "Length its radius).");
+  in.declare_flag("Torsion", false, "Torsional stiffness about the normal, from the law.");
+  in.declare_number("Normal force", 0., "N", 0., 1e300,
+                    "Of a platen that is pressed onto the pipe; 0: the ground stands still.");
+  in.declare_text("Ground", "", "name of a point of another pipe",
+                  "What the support stands on; empty: the ground.");
+  if (const LawDescription *const law = law_of(in, laws))
+    for (int i = 0; i < law->n_parameters; ++i) {
+      const LawParameter &p = law->parameters[i];
+      const bool frictionless = is_pair(kind) && std::string(p.name) == "Friction coefficient";
+      in.declare_number(p.name, frictionless ? 0. : p.default_value, p.unit, p.minimum, p.maximum,
+                        "Law " + std::string(law->name) + ": " + p.meaning + ".");
+    }
+  else
+    in.find("Law", in.raw("Law", "coulomb"), laws.names(LawKind::support), "support law");
+}
+
+namespace {
+
+Placement parse_placement(const ParameterReader &in, const Scene &scene) {
+  Placement placement;
+  placement.points = in.list("At");
+  placement.pipe = in.text("Pipe");
+  if (placement.points.empty() == placement.pipe.empty())
+    in.fail_section(placement.pipe.empty() ? "neither 'At' nor 'Pipe'" : "both 'At' and 'Pipe'",
+                    "either At, or Pipe with Every, or Pipe with Continuous = true",
+                    "set At = <name of a point>");
+  for (const std::string &point : placement.points) {
+    check_point(in, "At", point, scene);
+    if (std::count(placement.points.begin(), placement.points.end(), point) > 1)
+      in.fail("At", "every point once", "removing one '" + point + "'");
+  }
+  placement.every = in.number("Every");
+  placement.continuous = in.flag("Continuous");
+  placement.from = in.text("From");
+  placement.to = in.text("To");
+  if (placement.pipe.empty()) {
+    for (const char *entry : {"Every", "From", "To", "Continuous"})
+      if (in.given(entry))
+        in.fail(entry, "this entry beside 'Pipe' only", "Pipe = <name of a pipe> instead of At");
+    return placement;
+  }
+  const Pipe &pipe = scene.pipes[in.find("Pipe", placement.pipe, names(scene.pipes), "pipe")];
+  if ((placement.every > 0.) == placement.continuous)
+    in.fail_section(placement.continuous ? "both 'Every' and 'Continuous'"
+                                         : "'Pipe' without 'Every' and 'Continuous'",
+                    "Pipe with Every = <distance in m>, or Pipe with Continuous = true",
+                    "set Every = 6");
+  for (const char *entry : {"From", "To"})
+    if (const std::string point = in.text(entry); !point.empty()) {
+      check_point(in, entry, point, scene);
+      const bool on_pipe = std::any_of(pipe.route.begin(), pipe.route.end(),
+                                       [&](const RoutePoint &p) { return p.name == point; }) ||
+                           pipe.route.empty() || [&] {
+                             const std::vector<std::string> free = names(scene.points);
+                             return std::count(free.begin(), free.end(), point) > 0;
+                           }();
+      if (!on_pipe)
+        in.fail(entry, "a point of pipe '" + pipe.name + "'", "a point of its route");
+    }
+  return placement;
+}
+
+/// Unit normal of rest and friction supports.
+Direction parse_normal(const ParameterReader &in) {
+  Direction direction;
+  const std::string text = in.text("Normal");
+  if (text == "along" || text == "across") {
+    direction.kind = text == "along" ? Direction::Kind::along : Direction::Kind::across;
+    return direction;
+  }
+  direction.vector = in.vector("Normal");
+  if (direction.vector.norm() == 0.)
+    in.fail("Normal", "a vector that is not zero", "'0 0 1', upwards");
+  direction.vector /= direction.vector.norm();
+  return direction;
+}
+
+void refuse(const ParameterReader &in, const std::vector<std::string> &entries,
+            const std::string &kind, const std::string &where_allowed) {
+  for (const std::string &entry : entries)
+    if (in.given(entry))
+      in.fail(entry, where_allowed, "removing '" + entry + "', or another Kind than " + kind,
+              entry + " = " + in.text(entry) + " with Kind = " + kind);
+}
+
+std::vector<std::string> law_entries(const LawDescription &law) {
+  std::vector<std::string> entries;
+  for (int i = 0; i < law.n_parameters; ++i)
+    entries.push_back(law.parameters[i].name);
+  return entries;
+}
+
+} // namespace
+
+void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
+                   Scene &scene) {
+  const std::string kind = in.text("Kind");
+  const Placement placement = parse_placement(in, scene);
+  const LawDescription &law = laws.find(in.text("Law"));
+  const std::vector<std::string> own_entries = law_entries(law);
+
+  if (is_restraint(kind)) {
+    refuse(in, element_entries, kind,
+           "a friction element's entries for guide, line stop, rest and "
+           "friction");
+    refuse(in, own_entries, kind, "a law's entries for guide, line stop, rest and friction");
+    Restraint restraint;
+    restraint.name = name;
+    restraint.kind = kind;
+    restraint.placement = placement;
+    restraint.fixed = parse_motions(in, "Fixed");
+    if (std::count(restraint.fixed.begin(), restraint.fixed.end(), true) == 0)
+      in.fail("Fixed", "at least one of " + join(motions), "'ux, uy, uz'");
+    scene.restraints.push_back(restraint);
+    return;
+  }
+  refuse(in, {"Fixed"}, kind, "Fixed for anchor and restraint");
+  if (is_pair(kind))
+    refuse(in, {"Normal", "Normal force"}, kind, "Normal and Normal force for rest and friction");
+
+  FrictionSupport support;
+  support.name = name;
+  support.kind = kind;
+  support.placement = placement;
+  support.law = law.name;
+  for (const std::string &entry : own_entries)
+    support.parameters.push_back(in.number(entry));
+  support.length = in.number("Length");
+  using Rotations = FrictionSupport::Rotations;
+  const std::string rotations = in.text("Rotations");
+  support.rotations = rotations == "pipe"       ? Rotations::pipe
+                      : rotations == "averaged" ? Rotations::averaged
+                                                : Rotations::none;
+  support.torsion = in.flag("Torsion");
+  support.normal_force = in.number("Normal force");
+  support.ground = in.text("Ground");
+  if (!support.ground.empty()) {
+    check_point(in, "Ground", support.ground, scene);
+    if (support.normal_force > 0.)
+      in.fail("Normal force", "either a platen with a normal force or a ground that is a pipe",
+              "removing 'Ground' or 'Normal force'");
+  }
+  if (!is_pair(kind)) {
+    support.normal = parse_normal(in);
+    scene.supports.push_back(support);
+    return;
+  }
+
+  // A guide or line stop without gap, friction and a stiffness of its own holds exactly.
+  support.normal.kind = kind == "guide" ? Direction::Kind::across : Direction::Kind::along;
+  bool exact = law.name == std::string("coulomb") && support.ground.empty() &&
+               !in.given("Length") && !in.flag("Torsion");
+  for (unsigned int i = 0; i < own_entries.size(); ++i)
+    if (own_entries[i] == "Gap" || own_entries[i] == "Friction coefficient")
+      exact = exact && support.parameters[i] == 0.;
+    else
+      exact = exact && !in.given(own_entries[i]);
+  if (exact) {
+    Restraint restraint;
+    restraint.name = name;
+    restraint.kind = kind;
+    restraint.placement = placement;
+    restraint.translations.push_back(support.normal);
+    scene.restraints.push_back(restraint);
+    return;
+  }
+  support.name = name + ".plus";
+  scene.supports.push_back(support);
+  support.name = name + ".minus";
+  support.normal.sign = -1.;
+  scene.supports.push_back(support);
+}
+
+} // namespace frictionbeam::parts

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/law_library.h>
+#include <frictionbeam/scene/parameter_reader.h>
+#include <frictionbeam/scene/scene.h>
+
+/**
+ * @file
+ * The parts of a parameter file, each with the entries it declares and the data it becomes. All
+ * functions work on the reader's current section; parse_... throws UserError.
+ */
+namespace frictionbeam::parts {
+
+void declare_material(ParameterReader &in);
+void parse_material(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_section(ParameterReader &in);
+void parse_section(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_point(ParameterReader &in);
+void parse_point(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_pipe(ParameterReader &in);
+void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene);
+
+/// The support's own law brings its parameters along as entries.
+void declare_support(ParameterReader &in, const LawLibrary &laws);
+void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
+                   Scene &scene);
+void declare_spring(ParameterReader &in);
+void parse_spring(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_mass(ParameterReader &in);
+void parse_mass(const ParameterReader &in, const std::string &name, Scene &scene);
+
+void declare_load(ParameterReader &in);
+void parse_load(const ParameterReader &in, const std::string &name,
+                const double installation_temperature, Scene &scene);
+void declare_step(ParameterReader &in);
+void parse_step(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_initial(ParameterReader &in);
+void parse_initial(const ParameterReader &in, Scene &scene);
+
+void declare_mesh(ParameterReader &in);
+void parse_mesh(const ParameterReader &in, Scene &scene);
+void declare_solver(ParameterReader &in);
+void parse_solver(const ParameterReader &in, Scene &scene);
+void declare_time(ParameterReader &in);
+void parse_time(const ParameterReader &in, Scene &scene);
+void declare_output(ParameterReader &in);
+void parse_output(const ParameterReader &in, Scene &scene);
+
+/// Entries outside of any section.
+void declare_global(ParameterReader &in);
+/// Title, free motions; the monitors, which need the points, come by parse_monitors().
+void parse_global(const ParameterReader &in, Scene &scene);
+void parse_monitors(const ParameterReader &in, Scene &scene);
+
+/// Entries have names of the user's own: one is declared for each that the section has.
+void declare_quantities(ParameterReader &in);
+void parse_quantities(const ParameterReader &in, Scene &scene);
+
+/// Names in Scene, for references between parts.
+template <typename Part>
+std::vector<std::string> names(const std::vector<Part> &parts) {
+  std::vector<std::string> result;
+  for (const Part &part : parts)
+    result.push_back(part.name);
+  return result;
+}
+
+/// Names of all points: corners of routes and points of their own.
+std::vector<std::string> point_names(const Scene &scene);
+
+/// @throws UserError unless there is a point of that name, or a Mesh/File may have it.
+void check_point(const ParameterReader &in, const std::string &entry, const std::string &name,
+                 const Scene &scene);
+
+/// "ux, rz" to flags. @throws UserError for anything else.
+std::array<bool, 6> parse_motions(const ParameterReader &in, const std::string &entry);
+
+/// Place of ux, uy, uz, rx, ry, rz; 6 if it is none of them.
+unsigned int motion_index(const std::string &name);
+
+inline constexpr double degree = 3.14159265358979323846 / 180.; ///< [rad]
+
+} // namespace frictionbeam::parts

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "generated.h"
+#include "parts.h"
+
+#include <frictionbeam/scene/read_scene.h>
+#include <frictionbeam/scene/user_error.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <ostream>
+
+namespace frictionbeam {
+
+namespace {
+
+/// Kinds of parts, in the order in which they are read: each may refer to those before it.
+const std::vector<std::string> part_kinds = {"Material", "Section", "Point", "Pipe", "Support",
+                                             "Spring",   "Mass",    "Load",  "Step", "Initial"};
+const std::vector<std::string> settings = {"Mesh", "Solver", "Time", "Output", "Quantities"};
+
+struct SceneKind {
+  std::string name, section;
+  void (*declare)(ParameterReader &);
+  void (*build)(const ParameterReader &, const LawLibrary &, Scene &);
+};
+
+const std::vector<SceneKind> scene_kinds = {
+    {"slab", "Slab", &generated::declare_slab, &generated::build_slab},
+    {"oscillator", "Oscillator", &generated::declare_oscillator, &generated::build_oscillator},
+    {"friction bed", "Rack", &generated::declare_friction_bed, &generated::build_friction_bed}};
+
+std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
+
+std::string name_of(const std::string &heading) {
+  const auto blank = heading.find(' ');
+  return blank == std::string::npos ? "" : heading.substr(blank + 1);
+}
+
+void declare_part(ParameterReader &in, const LawLibrary &laws, const std::string &kind) {
+  if (kind == "Material")
+    parts::declare_material(in);
+  else if (kind == "Section")
+    parts::declare_section(in);
+  else if (kind == "Point")
+    parts::declare_point(in);
+  else if (kind == "Pipe")
+    parts::declare_pipe(in);
+  else if (kind == "Support")
+    parts::declare_support(in, laws);
+  else if (kind == "Spring")
+    parts::declare_spring(in);
+  else if (kind == "Mass")
+    parts::declare_mass(in);
+  else if (kind == "Load")
+    parts::declare_load(in);
+  else if (kind == "Step")
+    parts::declare_step(in);
+  else
+    parts::declare_initial(in);
+}
+
+void parse_part(const ParameterReader &in, const LawLibrary &laws, const std::string &kind,
+                const std::string &name, const double installation_temperature, Scene &scene) {
+  if (kind == "Material")
+    parts::parse_material(in, name, scene);
+  else if (kind == "Section")
+    parts::parse_section(in, name, scene);
+  else if (kind == "Point")
+    parts::parse_point(in, name, scene);
+  else if (kind == "Pipe")
+    parts::parse_pipe(in, name, scene);
+  else if (kind == "Support")
+    parts::parse_support(in, laws, name, scene);
+  else if (kind == "Spring")
+    parts::parse_spring(in, name, scene);
+  else if (kind == "Mass")
+    parts::parse_mass(in, name, scene);
+  else if (kind == "Load")
+    parts::parse_load(in, name, installation_temperature, scene);
+  else if (kind == "Step")
+    parts::parse_step(in, name, scene);
+  else
+    parts::parse_initial(in, scene);
+}
+
+/// What is wrong with a heading, if anything; @p generator is null for scenes made of parts.
+void check_heading(ParameterReader &in, const std::string &heading, const SceneKind *generator) {
+  const std::string kind = kind_of(heading), name = name_of(heading);
+  in.enter(heading);
+  std::vector<std::string> allowed = settings;
+  if (std::count(settings.begin(), settings.end(), heading) > 0)
+    return;
+  for (const SceneKind &scene : scene_kinds) {
+    if (heading != scene.section)
+      continue;
+    if (generator == nullptr || generator->section != heading)
+      in.fail_section(heading, "this section with Scene = " + scene.name + " only",
+                      "set Scene = " + scene.name);
+    return;
+  }
+  if (std::count(part_kinds.begin(), part_kinds.end(), kind) == 0) {
+    for (const std::string &part : part_kinds)
+      allowed.push_back(part + " <name>");
+    for (const SceneKind &scene : scene_kinds)
+      allowed.push_back(scene.section);
+    std::vector<std::string> candidates = settings;
+    candidates.insert(candidates.end(), part_kinds.begin(), part_kinds.end());
+    const std::string like = nearest(kind, candidates);
+    in.fail_section("subsection " + heading, join(allowed),
+                    like.empty() ? "one of these kinds of parts"
+                                 : "'" + like + (name.empty() ? "" : " " + name) + "'");
+  }
+  if (generator != nullptr)
+    in.fail_section("subsection " + heading,
+                    "no parts beside Scene = " + generator->name +
+                        ", which makes its own from section " + generator->section,
+                    "removing this part, or Scene = line");
+  if (name.empty() || name.find_first_of(" ,;/|'\"") != std::string::npos)
+    in.fail_section(name.empty() ? "no name" : "'" + name + "'",
+                    "subsection " + kind + " <name>, one word without , ; / | and quotes",
+                    "'" + kind + " main'");
+}
+
+/// A --set option that names a part which the file does not have is a slip of the pen.
+void check_overridden_headings(const ParameterFile &file,
+                               const std::vector<std::string> &file_headings) {
+  for (const ParameterFile::Section &section : file.sections()) {
+    const bool in_file =
+        std::count(file_headings.begin(), file_headings.end(), section.heading) > 0;
+    const std::string kind = kind_of(section.heading);
+    if (in_file || std::count(part_kinds.begin(), part_kinds.end(), kind) == 0)
+      continue;
+    std::vector<std::string> parts;
+    for (const std::string &heading : file_headings)
+      if (!heading.empty())
+        parts.push_back(heading);
+    const std::string like = nearest(section.heading, parts);
+    throw UserError(section.origin + ":\n  read:    section '" + section.heading +
+                    "', which the file does not have\n  allowed: " + join(parts) +
+                    "\n  try:     " + (like.empty() ? "one of these" : "'" + like + "'"));
+  }
+}
+
+void load_laws(const ParameterReader &in, LawLibrary &laws) {
+  namespace fs = std::filesystem;
+  for (const std::string &library : in.list("Law libraries")) {
+    const fs::path beside = fs::path(in.file().name()).parent_path() / library;
+    const fs::path path = fs::exists(beside) ? beside : fs::path(library);
+    if (!fs::exists(path))
+      in.fail("Law libraries",
+              "shared libraries that exist, from the parameter file's folder or "
+              "the working folder",
+              "the path from " + fs::absolute(in.file().name()).parent_path().string(),
+              "'" + library + "'");
+    try {
+      laws.load(fs::absolute(path).string());
+    } catch (const std::runtime_error &error) {
+      in.fail("Law libraries", "shared libraries that each export a law of this version",
+              error.what(), "'" + library + "'");
+    }
+  }
+}
+
+/// Names by which quantities find things must be unique.
+void check_unique_names(const ParameterReader &in, const Scene &scene) {
+  std::map<std::string, std::string> seen;
+  const auto add = [&](const std::string &name, const std::string &what) {
+    const auto [place, is_new] = seen.emplace(name, what);
+    if (!is_new)
+      throw UserError(in.file().name() + ": " + what + " '" + name + "'\n  read:    the name '" +
+                      name + "' for a " + place->second + " and for a " + what +
+                      "\n  allowed: different names for points, supports and springs\n"
+                      "  try:     another name for one of the two");
+  };
+  for (const std::string &name : parts::point_names(scene))
+    add(name, "point");
+  for (const FrictionSupport &support : scene.supports)
+    add(support.name, "support");
+  for (const Restraint &restraint : scene.restraints)
+    add(restraint.name, "support");
+  for (const Spring &spring : scene.springs)
+    add(spring.name, "spring");
+}
+
+void read_settings(ParameterReader &in, Scene &scene) {
+  using Declare = void (*)(ParameterReader &);
+  using Parse = void (*)(const ParameterReader &, Scene &);
+  const std::vector<std::tuple<std::string, Declare, Parse>> sections = {
+      {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
+      {"Solver", &parts::declare_solver, &parts::parse_solver},
+      {"Time", &parts::declare_time, &parts::parse_time},
+      {"Output", &parts::declare_output, &parts::parse_output}};
+  for (const auto &[heading, declare, parse] : sections) {
+    in.enter(heading);
+    declare(in);
+    in.take();
+    parse(in, scene);
+  }
+}
+
+/// A scene made of the parts in the file.
+void read_parts(ParameterReader &in, const LawLibrary &laws, const double installation_temperature,
+                Scene &scene) {
+  for (const std::string &kind : part_kinds)
+    for (const ParameterFile::Section &section : in.file().sections())
+      if (kind_of(section.heading) == kind) {
+        in.enter(section.heading);
+        declare_part(in, laws, kind);
+        in.take();
+        parse_part(in, laws, kind, name_of(section.heading), installation_temperature, scene);
+      }
+  in.enter("");
+  if (scene.pipes.empty() && scene.points.empty())
+    in.fail_section("no pipe and no point", "at least one part 'Pipe <name>' or 'Point <name>'",
+                    "subsection Pipe main, with a Route");
+  if (scene.steps.empty())
+    in.fail_section("an empty load sequence: no part 'Step <name>'",
+                    "at least one 'Step <name>', taken in the order of the file",
+                    "subsection Step cold, with 'set Loads = <names of loads>'");
+}
+
+} // namespace
+
+Scene read_scene(const std::string &file, const std::vector<std::string> &overrides,
+                 LawLibrary &laws) {
+  ParameterFile text(file);
+  std::vector<std::string> headings;
+  for (const ParameterFile::Section &section : text.sections())
+    headings.push_back(section.heading);
+  for (const std::string &option : overrides)
+    text.apply(option);
+
+  ParameterReader in(text);
+  parts::declare_global(in);
+  in.take();
+  const std::string scene_name = in.text("Scene");
+  const auto generator =
+      std::find_if(scene_kinds.begin(), scene_kinds.end(),
+                   [&](const SceneKind &kind) { return kind.name == scene_name; });
+  const SceneKind *const kind = generator == scene_kinds.end() ? nullptr : &*generator;
+  for (const ParameterFile::Section &section : text.sections())
+    if (!section.heading.empty())
+      check_heading(in, section.heading, kind);
+  check_overridden_headings(text, headings);
+
+  Scene scene;
+  scene.name = std::filesystem::path(file).stem().string();
+  scene.input = text.text();
+  scene.overrides = overrides;
+  in.enter("");
+  load_laws(in, laws);
+  parts::parse_global(in, scene);
+  const double installation_temperature = in.number("Installation temperature");
+  if (kind != nullptr && (in.given("Free motions") || in.given("Installation temperature")))
+    in.fail_section("'Free motions' or 'Installation temperature'",
+                    "neither with Scene = " + kind->name + ", which sets them itself",
+                    "removing the entry");
+  read_settings(in, scene);
+  if (kind == nullptr)
+    read_parts(in, laws, installation_temperature, scene);
+  else {
+    in.enter(kind->section);
+    kind->declare(in);
+    in.take();
+    kind->build(in, laws, scene);
+  }
+  in.enter("");
+  parts::parse_monitors(in, scene);
+  check_unique_names(in, scene);
+  in.enter("Quantities");
+  parts::declare_quantities(in);
+  in.take();
+  parts::parse_quantities(in, scene);
+  return scene;
+}
+
+void print_parameters(std::ostream &out, const LawLibrary &laws) {
+  out << "# All entries of a parameter file, with their defaults. A file holds any number of "
+         "parts\n"
+         "# '<Kind> <name>': here stands one of each kind, called 'name'. Steps are taken in the\n"
+         "# order of the file. Units are SI unless an entry says otherwise; angles are in "
+         "degrees.\n"
+         "# Entries of a support's law stand in the support: those of 'coulomb' are shown.\n"
+         "# Files may be included: include <file>. In 'Quantities', entries have names of your "
+         "own:\n"
+         "#   set <name> = what at where, step NAME, time T; scale F; reference R; source TEXT\n"
+         "# what: ux uy uz rx ry rz [m, rad] at a point; N Vy Vz Mx My Mz [N, N m] of the pipe at "
+         "a\n"
+         "# point, local axes, N > 0 in tension; fx fy fz mx my mz [N, N m] at a support, spring "
+         "or\n"
+         "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
+         "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"
+         "# sum_normal sum_friction [N] n_stick n_slip n_open of all friction supports or of one\n"
+         "# part; max_error [m] in scenes with an exact solution. |what| is its absolute value.\n"
+         "# Without a step, the last one is meant; without a time, the end of the step.\n";
+  const ParameterFile empty;
+  ParameterReader in(empty);
+  parts::declare_global(in);
+  for (const std::string &kind : part_kinds) {
+    in.enter(kind + " name");
+    declare_part(in, laws, kind);
+  }
+  Scene scene;
+  in.enter("Mesh");
+  parts::declare_mesh(in);
+  in.enter("Solver");
+  parts::declare_solver(in);
+  in.enter("Time");
+  parts::declare_time(in);
+  in.enter("Output");
+  parts::declare_output(in);
+  in.enter("Quantities");
+  parts::declare_quantities(in);
+  for (const SceneKind &kind : scene_kinds) {
+    in.enter(kind.section);
+    kind.declare(in);
+  }
+  in.print(out);
+}
+
+} // namespace frictionbeam

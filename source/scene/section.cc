@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "parts.h"
+
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Cowper's shear coefficient of a hollow circle, m = inner over outer radius
+/// (G. R. Cowper, J. Appl. Mech. 33 (1966) 335-340).
+double cowper(const double nu, const double m) {
+  const double a = (1. + m * m) * (1. + m * m);
+  return 6. * (1. + nu) * a / ((7. + 6. * nu) * a + (20. + 12. * nu) * m * m);
+}
+
+} // namespace
+
+double Section::bore_area() const {
+  const double r = outer_radius - wall;
+  return wall > 0. ? pi * r * r : 0.;
+}
+
+namespace parts {
+
+void declare_section(ParameterReader &in) {
+  in.declare_number("Outer diameter", 0., "m", 0., 1e300,
+                    "Of the pipe; 0: the section is given by its figures below.");
+  in.declare_number("Wall", 0., "m", 0., 1e300,
+                    "Thickness, at most half the outer diameter (a solid bar).");
+  in.declare_number("Area", 0., "m2", 0., 1e300, "Of the metal, instead of diameter and wall.");
+  in.declare_number("Inertia", 0., "m4", 0., 1e300,
+                    "Second moment of area about either axis, instead of diameter and wall.");
+  in.declare_number("Torsion constant", 0., "m4", 0., 1e300, "0: twice the inertia.");
+  in.declare_text("Shear area", "half", "half, cowper, none, or a number > 0 [m2]",
+                  "Area that resists shear. half: half the area, right for a thin pipe; cowper: "
+                  "Cowper's figure for a hollow circle with Poisson's ratio 0.3; none: no shear "
+                  "flexibility.");
+  in.declare_number("Added mass", 0., "kg/m", 0., 1e300,
+                    "Contents, insulation and what else moves with the pipe.");
+}
+
+void parse_section(const ParameterReader &in, const std::string &name, Scene &scene) {
+  Section section;
+  section.name = name;
+  const double D = in.number("Outer diameter"), t = in.number("Wall");
+  if (D > 0.) {
+    if (t == 0.)
+      in.fail("Wall", "a number > 0 [m], needed beside 'Outer diameter'",
+              "the wall thickness, or Area and Inertia without 'Outer diameter'");
+    if (t > D / 2.)
+      in.fail("Wall", "at most half the outer diameter, " + to_text(D / 2.) + " m",
+              "metres, not millimetres");
+    for (const char *entry : {"Area", "Inertia", "Torsion constant"})
+      if (in.given(entry))
+        in.fail(entry, "either diameter and wall, or the section's figures",
+                "removing '" + std::string(entry) + "' or 'Outer diameter'");
+    const double d = D - 2. * t;
+    section.outer_radius = D / 2.;
+    section.wall = t;
+    section.area = pi * (D - t) * t;
+    section.inertia = pi / 64. * (D * D * D * D - d * d * d * d);
+    section.torsion_constant = 2. * section.inertia;
+  } else {
+    for (const char *entry : {"Area", "Inertia"})
+      if (in.number(entry) == 0.)
+        in.fail(entry, "a number > 0, needed where 'Outer diameter' is not given",
+                "'Outer diameter' and 'Wall', or 'Area' and 'Inertia'");
+    if (in.given("Wall"))
+      in.fail("Wall", "a wall only beside 'Outer diameter'", "'Outer diameter' as well");
+    section.area = in.number("Area");
+    section.inertia = in.number("Inertia");
+    section.torsion_constant = in.number("Torsion constant");
+    if (section.torsion_constant == 0.)
+      section.torsion_constant = 2. * section.inertia;
+  }
+
+  const std::string shear = in.text("Shear area");
+  if (shear == "half")
+    section.shear_area = section.area / 2.;
+  else if (shear == "cowper") {
+    if (D == 0.)
+      in.fail("Shear area", "cowper beside 'Outer diameter' and 'Wall' only",
+              "half, none or a number [m2]");
+    section.shear_area = cowper(0.3, 1. - 2. * t / D) * section.area;
+  } else if (shear != "none" && !(to_number(shear, section.shear_area) && section.shear_area > 0.))
+    in.fail("Shear area", "half, cowper, none, or a number > 0 [m2]", "half");
+  section.added_mass = in.number("Added mass");
+  scene.sections.push_back(section);
+}
+
+} // namespace parts
+
+} // namespace frictionbeam
