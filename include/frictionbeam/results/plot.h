@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace frictionbeam {
+
+/// A two-dimensional chart.
+struct Plot {
+  struct Series {
+    enum class Style { line, points, line_points };
+
+    std::string label;        ///< in the key; empty: not there
+    std::vector<double> x, y; ///< of equal length; a pair that is not finite breaks the line
+    Style style = Style::line;
+    bool dashed = false; ///< for a reference or a slope
+  };
+
+  std::string title; ///< may be empty
+  std::string x_label, y_label;
+  bool log_x = false, log_y = false;      ///< pairs that are not positive are left out
+  unsigned int width = 560, height = 270; ///< [px]
+  std::vector<Series> series;
+};
+
+/// What draw_plots returns.
+struct DrawnPlots {
+  std::vector<std::string> svg; ///< one <svg> element for each plot, without XML prolog
+  std::string problem;          ///< why there is none, in plain words; empty if all went well
+};
+
+/**
+ * Draw all @p plots as SVG by one gnuplot process. The ids in the elements begin with @p prefix and
+ * the plot's number, so that several fit into one page. A series is thinned to about 2000 points,
+ * its peaks kept.
+ *
+ * Where gnuplot is missing or fails, each text is empty and @p problem says so: a chart is no
+ * reason to lose a run.
+ */
+DrawnPlots draw_plots(const std::vector<Plot> &plots, const std::string &prefix = "plot");
+
+/// Colour of the series number @p i, for readers with any kind of colour vision; six, then
+/// repeated.
+std::string series_colour(const unsigned int i);
+
+} // namespace frictionbeam

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/results/results.h>
+
+namespace frictionbeam {
+
+/**
+ * Writes frames for ParaView while the analysis runs, by deal.II's DataOutInterface. In the folder:
+ *
+ * - `results.pvd` and `vtu/line_0000.vtu`, ...: the pipes, with displacement, rotation, the section
+ *   forces N, Vy, Vz, Mx, My, Mz, the place s along the pipe and the pipe's number;
+ * - `supports.pvd` and `vtu/supports_0000.vtu`, ...: one point for each support, with its force on
+ *   the pipe in global axes, fn, friction, status (1 stick, 2 slip, 3 open, 4 closed), gap, slip
+ * and the work of friction.
+ *
+ * SI units. The pvd files are complete after every frame. All functions throw UserError if a file
+ * cannot be written.
+ */
+class VtuWriter {
+public:
+  /// @p results must know its supports and outlive this object.
+  VtuWriter(const Results &results, const std::string &folder);
+
+  /// Write @p frame and enter it into the pvd files.
+  void append(const Frame &frame);
+
+private:
+  const Results &results;
+  std::string folder;
+  std::vector<std::pair<double, std::string>> line_frames, support_frames; ///< time, file
+};
+
+} // namespace frictionbeam
