@@ -149,9 +149,8 @@ void ParameterFile::read(const std::string &file, const unsigned int depth) {
   std::ostringstream text;
   if (!std::filesystem::is_directory(file))
     text << in.rdbuf();
-  if (!in || std::filesystem::is_directory(file) || depth > 20)
-    throw UserError("The parameter file '" + file + "' cannot be read" +
-                    (depth > 20 ? ": files include each other.\n" : ".\n") +
+  if (!in || std::filesystem::is_directory(file))
+    throw UserError("The parameter file '" + file + "' cannot be read.\n  read:    nothing\n" +
                     "  allowed: the path of a text file, from the folder the program runs in\n"
                     "  try:     ls '" +
                     std::filesystem::path(file).parent_path().string() + "'");
@@ -204,9 +203,13 @@ void ParameterFile::read(const std::string &file, const unsigned int depth) {
     } else if (word == "set" && equal != std::string::npos && equal > 0)
       set(section(heading, origin),
           {tidy(rest.substr(0, equal)), tidy(rest.substr(equal + 1)), origin});
-    else if (word == "include" && opened.empty())
-      read((std::filesystem::path(file).parent_path() / rest).string(), depth + 1);
-    else
+    else if (word == "include" && opened.empty()) {
+      const auto included = std::filesystem::path(file).parent_path() / rest;
+      if (!std::filesystem::exists(included) || depth == 20)
+        fail("a file that exists, from this file's folder, and does not include this one again",
+             "the path from " + std::filesystem::absolute(file).parent_path().string());
+      read(included.string(), depth + 1);
+    } else
       fail("subsection <heading>, end, set <entry> = <value>, include <file>, # comment",
            equal != std::string::npos || statement.find('=') != std::string::npos
                ? "set " + statement
@@ -226,7 +229,8 @@ void ParameterFile::apply(const std::string &option) {
   const std::string name = tidy(slash == std::string::npos ? left : left.substr(slash + 1));
   if (equal == std::string::npos || name.empty())
     throw UserError("--set \"" + option +
-                    "\":\n  allowed: --set \"Section/Entry = value\" or --set \"Entry = value\"\n"
+                    "\":\n  read:    no entry and value\n  allowed: --set \"Section/Entry = "
+                    "value\" or --set \"Entry = value\"\n"
                     "  try:     --set \"Time/Step = 0.01\"");
   const std::string origin = "--set \"" + option + "\"";
   Entry entry{name, tidy(option.substr(equal + 1)), origin, true, false, ""};

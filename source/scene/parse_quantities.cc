@@ -115,6 +115,7 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
   const ParameterFile::Section *const section = in.file().find("Quantities");
   if (section == nullptr)
     return;
+  std::vector<std::string> dropped; // references
   for (const ParameterFile::Entry &entry : section->entries) {
     if (entry.name == "Source")
       continue;
@@ -145,14 +146,16 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
     }
     if (quantity.reference && in.scene_changed() && !entry.is_override) {
       quantity.reference.reset();
-      scene.remarks.push_back("Quantity '" + quantity.name +
-                              "' has no reference in this run: --set has changed the scene that "
-                              "the reference in the file belongs to.");
+      dropped.push_back(quantity.name);
     }
     if (quantity.reference && quantity.source.empty())
       quantity.source = in.text("Source");
     scene.quantities.push_back(quantity);
   }
+  if (!dropped.empty())
+    scene.remarks.push_back("No reference in this run for " + join(dropped) +
+                            ": --set has changed the scene that the references in the file belong "
+                            "to.");
 }
 
 } // namespace frictionbeam::parts
