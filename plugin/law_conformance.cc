@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace frictionbeam {
@@ -28,6 +29,7 @@ public:
   Checker(const LawDescription &law, const Vector &parameters) : law(law), parameters(parameters) {}
 
   std::vector<std::string> violations;
+  unsigned int n_successes = 0;
 
   void walk(const double magnitude, const unsigned int seed) {
     std::mt19937 random(seed);
@@ -43,6 +45,7 @@ public:
       const Result result = evaluate(increment, LawTangent::consistent);
       if (result.status != LawStatus::ok)
         continue;
+      ++n_successes;
       check_increment(increment, result);
       increment.old_state = result.state;
     }
@@ -51,21 +54,24 @@ public:
 private:
   static constexpr double length = 0.5, time_increment = 0.25;
 
-  Result evaluate(const Increment &increment, const LawTangent tangent) const {
+  Result evaluate(const Increment &increment, const LawTangent tangent,
+                  const double dt = time_increment) const {
     Vector rate(law.n_strains), displacement(3, 0.);
     for (int i = 0; i < law.n_strains; ++i)
       rate[i] = (increment.strain[i] - increment.previous_strain[i]) / time_increment;
     for (int i = 0; i < 3; ++i)
       displacement[i] = increment.strain[i] * length;
-    Result result{Vector(law.n_strains), Vector(law.n_strains * law.n_strains),
-                  Vector(law.n_internal_variables)};
+    // Not a number until the law writes it.
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    Result result{Vector(law.n_strains, nan), Vector(law.n_strains * law.n_strains, nan),
+                  Vector(law.n_internal_variables, nan)};
     const LawInput input{parameters.data(),
                          increment.strain.data(),
                          rate.data(),
                          law.kind == LawKind::support ? displacement.data() : nullptr,
                          length,
                          increment.time,
-                         time_increment,
+                         dt,
                          20.,
                          increment.old_state.data(),
                          tangent};
@@ -81,6 +87,10 @@ private:
       violations.push_back(what);
   }
 
+  static bool all_finite(const Vector &v) {
+    return std::all_of(v.begin(), v.end(), [](const double x) { return std::isfinite(x); });
+  }
+
   static double size(const Vector &v) {
     double sum = 0.;
     for (const double x : v)
@@ -90,16 +100,25 @@ private:
 
   void check_increment(const Increment &increment, const Result &result) {
     const Increment before = increment;
+    for (const Vector *values : {&result.stress, &result.tangent, &result.state})
+      if (!all_finite(*values))
+        return violated("a result is not a finite number, or not written");
     const Result again = evaluate(increment, LawTangent::consistent);
     if (again.stress != result.stress || again.tangent != result.tangent ||
         again.state != result.state || again.dissipation != result.dissipation)
       violated("equal calls give different results: keep no memory in the law");
+    const Result plain = evaluate(increment, LawTangent::none);
+    const Result elastic = evaluate(increment, LawTangent::elastic);
+    for (const Result *other : {&plain, &elastic})
+      if (other->stress != result.stress || other->state != result.state)
+        violated("stress or state depend on the tangent that is asked for");
+    if (!std::all_of(plain.tangent.begin(), plain.tangent.end(),
+                     [](const double x) { return std::isnan(x); }))
+      violated("a tangent is written with LawTangent::none, where there may be no room for it");
+    if (!all_finite(elastic.tangent))
+      violated("the elastic tangent is not finite, or not written");
     if (increment.old_state != before.old_state)
       violated("the old state is written: write new_state only");
-    for (const Vector *values : {&result.stress, &result.tangent, &result.state})
-      for (const double x : *values)
-        if (!std::isfinite(x))
-          violated("a result is not a finite number");
     if (result.dissipation < -1e-12 * size(result.stress) * size(increment.strain))
       violated("dissipation is negative");
     check_commit(increment, result);
@@ -114,6 +133,23 @@ private:
       if (std::abs(repeated.stress[i] - result.stress[i]) > 1e-9 * size(result.stress))
         violated("stress " + std::to_string(i) +
                  " changes when evaluated again after the commit: new_state does not belong to it");
+
+    // An empty increment: nothing moves, no time passes.
+    committed.previous_strain = committed.strain;
+    const Result held = evaluate(committed, LawTangent::none, 0.);
+    if (held.status != LawStatus::ok)
+      return;
+    if (held.dissipation >
+        1e-9 * (result.dissipation + size(result.stress) * size(increment.strain)))
+      violated("it dissipates when evaluated again after the commit though nothing moves: is the "
+               "slip of the wrong sign?");
+    for (int i = 0; i < law.n_internal_variables; ++i) {
+      const double first = result.state[i] - increment.old_state[i];
+      const double again = held.state[i] - result.state[i];
+      if (first * again > 0. && std::abs(again) > 0.5 * std::abs(first))
+        violated("internal variable " + std::to_string(i) +
+                 " goes on changing when evaluated again after the commit though nothing moves");
+    }
   }
 
   void check_tangent(const Increment &increment, const Result &result) {
@@ -128,7 +164,8 @@ private:
       const Vector up = moved(h), down = moved(-h);
       double column = 0.;
       for (int i = 0; i < n; ++i)
-        column = std::max({column, std::abs(result.tangent[n * i + j]), std::abs(up[i] - down[i]) / (2 * h)});
+        column = std::max(
+            {column, std::abs(result.tangent[n * i + j]), std::abs(up[i] - down[i]) / (2 * h)});
       for (int i = 0; i < n; ++i) {
         const double forward = (up[i] - result.stress[i]) / h;
         const double backward = (result.stress[i] - down[i]) / h;
@@ -158,6 +195,8 @@ std::vector<std::string> check_law(const LawDescription &law,
   for (const double magnitude : {1e-6, 1e-3, 0.1, 1.})
     for (const unsigned int seed : {1u, 2u, 3u})
       checker.walk(magnitude, seed);
+  if (checker.n_successes == 0)
+    checker.violations.push_back("it fails in every increment of the test");
   return checker.violations;
 }
 

@@ -31,12 +31,17 @@ constexpr LawParameter parameters[n_parameters] = {
      "GS_y of the friction element; GS over its length is the tangential stiffness"},
     {"Shear rigidity ratio", "-", 1., 1e-6, 1e6, "GS_z over GS_y"},
     {"Friction coefficient", "-", 0.3, 0., 100., "f at which sticking ends"},
-    {"Dynamic friction coefficient", "-", -1., -1., 100., "f while slipping; -1: equal to f"},
+    {"Dynamic friction coefficient", "-", -1., -1., 100.,
+     "f while slipping, never above the other; -1: equal to it"},
     {"Gap", "m", 0., 0., infinity, "distance to travel before contact"},
     {"Torsional rigidity", "N m2", 0., 0., infinity, "GJ about the contact's normal"},
     {"Patch radius", "m", 0., 0., infinity, "limits the torsional moment to f|N|r; 0: no limit"}};
 
 enum State { slip_y, slip_z, twist, was_slipping, n_states };
+
+double dynamic_coefficient(const double *p) {
+  return p[f_dynamic] < 0. ? p[f_static] : std::min(p[f_dynamic], p[f_static]);
+}
 
 /// Nearest point to a trial stress on the circle |T| = g in the norm of diag(k)^-1:
 /// T_i = T*_i / (1 + lambda k_i), with lambda > 0 from |T| = g by Newton's method, which increases
@@ -82,12 +87,12 @@ public:
       out.contact = ContactStatus::open;
     } else {
       const double N = p[ES] * opening;
-      const double dynamic = p[f_dynamic] < 0. ? p[f_static] : p[f_dynamic];
+      const double dynamic = dynamic_coefficient(p);
       const double trial[2] = {k[0] * (in.strain[1] - old_slip[0]),
                                k[1] * (in.strain[2] - old_slip[1])};
       const double size = std::hypot(trial[0], trial[1]);
       const double f = in.old_state[was_slipping] != 0. ? dynamic : p[f_static];
-      const bool slips = size > f * -N;
+      const bool slips = size > f * -N || f == 0.;
       out.stress[0] = N;
       tangent[0][0] = p[ES];
       std::copy(old_slip, old_slip + 2, out.new_state);
@@ -142,8 +147,7 @@ private:
     // |T| = g fixes d lambda = (sum_j T_j/a_j dT*_j - g dg) / sum.
     for (int i = 0; i < 2; ++i) {
       for (int j = 0; j < 2; ++j)
-        tangent[1 + i][1 + j] =
-            ((i == j ? 1. / a[i] : 0.) - weight[i] * T[j] / a[j] / sum) * k[j];
+        tangent[1 + i][1 + j] = ((i == j ? 1. / a[i] : 0.) - weight[i] * T[j] / a[j] / sum) * k[j];
       tangent[1 + i][0] = weight[i] * g / sum * dg_dN * in.parameters[ES];
     }
   }
@@ -171,11 +175,7 @@ private:
 constexpr Coulomb law;
 
 void threshold(const double *p, FrictionThreshold &t) {
-  t = {p[f_static],
-       p[f_dynamic] < 0. ? p[f_static] : p[f_dynamic],
-       p[gap],
-       p[ES],
-       p[GS],
+  t = {p[f_static],           p[f_dynamic] < 0. ? p[f_static] : p[f_dynamic], p[gap], p[ES], p[GS],
        p[GS] * p[shear_ratio]};
 }
 

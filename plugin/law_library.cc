@@ -48,6 +48,10 @@ void check_texts(const LawDescription &law, const std::string &file) {
                                                : "parameter number " + std::to_string(i);
     check(is_given(p.name) && is_given(p.unit) && is_given(p.meaning), file,
           which + " lacks a name, a unit or a meaning. Give all three ('-' if it has no unit).");
+    for (int j = 0; j < i; ++j)
+      check(std::string(p.name) != law.parameters[j].name, file,
+            "it has two parameters called '" + std::string(p.name) +
+                "'. Give each a name of its own.");
     check(p.minimum <= p.default_value && p.default_value <= p.maximum, file,
           "the default " + std::to_string(p.default_value) + " of " + which +
               " is outside its bounds " + std::to_string(p.minimum) + " to " +
@@ -66,13 +70,16 @@ LawLibrary::~LawLibrary() {
 }
 
 const LawDescription &LawLibrary::load(const std::string &file) {
-  void *const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  // A name without a slash would be searched among the system's libraries.
+  const std::string path = std::filesystem::absolute(file).string();
+  void *const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const std::string reason = dlerror();
-    check(false, file,
-          "it does not open (" + reason +
-              "). Expected a shared library; give its path from the folder the program runs in, and "
-              "compile it with frictionbeam_add_law() or 'g++ -std=c++17 -shared -fPIC'.");
+    check(
+        false, file,
+        "it does not open (" + reason +
+            "). Expected a shared library; give its path from the folder the program runs in, and "
+            "compile it with frictionbeam_add_law() or 'g++ -std=c++17 -shared -fPIC'.");
   }
   handles.push_back(handle);
 

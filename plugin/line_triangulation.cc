@@ -10,8 +10,6 @@ using namespace dealii;
 
 namespace {
 
-constexpr unsigned int unvisited = numbers::invalid_unsigned_int;
-
 /// Cells at each vertex, row-compressed.
 struct Incidence {
   std::vector<unsigned int> start, cell;
@@ -35,12 +33,15 @@ struct Incidence {
 class Walk {
 public:
   Walk(const unsigned int n_vertices, const std::vector<LineCell> &cells)
-      : cells(cells), incidence(n_vertices, cells), number(n_vertices, unvisited),
-        used(cells.size(), false) {
+      : cells(cells), incidence(n_vertices, cells), visited(n_vertices, false),
+        takes_any(n_vertices, false), n_loops_at(n_vertices, 0), used(cells.size(), false),
+        closes_loop(cells.size(), false) {
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      takes_any[v] = incidence.degree(v) < 3;
     // Free ends first; a part without one (a closed ring) starts at a vertex of two cells.
     for (const unsigned int wanted_degree : {1u, 2u, 0u})
       for (unsigned int v = 0; v < n_vertices; ++v)
-        if (number[v] == unvisited && (wanted_degree == 0 || incidence.degree(v) == wanted_degree))
+        if (!visited[v] && (wanted_degree == 0 || incidence.degree(v) == wanted_degree))
           walk_from(v);
     append_loop_cells();
   }
@@ -49,11 +50,13 @@ public:
 
 private:
   void walk_from(const unsigned int root) {
-    AssertThrow(incidence.degree(root) > 0,
-                ExcMessage("Vertex " + std::to_string(root) +
-                           " of the line belongs to no cell. Leave it out of the list of vertices."));
-    number[root] = n_visited++;
+    AssertThrow(
+        incidence.degree(root) > 0,
+        ExcMessage("Vertex " + std::to_string(root) +
+                   " of the line belongs to no cell. Leave it out of the list of vertices."));
+    visited[root] = true;
     std::vector<std::pair<unsigned int, unsigned int>> stack{{root, incidence.start[root]}};
+    unsigned int n_children_of_root = 0;
     while (!stack.empty()) {
       const unsigned int vertex = stack.back().first;
       if (stack.back().second == incidence.start[vertex + 1]) {
@@ -64,45 +67,65 @@ private:
       if (used[c])
         continue;
       used[c] = true;
-      const bool reversed = cells[c].vertices[0] != vertex;
-      const unsigned int other = cells[c].vertices[reversed ? 0 : 1];
-      if (number[other] != unvisited) {
-        loop_cells.push_back(c);
+      const unsigned int other = other_end(c, vertex);
+      if (visited[other]) {
+        closes_loop[c] = true;
+        ++n_loops_at[vertex];
+        ++n_loops_at[other];
         continue;
       }
-      order.push_back({c, reversed});
-      number[other] = n_visited++;
+      order.push_back({c, cells[c].vertices[0] != vertex});
+      visited[other] = true;
+      n_children_of_root += vertex == root;
       stack.emplace_back(other, incidence.start[other]);
     }
+    AssertThrow(incidence.degree(root) < 3 || n_children_of_root == 1, no_order());
+    takes_any[root] = true; // its first cell points away
   }
 
-  /// A loop's last cell points from the vertex met earlier to the one met later. The deepest come
-  /// first, so that where a cell arrives, nothing is listed after it.
+  /// The first cell of a vertex of three or more points to it, so the cells that close loops are to
+  /// point away, but the last: list, again and again, a cell that is the last at one of its ends,
+  /// and let it point there.
   void append_loop_cells() {
-    const auto deeper_end = [this](const unsigned int c) {
-      return std::max(number[cells[c].vertices[0]], number[cells[c].vertices[1]]);
+    std::vector<unsigned int> ready;
+    const auto check = [&](const unsigned int v) {
+      if (n_loops_at[v] == 1 || (n_loops_at[v] > 1 && takes_any[v]))
+        ready.push_back(v);
     };
-    std::stable_sort(loop_cells.begin(), loop_cells.end(),
-                     [&](const unsigned int a, const unsigned int b) {
-                       return deeper_end(a) > deeper_end(b);
-                     });
-    for (unsigned int i = 0; i < loop_cells.size(); ++i) {
-      const auto &v = cells[loop_cells[i]].vertices;
-      const bool reversed = number[v[0]] > number[v[1]];
-      AssertThrow(i == 0 || deeper_end(loop_cells[i]) != deeper_end(loop_cells[i - 1]) ||
-                      incidence.degree(v[reversed ? 0 : 1]) < 3,
-                  ExcMessage("Several loops of the line close in one vertex by a single cell each. "
-                             "Cut these cells in two."));
-      order.push_back({loop_cells[i], reversed});
-    }
+    // Vertices of three and more that take any are roots, and must take all.
+    for (const bool root : {true, false})
+      for (unsigned int v = 0; v < visited.size(); ++v)
+        if (root == (takes_any[v] && incidence.degree(v) > 2))
+          check(v);
+    for (unsigned int r = 0; r < ready.size(); ++r)
+      for (unsigned int i = incidence.start[ready[r]]; i < incidence.start[ready[r] + 1]; ++i) {
+        const unsigned int c = incidence.cell[i], end = ready[r];
+        if (!closes_loop[c])
+          continue;
+        closes_loop[c] = false;
+        order.push_back({c, cells[c].vertices[0] == end});
+        --n_loops_at[end];
+        --n_loops_at[other_end(c, end)];
+        check(other_end(c, end));
+      }
+    AssertThrow(order.size() == cells.size(), no_order());
+  }
+
+  unsigned int other_end(const unsigned int c, const unsigned int vertex) const {
+    return cells[c].vertices[cells[c].vertices[0] == vertex ? 1 : 0];
+  }
+
+  static ExcMessage no_order() {
+    return ExcMessage("The loops of the line are so many that deal.II accepts no order of its "
+                      "cells. Cut cells between vertices of three and more cells in two.");
   }
 
   const std::vector<LineCell> &cells;
   const Incidence incidence;
-  std::vector<unsigned int> number;
-  std::vector<bool> used;
-  std::vector<unsigned int> loop_cells;
-  unsigned int n_visited = 0;
+  std::vector<bool> visited;
+  std::vector<bool> takes_any; ///< whether further cells may point to the vertex
+  std::vector<unsigned int> n_loops_at;
+  std::vector<bool> used, closes_loop;
 };
 
 } // namespace

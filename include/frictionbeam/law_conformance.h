@@ -14,9 +14,12 @@ namespace frictionbeam {
  *  - equal calls give equal results,
  *  - the consistent tangent equals the difference quotient away from kinks, and is symmetric if the
  *    law says so,
- *  - evaluating again after a commit reproduces the stress,
+ *  - evaluating again after a commit reproduces the stress, and if nothing moves and no time
+ * passes, dissipates nothing and drives no internal variable on,
  *  - dissipation is never negative,
- *  - the old state is not written, and all results are finite.
+ *  - stress and state do not depend on the tangent asked for, and none is written unasked,
+ *  - the old state is not written, and all results are written and finite,
+ *  - it does not fail everywhere.
  *
  * @param parameters values in the order of the law's list.
  * @return what was violated, in plain words; empty if the law conforms.

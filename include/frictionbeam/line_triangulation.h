@@ -23,12 +23,14 @@ struct CellOrigin {
  * Create a triangulation of lines in space from cells in any order and direction, with branches and
  * loops. deal.II 9.4 accepts a vertex of three or more cells only if the first-listed cell there
  * points the other way from all others but the last-listed (an assertion in debug mode); so the
- * cells are listed along a depth-first walk from a free end, each away from it, and those that close
- * a loop last. Walking along the line also keeps the bandwidth small.
+ * cells are listed along a depth-first walk from a free end, each away from it, and those that
+ * close loops last, turned as each vertex needs it. Walking along the line also keeps the bandwidth
+ * small.
  *
- * @return for each cell of @p triangulation, in the order of its active_cell_iterators(), its origin.
- * @throws dealii::ExcMessage if a cell has length zero, a vertex is in no cell, or several loops
- * close in one vertex so that no order exists (give the loops one more cell).
+ * @return for each cell of @p triangulation, in the order of its active_cell_iterators(), its
+ * origin.
+ * @throws dealii::ExcMessage if a cell has length zero, a vertex is in no cell, or there are so
+ * many loops that no order is found (cut some of their cells in two).
  */
 std::vector<CellOrigin> create_line_triangulation(const std::vector<dealii::Point<3>> &vertices,
                                                   const std::vector<LineCell> &cells,
