@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Laws that the loader refuses, each with one fault, chosen when compiling; without any, a law that
+// it takes.
+#include <frictionbeam/law.h>
+
+namespace {
+
+using namespace frictionbeam;
+
+constexpr LawParameter parameters[] = {
+#ifdef UNIT_MISSING
+    {"Stiffness", "", 1., 0., 2., "not used"}
+#elif defined(DEFAULT_OUT_OF_BOUNDS)
+    {"Stiffness", "N", 3., 0., 2., "not used"}
+#else
+    {"Stiffness", "N", 1., 0., 2., "not used"}
+#endif
+#ifdef PARAMETER_TWICE
+    ,
+    {"Stiffness", "N", 1., 0., 2., "not used"}
+#endif
+};
+
+class Law final : public LawBase {
+public:
+  LawStatus integrate(const LawInput &, LawOutput &) const noexcept override {
+    return LawStatus::failed;
+  }
+};
+
+constexpr Law law;
+
+} // namespace
+
+#ifdef SYMBOL_MISSING
+extern "C" const LawDescription another_name;
+#define frictionbeam_law another_name
+#endif
+
+#ifdef VERSION_WRONG
+#define VERSION (law_interface_version + 1)
+#else
+#define VERSION law_interface_version
+#endif
+#ifdef KIND_WRONG
+#define KIND static_cast<LawKind>(5)
+#else
+#define KIND LawKind::support
+#endif
+#ifdef STRAINS_WRONG
+#define STRAINS 3
+#else
+#define STRAINS n_support_strains
+#endif
+#ifdef STATES_WRONG
+#define STATES -2
+#else
+#define STATES 0
+#endif
+#ifdef NAME_TAKEN
+#define NAME "coulomb"
+#elif defined(NAME_MISSING)
+#define NAME nullptr
+#else
+#define NAME "taken"
+#endif
+#ifdef REFERENCE_MISSING
+#define REFERENCE ""
+#else
+#define REFERENCE "a test"
+#endif
+#ifdef LAW_MISSING
+#define LAW nullptr
+#else
+#define LAW &law
+#endif
+#ifdef LIST_MISSING
+#define LIST nullptr
+#else
+#define LIST parameters
+#endif
+
+const LawDescription frictionbeam_law = {
+    VERSION, KIND, STRAINS,   STATES,
+    true,    NAME, REFERENCE, sizeof(parameters) / sizeof(parameters[0]),
+    LIST,    LAW,  nullptr};

@@ -1,0 +1,104 @@
+// LawLibrary shall load laws by file and find them by name, and refuse each of the broken ones of
+// broken_law.cc, saying what was found, what was expected and what to try.
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/law_library.h>
+
+#include "../check.h"
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+
+using namespace frictionbeam;
+
+namespace {
+
+std::string folder; ///< of the broken laws
+
+void refused(const std::function<void()> &action, const std::vector<std::string> &words) {
+  std::string message;
+  try {
+    action();
+  } catch (const std::runtime_error &error) {
+    message = error.what();
+  }
+  for (const std::string &word : words)
+    if (message.find(word) == std::string::npos) {
+      std::cerr << "no '" << word << "' in '" << message << "'\n";
+      CHECK(false);
+    } else
+      CHECK(true);
+}
+
+void broken(const std::string &fault, std::vector<std::string> words) {
+  LawLibrary library;
+  library.load_builtin();
+  const std::string file = folder + "/broken_" + fault + ".so";
+  words.push_back("The law library '" + file + "' cannot be used");
+  refused([&] { library.load(file); }, words);
+  CHECK(library.names(LawKind::support).size() == 2);
+}
+
+void broken_laws() {
+  const std::string version = std::to_string(law_interface_version),
+                    other_version = std::to_string(law_interface_version + 1);
+  broken("SYMBOL_MISSING", {"does not export the object 'frictionbeam_law'", "extern \"C\""});
+  broken("VERSION_WRONG",
+         {"version " + other_version, "this program has version " + version, "Compile it again"});
+  broken("KIND_WRONG", {"kind is 5", "expected 0 (support) or 1 (section)"});
+  broken("STRAINS_WRONG", {"3 strains", "has 4", "Set LawDescription::n_strains"});
+  broken("STATES_WRONG", {"-2 internal variables", "expected 0 to 1000"});
+  broken("LAW_MISSING", {"no law object", "constant object"});
+  broken("LIST_MISSING", {"1 parameters without a list"});
+  broken("NAME_MISSING", {"no name", "Set LawDescription::name"});
+  broken("NAME_TAKEN", {"'coulomb'", "already loaded from '" + LawLibrary::builtin_directory(),
+                        "name of its own"});
+  broken("UNIT_MISSING", {"parameter 'Stiffness'", "a unit", "'-' if it has no unit"});
+  broken("DEFAULT_OUT_OF_BOUNDS", {"default 3", "'Stiffness'", "bounds 0", "to 2"});
+  broken("PARAMETER_TWICE", {"two parameters called 'Stiffness'", "name of its own"});
+  broken("REFERENCE_MISSING", {"'taken'", "no reference", "Say where it is from"});
+}
+
+void files_that_are_no_libraries() {
+  LawLibrary library;
+  refused([&] { library.load("no/such/law.so"); },
+          {"'no/such/law.so'", "does not open", "No such file", "frictionbeam_add_law()"});
+  std::ofstream("not_a_library.so") << "plain text\n";
+  refused([&] { library.load("not_a_library.so"); },
+          {"'not_a_library.so'", "does not open", "Expected a shared library"});
+  std::filesystem::remove("not_a_library.so");
+}
+
+void loading_and_finding() {
+  LawLibrary library;
+  CHECK(library.names(LawKind::support).empty());
+  library.load_builtin();
+  CHECK(library.names(LawKind::support) == (std::vector<std::string>{"coulomb", "skeleton"}));
+  CHECK(library.names(LawKind::section) == std::vector<std::string>{"elastic_section"});
+  refused([&] { library.load_builtin(); }, {"'coulomb'", "already loaded"});
+  refused([&] { library.find("colomb"); },
+          {"no law called 'colomb'", "Loaded are: coulomb, elastic_section, skeleton"});
+
+  // By a name without a folder, from where the program runs.
+  const auto start = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  const LawDescription &law = library.load("broken_NOTHING.so");
+  std::filesystem::current_path(start);
+  CHECK(&law == &library.find("taken"));
+  CHECK(default_parameters(law) == std::vector<double>{1.});
+  CHECK(parameter_index(law, "Stiffness") == 0);
+  CHECK(parameter_index(library.find("coulomb"), "Gap") == 5);
+  refused([&] { parameter_index(law, "stiffness"); },
+          {"'taken' has no parameter 'stiffness'", "It has: Stiffness"});
+}
+
+} // namespace
+
+int main(int, char **argv) {
+  folder = argv[1];
+  broken_laws();
+  files_that_are_no_libraries();
+  loading_and_finding();
+  return check::report();
+}
