@@ -36,6 +36,12 @@ PipePath::PipePath(const Pipe &pipe) {
     names.push_back({route.front().name, 0.});
   for (unsigned int i = 1; i < route.size(); ++i) {
     const Vector3 leg = route[i].position - begin;
+    if (leg.norm() <= 1e-9 * total_length && !parts.empty() && parts.back().radius > 0. &&
+        route[i].bend_radius == 0.) { // the end of the bend before, by its name
+      if (!route[i].name.empty())
+        names.push_back({route[i].name, total_length});
+      continue;
+    }
     if (leg.norm() == 0.)
       throw UserError("The " + where(i) + " lies where the run before it begins, so the run has no "
                       "length. Remove one of the two points or give a smaller bend radius.");

@@ -28,12 +28,12 @@ double bend_flexibility(const Pipe &pipe, const Section &section, const double b
 
 Vector3 resolve(const Direction &direction, const Vector3 &tangent, const std::string &part) {
   if (direction.kind == Direction::Kind::global)
-    return direction.vector;
+    return direction.sign * direction.vector;
   if (tangent.norm() == 0.)
     throw UserError("Support " + part + " follows the direction of a pipe, and no pipe reaches its "
                     "point. Give its direction, or place it on a pipe.");
   const LocalAxes axes(tangent);
-  return direction.kind == Direction::Kind::along ? axes.x : axes.y;
+  return direction.sign * (direction.kind == Direction::Kind::along ? axes.x : axes.y);
 }
 
 namespace {

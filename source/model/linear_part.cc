@@ -174,8 +174,9 @@ void LinearPart::make_pattern(const Discretization &discretization, const Reduce
                               const Contacts &contacts, const Scene &scene, const LineMesh &mesh) {
   DynamicSparsityPattern pattern(space.n_unknowns());
   const auto couple = [&](const std::vector<int> &unknowns) {
+    const std::vector<types::global_dof_index> columns(unknowns.begin(), unknowns.end());
     for (const int row : unknowns)
-      pattern.add_entries(row, unknowns.begin(), unknowns.end(), true);
+      pattern.add_entries(row, columns.begin(), columns.end(), true);
   };
   std::vector<types::global_dof_index> dofs(12);
   for (const auto &cell : discretization.dof_handler().active_cell_iterators())

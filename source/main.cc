@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "run_case.h"
+
+#include <frictionbeam/results/summary.h>
+#include <frictionbeam/scene/read_scene.h>
+#include <frictionbeam/scene/user_error.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+namespace {
+
+const char *const usage =
+    "frictionbeam CASE.prm [options]     solve a piping line on friction supports\n"
+    "  --set \"Section/Entry = value\"     change an entry of the file; may be repeated\n"
+    "  --output-directory FOLDER         where results go (default: output/CASE)\n"
+    "frictionbeam --print-parameters     every entry there is, with unit, bounds and meaning\n"
+    "frictionbeam --version\n"
+    "frictionbeam --help\n"
+    "Exit status: 0 solved; 1 the input is wrong; 2 no convergence or no equilibrium.\n";
+
+/// Options as they stand on the command line. @return whether a case is to be run.
+bool read_command_line(const int argc, char **argv, frictionbeam::RunOptions &options) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const auto value = [&]() -> std::string {
+      if (++i == argc)
+        throw frictionbeam::UserError("The option " + argument + " needs a value. See --help.");
+      return argv[i];
+    };
+    if (argument == "--help" || argument == "-h") {
+      std::cout << usage;
+      return false;
+    } else if (argument == "--version") {
+      std::cout << "FrictionBeam " << frictionbeam::program_version() << ", deal.II "
+                << frictionbeam::deal_ii_version() << '\n';
+      return false;
+    } else if (argument == "--print-parameters") {
+      frictionbeam::LawLibrary laws;
+      laws.load_builtin();
+      frictionbeam::print_parameters(std::cout, laws);
+      return false;
+    } else if (argument == "--set")
+      options.overrides.push_back(value());
+    else if (argument == "--output-directory")
+      options.output_directory = value();
+    else if (argument[0] == '-')
+      throw frictionbeam::UserError("There is no option '" + argument + "'. See --help.");
+    else if (!options.parameter_file.empty())
+      throw frictionbeam::UserError("One parameter file a run: read '" + options.parameter_file +
+                                    "' and '" + argument + "'.");
+    else
+      options.parameter_file = argument;
+  }
+  if (options.parameter_file.empty())
+    throw frictionbeam::UserError(std::string("Which case? Name a parameter file.\n") + usage);
+  return true;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  try {
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    frictionbeam::RunOptions options;
+    return read_command_line(argc, argv, options) ? run_case(options) : 0;
+  } catch (const frictionbeam::UserError &error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  } catch (const dealii::ExceptionBase &error) { // our own mistake: say all there is
+    std::cerr << error.what() << '\n';
+    return 1;
+  } catch (const std::exception &error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+}

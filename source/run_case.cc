@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "run_case.h"
+
+#include <frictionbeam/analysis/load_sequence.h>
+#include <frictionbeam/model/mechanism.h>
+#include <frictionbeam/results/collector.h>
+#include <frictionbeam/results/output_file.h>
+#include <frictionbeam/results/summary.h>
+#include <frictionbeam/scene/read_scene.h>
+
+#include <deal.II/base/timer.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace frictionbeam {
+
+namespace {
+
+/// A line that is written over on a terminal; nothing in a log.
+class ProgressLine {
+public:
+  explicit ProgressLine(const Scene &scene) : scene(scene), on_terminal(isatty(STDERR_FILENO)) {}
+  ~ProgressLine() {
+    if (shown)
+      std::cerr << "\r\033[K";
+  }
+
+  void show(const LoadSequence::Progress &progress) {
+    if (!on_terminal || progress.n_increments == 0)
+      return;
+    shown = true;
+    std::cerr << "\r\033[K" << scene.steps[progress.step].name << ' ' << progress.increment << '/'
+              << progress.n_increments << std::flush;
+  }
+
+private:
+  const Scene &scene;
+  const bool on_terminal;
+  bool shown = false;
+};
+
+double peak_memory_mb() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024.;
+}
+
+void print_summary(const Results &results, const std::string &folder) {
+  for (const std::string &remark : results.remarks)
+    std::cout << "Note: " << remark << '\n';
+  for (const StepReport &step : results.steps) {
+    std::cout << "Step " << step.step << ": " << (step.converged ? "converged" : "NOT converged")
+              << ", " << step.increments << " increments, " << step.iterations << " iterations, "
+              << step.factorizations << " factorizations";
+    if (step.halvings > 0)
+      std::cout << ", cut " << step.halvings << " times";
+    if (!step.converged)
+      std::cout << "; " << step.remark;
+    std::cout << '\n';
+  }
+  for (const QuantityResult &quantity : results.quantities) {
+    std::cout << quantity.name << " = " << quantity.value << ' ' << quantity.unit;
+    if (quantity.error)
+      std::cout << " (reference " << *quantity.reference << ", error " << *quantity.error << ')';
+    std::cout << '\n';
+  }
+  std::cout << "Results are in " << folder << '\n';
+}
+
+} // namespace
+
+int run_case(const RunOptions &options) {
+  const dealii::Timer wall;
+  LawLibrary laws;
+  laws.load_builtin();
+  Scene scene = read_scene(options.parameter_file, options.overrides, laws);
+  scene.output.directory = options.output_directory.empty() ? "output/" + scene.name
+                                                            : options.output_directory;
+  prepare_output_folder(scene.output.directory);
+
+  Results results;
+  results.remarks = scene.remarks;
+  dealii::Timer timer;
+  const LineMesh mesh = build_line_mesh(scene);
+  results.cost.mesh_seconds = timer.wall_time();
+
+  timer.restart();
+  const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                     [](const LoadStep &step) { return step.transient; });
+  const Discretization discretization(scene, mesh, laws);
+  const ReducedSpace space(scene, mesh, discretization);
+  const Contacts contacts(scene, mesh, discretization, space, laws);
+  if (!transient)
+    for (const std::string &warning :
+         check_mechanisms(scene, mesh, discretization, space, contacts))
+      results.remarks.push_back(warning);
+  const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
+  results.cost.setup_seconds = timer.wall_time();
+
+  timer.restart();
+  const Model model{scene, mesh, discretization, space, contacts, linear};
+  LoadSequence sequence(model);
+  Collector collector(model, results, [](const Frame &) {});
+  bool converged;
+  {
+    ProgressLine progress_line(scene);
+    converged = sequence.run([&](const LoadSequence::Progress &progress, const LineState &state) {
+      progress_line.show(progress);
+      collector.observe(progress.step, progress.increment, progress.n_increments, state);
+    });
+  }
+  results.cost.solve_seconds = timer.wall_time();
+
+  collector.finish();
+  results.steps = sequence.reports();
+  results.status = converged ? RunStatus::converged : RunStatus::failed;
+  results.method = scene.solver.method == SolverSettings::Method::newton
+                       ? "newton: consistent tangent of the return mapping, line search"
+                       : "elastic: elastic stiffness kept, residual forces sent back";
+  double residual = 0.;
+  for (const StepReport &step : results.steps) {
+    residual = std::max(residual, step.residual);
+    results.cost.iterations += step.iterations;
+    results.cost.factorizations += step.factorizations;
+    results.cost.steps += step.increments;
+  }
+  results.certificate["equilibrium"] = residual;
+  results.cost.unknowns = space.n_unknowns();
+  results.cost.cells = discretization.pipe_cells().size();
+  results.cost.contacts = contacts.size();
+  results.cost.peak_memory_mb = peak_memory_mb();
+  results.cost.wall_seconds = wall.wall_time();
+  write_summary(scene, results, scene.output.directory);
+  print_summary(results, scene.output.directory);
+  return converged ? 0 : 2;
+}
+
+} // namespace frictionbeam
