@@ -152,8 +152,8 @@ void ParameterFile::read(const std::string &file, const unsigned int depth) {
   if (!in || std::filesystem::is_directory(file))
     throw UserError("The parameter file '" + file + "' cannot be read.\n  read:    nothing\n" +
                     "  allowed: the path of a text file, from the folder the program runs in\n"
-                    "  try:     ls '" +
-                    std::filesystem::path(file).parent_path().string() + "'");
+                    "  try:     ls " +
+                    std::filesystem::absolute(file).parent_path().string());
   if (depth == 0)
     content = text.str();
 
