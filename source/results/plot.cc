@@ -222,7 +222,7 @@ std::string as_element(std::string svg, const std::string &name) {
       svg.erase(first, last + to.size() - first);
   };
   erase("<title>", "</desc>");
-  if (svg.find("xlink:href") == std::string::npos)
+  if (svg.find("xlink:href", svg.find("</defs>")) == std::string::npos) // no marker is used
     erase("<defs>", "</defs>");
   for (const char *id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_canvas"})
     replace_all(svg, id, name + "_" + id);

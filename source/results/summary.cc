@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/results/output_file.h>
+#include <frictionbeam/results/report.h>
 #include <frictionbeam/results/summary.h>
 #include <frictionbeam/results/text.h>
 
@@ -150,7 +151,7 @@ void write_summary(const Scene &scene, const Results &results, const std::string
                   .str());
 
   List remarks('[', ']', "  ");
-  for (const auto &remark : results.remarks)
+  for (const auto &remark : all_remarks(scene, results))
     remarks.add(json(remark));
 
   std::string text = "{\n";

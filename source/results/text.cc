@@ -23,7 +23,9 @@ std::string number_text(const double value, const Format... format) {
 
 } // namespace
 
-std::string exact_number(const double value) { return number_text(value); }
+std::string exact_number(const double value) {
+  return number_text(value + 0.); // no negative zero
+}
 
 std::string rounded_number(const double value, const unsigned int digits) {
   return number_text(value, std::chars_format::general, static_cast<int>(digits));

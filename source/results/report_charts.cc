@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/html.h>
+#include <frictionbeam/results/plot.h>
+#include <frictionbeam/results/report_charts.h>
+#include <frictionbeam/results/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr unsigned int n_pipes_at_most = 8, n_points_at_most = 8;
+
+/// Anything smaller than this part of its like is rounding and gets no chart.
+constexpr double nothing = 1e-7;
+
+/// Charts under a heading.
+struct Group {
+  std::string heading;
+  std::vector<Plot> plots;
+};
+
+Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
+                  const unsigned int pipe, const std::array<double, 2> &largest_of_all) {
+  static const std::array<const char *, 6> names{{"N, axial force", "Vy, shear force",
+                                                  "Vz, shear force", "Mx, torsional moment",
+                                                  "My, bending moment", "Mz, bending moment"}};
+  Group group{"Pipe " + scene.pipes[pipe].name, {}};
+  for (unsigned int c = 0; c < 6; ++c) {
+    Largest largest;
+    for (const Frame *frame : frames)
+      for (const Station &station : frame->line)
+        if (station.pipe == pipe)
+          largest(station.force[c]);
+    if (largest.value() <= nothing * largest_of_all[c / 3])
+      continue;
+    const DisplayUnit unit = display_unit(c < 3 ? "N" : "N m", largest.value());
+    Plot plot;
+    plot.x_label = "s [m]";
+    plot.y_label = std::string(names[c]) + " [" + unit.name + "]";
+    for (const Frame *frame : frames) {
+      Plot::Series series;
+      series.label = frames.size() > 1 ? step_name(scene, *frame) : "";
+      for (const Station &station : frame->line)
+        if (station.pipe == pipe) {
+          series.x.push_back(station.s);
+          series.y.push_back(unit.factor * station.force[c]);
+        }
+      plot.series.push_back(std::move(series));
+    }
+    group.plots.push_back(std::move(plot));
+  }
+  return group;
+}
+
+/// The pipes with the largest moments and forces, in the order of the scene.
+std::vector<unsigned int> pipes_to_show(const Scene &scene,
+                                        const std::vector<const Frame *> &frames,
+                                        const std::array<double, 2> &largest_of_all) {
+  std::vector<double> weight(scene.pipes.size(), 0.);
+  for (const Frame *frame : frames)
+    for (const Station &station : frame->line)
+      for (unsigned int c = 0; c < 6; ++c)
+        if (std::isfinite(station.force[c]) && largest_of_all[c / 3] > 0.)
+          weight[station.pipe] =
+              std::max(weight[station.pipe], std::abs(station.force[c]) / largest_of_all[c / 3]);
+  std::vector<unsigned int> pipes(scene.pipes.size());
+  std::iota(pipes.begin(), pipes.end(), 0u);
+  if (pipes.size() > n_pipes_at_most) {
+    std::stable_sort(pipes.begin(), pipes.end(), [&](const unsigned int a, const unsigned int b) {
+      return weight[a] > weight[b];
+    });
+    pipes.resize(n_pipes_at_most);
+    std::sort(pipes.begin(), pipes.end());
+  }
+  return pipes;
+}
+
+/// A chart of the translations and one of the rotations.
+Group history_charts(const History &history, const bool transient) {
+  static const std::array<const char *, 6> names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
+  Group group{"Point " + history.point, {}};
+  for (unsigned int first : {0u, 3u}) {
+    std::array<Largest, 3> largest;
+    for (const Motion &motion : history.displacement)
+      for (unsigned int c = 0; c < 3; ++c)
+        largest[c](motion[first + c]);
+    const double all = std::max({largest[0].value(), largest[1].value(), largest[2].value()});
+    if (all == 0.)
+      continue;
+    const DisplayUnit unit = display_unit(first == 0 ? "m" : "rad", all);
+    Plot plot;
+    plot.x_label = transient ? "time [s]" : "time of the load sequence [s]";
+    plot.y_label = (first == 0 ? "displacement [" : "rotation [") + unit.name + "]";
+    for (unsigned int c = 0; c < 3; ++c) {
+      if (largest[c].value() <= nothing * all)
+        continue;
+      Plot::Series series;
+      series.label = names[first + c];
+      series.x = history.time;
+      if (history.time.size() <= 60)
+        series.style = Plot::Series::Style::line_points;
+      for (const Motion &motion : history.displacement)
+        series.y.push_back(unit.factor * motion[first + c]);
+      plot.series.push_back(std::move(series));
+    }
+    group.plots.push_back(std::move(plot));
+  }
+  return group;
+}
+
+} // namespace
+
+ReportCharts make_report_charts(const Scene &scene, const Results &results,
+                                const std::vector<const Frame *> &frames) {
+  std::array<Largest, 2> largest; // of forces, of moments
+  for (const Frame *frame : frames)
+    for (const Station &station : frame->line)
+      for (unsigned int c = 0; c < 6; ++c)
+        largest[c / 3](station.force[c]);
+  const std::array<double, 2> largest_of_all{{largest[0].value(), largest[1].value()}};
+
+  std::vector<Group> groups;
+  const auto pipes = pipes_to_show(scene, frames, largest_of_all);
+  for (const unsigned int pipe : pipes)
+    groups.push_back(pipe_charts(scene, frames, pipe, largest_of_all));
+  const std::size_t n_pipe_groups = groups.size();
+  const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                     [](const LoadStep &step) { return step.transient; });
+  for (const History &history : results.histories)
+    if (history.time.size() > 1 && groups.size() < n_pipe_groups + n_points_at_most)
+      groups.push_back(history_charts(history, transient));
+
+  std::vector<Plot> plots;
+  for (const Group &group : groups)
+    plots.insert(plots.end(), group.plots.begin(), group.plots.end());
+  const DrawnPlots drawn = draw_plots(plots, "chart");
+
+  ReportCharts charts;
+  std::size_t next = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (groups[g].plots.empty())
+      continue;
+    std::string &target = g < n_pipe_groups ? charts.section_forces : charts.histories;
+    target += "<h3>" + escape_xml(groups[g].heading) + "</h3>\n";
+    target += drawn.problem.empty()
+                  ? "<div class=\"charts\">\n"
+                  : html_note("There is no chart here, since " + drawn.problem + ".");
+    for (std::size_t i = 0; i < groups[g].plots.size(); ++i, ++next)
+      if (drawn.problem.empty())
+        target += "<div>" + drawn.svg[next] + "</div>\n";
+    target += drawn.problem.empty() ? "</div>\n" : "";
+  }
+
+  if (charts.section_forces.empty() && !frames.empty())
+    charts.section_forces = html_note("All section forces are zero.");
+  if (pipes.size() < scene.pipes.size())
+    charts.section_forces += html_note("Shown are the " + std::to_string(pipes.size()) +
+                                       " pipes with the largest forces of " +
+                                       std::to_string(scene.pipes.size()) + "; line.csv has all.");
+  if (results.histories.size() > n_points_at_most)
+    charts.histories +=
+        html_note("Shown are the first " + std::to_string(n_points_at_most) + " points of " +
+                  std::to_string(results.histories.size()) + "; the files history_*.csv have all.");
+  return charts;
+}
+
+} // namespace frictionbeam

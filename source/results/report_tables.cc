@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/html.h>
+#include <frictionbeam/results/marker.h>
+#include <frictionbeam/results/report_tables.h>
+#include <frictionbeam/results/text.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr std::size_t n_rows_at_most = 250;
+const std::string dash = "\u2013";
+
+std::string optional_number(const std::optional<double> &value, const unsigned int digits) {
+  return value && std::isfinite(*value) ? rounded_number(*value, digits) : dash;
+}
+
+std::string status_cell(const ContactStatus status) {
+  return "<svg viewBox=\"0 0 13 13\">" + status_marker(status, 6.5, 6.5, 4.6) + "</svg>" +
+         status_word(status);
+}
+
+/// Loads active at the end of a step.
+std::string load_list(const Scene &scene, const LoadStep &step) {
+  std::string list;
+  for (const auto &[load, factor] : step.loads) {
+    AssertIndexRange(load, scene.loads.size());
+    list += (list.empty() ? "" : ", ") + scene.loads[load].name +
+            (factor == 1. ? "" : " \u00d7 " + rounded_number(factor));
+  }
+  return list.empty() ? dash : list;
+}
+
+/// Where the line has moved most, as text, and how far [m].
+std::pair<std::string, double> largest_displacement(const Scene &scene, const Frame &frame) {
+  std::string where = dash;
+  double largest = 0.;
+  for (const Station &station : frame.line) {
+    const double size =
+        std::hypot(station.displacement[0], station.displacement[1], station.displacement[2]);
+    if (std::isfinite(size) && size > largest) {
+      largest = size;
+      where = scene.pipes[station.pipe].name + ", s = " + rounded_number(station.s) + " m";
+    }
+  }
+  return {where, largest};
+}
+
+/// Places of the rows to show: all, or those with the largest weights, in their order.
+std::vector<std::size_t> rows_to_show(const std::vector<double> &weight) {
+  std::vector<std::size_t> rows(weight.size());
+  std::iota(rows.begin(), rows.end(), std::size_t(0));
+  if (rows.size() > n_rows_at_most) {
+    std::stable_sort(rows.begin(), rows.end(), [&](const std::size_t a, const std::size_t b) {
+      return weight[a] > weight[b];
+    });
+    rows.resize(n_rows_at_most);
+    std::sort(rows.begin(), rows.end());
+  }
+  return rows;
+}
+
+std::string left_out(const std::size_t n_shown, const std::size_t n_all, const std::string &what,
+                     const std::string &file) {
+  if (n_shown == n_all)
+    return "";
+  return html_note("Shown are the " + std::to_string(n_shown) + " " + what +
+                   " with the largest forces of " + std::to_string(n_all) + "; " + file +
+                   " has all.");
+}
+
+std::string support_table(const Results &results, const Frame &frame) {
+  AssertDimension(frame.supports.size(), results.supports.size());
+  std::vector<double> weight;
+  for (const SupportState &state : frame.supports) {
+    const double size = std::hypot(state.fn, state.ft1, state.ft2);
+    weight.push_back(std::isfinite(size) ? size : 0.);
+  }
+  const auto rows = rows_to_show(weight);
+  const auto column = [&](const auto &value) {
+    std::vector<double> values;
+    for (const std::size_t row : rows)
+      values.push_back(value(frame.supports[row]));
+    return values;
+  };
+  std::vector<std::string> names, kinds, status;
+  std::vector<std::string> ratio;
+  for (const std::size_t row : rows) {
+    const SupportState &state = frame.supports[row];
+    names.push_back(results.supports[row].name);
+    kinds.push_back(results.supports[row].kind);
+    status.push_back(status_cell(state.status));
+    ratio.push_back(state.fn > 0. ? fixed_number(friction_force(state) / state.fn, 3) : dash);
+  }
+  return HtmlTable()
+             .text("support", names)
+             .text("kind", kinds)
+             .html("status", status)
+             .numbers("fn", "N", column([](const SupportState &s) { return s.fn; }))
+             .numbers("ft1", "N", column([](const SupportState &s) { return s.ft1; }))
+             .numbers("ft2", "N", column([](const SupportState &s) { return s.ft2; }))
+             .right("|ft| / fn", ratio)
+             .numbers("gap", "m", column([](const SupportState &s) { return s.gap; }))
+             .numbers("slip1", "m", column([](const SupportState &s) { return s.slip1; }))
+             .numbers("slip2", "m", column([](const SupportState &s) { return s.slip2; }))
+             .numbers("friction work", "J",
+                      column([](const SupportState &s) { return s.work_friction; }))
+             .str() +
+         left_out(rows.size(), frame.supports.size(), "supports", "supports.csv");
+}
+
+std::string reaction_table(const Results &results, const Frame &frame) {
+  AssertDimension(frame.reactions.size(), results.restraints.size());
+  std::vector<double> weight;
+  for (const Motion &reaction : frame.reactions) {
+    Largest largest;
+    for (const double value : reaction)
+      largest(value);
+    weight.push_back(largest.value());
+  }
+  const auto rows = rows_to_show(weight);
+  std::vector<std::string> names, kinds;
+  for (const std::size_t row : rows) {
+    names.push_back(results.restraints[row].name);
+    kinds.push_back(results.restraints[row].kind);
+  }
+  static const std::array<const char *, 6> headers{{"fx", "fy", "fz", "mx", "my", "mz"}};
+  HtmlTable table;
+  table.text("restraint", names).text("kind", kinds);
+  for (unsigned int c = 0; c < 6; ++c) {
+    std::vector<double> values;
+    for (const std::size_t row : rows)
+      values.push_back(frame.reactions[row][c]);
+    table.numbers(headers[c], c < 3 ? "N" : "N m", values);
+  }
+  return table.str() + left_out(rows.size(), frame.reactions.size(), "restraints", "reactions.csv");
+}
+
+template <typename MakeTable>
+std::string tabs(const std::string &id, const Scene &scene,
+                 const std::vector<const Frame *> &frames, const MakeTable &make_table) {
+  std::vector<std::pair<std::string, std::string>> panels;
+  for (const Frame *frame : frames)
+    panels.emplace_back(step_name(scene, *frame), make_table(*frame));
+  return html_tabs(id, panels);
+}
+
+} // namespace
+
+std::string quantity_table(const Results &results) {
+  std::vector<std::string> names, values, units, references, errors, sources;
+  for (const QuantityResult &quantity : results.quantities) {
+    names.push_back(quantity.name);
+    values.push_back(optional_number(quantity.value, 8));
+    units.push_back(quantity.unit);
+    references.push_back(optional_number(quantity.reference, 8));
+    errors.push_back(optional_number(quantity.error, 2));
+    sources.push_back(quantity.source);
+  }
+  return HtmlTable()
+      .text("quantity", names)
+      .right("value", values)
+      .text("unit", units)
+      .right("reference", references)
+      .right("relative error", errors)
+      .text("source of the reference", sources)
+      .str();
+}
+
+std::string step_table(const Scene &scene, const std::vector<const Frame *> &frames) {
+  std::vector<std::string> names, loads, where;
+  std::vector<double> displacement, normal, friction, work;
+  const std::array<ContactStatus, 4> statuses{
+      {ContactStatus::stick, ContactStatus::slip, ContactStatus::open, ContactStatus::closed}};
+  std::array<std::vector<std::string>, 4> counts;
+  for (const Frame *frame : frames) {
+    names.push_back(step_name(scene, *frame) + (frame->end_of_step ? "" : " (not finished)"));
+    loads.push_back(load_list(scene, scene.steps[frame->step]));
+    const auto [place, size] = largest_displacement(scene, *frame);
+    where.push_back(place);
+    displacement.push_back(size);
+    std::array<unsigned int, 4> count{};
+    double sum_normal = 0., sum_friction = 0., sum_work = 0.;
+    for (const SupportState &state : frame->supports) {
+      for (unsigned int s = 0; s < 4; ++s)
+        count[s] += state.status == statuses[s] ? 1 : 0;
+      sum_normal += state.fn;
+      sum_friction += friction_force(state);
+      sum_work += state.work_friction;
+    }
+    for (unsigned int s = 0; s < 4; ++s)
+      counts[s].push_back(std::to_string(count[s]));
+    normal.push_back(sum_normal);
+    friction.push_back(sum_friction);
+    work.push_back(sum_work);
+  }
+  HtmlTable table;
+  table.text("step", names)
+      .text("loads at its end", loads)
+      .numbers("largest displacement", "m", displacement)
+      .text("where", where);
+  for (unsigned int s = 0; s < 4; ++s)
+    table.right(status_word(statuses[s]), counts[s]);
+  return table.numbers("sum of fn", "N", normal)
+      .numbers("sum of |ft|", "N", friction)
+      .numbers("friction work", "J", work)
+      .str();
+}
+
+std::string support_tables(const Scene &scene, const Results &results,
+                           const std::vector<const Frame *> &frames) {
+  return tabs("supports-of", scene, frames,
+              [&](const Frame &frame) { return support_table(results, frame); }) +
+         html_note(
+             "Forces are those of the support on the pipe, fn positive in compression, ft1 and "
+             "ft2 in the sliding plane. |ft| / fn is the friction that is used; a sticking "
+             "support stays below its friction coefficient. Slip is that of the pipe on the "
+             "ground since contact began.");
+}
+
+std::string reaction_tables(const Scene &scene, const Results &results,
+                            const std::vector<const Frame *> &frames) {
+  return tabs("reactions-of", scene, frames,
+              [&](const Frame &frame) { return reaction_table(results, frame); }) +
+         html_note("Forces and moments on the pipe in global axes, z up.");
+}
+
+std::string solver_tables(const Results &results) {
+  std::vector<std::string> steps, increments, halvings, iterations, factorizations, residuals,
+      converged, remarks;
+  for (const StepReport &step : results.steps) {
+    steps.push_back(step.step);
+    increments.push_back(std::to_string(step.increments));
+    halvings.push_back(std::to_string(step.halvings));
+    iterations.push_back(std::to_string(step.iterations));
+    factorizations.push_back(std::to_string(step.factorizations));
+    residuals.push_back(optional_number(step.residual, 2));
+    converged.push_back(step.converged ? "yes" : "no");
+    remarks.push_back(step.remark);
+  }
+  std::string text = HtmlTable()
+                         .text("step", steps)
+                         .text("converged", converged)
+                         .right("increments", increments)
+                         .right("halvings", halvings)
+                         .right("iterations", iterations)
+                         .right("factorizations", factorizations)
+                         .right("largest residual", residuals)
+                         .text("remark", remarks)
+                         .str();
+
+  std::vector<std::string> checks, values;
+  for (const auto &[name, value] : results.certificate) {
+    checks.push_back(name);
+    values.push_back(optional_number(value, 2));
+  }
+  const Cost &cost = results.cost;
+  const auto seconds = [](const double value) { return rounded_number(value, 3) + " s"; };
+  text += "<div class=\"columns\">\n<div><h3>Certificate</h3>\n" +
+          HtmlTable().text("check", checks).right("relative residual", values).str() +
+          "</div>\n<div><h3>Cost</h3>\n" +
+          HtmlTable()
+              .text("time", {"all", "mesh", "setup", "solution"})
+              .right("", {seconds(cost.wall_seconds), seconds(cost.mesh_seconds),
+                          seconds(cost.setup_seconds), seconds(cost.solve_seconds)})
+              .text("size", {"unknowns", "cells", "contacts", "peak memory"})
+              .right("", {std::to_string(cost.unknowns), std::to_string(cost.cells),
+                          std::to_string(cost.contacts),
+                          rounded_number(cost.peak_memory_mb, 3) + " MB"})
+              .text("work", {"steps", "iterations", "factorizations", ""})
+              .right("", {std::to_string(cost.steps), std::to_string(cost.iterations),
+                          std::to_string(cost.factorizations), ""})
+              .str() +
+          "</div>\n</div>\n";
+  return text;
+}
+
+} // namespace frictionbeam
