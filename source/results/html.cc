@@ -4,6 +4,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
@@ -11,6 +12,7 @@ namespace frictionbeam {
 namespace {
 
 constexpr std::size_t n_panels_at_most = 6;
+constexpr std::size_t n_unwrapped = 36; ///< characters of a cell that stay in one line
 
 const char *const style = R"(
 :root { color-scheme: light }
@@ -40,14 +42,19 @@ section { scroll-margin-top: 34px }
   border: 1px solid #d5dae0; border-radius: 4px }
 table { border-collapse: separate; border-spacing: 0; font-size: 13.5px;
   font-variant-numeric: tabular-nums }
-th, td { padding: 4px 13px; text-align: left; vertical-align: top }
+th, td { padding: 4px 10px; white-space: nowrap; text-align: left; vertical-align: top }
 th { position: sticky; top: 0; background: #eef1f5; font-weight: 600; white-space: nowrap;
   cursor: pointer; border-bottom: 1px solid #d5dae0 }
 th small { color: #57606a; font-weight: 400 }
 tr:nth-child(even) td { background: #f8f9fb }
-.r { text-align: right; white-space: nowrap }
+.r { text-align: right }
+.wrap { white-space: normal; min-width: 26ch; max-width: 60ch }
 td svg { width: 13px; height: 13px; vertical-align: -2px; margin-right: 6px }
 .note { color: #57606a; font-size: 13px }
+.key { font-size: 13px; margin: 0 0 4px }
+.key span { margin-right: 26px; white-space: nowrap }
+.key span::before { content: ""; display: inline-block; width: 26px; height: 3px; margin-right: 8px;
+  vertical-align: 4px; background: var(--c) }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(500px, 1fr)); gap: 14px }
 .charts svg, .picture svg { width: 100%; height: auto; display: block }
 .picture { border: 1px solid #d5dae0; border-radius: 4px; overflow: hidden }
@@ -101,23 +108,27 @@ std::vector<std::string> escaped(const std::vector<std::string> &texts) {
 } // namespace
 
 HtmlTable &HtmlTable::text(const std::string &header, const std::vector<std::string> &cells) {
-  columns.push_back({escape_xml(header), false, escaped(cells)});
+  const bool wrap = std::any_of(cells.begin(), cells.end(),
+                                [](const std::string &cell) { return cell.size() > n_unwrapped; });
+  columns.push_back(
+      {"<th>" + escape_xml(header), wrap ? "<td class=\"wrap\">" : "<td>", escaped(cells)});
   return *this;
 }
 
 HtmlTable &HtmlTable::right(const std::string &header, const std::vector<std::string> &cells) {
-  columns.push_back({escape_xml(header), true, escaped(cells)});
+  columns.push_back({"<th class=\"r\">" + escape_xml(header), "<td class=\"r\">", escaped(cells)});
   return *this;
 }
 
 HtmlTable &HtmlTable::html(const std::string &header, const std::vector<std::string> &cells) {
-  columns.push_back({escape_xml(header), false, cells});
+  columns.push_back({"<th>" + escape_xml(header), "<td>", cells});
   return *this;
 }
 
 HtmlTable &HtmlTable::numbers(const std::string &header, const std::string &si_unit,
-                              const std::vector<double> &values) {
+                              const std::vector<double> &values, const double like) {
   Largest largest;
+  largest(like);
   for (const double value : values)
     largest(value);
   const DisplayUnit unit = display_unit(si_unit, largest.value());
@@ -125,9 +136,9 @@ HtmlTable &HtmlTable::numbers(const std::string &header, const std::string &si_u
   std::vector<std::string> cells;
   for (const double value : values)
     cells.push_back(std::isfinite(value) ? fixed_number(unit.factor * value, decimals) : "\u2013");
-  columns.push_back(
-      {escape_xml(header) + (unit.name.empty() ? "" : " <small>" + unit.name + "</small>"), true,
-       cells});
+  columns.push_back({"<th class=\"r\">" + escape_xml(header) +
+                         (unit.name.empty() ? "" : " <small>" + unit.name + "</small>"),
+                     "<td class=\"r\">", cells});
   return *this;
 }
 
@@ -136,13 +147,13 @@ std::string HtmlTable::str() const {
     return html_note("none");
   std::string text = "<div class=\"scroll\"><table><thead><tr>";
   for (const Column &column : columns)
-    text += (column.right ? "<th class=\"r\">" : "<th>") + column.header + "</th>";
+    text += column.header + "</th>";
   text += "</tr></thead>\n<tbody>\n";
   for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
     text += "<tr>";
     for (const Column &column : columns) {
       AssertDimension(column.cells.size(), columns.front().cells.size());
-      text += (column.right ? "<td class=\"r\">" : "<td>") + column.cells[row] + "</td>";
+      text += column.open + column.cells[row] + "</td>";
     }
     text += "</tr>\n";
   }

@@ -96,6 +96,7 @@ private:
   std::vector<unsigned int> pipe_of_run;
   std::vector<std::pair<std::string, Pixel>> support_labels;
   std::map<ContactStatus, unsigned int> n_status;
+  bool markers_shared = false;
   std::optional<LabelPlacer> placer;
   std::string labels;
 };
@@ -210,26 +211,33 @@ std::string Picture::draw_pipes() {
 
 std::string Picture::draw_supports() {
   AssertDimension(frame.supports.size(), results.supports.size());
+  const bool many = frame.supports.size() > 100;
+  const double size = many ? 3.5 : 5.;
   std::string text;
-  std::set<std::array<int, 3>> drawn; // a grid of 5 px for each status
-  const double size = frame.supports.size() > 100 ? 3.5 : 5.;
-  for (unsigned int i = 0; i < frame.supports.size(); ++i) {
-    const auto &info = results.supports[i];
-    const auto &state = frame.supports[i];
-    ++n_status[state.status];
-    const Pixel at = place(info.position);
-    if (!drawn
-             .insert(std::array<int, 3>{{static_cast<int>(at.x / 5.), static_cast<int>(at.y / 5.),
-                                         static_cast<int>(state.status)}})
-             .second)
-      continue;
-    const DisplayUnit unit = display_unit("N", std::abs(state.fn));
-    text += status_marker(state.status, at.x, at.y, size,
-                          info.name + ": " + status_word(state.status) + ", fn " +
-                              rounded_number(unit.factor * state.fn) + " " + unit.name);
-    placer->avoid(at.x, at.y, size + 1.);
-    support_labels.emplace_back(info.name, at);
-  }
+  std::set<std::array<int, 2>> taken; // squares of a grid
+  // What matters most goes first, to be kept, and is drawn last, on top.
+  for (const ContactStatus status : {ContactStatus::open, ContactStatus::slip, ContactStatus::stick,
+                                     ContactStatus::closed, ContactStatus::none})
+    for (unsigned int i = 0; i < frame.supports.size(); ++i) {
+      const auto &info = results.supports[i];
+      const auto &state = frame.supports[i];
+      if (state.status != status)
+        continue;
+      ++n_status[status];
+      const Pixel at = place(info.position);
+      const std::array<int, 2> square{{static_cast<int>(at.x / 7.), static_cast<int>(at.y / 7.)}};
+      if (many && !taken.insert(square).second) {
+        markers_shared = true;
+        continue;
+      }
+      const DisplayUnit unit = display_unit("N", std::abs(state.fn));
+      text = status_marker(status, at.x, at.y, size,
+                           info.name + ": " + status_word(status) + ", fn " +
+                               rounded_number(unit.factor * state.fn) + " " + unit.name) +
+             text;
+      placer->avoid(at.x, at.y, size + 1.);
+      support_labels.emplace_back(info.name, at);
+    }
   return text;
 }
 
@@ -292,9 +300,11 @@ std::string Picture::draw_legend() const {
 
   // the axes, each of a round length
   const double foreshortening = std::sqrt(2. / 3.);
-  const double length = round_down(42. / (foreshortening * fit_factor));
+  const double room = 34. / (foreshortening * fit_factor);
+  const double power = std::pow(10., std::floor(std::log10(room)));
+  const double length = power * std::floor(room / power);
   const double axis = length * foreshortening * fit_factor;
-  const Pixel origin{46., bottom + 54.};
+  const Pixel origin{46., bottom + 52.};
   const std::array<std::string, 3> names{{"x", "y", "z"}};
   for (unsigned int d = 0; d < 3; ++d) {
     Point3 unit;
@@ -335,6 +345,9 @@ std::string Picture::draw_legend() const {
   if (!results.restraints.empty())
     entry(restraint_marker(x, second - 10., ""),
           "restraint or spring (" + std::to_string(results.restraints.size()) + ")");
+  if (markers_shared)
+    text += text_at(x, second, "close supports share a marker: open before slip before stick",
+                    "fill=\"#555\"");
   return text;
 }
 

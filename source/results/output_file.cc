@@ -34,8 +34,6 @@ void prepare_output_folder(const std::string &folder) {
   fs::create_directories(folder, error);
   if (error)
     throw_unwritable("output folder", folder, error.message());
-  if (!fs::is_directory(folder, error))
-    throw_unwritable("output folder", folder, "it is a file");
 
   const fs::path probe = fs::path(folder) / (".write-test-" + std::to_string(getpid()));
   errno = 0;

@@ -111,6 +111,8 @@ void write_range(const Plot &plot, const char axis, std::ostream &script) {
         high = std::max(high, value);
       }
   script << "set " << axis << "range [*:*]\n";
+  if (axis == 'x')
+    script << "set autoscale xfix\n";
   if (high < low || high - low > 1e-9 * std::max(std::abs(high), std::abs(low)))
     return;
   const double margin = high == 0. ? 1. : std::abs(high) * (log ? 0.5 : 0.1);
@@ -134,14 +136,15 @@ void write_plot(const Plot &plot, const std::string &name, const std::string &fi
          << " dynamic noenhanced font 'sans-serif,11' name '" << name << "' background 'white'\n"
          << "set output " << quoted(file) << '\n'
          << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label)
-         << "\nset ylabel " << quoted(plot.y_label) << '\n'
+         << " offset 0,0.5\nset ylabel " << quoted(plot.y_label) << '\n'
          << (plot.log_x ? "set logscale x 10\n" : "unset logscale x\n")
          << (plot.log_y ? "set logscale y 10\n" : "unset logscale y\n") << "set format x '"
          << (plot.log_x ? "1e%T" : "%g") << "'\nset format y '" << (plot.log_y ? "1e%T" : "%g")
          << "'\n";
   write_range(plot, 'x', script);
   write_range(plot, 'y', script);
-  script << (key.empty() ? "unset key\n" : "set key outside top center horizontal noenhanced\n");
+  script << (key.empty() ? "unset key\n"
+                         : "set key outside top center horizontal samplen 2 noenhanced\n");
   if (drawn.empty()) {
     script << "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\nunset output\n";
     return;

@@ -33,7 +33,8 @@ std::string where_it_stopped(const Results &results) {
   for (const StepReport &step : results.steps)
     if (!step.converged)
       return " It stopped in step '" + step.step + "'" +
-             (step.remark.empty() ? "." : ": " + step.remark);
+             (step.remark.empty() ? "."
+                                  : ": " + step.remark + (step.remark.back() == '.' ? "" : "."));
   return "";
 }
 

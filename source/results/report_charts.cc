@@ -19,16 +19,27 @@ constexpr double nothing = 1e-7;
 
 /// Charts under a heading.
 struct Group {
-  std::string heading;
+  std::string heading, key; ///< the key is HTML
   std::vector<Plot> plots;
 };
+
+/// One key for all charts of the section forces: the colours of the steps.
+std::string step_key(const Scene &scene, const std::vector<const Frame *> &frames) {
+  if (frames.size() < 2)
+    return "";
+  std::string key = "<p class=\"key\">";
+  for (unsigned int i = 0; i < frames.size(); ++i)
+    key += "<span style=\"--c:" + series_colour(i) + "\">" +
+           escape_xml(step_name(scene, *frames[i])) + "</span>";
+  return key + "</p>\n";
+}
 
 Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
                   const unsigned int pipe, const std::array<double, 2> &largest_of_all) {
   static const std::array<const char *, 6> names{{"N, axial force", "Vy, shear force",
                                                   "Vz, shear force", "Mx, torsional moment",
                                                   "My, bending moment", "Mz, bending moment"}};
-  Group group{"Pipe " + scene.pipes[pipe].name, {}};
+  Group group{"Pipe " + scene.pipes[pipe].name, step_key(scene, frames), {}};
   for (unsigned int c = 0; c < 6; ++c) {
     Largest largest;
     for (const Frame *frame : frames)
@@ -43,7 +54,6 @@ Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
     plot.y_label = std::string(names[c]) + " [" + unit.name + "]";
     for (const Frame *frame : frames) {
       Plot::Series series;
-      series.label = frames.size() > 1 ? step_name(scene, *frame) : "";
       for (const Station &station : frame->line)
         if (station.pipe == pipe) {
           series.x.push_back(station.s);
@@ -82,7 +92,7 @@ std::vector<unsigned int> pipes_to_show(const Scene &scene,
 /// A chart of the translations and one of the rotations.
 Group history_charts(const History &history, const bool transient) {
   static const std::array<const char *, 6> names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
-  Group group{"Point " + history.point, {}};
+  Group group{"Point " + history.point, "", {}};
   for (unsigned int first : {0u, 3u}) {
     std::array<Largest, 3> largest;
     for (const Motion &motion : history.displacement)
@@ -147,7 +157,7 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
     std::string &target = g < n_pipe_groups ? charts.section_forces : charts.histories;
     target += "<h3>" + escape_xml(groups[g].heading) + "</h3>\n";
     target += drawn.problem.empty()
-                  ? "<div class=\"charts\">\n"
+                  ? groups[g].key + "<div class=\"charts\">\n"
                   : html_note("There is no chart here, since " + drawn.problem + ".");
     for (std::size_t i = 0; i < groups[g].plots.size(); ++i, ++next)
       if (drawn.problem.empty())

@@ -78,7 +78,12 @@ std::string left_out(const std::size_t n_shown, const std::size_t n_all, const s
 std::string support_table(const Results &results, const Frame &frame) {
   AssertDimension(frame.supports.size(), results.supports.size());
   std::vector<double> weight;
+  Largest force, length;
   for (const SupportState &state : frame.supports) {
+    for (const double value : {state.fn, state.ft1, state.ft2})
+      force(value);
+    for (const double value : {state.gap, state.slip1, state.slip2})
+      length(value);
     const double size = std::hypot(state.fn, state.ft1, state.ft2);
     weight.push_back(std::isfinite(size) ? size : 0.);
   }
@@ -102,13 +107,18 @@ std::string support_table(const Results &results, const Frame &frame) {
              .text("support", names)
              .text("kind", kinds)
              .html("status", status)
-             .numbers("fn", "N", column([](const SupportState &s) { return s.fn; }))
-             .numbers("ft1", "N", column([](const SupportState &s) { return s.ft1; }))
-             .numbers("ft2", "N", column([](const SupportState &s) { return s.ft2; }))
+             .numbers("fn", "N", column([](const SupportState &s) { return s.fn; }), force.value())
+             .numbers("ft1", "N", column([](const SupportState &s) { return s.ft1; }),
+                      force.value())
+             .numbers("ft2", "N", column([](const SupportState &s) { return s.ft2; }),
+                      force.value())
              .right("|ft| / fn", ratio)
-             .numbers("gap", "m", column([](const SupportState &s) { return s.gap; }))
-             .numbers("slip1", "m", column([](const SupportState &s) { return s.slip1; }))
-             .numbers("slip2", "m", column([](const SupportState &s) { return s.slip2; }))
+             .numbers("gap", "m", column([](const SupportState &s) { return s.gap; }),
+                      length.value())
+             .numbers("slip1", "m", column([](const SupportState &s) { return s.slip1; }),
+                      length.value())
+             .numbers("slip2", "m", column([](const SupportState &s) { return s.slip2; }),
+                      length.value())
              .numbers("friction work", "J",
                       column([](const SupportState &s) { return s.work_friction; }))
              .str() +
@@ -118,10 +128,13 @@ std::string support_table(const Results &results, const Frame &frame) {
 std::string reaction_table(const Results &results, const Frame &frame) {
   AssertDimension(frame.reactions.size(), results.restraints.size());
   std::vector<double> weight;
+  std::array<Largest, 2> force; // and moment
   for (const Motion &reaction : frame.reactions) {
     Largest largest;
-    for (const double value : reaction)
-      largest(value);
+    for (unsigned int c = 0; c < 6; ++c) {
+      largest(reaction[c]);
+      force[c / 3](reaction[c]);
+    }
     weight.push_back(largest.value());
   }
   const auto rows = rows_to_show(weight);
@@ -137,7 +150,7 @@ std::string reaction_table(const Results &results, const Frame &frame) {
     std::vector<double> values;
     for (const std::size_t row : rows)
       values.push_back(frame.reactions[row][c]);
-    table.numbers(headers[c], c < 3 ? "N" : "N m", values);
+    table.numbers(headers[c], c < 3 ? "N" : "N m", values, force[c / 3].value());
   }
   return table.str() + left_out(rows.size(), frame.reactions.size(), "restraints", "reactions.csv");
 }
@@ -164,13 +177,14 @@ std::string quantity_table(const Results &results) {
     sources.push_back(quantity.source);
   }
   return HtmlTable()
-      .text("quantity", names)
-      .right("value", values)
-      .text("unit", units)
-      .right("reference", references)
-      .right("relative error", errors)
-      .text("source of the reference", sources)
-      .str();
+             .text("quantity", names)
+             .right("value", values)
+             .text("unit", units)
+             .right("reference", references)
+             .right("error", errors)
+             .text("source of the reference", sources)
+             .str() +
+         html_note("Errors are relative to the reference, or absolute where the reference is 0.");
 }
 
 std::string step_table(const Scene &scene, const std::vector<const Frame *> &frames) {
@@ -202,15 +216,21 @@ std::string step_table(const Scene &scene, const std::vector<const Frame *> &fra
   }
   HtmlTable table;
   table.text("step", names)
-      .text("loads at its end", loads)
-      .numbers("largest displacement", "m", displacement)
-      .text("where", where);
+      .text("loads", loads)
+      .numbers("displacement", "m", displacement)
+      .text("at", where);
   for (unsigned int s = 0; s < 4; ++s)
-    table.right(status_word(statuses[s]), counts[s]);
-  return table.numbers("sum of fn", "N", normal)
-      .numbers("sum of |ft|", "N", friction)
-      .numbers("friction work", "J", work)
-      .str();
+    if (std::any_of(counts[s].begin(), counts[s].end(),
+                    [](const std::string &count) { return count != "0"; }))
+      table.right(status_word(statuses[s]), counts[s]);
+  return table.numbers("\u03a3 fn", "N", normal)
+             .numbers("\u03a3 |ft|", "N", friction)
+             .numbers("work", "J", work)
+             .str() +
+         html_note(
+             "At the end of each step: its loads, the largest displacement of the line and where "
+             "it is, the number of supports in each state, and sums over the supports of normal "
+             "force, friction force and friction work so far.");
 }
 
 std::string support_tables(const Scene &scene, const Results &results,
@@ -233,7 +253,8 @@ std::string reaction_tables(const Scene &scene, const Results &results,
 
 std::string solver_tables(const Results &results) {
   std::vector<std::string> steps, increments, halvings, iterations, factorizations, residuals,
-      converged, remarks;
+      contact, converged, remarks;
+  bool any_contact = false;
   for (const StepReport &step : results.steps) {
     steps.push_back(step.step);
     increments.push_back(std::to_string(step.increments));
@@ -241,19 +262,22 @@ std::string solver_tables(const Results &results) {
     iterations.push_back(std::to_string(step.iterations));
     factorizations.push_back(std::to_string(step.factorizations));
     residuals.push_back(optional_number(step.residual, 2));
+    contact.push_back(optional_number(step.contact, 2));
+    any_contact = any_contact || step.contact != 0.;
     converged.push_back(step.converged ? "yes" : "no");
     remarks.push_back(step.remark);
   }
-  std::string text = HtmlTable()
-                         .text("step", steps)
-                         .text("converged", converged)
-                         .right("increments", increments)
-                         .right("halvings", halvings)
-                         .right("iterations", iterations)
-                         .right("factorizations", factorizations)
-                         .right("largest residual", residuals)
-                         .text("remark", remarks)
-                         .str();
+  HtmlTable table;
+  table.text("step", steps)
+      .text("converged", converged)
+      .right("increments", increments)
+      .right("halvings", halvings)
+      .right("iterations", iterations)
+      .right("factorizations", factorizations)
+      .right("residual", residuals);
+  if (any_contact)
+    table.right("contact residual", contact);
+  std::string text = table.text("remark", remarks).str();
 
   std::vector<std::string> checks, values;
   for (const auto &[name, value] : results.certificate) {

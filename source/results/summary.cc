@@ -146,6 +146,7 @@ void write_summary(const Scene &scene, const Results &results, const std::string
                   .add("iterations", step.iterations)
                   .add("factorizations", step.factorizations)
                   .add("residual", step.residual)
+                  .add("contact", step.contact)
                   .add(json("converged") + (step.converged ? ": true" : ": false"))
                   .add("remark", step.remark)
                   .str());

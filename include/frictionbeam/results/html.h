@@ -14,9 +14,10 @@ public:
   HtmlTable &text(const std::string &header, const std::vector<std::string> &cells);
 
   /// Numbers in SI units, shown in a multiple of @p si_unit that suits them, all with the same
-  /// decimals. One that is not finite becomes a dash.
+  /// decimals. One that is not finite becomes a dash. Columns of one kind look alike if each is
+  /// told the largest number of all, @p like.
   HtmlTable &numbers(const std::string &header, const std::string &si_unit,
-                     const std::vector<double> &values);
+                     const std::vector<double> &values, const double like = 0.);
 
   /// Numbers that are text already, aligned to the right.
   HtmlTable &right(const std::string &header, const std::vector<std::string> &cells);
@@ -29,8 +30,7 @@ public:
 
 private:
   struct Column {
-    std::string header;
-    bool right;
+    std::string header, open; ///< with the opening tags of the header and of each cell
     std::vector<std::string> cells;
   };
   std::vector<Column> columns;

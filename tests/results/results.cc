@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The writers of results shall produce valid JSON, RFC 4180 csv, VTU and a report that stands
+// alone, from names and numbers however awkward, shall hand each frame to the system at once, and
+// shall say what is wrong where they cannot write. Expected texts follow from
+// tests/results/sample.h.
+#include "check.h"
+#include "json.h"
+#include "sample.h"
+
+#include <frictionbeam/results/csv_writer.h>
+#include <frictionbeam/results/plot.h>
+#include <frictionbeam/results/report.h>
+#include <frictionbeam/results/summary.h>
+#include <frictionbeam/results/text.h>
+#include <frictionbeam/results/vtu_writer.h>
+#include <frictionbeam/scene/user_error.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+using namespace frictionbeam;
+
+namespace {
+
+const std::string folder = "results-test/a/b";
+
+std::string read(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  CHECK(file.good());
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool contains(const std::string &text, const std::string &part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t count(const std::string &text, const std::string &part) {
+  std::size_t n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
+    ++n;
+  return n;
+}
+
+/// Rows and fields of a csv file after RFC 4180.
+std::vector<std::vector<std::string>> parse_csv(const std::string &text) {
+  std::vector<std::vector<std::string>> rows(1, {""});
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string &field = rows.back().back();
+    if (quoted) {
+      if (text[i] != '"')
+        field += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '"')
+        field += text[++i];
+      else
+        quoted = false;
+    } else if (text[i] == '"')
+      quoted = true;
+    else if (text[i] == ',')
+      rows.back().emplace_back();
+    else if (text[i] == '\n')
+      rows.push_back({""});
+    else
+      field += text[i];
+  }
+  CHECK(!quoted);
+  CHECK(rows.back().size() == 1 && rows.back()[0].empty()); // the last line is complete
+  rows.pop_back();
+  for (const auto &row : rows)
+    CHECK(row.size() == rows.front().size());
+  return rows;
+}
+
+std::string message_of(const std::function<void()> &action) {
+  try {
+    action();
+  } catch (const UserError &error) {
+    return error.what();
+  }
+  return "";
+}
+
+void check_numbers() {
+  CHECK(exact_number(0.1) == "0.1");
+  CHECK(exact_number(-0.) == "0");
+  CHECK(std::stod(exact_number(1. / 3.)) == 1. / 3.);
+  CHECK(rounded_number(12345.6) == "12346");
+  CHECK(fixed_number(-1e-9, 2) == "0.00");
+  CHECK(decimals_for(12.3) == 2);
+  CHECK(display_unit("N", 2e3).name == "kN");
+  CHECK(csv_field("plain") == "plain");
+  CHECK(csv_field("a,\"b\"") == "\"a,\"\"b\"\"\"");
+}
+
+void check_folder() {
+  std::filesystem::remove_all("results-test");
+  prepare_output_folder(folder);
+  CHECK(std::filesystem::is_empty(folder));
+
+  // what an earlier run left is not taken for this one's
+  write_file(folder + "/summary.json", "old");
+  prepare_output_folder(folder);
+  CHECK(std::filesystem::is_empty(folder));
+
+  write_file("results-test/file", "");
+  std::string message = message_of([] { prepare_output_folder("results-test/file/sub"); });
+  CHECK(contains(message, "results-test/file/sub") && contains(message, "Not a directory"));
+  message = message_of([] { prepare_output_folder("results-test/file"); });
+  CHECK(contains(message, "results-test/file") && contains(message, "Not a directory"));
+  message = message_of([] { OutputFile("results-test/missing/x.csv"); });
+  CHECK(contains(message, "x.csv") && contains(message, "No such file"));
+  if (std::filesystem::exists("/dev/full")) {
+    message = message_of([] { write_file("/dev/full", "text"); });
+    CHECK(contains(message, "No space left on device"));
+  }
+}
+
+void check_csv(Sample &sample) {
+  CsvWriter csv(sample.scene, sample.results, folder);
+  const auto supports = [&] { return parse_csv(read(folder + "/supports.csv")); };
+  CHECK(supports().size() == 1);
+  for (unsigned int i = 0; i < sample.results.frames.size(); ++i) {
+    for (History &history : sample.results.histories) {
+      history.time.push_back(sample.results.frames[i].time);
+      history.displacement.push_back({{1e-3 * i, 0., 0., 0., 0., 0.}});
+    }
+    csv.append(sample.results.frames[i]);
+    CHECK(supports().size() == 1 + 8 * (i + 1)); // on disk already
+  }
+  csv.finish();
+
+  const auto rows = supports();
+  CHECK(rows[0] ==
+        (std::vector<std::string>{"support", "step", "increment", "time", "status", "fn", "ft1",
+                                  "ft2", "gap", "slip1", "slip2", "work_friction"}));
+  CHECK(rows[1] == (std::vector<std::string>{hard_name, "weight", "1", "0.5", "stick", "0.1",
+                                             "-0.03", "0", "0", "0.001", "0", "2.5"}));
+  CHECK(rows[2][4] == "slip" && rows[3][4] == "open" && rows[4][4] == "closed");
+  CHECK(rows.back()[1] == "heating, \"hot\" <1>");
+
+  const auto line = parse_csv(read(folder + "/line.csv"));
+  CHECK(line.size() == 1 + 2 * 50); // ends of steps only
+  CHECK(line[0].size() == 18 && line[0][0] == "step" && line[0][12] == "N" && line[0][17] == "Mz");
+  CHECK(line[1][1] == "pipe, 1");
+
+  const auto reactions = parse_csv(read(folder + "/reactions.csv"));
+  CHECK(reactions.size() == 1 + 4);
+  CHECK(reactions[1] ==
+        (std::vector<std::string>{"anchor", "weight", "1", "0.5", "1", "2", "3", "4", "5", "nan"}));
+  CHECK(parse_csv(read(folder + "/history_tip.csv")).size() == 5);
+  CHECK(parse_csv(read(folder + "/history_a_b.csv"))[2][1] == "0.001");
+}
+
+void check_summary(const Sample &sample) {
+  write_summary(sample.scene, sample.results, folder);
+  const std::string text = read(folder + "/summary.json");
+  CHECK(JsonChecker(text).valid());
+  CHECK(!JsonChecker(text + "}").valid() && !JsonChecker("[1,]").valid());
+  CHECK(contains(text, "\"status\": \"converged\""));
+  CHECK(contains(text, "\"value\": 0.10000000000000001"));
+  CHECK(contains(text, "\"reference\": 0.20000000000000001, \"error\": null"));
+  CHECK(contains(text, "\"value\": null"));
+  CHECK(contains(text, "displacement \\\"x\\\" \\\\ \\t\\u0001 \xc3\xa9 \\ufffd"));
+  for (const char *name : {"wall_seconds", "peak_memory_mb", "certificate", "method", "steps"})
+    CHECK(contains(text, std::string("\"") + name + "\": "));
+
+  write_summary(Scene(), Results(), folder);
+  CHECK(JsonChecker(read(folder + "/summary.json")).valid());
+}
+
+void check_vtu(const Sample &sample) {
+  VtuWriter vtu(sample.results, folder);
+  for (const Frame &frame : sample.results.frames)
+    vtu.append(frame);
+  CHECK(count(read(folder + "/results.pvd"), "vtu/line_") == 4);
+  CHECK(count(read(folder + "/supports.pvd"), "vtu/supports_") == 4);
+  const std::string line = read(folder + "/vtu/line_0003.vtu");
+  CHECK(contains(line, "NumberOfPoints=\"98\" NumberOfCells=\"49\""));
+  CHECK(contains(line, "Name=\"displacement\" NumberOfComponents=\"3\""));
+  const std::string supports = read(folder + "/vtu/supports_0000.vtu");
+  CHECK(contains(supports, "NumberOfPoints=\"8\" NumberOfCells=\"8\""));
+  CHECK(contains(supports, "Name=\"force\" NumberOfComponents=\"3\""));
+}
+
+/// Ids of the page, each once; no network; no markup from names.
+void check_page(std::string page) {
+  std::set<std::string> ids;
+  for (const char quote : {'"', '\''})
+    for (std::size_t at = 0;
+         (at = page.find(std::string(" id=") + quote, at)) != std::string::npos;) {
+      at += 5;
+      CHECK(ids.insert(page.substr(at, page.find(quote, at) - at)).second);
+    }
+  CHECK(count(page, "<script>") == 1); // the page's own
+  CHECK(!contains(page, "<b>&'1"));
+  CHECK(count(page, "http://") + count(page, "https://") == count(page, "=\"http://www.w3.org/"));
+  CHECK(!contains(page, "src=") && !contains(page, "@import") && !contains(page, "url(http"));
+}
+
+void check_report(const Sample &sample) {
+  write_report(sample.scene, sample.results, folder);
+  const std::string page = read(folder + "/report.html");
+  check_page(page);
+  CHECK(contains(page, "heating, &quot;hot&quot; &lt;1&gt;"));
+  for (const char *id : {"quantities", "steps", "line", "forces", "histories", "supports",
+                         "reactions", "solver", "input"})
+    CHECK(contains(page, std::string("<section id=\"") + id + "\">"));
+  const std::string picture = read(folder + "/line.svg");
+  CHECK(contains(picture, "<?xml") && contains(picture, "times as large"));
+
+  // nothing at all to show
+  write_report(Scene(), Results(), folder);
+  CHECK(contains(read(folder + "/report.html"), "Failed"));
+
+  // a long line is thinned out
+  const Sample large = make_sample(4000, 20000);
+  write_report(large.scene, large.results, folder);
+  const std::string large_page = read(folder + "/report.html");
+  check_page(large_page);
+  CHECK(large_page.size() < 5000000);
+  CHECK(contains(large_page, "Shown are the 250 supports with the largest forces of 4000"));
+}
+
+void check_plot() {
+  Plot plot;
+  plot.x_label = "it's < & x";
+  plot.log_y = true;
+  plot.series = {{"a", {1., 2., 3.}, {1., 0., 10.}, Plot::Series::Style::line_points, false},
+                 {"constant", {1., 2.}, {1., 1.}, Plot::Series::Style::line, true}};
+  const DrawnPlots drawn = draw_plots({plot, Plot(), plot});
+  CHECK(drawn.svg.size() == 3);
+  if (drawn.problem.empty()) {
+    for (const auto &svg : drawn.svg)
+      CHECK(svg.substr(0, 4) == "<svg" && contains(svg, "</svg>"));
+    CHECK(contains(drawn.svg[0], "it's &lt; &amp; x"));
+  } else
+    std::cout << drawn.problem << '\n';
+
+  setenv("PATH", "/nowhere", 1);
+  const DrawnPlots missing = draw_plots({plot});
+  CHECK(contains(missing.problem, "gnuplot is not installed"));
+  CHECK(missing.svg.size() == 1 && missing.svg[0].empty());
+  const Sample sample = make_sample(8, 50);
+  write_report(sample.scene, sample.results, folder);
+  CHECK(contains(read(folder + "/report.html"), "gnuplot is not installed"));
+}
+
+} // namespace
+
+int main() {
+  Sample sample = make_sample(8, 50);
+  check_numbers();
+  check_folder();
+  check_csv(sample);
+  check_summary(sample);
+  check_vtu(sample);
+  check_report(sample);
+  check_plot();
+  return check::report();
+}
