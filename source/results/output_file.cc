@@ -14,10 +14,10 @@ namespace {
 
 [[noreturn]] void throw_unwritable(const std::string &what, const std::string &path,
                                    const std::string &reason) {
-  throw UserError(
-      "The " + what + " '" + path + "' cannot be written: " + reason +
-      ". Choose another output folder, or see to it that this one may be written to and "
-      "that the disk is not full.");
+  throw UserError("The " + what + " '" + path + "' cannot be written: " + reason +
+                  ". Choose another folder with --output-directory, or see to it that this one may "
+                  "be written to and "
+                  "that the disk is not full.");
 }
 
 std::string system_reason(const int error) {
