@@ -10,9 +10,9 @@ FE_FrictionBeam::FE_FrictionBeam(const Rotations rotations, const bool torsion)
       torsion(torsion) {}
 
 std::string FE_FrictionBeam::get_name() const {
-  const char *const option = rotations == Rotations::none       ? "no rotations"
-                             : rotations == Rotations::averaged ? "averaged rotations"
-                                                                : "first node's rotations";
+  const char *const options[] = {"no rotations", "averaged rotations", "first node's rotations",
+                                 "second node's rotations"};
+  const char *const option = options[static_cast<unsigned int>(rotations)];
   return std::string("FE_FrictionBeam<1,3>(") + option + (torsion ? ", torsion)" : ")");
 }
 
@@ -23,6 +23,7 @@ std::unique_ptr<FiniteElement<1, 3>> FE_FrictionBeam::clone() const {
 void FE_FrictionBeam::evaluate(const CellGeometry &cell, const double xi,
                                std::vector<ShapeFunction> &shapes) const {
   const Tensor<1, 3> &t = cell.tangent;
+  const unsigned int turning_node = rotations == Rotations::first_node ? 0 : 1;
   for (unsigned int node = 0; node < 2; ++node) {
     const double linear = node == 0 ? 1 - xi : xi;
     const double slope = (node == 0 ? -1. : 1.) / cell.length;
@@ -42,7 +43,7 @@ void FE_FrictionBeam::evaluate(const CellGeometry &cell, const double xi,
         if (rotations == Rotations::averaged) {
           turned.value[3 + c] += linear * across;
           turned.derivative[3 + c] += slope * across;
-        } else if (rotations == Rotations::first_node && node == 0)
+        } else if (rotations != Rotations::none && node == turning_node)
           turned.value[3 + c] += across;
       }
     }

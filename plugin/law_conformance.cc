@@ -87,6 +87,14 @@ private:
       violations.push_back(what);
   }
 
+  /// Rounding of stresses that are differences of strains times a rigidity.
+  double rounding(const Increment &increment) const {
+    double rigidity = 0.;
+    for (const double x : evaluate(increment, LawTangent::elastic).tangent)
+      rigidity = std::max(rigidity, std::abs(x));
+    return 1e-15 * rigidity * size(increment.strain);
+  }
+
   static bool all_finite(const Vector &v) {
     return std::all_of(v.begin(), v.end(), [](const double x) { return std::isfinite(x); });
   }
@@ -129,8 +137,9 @@ private:
     Increment committed = increment;
     committed.old_state = result.state;
     const Result repeated = evaluate(committed, LawTangent::none);
+    const double tolerance = 1e-9 * size(result.stress) + 2. * rounding(increment);
     for (int i = 0; i < law.n_strains; ++i)
-      if (std::abs(repeated.stress[i] - result.stress[i]) > 1e-9 * size(result.stress))
+      if (std::abs(repeated.stress[i] - result.stress[i]) > tolerance)
         violated("stress " + std::to_string(i) +
                  " changes when evaluated again after the commit: new_state does not belong to it");
 
@@ -155,6 +164,7 @@ private:
   void check_tangent(const Increment &increment, const Result &result) {
     const int n = law.n_strains;
     const double h = 1e-6 * size(increment.strain);
+    const double rounding = (1e-14 * size(result.stress) + this->rounding(increment)) / h;
     for (int j = 0; j < n; ++j) {
       const auto moved = [&](const double step) {
         Increment other = increment;
@@ -169,7 +179,6 @@ private:
       for (int i = 0; i < n; ++i) {
         const double forward = (up[i] - result.stress[i]) / h;
         const double backward = (result.stress[i] - down[i]) / h;
-        const double rounding = 1e-14 * size(result.stress) / h;
         if (std::abs(forward - backward) > 1e-3 * column + rounding)
           continue; // a kink lies between
         if (std::abs(result.tangent[n * i + j] - (forward + backward) / 2) >

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
+#include <set>
 
 namespace frictionbeam {
 
 using namespace dealii;
 
 namespace {
+
+constexpr unsigned int none = numbers::invalid_unsigned_int;
 
 /// Cells at each vertex, row-compressed.
 struct Incidence {
@@ -29,34 +33,87 @@ struct Incidence {
   unsigned int degree(const unsigned int v) const { return start[v + 1] - start[v]; }
 };
 
-/// A depth-first walk: tree cells in the order met, then the cells that close loops.
+/**
+ * An order and directions of the cells such that at every vertex the first-listed cell points the
+ * other way from all others there.
+ *
+ * A depth-first walk splits the line into trails: a trail goes on through a vertex with the first
+ * cell taken there, every other cell begins a trail of its own; a trail ends where there is no cell
+ * left or where it meets a vertex visited before. With d = +-1 the direction of a trail (along the
+ * walk or against it) and p = +-1 that of the cells attached to a vertex that a trail goes through
+ * (away from it or to it), the rules are
+ *   d = p at the start of a trail,  p = -d at its end,
+ * and of the two cells of the trail that goes through, the one that points the other way from the
+ * attached ones is listed first. Without loops d = p = 1 and the order is that of the walk.
+ */
 class Walk {
 public:
   Walk(const unsigned int n_vertices, const std::vector<LineCell> &cells)
-      : cells(cells), incidence(n_vertices, cells), visited(n_vertices, false),
-        takes_any(n_vertices, false), n_loops_at(n_vertices, 0), used(cells.size(), false),
-        closes_loop(cells.size(), false) {
+      : cells(cells), incidence(n_vertices, cells) {
     for (unsigned int v = 0; v < n_vertices; ++v)
-      takes_any[v] = incidence.degree(v) < 3;
-    // Free ends first; a part without one (a closed ring) starts at a vertex of two cells.
-    for (const unsigned int wanted_degree : {1u, 2u, 0u})
-      for (unsigned int v = 0; v < n_vertices; ++v)
-        if (!visited[v] && (wanted_degree == 0 || incidence.degree(v) == wanted_degree))
-          walk_from(v);
-    append_loop_cells();
+      AssertThrow(incidence.degree(v) > 0,
+                  ExcMessage("Vertex " + std::to_string(v) +
+                             " of the line belongs to no cell. Leave it out of the list."));
+    // Loops may leave no directions or no order for one way to walk and some for another.
+    for (unsigned int attempt = 0; attempt < 200; ++attempt) {
+      walk(n_vertices, attempt);
+      if (find_directions(n_vertices) && find_order(n_vertices))
+        return;
+    }
+    AssertThrow(false,
+                ExcMessage("The loops of the line meet in such a way that deal.II accepts no "
+                           "order of its cells. Pull apart a vertex of four or more cells by "
+                           "a short cell."));
   }
 
   std::vector<CellOrigin> order;
 
 private:
+  struct Step {
+    unsigned int cell, from, to, trail;
+  };
+  struct Trail {
+    unsigned int start, end;
+  };
+
+  void walk(const unsigned int n_vertices, const unsigned int attempt) {
+    steps.clear();
+    trails.clear();
+    parent.assign(n_vertices, none);
+    continuation.assign(n_vertices, none);
+    visited.assign(n_vertices, false);
+    used.assign(cells.size(), false);
+    // Trails go on along the pipe, not into its supports.
+    std::mt19937 random(attempt);
+    for (unsigned int v = 0; v < n_vertices; ++v) {
+      const auto begin = incidence.cell.begin() + incidence.start[v],
+                 end = incidence.cell.begin() + incidence.start[v + 1];
+      if (attempt > 0)
+        std::shuffle(begin, end, random);
+      std::stable_partition(begin, end, [this](const unsigned int c) { return !is_dead_end(c); });
+    }
+    // Start at free ends, best at those from which the author's own cell points away, or at the
+    // supports of free ends, where they can be turned back; a part without (a ring) where two meet.
+    const auto rank = [this](const unsigned int v) {
+      if (incidence.degree(v) > 1)
+        return incidence.degree(v) == 2 ? 3 : 4;
+      const auto &ends = cells[incidence.cell[incidence.start[v]]].vertices;
+      return ends[0] == v ? 0 : incidence.degree(ends[0]) == 2 ? 1 : 2;
+    };
+    for (int wanted = 0; wanted < 5; ++wanted)
+      for (unsigned int v = 0; v < n_vertices; ++v)
+        if (!visited[v] && rank(v) == wanted)
+          walk_from(v);
+  }
+
+  bool is_dead_end(const unsigned int c) const {
+    return incidence.degree(cells[c].vertices[0]) == 1 ||
+           incidence.degree(cells[c].vertices[1]) == 1;
+  }
+
   void walk_from(const unsigned int root) {
-    AssertThrow(
-        incidence.degree(root) > 0,
-        ExcMessage("Vertex " + std::to_string(root) +
-                   " of the line belongs to no cell. Leave it out of the list of vertices."));
     visited[root] = true;
     std::vector<std::pair<unsigned int, unsigned int>> stack{{root, incidence.start[root]}};
-    unsigned int n_children_of_root = 0;
     while (!stack.empty()) {
       const unsigned int vertex = stack.back().first;
       if (stack.back().second == incidence.start[vertex + 1]) {
@@ -67,65 +124,144 @@ private:
       if (used[c])
         continue;
       used[c] = true;
-      const unsigned int other = other_end(c, vertex);
-      if (visited[other]) {
-        closes_loop[c] = true;
-        ++n_loops_at[vertex];
-        ++n_loops_at[other];
-        continue;
+      const unsigned int other = cells[c].vertices[cells[c].vertices[0] == vertex ? 1 : 0];
+      const bool goes_on = continuation[vertex] == none;
+      if (!goes_on || vertex == root)
+        trails.push_back({goes_on ? none : vertex, none});
+      const unsigned int trail =
+          goes_on && vertex != root ? steps[parent[vertex]].trail : trails.size() - 1;
+      if (goes_on)
+        continuation[vertex] = steps.size();
+      if (visited[other])
+        trails[trail].end = other;
+      else {
+        visited[other] = true;
+        parent[other] = steps.size();
+        stack.emplace_back(other, incidence.start[other]);
       }
-      order.push_back({c, cells[c].vertices[0] != vertex});
-      visited[other] = true;
-      n_children_of_root += vertex == root;
-      stack.emplace_back(other, incidence.start[other]);
+      steps.push_back({c, vertex, other, trail});
     }
-    AssertThrow(incidence.degree(root) < 3 || n_children_of_root == 1, no_order());
-    takes_any[root] = true; // its first cell points away
   }
 
-  /// The first cell of a vertex of three or more points to it, so the cells that close loops are to
-  /// point away, but the last: list, again and again, a cell that is the last at one of its ends,
-  /// and let it point there.
-  void append_loop_cells() {
-    std::vector<unsigned int> ready;
-    const auto check = [&](const unsigned int v) {
-      if (n_loops_at[v] == 1 || (n_loops_at[v] > 1 && takes_any[v]))
-        ready.push_back(v);
+  /// Solve the rules of directions, a graph to be coloured with two colours.
+  bool find_directions(const unsigned int n_vertices) {
+    struct Relation {
+      unsigned int other;
+      bool equal;
     };
-    // Vertices of three and more that take any are roots, and must take all.
-    for (const bool root : {true, false})
-      for (unsigned int v = 0; v < visited.size(); ++v)
-        if (root == (takes_any[v] && incidence.degree(v) > 2))
-          check(v);
-    for (unsigned int r = 0; r < ready.size(); ++r)
-      for (unsigned int i = incidence.start[ready[r]]; i < incidence.start[ready[r] + 1]; ++i) {
-        const unsigned int c = incidence.cell[i], end = ready[r];
-        if (!closes_loop[c])
-          continue;
-        closes_loop[c] = false;
-        order.push_back({c, cells[c].vertices[0] == end});
-        --n_loops_at[end];
-        --n_loops_at[other_end(c, end)];
-        check(other_end(c, end));
+    std::vector<std::vector<Relation>> relations(n_vertices + trails.size());
+    const auto relate = [&](const unsigned int trail, const unsigned int vertex, const bool equal) {
+      relations[n_vertices + trail].push_back({vertex, equal});
+      relations[vertex].push_back({n_vertices + trail, equal});
+    };
+    for (unsigned int t = 0; t < trails.size(); ++t) {
+      if (trails[t].start != none)
+        relate(t, trails[t].start, true);
+      if (trails[t].end != none)
+        relate(t, trails[t].end, false);
+    }
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      if (parent[v] == none) // a root: no cell of its trail arrives
+        relate(steps[continuation[v]].trail, v, false);
+
+    sign.assign(relations.size(), 0);
+    std::vector<unsigned int> pending;
+    for (unsigned int t = 0; t < trails.size(); ++t) {
+      if (sign[n_vertices + t] != 0)
+        continue;
+      sign[n_vertices + t] = 1;
+      pending.push_back(n_vertices + t);
+      while (!pending.empty()) {
+        const unsigned int node = pending.back();
+        pending.pop_back();
+        for (const Relation &relation : relations[node]) {
+          const int wanted = relation.equal ? sign[node] : -sign[node];
+          if (sign[relation.other] == -wanted)
+            return false;
+          if (sign[relation.other] == 0)
+            pending.push_back(relation.other);
+          sign[relation.other] = wanted;
+        }
       }
-    AssertThrow(order.size() == cells.size(), no_order());
+    }
+    return true;
   }
 
-  unsigned int other_end(const unsigned int c, const unsigned int vertex) const {
-    return cells[c].vertices[cells[c].vertices[0] == vertex ? 1 : 0];
-  }
+  /// List the cells in the order of the walk, but at each vertex with attached cells the right one
+  /// first. deal.II follows neighbors from a vertex's first cell to its last and back, and turns
+  /// what it meets there; so one dead end at each vertex, listed last, may keep the author's
+  /// direction.
+  bool find_order(const unsigned int n_vertices) {
+    std::vector<unsigned int> first(n_vertices, none), last(n_vertices, none);
+    const auto direction = [&](const unsigned int step) {
+      return sign[n_vertices + steps[step].trail];
+    };
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      if (parent[v] == none)
+        first[v] = continuation[v];
+      else if (sign[v] != 0)
+        first[v] = direction(parent[v]) == sign[v] ? parent[v] : continuation[v];
 
-  static ExcMessage no_order() {
-    return ExcMessage("The loops of the line are so many that deal.II accepts no order of its "
-                      "cells. Cut cells between vertices of three and more cells in two.");
+    std::vector<unsigned int> step_of(cells.size());
+    std::vector<bool> reversed(steps.size());
+    for (unsigned int s = 0; s < steps.size(); ++s) {
+      const Step &step = steps[s];
+      step_of[step.cell] = s;
+      const bool walked_back = cells[step.cell].vertices[0] != step.from;
+      reversed[s] = walked_back == (direction(s) == 1);
+      const unsigned int v = incidence.degree(step.from) == 1 ? step.to : step.from;
+      const unsigned int end = v == step.from ? step.to : step.from;
+      if (reversed[s] && incidence.degree(end) == 1 && first[v] != s && last[v] == none) {
+        last[v] = s;
+        reversed[s] = false;
+      }
+    }
+
+    std::vector<unsigned int> n_waits_for(steps.size(), 0);
+    // In the order of the walk, but dead ends at once after the cell that leads to them.
+    std::set<std::pair<unsigned int, unsigned int>> ready;
+    const auto insert = [&](const unsigned int step) {
+      const unsigned int before = parent[steps[step].from];
+      ready.insert({is_dead_end(steps[step].cell) && before != none ? before : step, step});
+    };
+    for (unsigned int s = 0; s < steps.size(); ++s) {
+      for (const unsigned int v : {steps[s].from, steps[s].to})
+        if (last[v] == s)
+          n_waits_for[s] += incidence.degree(v) - 1;
+        else if (first[v] != none && first[v] != s)
+          ++n_waits_for[s];
+      if (n_waits_for[s] == 0)
+        insert(s);
+    }
+    order.clear();
+    while (!ready.empty()) {
+      const unsigned int s = ready.begin()->second;
+      ready.erase(ready.begin());
+      order.push_back({steps[s].cell, reversed[s]});
+      const auto release = [&](const unsigned int step) {
+        if (--n_waits_for[step] == 0)
+          insert(step);
+      };
+      for (const unsigned int v : {steps[s].from, steps[s].to}) {
+        if (first[v] == s)
+          for (unsigned int i = incidence.start[v]; i < incidence.start[v + 1]; ++i)
+            if (const unsigned int other = step_of[incidence.cell[i]];
+                other != s && other != last[v])
+              release(other);
+        if (last[v] != none && last[v] != s)
+          release(last[v]);
+      }
+    }
+    return order.size() == steps.size();
   }
 
   const std::vector<LineCell> &cells;
-  const Incidence incidence;
-  std::vector<bool> visited;
-  std::vector<bool> takes_any; ///< whether further cells may point to the vertex
-  std::vector<unsigned int> n_loops_at;
-  std::vector<bool> used, closes_loop;
+  Incidence incidence;
+  std::vector<Step> steps;                        ///< one for each cell
+  std::vector<Trail> trails;                      ///< vertices where attached, or none
+  std::vector<unsigned int> parent, continuation; ///< steps to and from a vertex, or none
+  std::vector<bool> visited, used;
+  std::vector<int> sign; ///< p of vertices (0: nothing attached), then d of trails
 };
 
 } // namespace

@@ -16,6 +16,8 @@ namespace frictionbeam {
  *  - Rotations::averaged: psi interpolated between the ends; a force T puts T l/2 on either end;
  *  - Rotations::first_node: psi of the first vertex alone, contact at the pipe's outer surface when
  *    l is its radius; a force T puts T l on the pipe;
+ *  - Rotations::second_node: the same for a cell that was turned, so that its second vertex is the
+ *    pipe's (CellOrigin::reversed);
  *  - torsion: chi is resisted (psi_x enters).
  * With rotations or torsion there are six degrees of freedom per vertex, and the ground's rotations
  * are to be fixed by the caller (constrain_vertex_dofs()). One Gauss point is exact.
@@ -25,7 +27,7 @@ namespace frictionbeam {
  */
 class FE_FrictionBeam final : public FE_Line {
 public:
-  enum class Rotations { none, averaged, first_node };
+  enum class Rotations { none, averaged, first_node, second_node };
 
   explicit FE_FrictionBeam(const Rotations rotations = Rotations::none, const bool torsion = false);
 

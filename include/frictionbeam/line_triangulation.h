@@ -22,15 +22,19 @@ struct CellOrigin {
 /**
  * Create a triangulation of lines in space from cells in any order and direction, with branches and
  * loops. deal.II 9.4 accepts a vertex of three or more cells only if the first-listed cell there
- * points the other way from all others but the last-listed (an assertion in debug mode); so the
- * cells are listed along a depth-first walk from a free end, each away from it, and those that
- * close loops last, turned as each vertex needs it. Walking along the line also keeps the bandwidth
- * small.
+ * points the other way from the others (an assertion in debug mode); so the cells are listed along
+ * a depth-first walk from a free end, each away from it; where a loop closes, cells are turned and
+ * listed anew as the rule needs. Walking along the line also keeps the bandwidth small.
+ *
+ * A friction cell between two pipes may be turned like any other. One to a ground vertex of its own
+ * keeps the author's direction, from the pipe to the ground, but for some where several supports
+ * and a closing loop meet in one vertex: look at CellOrigin::reversed, and see
+ * FE_FrictionBeam::Rotations::second_node.
  *
  * @return for each cell of @p triangulation, in the order of its active_cell_iterators(), its
  * origin.
- * @throws dealii::ExcMessage if a cell has length zero, a vertex is in no cell, or there are so
- * many loops that no order is found (cut some of their cells in two).
+ * @throws dealii::ExcMessage if a cell has length zero, a vertex is in no cell, or loops meet in
+ * such a way that there is no order (two rings that have one vertex in common).
  */
 std::vector<CellOrigin> create_line_triangulation(const std::vector<dealii::Point<3>> &vertices,
                                                   const std::vector<LineCell> &cells,

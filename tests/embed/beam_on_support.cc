@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// A cantilever whose tip rests on a friction support: pressed on, pushed aside until it slips, and
+// released. A deal.II program of its own that takes only elements and laws from FrictionBeam.
+#include <frictionbeam/fe_friction_beam.h>
+#include <frictionbeam/fe_timoshenko_beam.h>
+#include <frictionbeam/generalized_strain.h>
+#include <frictionbeam/law_library.h>
+#include <frictionbeam/line_triangulation.h>
+#include <frictionbeam/vertex_dofs.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <cmath>
+#include <iostream>
+
+using namespace dealii;
+using namespace frictionbeam;
+
+// A steel pipe, and a support of height l. SI units.
+const double L = 6., EA = 1.2e9, GA = 2.3e8, GJ = 1.5e7, EI = 2.0e7;
+const double l = 0.2, ES = 4e6, GS = 1e6, f = 0.3, half_load = 2e4;
+
+/// A law with its parameters, for the cells of one finite element.
+struct Material {
+  const LawDescription *law;
+  std::vector<double> parameters;
+
+  void set(const std::string &name, const double value) {
+    parameters[parameter_index(*law, name)] = value;
+  }
+};
+
+class BeamOnSupport {
+public:
+  explicit BeamOnSupport(const std::vector<Material> &materials);
+  void solve(const Tensor<1, 3> &tip_force);
+  Tensor<1, 3> tip_displacement() const;
+
+private:
+  void assemble();
+
+  Triangulation<1, 3> triangulation;
+  const hp::FECollection<1, 3> fes;
+  DoFHandler<1, 3> dof_handler;
+  const std::vector<Material> materials; // by finite element
+  AffineConstraints<double> constraints;
+  SparsityPattern sparsity_pattern;
+  SparseMatrix<double> tangent;
+  Vector<double> solution, internal_force;
+  // Internal variables by cell and quadrature point: committed, and of the current iteration.
+  std::vector<std::vector<std::vector<double>>> old_states, new_states;
+};
+
+// [step 1: mesh and elements]
+BeamOnSupport::BeamOnSupport(const std::vector<Material> &materials)
+    : fes(FE_TimoshenkoBeam({12 * EI / GA}), FE_FrictionBeam()), dof_handler(triangulation),
+      materials(materials) {
+  // The pipe from vertex 0 to its tip 1; the support from the pipe, 1, to the ground, 2. Here the
+  // material id is the number of the finite element and of its law.
+  create_line_triangulation({Point<3>(0, 0, 0), Point<3>(L, 0, 0), Point<3>(L, 0, -l)},
+                            {{{{0, 1}}, 0}, {{{1, 2}}, 1}}, triangulation);
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    cell->set_active_fe_index(cell->material_id());
+  dof_handler.distribute_dofs(fes); // 6 + 6, and 3 of the ground: the tip's are shared
+
+  const VertexDofs vertex_dofs(dof_handler);
+  vertex_dofs.constrain(0, {{true, true, true, true, true, true}}, constraints);
+  vertex_dofs.constrain(2, {{true, true, true}}, constraints);
+  constraints.close();
+  // [end of step 1]
+
+  DynamicSparsityPattern pattern(dof_handler.n_dofs());
+  DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints, true);
+  sparsity_pattern.copy_from(pattern);
+  tangent.reinit(sparsity_pattern);
+  solution.reinit(dof_handler.n_dofs());
+  internal_force.reinit(dof_handler.n_dofs());
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    old_states.emplace_back(
+        2, std::vector<double>(materials[cell->active_fe_index()].law->n_internal_variables, 0.));
+  new_states = old_states;
+}
+
+// [step 2: assembly]
+void BeamOnSupport::assemble() {
+  const hp::MappingCollection<1, 3> mappings{MappingQ1<1, 3>()};
+  const hp::QCollection<1> quadratures(QGauss<1>(2), QGauss<1>(1)); // exact for either element
+  hp::FEValues<1, 3> hp_values(mappings, fes, quadratures,
+                               update_values | update_gradients | update_JxW_values);
+  tangent = 0.;
+  internal_force = 0.;
+  for (const auto &cell : dof_handler.active_cell_iterators()) {
+    hp_values.reinit(cell);
+    const FEValues<1, 3> &values = hp_values.get_present_fe_values();
+    const LocalAxes axes(cell->vertex(1) - cell->vertex(0));
+    const Material &material = materials[cell->active_fe_index()];
+    const LawDescription &law = *material.law;
+    const unsigned int n_dofs = values.dofs_per_cell, n_strains = law.n_strains;
+
+    std::vector<types::global_dof_index> dofs(n_dofs);
+    std::vector<double> dof_values(n_dofs);
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      dof_values[i] = solution[dofs[i]];
+
+    FullMatrix<double> cell_matrix(n_dofs, n_dofs);
+    Vector<double> cell_force(n_dofs);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      const GeneralizedStrain strain = generalized_strain(values, axes, dof_values, q);
+      const double rate[6] = {}; // statics
+      const double displacement[3] = {strain[0] * l, strain[1] * l, strain[2] * l};
+      double stress[6], C[36];
+
+      LawInput input{};
+      input.parameters = material.parameters.data();
+      input.strain = strain.begin_raw();
+      input.strain_rate = rate;
+      input.displacement = law.kind == LawKind::support ? displacement : nullptr;
+      input.length = (cell->vertex(1) - cell->vertex(0)).norm();
+      input.old_state = old_states[cell->active_cell_index()][q].data();
+      input.tangent = LawTangent::consistent;
+      LawOutput output{};
+      output.stress = stress;
+      output.tangent = C;
+      output.new_state = new_states[cell->active_cell_index()][q].data();
+      AssertThrow(law.law->integrate(input, output) == LawStatus::ok,
+                  ExcMessage("The law has no answer: try a smaller increment."));
+
+      for (unsigned int i = 0; i < n_dofs; ++i) {
+        const GeneralizedStrain B_i = generalized_strain(values, axes, i, q);
+        for (unsigned int s = 0; s < n_strains; ++s)
+          cell_force[i] += B_i[s] * stress[s] * values.JxW(q);
+        for (unsigned int j = 0; j < n_dofs; ++j) {
+          const GeneralizedStrain B_j = generalized_strain(values, axes, j, q);
+          for (unsigned int s = 0; s < n_strains; ++s)
+            for (unsigned int t = 0; t < n_strains; ++t)
+              cell_matrix(i, j) += B_i[s] * C[n_strains * s + t] * B_j[t] * values.JxW(q);
+        }
+      }
+    }
+    constraints.distribute_local_to_global(cell_matrix, cell_force, dofs, tangent, internal_force);
+  }
+}
+// [end of step 2]
+
+// [step 3: Newton's method]
+void BeamOnSupport::solve(const Tensor<1, 3> &tip_force) {
+  const VertexDofs vertex_dofs(dof_handler);
+  for (unsigned int iteration = 0; iteration < 20; ++iteration) {
+    assemble();
+    Vector<double> residual(internal_force);
+    residual *= -1.;
+    for (unsigned int d = 0; d < 3; ++d)
+      residual[vertex_dofs.index(1, d)] += tip_force[d];
+    constraints.set_zero(residual);
+    if (residual.l2_norm() < 1e-10 * EA / L * 1e-3) {
+      std::swap(old_states, new_states); // commit
+      return;
+    }
+    SparseDirectUMFPACK inverse; // the tangent of friction is not symmetric
+    inverse.initialize(tangent);
+    Vector<double> update(residual.size());
+    inverse.vmult(update, residual);
+    constraints.distribute(update);
+    solution += update;
+  }
+  AssertThrow(false, ExcMessage("Newton's method does not converge: try smaller increments."));
+}
+// [end of step 3]
+
+Tensor<1, 3> BeamOnSupport::tip_displacement() const {
+  const VertexDofs vertex_dofs(dof_handler);
+  Tensor<1, 3> u;
+  for (unsigned int d = 0; d < 3; ++d)
+    u[d] = solution[vertex_dofs.index(1, d)];
+  return u;
+}
+
+/// Load steps and their closed form. @p threshold is the largest friction force under the force R.
+template <typename Threshold>
+bool run(const std::string &law, const LawLibrary &library, const Threshold &threshold) {
+  std::vector<Material> materials;
+  for (const std::string &name : {std::string("elastic_section"), law})
+    materials.push_back({&library.find(name), default_parameters(library.find(name))});
+  materials[0].set("Axial rigidity", EA);
+  materials[0].set("Shear rigidity", GA);
+  materials[0].set("Torsional rigidity", GJ);
+  materials[0].set("Bending rigidity", EI);
+  materials[1].set("Axial rigidity", ES);
+  materials[1].set("Shear rigidity", GS);
+  materials[1].set("Friction coefficient", f);
+  if (law == "pad")
+    materials[1].set("Half load", half_load);
+  BeamOnSupport problem(materials);
+
+  // Stiffness of the cantilever's tip and of the support; reaction and friction limit.
+  const double k = 1 / (L * L * L / 3 / EI + L / GA), k_n = ES / l, k_t = GS / l;
+  const double P = 1e4, w = P / (k + k_n), T = threshold(k_n * w);
+  const double stick = 0.5 * T / k_t * (k + k_t), slip = 3 * T, v_slip = (slip - T) / k;
+  // Released, the support holds the tip back if T is not reached the other way.
+  const double v_released = std::min(k_t * (v_slip - T / k_t) / (k + k_t), T / k);
+
+  struct Step {
+    double lateral_force, lateral_displacement;
+  };
+  bool passed = true;
+  std::cout << law << '\n';
+  for (const Step &step :
+       {Step{0., 0.}, Step{stick, stick / (k + k_t)}, Step{slip, v_slip}, Step{0., v_released}}) {
+    problem.solve(Tensor<1, 3>({0., step.lateral_force, -P}));
+    const Tensor<1, 3> u = problem.tip_displacement();
+    std::cout << "  force " << step.lateral_force << " N: tip moves to " << u << " m, expected 0 "
+              << step.lateral_displacement << ' ' << -w << '\n';
+    passed = passed && std::abs(u[1] - step.lateral_displacement) < 1e-9 * v_slip &&
+             std::abs(u[2] + w) < 1e-9 * w && std::abs(u[0]) < 1e-9 * w;
+  }
+  return passed;
+}
+
+/// beam_on_support [my_law.so]: with the law `coulomb`, and then with one's own law `pad`.
+int main(int argc, char **argv) {
+  LawLibrary library;
+  library.load_builtin();
+  bool passed = run("coulomb", library, [](const double R) { return f * R; });
+  if (argc > 1) {
+    library.load(argv[1]);
+    passed =
+        run("pad", library, [](const double R) { return f * R / (1 + R / half_load); }) && passed;
+  }
+  std::cout << (passed ? "passed\n" : "FAILED\n");
+  return passed ? 0 : 1;
+}

@@ -1,0 +1,16 @@
+# cmake -P: install the plugin into an empty folder, build the project in this folder against it, run.
+# Wants BUILD (FrictionBeam's build folder), SOURCE (this folder), WORK (a scratch folder), TYPE.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "failed (${result}): ${ARGV}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --component plugin --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -DCMAKE_BUILD_TYPE=${TYPE}
+  -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_FLAGS=-Werror)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/prefix/bin/frictionbeam-check-law ${WORK}/build/my_law.so)
+run(${WORK}/build/beam_on_support ${WORK}/build/my_law.so)
