@@ -1,5 +1,6 @@
 # cmake -P: install the plugin into an empty folder, build the project in this folder against it, run.
 # Wants BUILD (FrictionBeam's build folder), SOURCE (this folder), WORK (a scratch folder), TYPE.
+cmake_minimum_required(VERSION 3.18)
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
