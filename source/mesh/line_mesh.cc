@@ -28,14 +28,19 @@ std::string nearest_pipe(const Scene &scene, const LineMesh &mesh, const Point3 
   double best = std::numeric_limits<double>::max();
   std::string message = "there is no pipe";
   for (unsigned int i = 0; i < mesh.pipes.size(); ++i)
-    for (const unsigned int v : mesh.pipes[i].vertices)
-      if (mesh.vertices[v].distance(p) < best) {
-        best = mesh.vertices[v].distance(p);
-        std::ostringstream out;
-        out << "the nearest node is " << best << " m away at " << text(mesh.vertices[v])
-            << " on pipe '" << scene.pipes[i].name << "'";
-        message = out.str();
-      }
+    for (unsigned int k = 0; k + 1 < mesh.pipes[i].vertices.size(); ++k) {
+      const Point3 begin = mesh.vertices[mesh.pipes[i].vertices[k]];
+      const Vector3 leg = mesh.vertices[mesh.pipes[i].vertices[k + 1]] - begin;
+      const Point3 foot =
+          begin + std::clamp((p - begin) * leg / leg.norm_square(), 0., 1.) * leg;
+      if (foot.distance(p) >= best)
+        continue;
+      best = foot.distance(p);
+      std::ostringstream out;
+      out << "the nearest place is " << best << " m away at " << text(foot) << " on pipe '"
+          << scene.pipes[i].name << "'";
+      message = out.str();
+    }
   return message;
 }
 

@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace frictionbeam {
@@ -122,10 +123,10 @@ void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
       for (const auto &held : space.held()) {
         if (held.vertex != vertex)
           continue;
-        double value = 0.;
+        double value = 0.; // what is held along an axis moves with it, either way it points
         for (unsigned int c = 0; c < 6; ++c)
-          if (at.given[c] && held.direction[c] == 1.)
-            value = at.value[c];
+          if (at.given[c] && std::abs(std::abs(held.direction[c]) - 1.) < 1e-12)
+            value = held.direction[c] * at.value[c];
         append(held.direction, value);
       }
       const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
