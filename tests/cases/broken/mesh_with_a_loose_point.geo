@@ -1,0 +1,8 @@
+Point(1) = {0, 0, 0};
+Point(2) = {10, 0, 0};
+Point(3) = {5, 0, 0}; // on the line, and no end of a curve
+Line(1) = {1, 2};
+Transfinite Curve {1} = 4;
+Physical Curve("main") = {1};
+Physical Point("A") = {1};
+Physical Point("loose") = {3};

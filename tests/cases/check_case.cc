@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A case shall end with the given exit status and status word, and its quantities shall be as near
+// to their references as the options say. References come from the case itself (see its text).
+//
+// check_case PROGRAM CASE.prm [--set "Section/Entry = value"]... checks...
+//   --exit N, --status WORD    expected instead of 0, converged
+//   --output-directory PATH    instead of a temporary folder
+//   --error NAME TOLERANCE     of one quantity, relative to its reference
+//   --errors TOLERANCE         of all quantities that have a reference
+//   --figures TOLERANCE PART   of all whose reference exceeds PART times the largest of that unit
+//   --value NAME BOUND         absolute value of one quantity
+//   --ratio NAME LOW HIGH A B  its value with --set A over the one with --set B
+//   --same-as OTHER TOLERANCE  all quantities as those of another parameter file
+//   --expect TEXT              the program's output has it in it
+//   --message                  every line '# expect: TEXT' of the file is in the program's output
+#include "../check.h"
+#include "run_program.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+namespace {
+
+using program::Quantity;
+using program::Run;
+
+/// The words of the command line, one after the other.
+class Words {
+public:
+  Words(const int argc, char **argv) : words(argv + 1, argv + argc) {}
+  bool empty() const { return next == words.size(); }
+  std::string take() {
+    if (empty())
+      throw std::runtime_error("A word is missing at the end of the command line.");
+    return words[next++];
+  }
+  double take_number() { return std::stod(take()); }
+
+private:
+  std::vector<std::string> words;
+  std::size_t next = 0;
+};
+
+void expect(const bool holds, const std::string &what) {
+  ++check::n_checks;
+  if (!holds) {
+    ++check::n_failures;
+    std::cerr << what << '\n';
+  }
+}
+
+std::string text(const double value) {
+  std::ostringstream out;
+  out << std::setprecision(17) << value;
+  return out.str();
+}
+
+/// Error of a quantity by our own count; the program must say the same.
+void check_error(const Quantity &q, const double tolerance) {
+  if (!q.reference || !q.error)
+    return expect(false, q.name + " has no reference");
+  const double difference = std::abs(q.value - *q.reference),
+               error = *q.reference == 0. ? difference : difference / std::abs(*q.reference);
+  expect(error <= tolerance, q.name + " = " + text(q.value) + ", reference " + text(*q.reference) +
+                                 ", error " + text(error) + " > " + text(tolerance));
+  expect(std::abs(error - *q.error) <= 1e-12 * std::max(error, 1e-3),
+         "summary.json says error " + text(*q.error) + " of " + q.name + ", it is " + text(error));
+}
+
+void check_all(const Run &run, const double tolerance) {
+  unsigned int n = 0;
+  for (const Quantity &q : run.quantities)
+    if (q.reference) {
+      check_error(q, tolerance);
+      ++n;
+    }
+  expect(n > 0, "no quantity has a reference");
+}
+
+void check_figures(const Run &run, const double tolerance, const double part) {
+  std::map<std::string, double> largest;
+  for (const Quantity &q : run.quantities)
+    largest[q.unit] = std::max(largest[q.unit], std::abs(q.reference.value_or(0.)));
+  unsigned int n = 0;
+  for (const Quantity &q : run.quantities)
+    if (q.reference && std::abs(*q.reference) > part * largest[q.unit]) {
+      check_error(q, tolerance);
+      ++n;
+    }
+  std::cout << n << " of " << run.quantities.size() << " quantities are large enough to count\n";
+  expect(n > 0, "no quantity has a reference");
+}
+
+void check_same(const Run &run, const Run &other, const double tolerance) {
+  expect(!run.quantities.empty() && run.quantities.size() == other.quantities.size(),
+         "the quantities of the two files are not the same");
+  std::map<std::string, double> largest;
+  for (const Quantity &q : run.quantities)
+    largest[q.unit] = std::max(largest[q.unit], std::abs(q.value));
+  for (const Quantity &q : run.quantities)
+    expect(std::abs(q.value - other[q.name]) <= tolerance * largest[q.unit],
+           q.name + " = " + text(q.value) + ", in the other file " + text(other[q.name]));
+}
+
+void check_output(const Run &run, const std::string &part) {
+  expect(run.output.find(part) != std::string::npos, "'" + part + "' is not in the output");
+}
+
+/// The texts that a broken file's comments promise.
+void check_message(const Run &run, const std::string &file) {
+  std::istringstream lines(program::text_of(file));
+  const std::string prefix = "# expect: ";
+  unsigned int n = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (line.compare(0, prefix.size(), prefix) == 0) {
+      check_output(run, line.substr(prefix.size()));
+      ++n;
+    }
+  expect(n > 0, "the file expects nothing");
+}
+
+void check_case(Words &words) {
+  const std::string binary = words.take(), file = words.take();
+  std::vector<std::string> options;
+  std::vector<std::function<void(const Run &)>> checks;
+  int exit_status = 0;
+  std::string status = "converged", output_directory;
+  const auto run_another = [binary](const std::string &other,
+                                    const std::vector<std::string> &other_options) {
+    const Run run = program::run(binary, other, other_options);
+    expect(run.exit_status == 0, "the run of " + other + " failed:\n" + run.output);
+    return run;
+  };
+  const auto with = [&options](const std::string &entry) {
+    std::vector<std::string> all = options;
+    all.insert(all.end(), {"--set", entry});
+    return all;
+  };
+  while (!words.empty()) {
+    const std::string word = words.take();
+    if (word == "--set")
+      options.insert(options.end(), {word, words.take()});
+    else if (word == "--exit")
+      exit_status = std::stoi(words.take());
+    else if (word == "--status")
+      status = words.take();
+    else if (word == "--output-directory")
+      output_directory = words.take();
+    else if (word == "--error") {
+      const std::string name = words.take();
+      const double tolerance = words.take_number();
+      checks.push_back([=](const Run &run) { check_error(run.quantity(name), tolerance); });
+    } else if (word == "--errors") {
+      const double tolerance = words.take_number();
+      checks.push_back([=](const Run &run) { check_all(run, tolerance); });
+    } else if (word == "--figures") {
+      const double tolerance = words.take_number(), part = words.take_number();
+      checks.push_back([=](const Run &run) { check_figures(run, tolerance, part); });
+    } else if (word == "--value") {
+      const std::string name = words.take();
+      const double bound = words.take_number();
+      checks.push_back([=](const Run &run) {
+        expect(std::abs(run[name]) <= bound, name + " = " + text(run[name]) + " > " + text(bound));
+      });
+    } else if (word == "--ratio") {
+      const std::string name = words.take();
+      const double low = words.take_number(), high = words.take_number();
+      const std::string a = words.take(), b = words.take();
+      checks.push_back([=](const Run &) {
+        const double ratio = run_another(file, with(a))[name] / run_another(file, with(b))[name];
+        std::cout << "ratio of " << name << ": " << ratio << '\n';
+        expect(ratio >= low && ratio <= high, "it is not within the bounds");
+      });
+    } else if (word == "--same-as") {
+      const std::string other = words.take();
+      const double tolerance = words.take_number();
+      checks.push_back([=](const Run &run) { check_same(run, run_another(other, {}), tolerance); });
+    } else if (word == "--expect") {
+      const std::string part = words.take();
+      checks.push_back([=](const Run &run) { check_output(run, part); });
+    } else if (word == "--message")
+      checks.push_back([=](const Run &run) { check_message(run, file); });
+    else
+      throw std::runtime_error("There is no check '" + word + "'.");
+  }
+
+  const Run run = output_directory.empty() ? program::run(binary, file, options)
+                                           : program::run(binary, file, options, output_directory);
+  std::cout << run.output;
+  expect(run.exit_status == exit_status, "exit status " + std::to_string(run.exit_status));
+  if (exit_status == 1)
+    expect(!run.summary, "there is a summary.json of a run that the input forbids");
+  else
+    expect(run.status == status, "status in summary.json: '" + run.status + "'");
+  for (const auto &one : checks)
+    one(run);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  try {
+    Words words(argc, argv);
+    check_case(words);
+  } catch (const std::exception &error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+  return check::report();
+}

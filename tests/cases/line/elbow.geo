@@ -1,0 +1,19 @@
+// 5 m along x, a bend of radius 1 m in 8 cells, 4 m along y; a point P on the first leg.
+Point(1) = {0, 0, 0};
+Point(2) = {3, 0, 0};
+Point(3) = {5, 0, 0};
+Point(4) = {5, 1, 0};
+Point(5) = {6, 1, 0};
+Point(6) = {6, 5, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Circle(3) = {3, 4, 5};
+Line(4) = {5, 6};
+Transfinite Curve {1, 2, 4} = 2;
+Transfinite Curve {3} = 9;
+Physical Curve("first") = {1, 2};
+Physical Curve("bend") = {3};
+Physical Curve("second") = {4};
+Physical Point("A") = {1};
+Physical Point("P") = {2};
+Physical Point("B") = {6};

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#define BOOST_BIND_GLOBAL_PLACEHOLDERS // Boost 1.74 asks for it
+#include <boost/property_tree/json_parser.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// Runs the program as a user does and reads what it leaves behind.
+namespace program {
+
+struct Quantity {
+  std::string name, unit, source;
+  double value = 0.;
+  std::optional<double> reference, error;
+};
+
+/// What a run left behind.
+struct Run {
+  int exit_status = -1; ///< -1: ended by a signal
+  std::string output;   ///< standard output and errors
+  bool summary = false; ///< whether there is one, in valid JSON
+  std::string status;   ///< the rest is from summary.json
+  double wall_seconds = 0.;
+  std::vector<Quantity> quantities;
+
+  const Quantity &quantity(const std::string &name) const {
+    for (const Quantity &q : quantities)
+      if (q.name == name)
+        return q;
+    throw std::runtime_error("There is no quantity '" + name + "'.\n" + output);
+  }
+  double operator[](const std::string &name) const { return quantity(name).value; }
+};
+
+/// A folder of its own, gone at the end.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "frictionbeam-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("No temporary folder can be made.");
+    path = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(path, error);
+  }
+  TemporaryFolder(const TemporaryFolder &) = delete;
+  TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+
+  std::filesystem::path path;
+};
+
+inline std::string text_of(const std::filesystem::path &file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// A number of summary.json; null is no number.
+inline std::optional<double> number(const boost::property_tree::ptree &tree, const char *name) {
+  const auto text = tree.get<std::string>(name);
+  if (text == "null")
+    return {};
+  return std::stod(text);
+}
+
+/// Read summary.json of @p folder into @p run.
+inline void read_summary(const std::filesystem::path &folder, Run &run) {
+  if (!std::filesystem::exists(folder / "summary.json"))
+    return;
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_json((folder / "summary.json").string(), tree);
+  run.summary = true;
+  run.status = tree.get<std::string>("status");
+  run.wall_seconds = tree.get<double>("cost.wall_seconds");
+  for (const auto &[key, entry] : tree.get_child("quantities"))
+    run.quantities.push_back(
+        {entry.get<std::string>("name"), entry.get<std::string>("unit"),
+         entry.get<std::string>("source"),
+         number(entry, "value").value_or(std::numeric_limits<double>::quiet_NaN()),
+         number(entry, "reference"), number(entry, "error")});
+}
+
+/// Run `program file options... --output-directory folder`, its output into the run.
+inline Run run(const std::string &program, const std::string &file,
+               const std::vector<std::string> &options, const std::filesystem::path &folder) {
+  const TemporaryFolder log;
+  std::vector<std::string> words{program, file};
+  words.insert(words.end(), options.begin(), options.end());
+  words.insert(words.end(), {"--output-directory", folder.string()});
+  std::vector<char *> arguments;
+  for (std::string &word : words)
+    arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const std::string log_file = (log.path / "log").string();
+
+  const pid_t child = fork();
+  if (child == 0) {
+    if (freopen(log_file.c_str(), "w", stdout) != nullptr && dup2(fileno(stdout), 2) == 2)
+      execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child)
+    throw std::runtime_error("The program cannot be started.");
+  Run result;
+  result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  result.output = text_of(log_file);
+  read_summary(folder, result);
+  return result;
+}
+
+/// The same, into a folder that is gone afterwards.
+inline Run run(const std::string &program, const std::string &file,
+               const std::vector<std::string> &options = {}) {
+  const TemporaryFolder folder;
+  return run(program, file, options, folder.path / "results");
+}
+
+} // namespace program
