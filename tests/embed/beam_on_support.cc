@@ -160,7 +160,7 @@ void BeamOnSupport::solve(const Tensor<1, 3> &tip_force) {
     for (unsigned int d = 0; d < 3; ++d)
       residual[vertex_dofs.index(1, d)] += tip_force[d];
     constraints.set_zero(residual);
-    if (residual.l2_norm() < 1e-10 * EA / L * 1e-3) {
+    if (residual.l2_norm() < 1e-9 * tip_force.norm()) {
       std::swap(old_states, new_states); // commit
       return;
     }

@@ -8,6 +8,7 @@
 #include "../check.h"
 #include "line_problem.h"
 
+#include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -191,6 +192,20 @@ void beam_on_support() {
     CHECK_NEAR(uz, s, 1e-5);
   }
   CHECK(n_ground == 1);
+
+  // Renumbered, the tip moves as before.
+  const unsigned int tip = vertex_dofs.index(2, 2);
+  DoFRenumbering::Cuthill_McKee(dofs);
+  const VertexDofs renumbered(dofs);
+  CHECK(renumbered.index(2, 2) != tip);
+  constraints.clear();
+  renumbered.constrain(0, {{true, true, true, true, true, true}}, constraints);
+  renumbered.constrain(3, {{true, true, true}}, constraints, {{0., 0., s}});
+  constraints.close();
+  load = 0.;
+  load[renumbered.index(2, 2)] = F;
+  const auto v = solve(assemble(dofs, {section, rigidities}), load, constraints);
+  CHECK_NEAR(v[renumbered.index(2, 2)], u[tip], 1e-12);
 }
 
 } // namespace
