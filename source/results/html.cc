@@ -23,7 +23,7 @@ h1 { font-size: 27px; line-height: 1.2; margin: 28px 0 4px }
 h2 { font-size: 19px; margin: 38px 0 10px; padding-top: 10px; border-top: 1px solid #d5dae0 }
 h3 { font-size: 15px; margin: 22px 0 6px }
 p { margin: 6px 0; max-width: 95ch }
-.facts { color: #57606a }
+.facts { color: #57606a; max-width: none }
 .facts span + span::before { content: "\00b7"; margin: 0 8px }
 .status { margin: 16px 0; padding: 12px 18px; border-left: 8px solid; border-radius: 4px }
 .status b { font-size: 20px; margin-right: 14px; letter-spacing: .02em }

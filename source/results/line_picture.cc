@@ -329,8 +329,10 @@ std::string Picture::draw_legend() const {
     text += "<rect x=\"" + px(x + 10. * bin) + "\" y=\"" + px(first - 10.) +
             "\" width=\"10.2\" height=\"11\" fill=\"" + colour(bin) + "\"/>\n";
   text += text_at(x + 10. * n_colours + 8., first,
-                  "displacement, 0 to " + rounded_number(unit.factor * largest) + " " + unit.name +
-                      ", drawn " + rounded_number(scale) + " times as large");
+                  largest == 0.
+                      ? "no displacement"
+                      : "displacement, 0 to " + rounded_number(unit.factor * largest) + " " +
+                            unit.name + ", drawn " + rounded_number(scale) + " times as large");
 
   // supports and restraints
   x = 136.;
@@ -360,7 +362,7 @@ std::string Picture::draw() {
   text += draw_labels() + draw_legend();
   const double height = bottom + legend;
   const std::string title =
-      step_name(scene, frame) + (frame.end_of_step ? "" : " (not at its end)");
+      step_name(scene, frame) + (is_finished(results, frame) ? "" : " (not finished)");
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height) +
          "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"" +
          px(width) + "\" height=\"" + px(height) + "\" fill=\"#fff\"/>\n" +

@@ -157,7 +157,8 @@ void write_plot(const Plot &plot, const std::string &name, const std::string &fi
            << (line ? (points ? "linespoints" : "lines") : "points") << " linecolor rgb '"
            << series_colour(i) << "'";
     if (line)
-      script << " linewidth 1.8 dashtype " << (series.dashed ? "'--'" : "solid");
+      script << " linewidth " << rounded_number(series.line_width) << " dashtype "
+             << (series.dashed ? "'--'" : "solid");
     if (points)
       script << " pointtype " << std::array<int, 6>{{7, 5, 9, 13, 11, 4}}[i % 6]
              << " pointsize 0.6";

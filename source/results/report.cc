@@ -130,15 +130,17 @@ void write_report(const Scene &scene, const Results &results, const std::string 
   if (!results.quantities.empty())
     add("quantities", "Quantities", quantity_table(results));
   if (!frames.empty()) {
-    std::string steps = step_table(scene, frames);
+    std::string steps = step_table(scene, results, frames);
     if (frames.size() == n_frames_at_most && scene.steps.size() > n_frames_at_most)
       steps +=
           html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
                     std::to_string(scene.steps.size()) + " steps; the csv files have all of them.");
     add("steps", "Steps", steps);
-    add("line", "Line", pictures(scene, results, frames, scale));
+    if (!frames.back()->line.empty()) // a scene may have no pipe at all
+      add("line", "Line", pictures(scene, results, frames, scale));
     const ReportCharts charts = make_report_charts(scene, results, frames);
-    add("forces", "Section forces", charts.section_forces);
+    if (!charts.section_forces.empty())
+      add("forces", "Section forces", charts.section_forces);
     if (!charts.histories.empty())
       add("histories", "Histories", charts.histories);
     if (!results.supports.empty())

@@ -54,6 +54,8 @@ Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
     plot.y_label = std::string(names[c]) + " [" + unit.name + "]";
     for (const Frame *frame : frames) {
       Plot::Series series;
+      // the wider ones beneath, to be seen where steps agree
+      series.line_width = 1.5 + 0.8 * (frames.size() - 1 - plot.series.size());
       for (const Station &station : frame->line)
         if (station.pipe == pipe) {
           series.x.push_back(station.s);
@@ -89,35 +91,54 @@ std::vector<unsigned int> pipes_to_show(const Scene &scene,
   return pipes;
 }
 
-/// A chart of the translations and one of the rotations.
-Group history_charts(const History &history, const bool transient) {
+/// One chart of some numbers over time, in one unit; none where all of them are below @p
+/// negligible.
+void add_time_chart(const std::string &what, const std::string &si_unit, const bool transient,
+                    const std::vector<double> &time,
+                    const std::vector<std::pair<std::string, std::vector<double>>> &curves,
+                    const double negligible, Group &group) {
+  Largest largest;
+  for (const auto &curve : curves)
+    for (const double value : curve.second)
+      largest(value);
+  if (largest.value() <= negligible)
+    return;
+  const DisplayUnit unit = display_unit(si_unit, largest.value());
+  Plot plot;
+  plot.x_label = transient ? "time [s]" : "time of the load sequence [s]";
+  plot.y_label = what + " [" + unit.name + "]";
+  for (const auto &[label, values] : curves) {
+    Largest largest_of_curve;
+    for (const double value : values)
+      largest_of_curve(value);
+    if (largest_of_curve.value() <= std::max(negligible, nothing * largest.value()))
+      continue;
+    Plot::Series series;
+    series.label = label;
+    series.x = time;
+    if (time.size() <= 60)
+      series.style = Plot::Series::Style::line_points;
+    for (const double value : values)
+      series.y.push_back(unit.factor * value);
+    plot.series.push_back(std::move(series));
+  }
+  group.plots.push_back(std::move(plot));
+}
+
+/// A chart of the translations and one of the rotations of a point. @p largest: of all points.
+Group history_charts(const History &history, const bool transient,
+                     const std::array<double, 2> &largest) {
   static const std::array<const char *, 6> names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
   Group group{"Point " + history.point, "", {}};
-  for (unsigned int first : {0u, 3u}) {
-    std::array<Largest, 3> largest;
-    for (const Motion &motion : history.displacement)
-      for (unsigned int c = 0; c < 3; ++c)
-        largest[c](motion[first + c]);
-    const double all = std::max({largest[0].value(), largest[1].value(), largest[2].value()});
-    if (all == 0.)
-      continue;
-    const DisplayUnit unit = display_unit(first == 0 ? "m" : "rad", all);
-    Plot plot;
-    plot.x_label = transient ? "time [s]" : "time of the load sequence [s]";
-    plot.y_label = (first == 0 ? "displacement [" : "rotation [") + unit.name + "]";
-    for (unsigned int c = 0; c < 3; ++c) {
-      if (largest[c].value() <= nothing * all)
-        continue;
-      Plot::Series series;
-      series.label = names[first + c];
-      series.x = history.time;
-      if (history.time.size() <= 60)
-        series.style = Plot::Series::Style::line_points;
+  for (unsigned int kind = 0; kind < 2; ++kind) {
+    std::vector<std::pair<std::string, std::vector<double>>> curves;
+    for (unsigned int c = 3 * kind; c < 3 * kind + 3; ++c) {
+      curves.emplace_back(names[c], std::vector<double>());
       for (const Motion &motion : history.displacement)
-        series.y.push_back(unit.factor * motion[first + c]);
-      plot.series.push_back(std::move(series));
+        curves.back().second.push_back(motion[c]);
     }
-    group.plots.push_back(std::move(plot));
+    add_time_chart(kind == 0 ? "displacement" : "rotation", kind == 0 ? "m" : "rad", transient,
+                   history.time, curves, nothing * largest[kind], group);
   }
   return group;
 }
@@ -140,9 +161,170 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
   const std::size_t n_pipe_groups = groups.size();
   const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
                                      [](const LoadStep &step) { return step.transient; });
+  std::array<Largest, 2> largest_motion; // translation, rotation
+  for (const History &history : results.histories)
+    for (const Motion &motion : history.displacement)
+      for (unsigned int c = 0; c < 6; ++c)
+        largest_motion[c / 3](motion[c]);
   for (const History &history : results.histories)
     if (history.time.size() > 1 && groups.size() < n_pipe_groups + n_points_at_most)
-      groups.push_back(history_charts(history, transient));
+      groups.push_back(history_charts(history, transient,
+                                      {{largest_motion[0].value(), largest_motion[1].value()}}));
+
+  std::vector<Plot> plots;
+};
+
+/// One key for all charts of the section forces: the colours of the steps.
+std::string step_key(const Scene &scene, const std::vector<const Frame *> &frames) {
+  if (frames.size() < 2)
+    return "";
+  std::string key = "<p class=\"key\">";
+  for (unsigned int i = 0; i < frames.size(); ++i)
+    key += "<span style=\"--c:" + series_colour(i) + "\">" +
+           escape_xml(step_name(scene, *frames[i])) + "</span>";
+  return key + "</p>\n";
+}
+
+Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
+                  const unsigned int pipe, const std::array<double, 2> &largest_of_all) {
+  static const std::array<const char *, 6> names{{"N, axial force", "Vy, shear force",
+                                                  "Vz, shear force", "Mx, torsional moment",
+                                                  "My, bending moment", "Mz, bending moment"}};
+  Group group{"Pipe " + scene.pipes[pipe].name, step_key(scene, frames), {}};
+  for (unsigned int c = 0; c < 6; ++c) {
+    Largest largest;
+    for (const Frame *frame : frames)
+      for (const Station &station : frame->line)
+        if (station.pipe == pipe)
+          largest(station.force[c]);
+    if (largest.value() <= nothing * largest_of_all[c / 3])
+      continue;
+    const DisplayUnit unit = display_unit(c < 3 ? "N" : "N m", largest.value());
+    Plot plot;
+    plot.x_label = "s [m]";
+    plot.y_label = std::string(names[c]) + " [" + unit.name + "]";
+    for (const Frame *frame : frames) {
+      Plot::Series series;
+      // the wider ones beneath, to be seen where steps agree
+      series.line_width = 1.5 + 0.8 * (frames.size() - 1 - plot.series.size());
+      for (const Station &station : frame->line)
+        if (station.pipe == pipe) {
+          series.x.push_back(station.s);
+          series.y.push_back(unit.factor * station.force[c]);
+        }
+      plot.series.push_back(std::move(series));
+    }
+    group.plots.push_back(std::move(plot));
+  }
+  return group;
+}
+
+/// The pipes with the largest moments and forces, in the order of the scene.
+std::vector<unsigned int> pipes_to_show(const Scene &scene,
+                                        const std::vector<const Frame *> &frames,
+                                        const std::array<double, 2> &largest_of_all) {
+  std::vector<double> weight(scene.pipes.size(), 0.);
+  for (const Frame *frame : frames)
+    for (const Station &station : frame->line)
+      for (unsigned int c = 0; c < 6; ++c)
+        if (std::isfinite(station.force[c]) && largest_of_all[c / 3] > 0.)
+          weight[station.pipe] =
+              std::max(weight[station.pipe], std::abs(station.force[c]) / largest_of_all[c / 3]);
+  std::vector<unsigned int> pipes(scene.pipes.size());
+  std::iota(pipes.begin(), pipes.end(), 0u);
+  if (pipes.size() > n_pipes_at_most) {
+    std::stable_sort(pipes.begin(), pipes.end(), [&](const unsigned int a, const unsigned int b) {
+      return weight[a] > weight[b];
+    });
+    pipes.resize(n_pipes_at_most);
+    std::sort(pipes.begin(), pipes.end());
+  }
+  return pipes;
+}
+
+/// One chart of some numbers over time, in one unit; none where all of them are below @p
+/// negligible.
+void add_time_chart(const std::string &what, const std::string &si_unit, const bool transient,
+                    const std::vector<double> &time,
+                    const std::vector<std::pair<std::string, std::vector<double>>> &curves,
+                    const double negligible, Group &group) {
+  Largest largest;
+  for (const auto &curve : curves)
+    for (const double value : curve.second)
+      largest(value);
+  if (largest.value() <= negligible)
+    return;
+  const DisplayUnit unit = display_unit(si_unit, largest.value());
+  Plot plot;
+  plot.x_label = transient ? "time [s]" : "time of the load sequence [s]";
+  plot.y_label = what + " [" + unit.name + "]";
+  for (const auto &[label, values] : curves) {
+    Largest largest_of_curve;
+    for (const double value : values)
+      largest_of_curve(value);
+    if (largest_of_curve.value() <= std::max(negligible, nothing * largest.value()))
+      continue;
+    Plot::Series series;
+    series.label = label;
+    series.x = time;
+    if (time.size() <= 60)
+      series.style = Plot::Series::Style::line_points;
+    for (const double value : values)
+      series.y.push_back(unit.factor * value);
+    plot.series.push_back(std::move(series));
+  }
+  group.plots.push_back(std::move(plot));
+}
+
+/// A chart of the translations and one of the rotations of a point. @p largest: of all points.
+Group history_charts(const History &history, const bool transient,
+                     const std::array<double, 2> &largest) {
+  static const std::array<const char *, 6> names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
+  Group group{"Point " + history.point, "", {}};
+  for (unsigned int kind = 0; kind < 2; ++kind) {
+    std::vector<std::pair<std::string, std::vector<double>>> curves;
+    for (unsigned int c = 3 * kind; c < 3 * kind + 3; ++c) {
+      curves.emplace_back(names[c], std::vector<double>());
+      for (const Motion &motion : history.displacement)
+        curves.back().second.push_back(motion[c]);
+    }
+    add_time_chart(kind == 0 ? "displacement" : "rotation", kind == 0 ? "m" : "rad", transient,
+                   history.time, curves, nothing * largest[kind], group);
+  }
+  return group;
+}
+
+} // namespace
+
+ReportCharts make_report_charts(const Scene &scene, const Results &results,
+                                const std::vector<const Frame *> &frames) {
+  std::array<Largest, 2> largest; // of forces, of moments
+  for (const Frame *frame : frames)
+    for (const Station &station : frame->line)
+      for (unsigned int c = 0; c < 6; ++c)
+        largest[c / 3](station.force[c]);
+  const std::array<double, 2> largest_of_all{{largest[0].value(), largest[1].value()}};
+
+  std::vector<Group> groups;
+  const auto pipes = pipes_to_show(scene, frames, largest_of_all);
+  for (const unsigned int pipe : pipes)
+    groups.push_back(pipe_charts(scene, frames, pipe, largest_of_all));
+  const std::size_t n_pipe_groups = groups.size();
+  const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                     [](const LoadStep &step) { return step.transient; });
+  std::array<Largest, 2> largest_motion; // translation, rotation
+  for (const History &history : results.histories)
+    for (const Motion &motion : history.displacement)
+      for (unsigned int c = 0; c < 6; ++c)
+        largest_motion[c / 3](motion[c]);
+  for (const History &history : results.histories)
+    if (history.time.size() > 1 && groups.size() < n_pipe_groups + n_points_at_most)
+      groups.push_back(history_charts(history, transient,
+                                      {{largest_motion[0].value(), largest_motion[1].value()}}));
+  if (results.supports.size() <= n_supports_at_most &&
+      results.frames.size() > 3 * scene.steps.size())
+    for (unsigned int support = 0; support < results.supports.size(); ++support)
+      groups.push_back(support_charts(results, support, transient));
 
   std::vector<Plot> plots;
   for (const Group &group : groups)
@@ -152,10 +334,14 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
   ReportCharts charts;
   std::size_t next = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (groups[g].plots.empty())
+    if (g < n_pipe_groups && groups[g].plots.empty())
       continue;
     std::string &target = g < n_pipe_groups ? charts.section_forces : charts.histories;
     target += "<h3>" + escape_xml(groups[g].heading) + "</h3>\n";
+    if (groups[g].plots.empty()) {
+      target += html_note("Nothing here is other than zero.");
+      continue;
+    }
     target += drawn.problem.empty()
                   ? groups[g].key + "<div class=\"charts\">\n"
                   : html_note("There is no chart here, since " + drawn.problem + ".");
@@ -165,7 +351,7 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
     target += drawn.problem.empty() ? "</div>\n" : "";
   }
 
-  if (charts.section_forces.empty() && !frames.empty())
+  if (charts.section_forces.empty() && !pipes.empty())
     charts.section_forces = html_note("All section forces are zero.");
   if (pipes.size() < scene.pipes.size())
     charts.section_forces += html_note("Shown are the " + std::to_string(pipes.size()) +

@@ -187,14 +187,16 @@ std::string quantity_table(const Results &results) {
          html_note("Errors are relative to the reference, or absolute where the reference is 0.");
 }
 
-std::string step_table(const Scene &scene, const std::vector<const Frame *> &frames) {
+std::string step_table(const Scene &scene, const Results &results,
+                       const std::vector<const Frame *> &frames) {
   std::vector<std::string> names, loads, where;
   std::vector<double> displacement, normal, friction, work;
   const std::array<ContactStatus, 4> statuses{
       {ContactStatus::stick, ContactStatus::slip, ContactStatus::open, ContactStatus::closed}};
   std::array<std::vector<std::string>, 4> counts;
   for (const Frame *frame : frames) {
-    names.push_back(step_name(scene, *frame) + (frame->end_of_step ? "" : " (not finished)"));
+    names.push_back(step_name(scene, *frame) +
+                    (is_finished(results, *frame) ? "" : " (not finished)"));
     loads.push_back(load_list(scene, scene.steps[frame->step]));
     const auto [place, size] = largest_displacement(scene, *frame);
     where.push_back(place);

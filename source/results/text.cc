@@ -120,6 +120,11 @@ const std::string &step_name(const Scene &scene, const Frame &frame) {
   return scene.steps[frame.step].name;
 }
 
+bool is_finished(const Results &results, const Frame &frame) {
+  return frame.end_of_step &&
+         (frame.step >= results.steps.size() || results.steps[frame.step].converged);
+}
+
 double friction_force(const SupportState &state) { return std::hypot(state.ft1, state.ft2); }
 
 DisplayUnit display_unit(const std::string &si_unit, const double largest) {

@@ -212,6 +212,8 @@ void check_report(const Sample &sample) {
   const std::string picture = read(folder + "/line.svg");
   CHECK(contains(picture, "<?xml") && contains(picture, "times as large"));
 
+  CHECK(contains(page, "<td>weight</td>") && contains(page, "&lt;1&gt; (not finished)</td>"));
+
   // nothing at all to show
   write_report(Scene(), Results(), folder);
   CHECK(contains(read(folder + "/report.html"), "Failed"));

@@ -83,8 +83,11 @@ inline Sample make_sample(const unsigned int n_supports, const unsigned int n_st
   quantity.error.reset();
   results.quantities.push_back(quantity);
 
-  results.steps.resize(1);
-  results.steps[0].step = scene.steps[0].name;
+  results.steps.resize(2);
+  for (unsigned int step = 0; step < 2; ++step) {
+    results.steps[step].step = scene.steps[step].name;
+    results.steps[step].converged = step == 0;
+  }
   results.certificate = {{"equilibrium", 1e-13}};
   results.remarks = {"a remark"};
   results.method = "none";

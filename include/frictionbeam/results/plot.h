@@ -15,6 +15,7 @@ struct Plot {
     std::vector<double> x, y; ///< of equal length; a pair that is not finite breaks the line
     Style style = Style::line;
     bool dashed = false; ///< for a reference or a slope
+    double line_width = 1.8;
   };
 
   std::string title; ///< may be empty

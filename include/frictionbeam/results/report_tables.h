@@ -12,7 +12,8 @@ namespace frictionbeam {
 std::string quantity_table(const Results &results);
 
 /// Each step at a glance: loads, largest displacement, states of the supports, sums of forces.
-std::string step_table(const Scene &scene, const std::vector<const Frame *> &frames);
+std::string step_table(const Scene &scene, const Results &results,
+                       const std::vector<const Frame *> &frames);
 
 /// The supports, a tab for each of at most six frames. Of very many supports, those with the
 /// largest forces.

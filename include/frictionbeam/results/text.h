@@ -36,6 +36,9 @@ std::string status_word(const RunStatus status);
 /// Name of the step that a frame belongs to.
 const std::string &step_name(const Scene &scene, const Frame &frame);
 
+/// Whether a frame is the end of a step that converged, and not the last state reached in one.
+bool is_finished(const Results &results, const Frame &frame);
+
 /// Size of the friction force [N].
 double friction_force(const SupportState &state);
 
