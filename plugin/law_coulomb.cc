@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/disc_projection.h>
 #include <frictionbeam/law.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 /**
  * Coulomb friction with unilateral contact on the generalized stresses of the friction element
@@ -25,10 +27,12 @@ enum Parameter { ES, GS, shear_ratio, f_static, f_dynamic, gap, GJ, patch_radius
 constexpr double infinity = 1e300;
 
 constexpr LawParameter parameters[n_parameters] = {
-    {"Axial rigidity", "N", 1e9, 0., infinity,
-     "ES of the friction element; ES over its length is the contact's normal stiffness"},
-    {"Shear rigidity", "N", 1e9, 0., infinity,
-     "GS_y of the friction element; GS over its length is the tangential stiffness"},
+    {"Axial rigidity", "N", 0., 0., infinity,
+     "ES of the friction element; ES over its length is the contact's normal stiffness. 0: rigid "
+     "(methods of return mapping then take 1e9 N)"},
+    {"Shear rigidity", "N", 0., 0., infinity,
+     "GS_y of the friction element; GS over its length is the tangential stiffness. 0: rigid "
+     "(methods of return mapping then take 1e9 N)"},
     {"Shear rigidity ratio", "-", 1., 1e-6, 1e6, "GS_z over GS_y"},
     {"Friction coefficient", "-", 0.3, 0., 100., "f at which sticking ends"},
     {"Dynamic friction coefficient", "-", -1., -1., 100.,
@@ -43,36 +47,15 @@ double dynamic_coefficient(const double *p) {
   return p[f_dynamic] < 0. ? p[f_static] : std::min(p[f_dynamic], p[f_static]);
 }
 
-/// Nearest point to a trial stress on the circle |T| = g in the norm of diag(k)^-1:
-/// T_i = T*_i / (1 + lambda k_i), with lambda > 0 from |T| = g by Newton's method, which increases
-/// monotonically from 0 as |T(lambda)| is convex.
-double multiplier(const double (&trial)[2], const double (&k)[2], const double g) {
-  const double size = std::hypot(trial[0], trial[1]);
-  if (k[0] == k[1])
-    return (size / g - 1.) / k[0];
-  double lambda = 0.;
-  for (unsigned int iteration = 0; iteration < 100; ++iteration) {
-    double norm2 = 0., slope = 0.;
-    for (int i = 0; i < 2; ++i) {
-      const double a = 1. + lambda * k[i], t = trial[i] / a;
-      norm2 += t * t;
-      slope += t * t * k[i] / a;
-    }
-    // Newton on 1/|T| - 1/g, nearly linear in lambda.
-    const double norm = std::sqrt(norm2);
-    const double step = (norm - g) / g * norm2 / slope;
-    lambda += step;
-    if (std::abs(step) <= 1e-15 * lambda)
-      break;
-  }
-  return lambda;
-}
+/// Rigidity of the return mapping: it needs a finite one where the user wants a rigid contact.
+double finite(const double rigidity) { return rigidity > 0. ? rigidity : 1e9; }
 
 class Coulomb final : public LawBase {
 public:
   LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {
     const double *const p = in.parameters;
-    const double k[2] = {p[GS], p[GS] * p[shear_ratio]};
+    const double ES = finite(p[::ES]), GS = finite(p[::GS]);
+    const double k[2] = {GS, GS * p[shear_ratio]};
     const double opening = in.strain[0] + p[gap] / in.length;
     double tangent[n_support_strains][n_support_strains] = {};
     const double old_slip[2] = {in.old_state[slip_y], in.old_state[slip_z]};
@@ -86,7 +69,7 @@ public:
       out.new_state[was_slipping] = 0.;
       out.contact = ContactStatus::open;
     } else {
-      const double N = p[ES] * opening;
+      const double N = ES * opening;
       const double dynamic = dynamic_coefficient(p);
       const double trial[2] = {k[0] * (in.strain[1] - old_slip[0]),
                                k[1] * (in.strain[2] - old_slip[1])};
@@ -94,7 +77,7 @@ public:
       const double f = in.old_state[was_slipping] != 0. ? dynamic : p[f_static];
       const bool slips = size > f * -N || f == 0.;
       out.stress[0] = N;
-      tangent[0][0] = p[ES];
+      tangent[0][0] = ES;
       std::copy(old_slip, old_slip + 2, out.new_state);
       if (!slips) {
         for (int i = 0; i < 2; ++i) {
@@ -111,7 +94,7 @@ public:
     }
 
     if (in.tangent == LawTangent::elastic) {
-      const double diagonal[n_support_strains] = {p[ES], k[0], k[1], p[GJ]};
+      const double diagonal[n_support_strains] = {ES, k[0], k[1], p[GJ]};
       for (int i = 0; i < n_support_strains; ++i)
         for (int j = 0; j < n_support_strains; ++j)
           out.tangent[n_support_strains * i + j] = i == j ? diagonal[i] : 0.;
@@ -127,28 +110,20 @@ private:
                     const double f, const double N, LawOutput &out,
                     double (&tangent)[n_support_strains][n_support_strains]) {
     const double g = f * -N;
-    const double dg_dN = -f;
     if (g == 0.) { // frictionless: the slip follows the node
       for (int i = 0; i < 2; ++i)
         out.new_state[i] = in.strain[1 + i];
       return;
     }
-    const double lambda = multiplier(trial, k, g);
-    double a[2], T[2], weight[2], sum = 0.;
+    const DiscProjection on_disc(trial, k, g);
     for (int i = 0; i < 2; ++i) {
-      a[i] = 1. + lambda * k[i];
-      T[i] = trial[i] / a[i];
-      weight[i] = k[i] * T[i] / a[i]; // -dT_i/d lambda
-      sum += T[i] * weight[i];
-      out.stress[1 + i] = T[i];
-      out.new_state[i] = in.old_state[i] + lambda * T[i];
-      out.dissipation += lambda * T[i] * T[i];
-    }
-    // |T| = g fixes d lambda = (sum_j T_j/a_j dT*_j - g dg) / sum.
-    for (int i = 0; i < 2; ++i) {
+      const double slip = on_disc.lambda * on_disc.point[i];
+      out.stress[1 + i] = on_disc.point[i];
+      out.new_state[i] = in.old_state[i] + slip;
+      out.dissipation += slip * on_disc.point[i];
       for (int j = 0; j < 2; ++j)
-        tangent[1 + i][1 + j] = ((i == j ? 1. / a[i] : 0.) - weight[i] * T[j] / a[j] / sum) * k[j];
-      tangent[1 + i][0] = weight[i] * g / sum * dg_dN * in.parameters[ES];
+        tangent[1 + i][1 + j] = on_disc.by_trial[i][j] * k[j];
+      tangent[1 + i][0] = on_disc.by_radius[i] * -f * finite(in.parameters[ES]);
     }
   }
 
@@ -164,7 +139,7 @@ private:
       tangent[3][3] = p[GJ];
     } else {
       out.stress[3] = std::copysign(limit, trial);
-      tangent[3][0] = std::copysign(f * p[patch_radius] * p[ES], -trial);
+      tangent[3][0] = std::copysign(f * p[patch_radius] * finite(p[ES]), -trial);
       const double slip = (trial - out.stress[3]) / p[GJ];
       out.new_state[twist] += slip;
       out.dissipation += out.stress[3] * slip;
@@ -174,9 +149,23 @@ private:
 
 constexpr Coulomb law;
 
+double or_rigid(const double rigidity) {
+  return rigidity > 0. ? rigidity : std::numeric_limits<double>::infinity();
+}
+
 void threshold(const double *p, FrictionThreshold &t) {
-  t = {p[f_static],           p[f_dynamic] < 0. ? p[f_static] : p[f_dynamic], p[gap], p[ES], p[GS],
-       p[GS] * p[shear_ratio]};
+  t.static_friction = p[f_static];
+  t.dynamic_friction = dynamic_coefficient(p);
+  t.gap = p[gap];
+  t.axial_rigidity = or_rigid(p[ES]);
+  t.shear_rigidity_y = or_rigid(p[GS]);
+  t.shear_rigidity_z = or_rigid(p[GS]) * p[shear_ratio];
+  t.torsional_rigidity = p[GJ];
+  t.patch_radius = p[patch_radius];
+  t.slip_y = slip_y;
+  t.slip_z = slip_z;
+  t.twist = twist;
+  t.was_slipping = was_slipping;
 }
 
 } // namespace

@@ -4,8 +4,11 @@
 #include <frictionbeam/analysis/load_sequence.h>
 #include <frictionbeam/model/mechanism.h>
 #include <frictionbeam/results/collector.h>
+#include <frictionbeam/results/csv_writer.h>
 #include <frictionbeam/results/output_file.h>
+#include <frictionbeam/results/report.h>
 #include <frictionbeam/results/summary.h>
+#include <frictionbeam/results/vtu_writer.h>
 #include <frictionbeam/scene/read_scene.h>
 
 #include <deal.II/base/timer.h>
@@ -15,6 +18,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 
 namespace frictionbeam {
 
@@ -49,8 +53,8 @@ double peak_memory_mb() {
   return usage.ru_maxrss / 1024.;
 }
 
-void print_summary(const Results &results, const std::string &folder) {
-  for (const std::string &remark : results.remarks)
+void print_summary(const Scene &scene, const Results &results, const std::string &folder) {
+  for (const std::string &remark : all_remarks(scene, results))
     std::cout << "Note: " << remark << '\n';
   for (const StepReport &step : results.steps) {
     std::cout << "Step " << step.step << ": " << (step.converged ? "converged" : "NOT converged")
@@ -68,7 +72,7 @@ void print_summary(const Results &results, const std::string &folder) {
       std::cout << " (reference " << *quantity.reference << ", error " << *quantity.error << ')';
     std::cout << '\n';
   }
-  std::cout << "Results are in " << folder << '\n';
+  std::cout << "Results are in " << folder << ", the report is report.html\n";
 }
 
 } // namespace
@@ -83,7 +87,6 @@ int run_case(const RunOptions &options) {
   prepare_output_folder(scene.output.directory);
 
   Results results;
-  results.remarks = scene.remarks;
   dealii::Timer timer;
   const LineMesh mesh = build_line_mesh(scene);
   results.cost.mesh_seconds = timer.wall_time();
@@ -101,41 +104,69 @@ int run_case(const RunOptions &options) {
   const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
   results.cost.setup_seconds = timer.wall_time();
 
-  timer.restart();
   const Model model{scene, mesh, discretization, space, contacts, linear};
   LoadSequence sequence(model);
-  Collector collector(model, results, [](const Frame &) {});
+  std::unique_ptr<CsvWriter> csv;
+  std::unique_ptr<VtuWriter> vtu;
+  Collector collector(model, results, [&](const Frame &frame) {
+    csv->append(frame);
+    if (vtu)
+      vtu->append(frame);
+  });
+  csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory);
+  if (scene.output.vtu)
+    vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
+
+  timer.restart();
+  dealii::Timer output_timer;
+  output_timer.reset();
   bool converged;
   {
     ProgressLine progress_line(scene);
     converged = sequence.run([&](const LoadSequence::Progress &progress, const LineState &state) {
+      output_timer.start();
       progress_line.show(progress);
       collector.observe(progress.step, progress.increment, progress.n_increments, state);
+      output_timer.stop();
     });
   }
-  results.cost.solve_seconds = timer.wall_time();
-
-  collector.finish();
+  results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
+  collector.finish(sequence.state());
+  csv->finish();
   results.steps = sequence.reports();
-  results.status = converged ? RunStatus::converged : RunStatus::failed;
-  results.method = scene.solver.method == SolverSettings::Method::newton
-                       ? "newton: consistent tangent of the return mapping, line search"
-                       : "elastic: elastic stiffness kept, residual forces sent back";
-  double residual = 0.;
+  results.status = converged                                ? RunStatus::converged
+                   : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
+                                                              : RunStatus::failed;
+  switch (scene.solver.method) {
+  case SolverSettings::Method::elastic:
+    results.method = "elastic: elastic stiffness kept, residual forces sent back";
+    break;
+  case SolverSettings::Method::newton:
+    results.method = "newton: consistent tangent of the return mapping, line search";
+    break;
+  case SolverSettings::Method::exact:
+    results.method = "exact: Signorini and Coulomb by a proximal-point semismooth Newton method";
+  }
+  double residual = 0., contact = 0.;
   for (const StepReport &step : results.steps) {
     residual = std::max(residual, step.residual);
+    contact = std::max(contact, step.contact);
     results.cost.iterations += step.iterations;
     results.cost.factorizations += step.factorizations;
     results.cost.steps += step.increments;
   }
   results.certificate["equilibrium"] = residual;
+  if (scene.solver.method == SolverSettings::Method::exact)
+    results.certificate["contact"] = contact;
   results.cost.unknowns = space.n_unknowns();
   results.cost.cells = discretization.pipe_cells().size();
   results.cost.contacts = contacts.size();
   results.cost.peak_memory_mb = peak_memory_mb();
   results.cost.wall_seconds = wall.wall_time();
   write_summary(scene, results, scene.output.directory);
-  print_summary(results, scene.output.directory);
+  if (scene.output.report)
+    write_report(scene, results, scene.output.directory);
+  print_summary(scene, results, scene.output.directory);
   return converged ? 0 : 2;
 }
 

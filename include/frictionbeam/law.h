@@ -72,11 +72,11 @@ struct LawInput {
 
 /// What integrate() writes. All arrays belong to the caller.
 struct LawOutput {
-  double *stress;         ///< n_strains values
-  double *tangent;        ///< n_strains x n_strains, row-major: tangent[i*n+j] = d stress_i/d strain_j
-  double *new_state;      ///< n_internal_variables values; never aliases old_state
-  double dissipation;     ///< energy dissipated in the increment per unit length [J/m], >= 0
-  ContactStatus contact;  ///< state at the end of the increment
+  double *stress;     ///< n_strains values
+  double *tangent;    ///< n_strains x n_strains, row-major: tangent[i*n+j] = d stress_i/d strain_j
+  double *new_state;  ///< n_internal_variables values; never aliases old_state
+  double dissipation; ///< energy dissipated in the increment per unit length [J/m], >= 0
+  ContactStatus contact; ///< state at the end of the increment
 };
 
 /// A law. Objects are stateless and constant: all data comes in through LawInput.
@@ -94,17 +94,24 @@ protected:
 };
 
 /**
- * Closed form of a Coulomb law for the exact contact method, which needs no stiffness:
- * |T| <= static_friction |N|, slipping at dynamic_friction |N|. Rigidities are those of the element,
- * ES and GS [N]; infinity stands for a rigid contact.
+ * Closed form of a Coulomb law for the exact contact method, which needs no stiffness: N <= 0,
+ * |T| <= static_friction |N|, slipping at dynamic_friction |N|. Rigidities are those of the
+ * element, ES and GS [N]; infinity stands for a rigid contact. The method reads and writes the
+ * law's own internal variables, so that steps of either kind follow each other: their places in the
+ * state.
  */
 struct FrictionThreshold {
   double static_friction;
-  double dynamic_friction;
-  double gap; ///< [m], >= 0 open
-  double axial_rigidity;
-  double shear_rigidity_y;
-  double shear_rigidity_z;
+  double dynamic_friction;   ///< <= static_friction
+  double gap;                ///< [m], >= 0 open
+  double axial_rigidity;     ///< [N], > 0
+  double shear_rigidity_y;   ///< [N], > 0
+  double shear_rigidity_z;   ///< [N], > 0
+  double torsional_rigidity; ///< [N m2], >= 0
+  double patch_radius;       ///< limits the torsional moment to f|N|r [m]; 0: no limit
+  int slip_y, slip_z;        ///< places of the irreversible shear strains gamma_p
+  int twist;                 ///< place of the irreversible twist rate
+  int was_slipping;          ///< place of a flag, 1 if the contact slips, else 0
 };
 
 /// Everything the host knows about a law before it calls it.
@@ -126,4 +133,5 @@ struct LawDescription {
 } // namespace frictionbeam
 
 /// The object that a law's library exports.
-extern "C" __attribute__((visibility("default"))) const frictionbeam::LawDescription frictionbeam_law;
+extern "C" __attribute__((visibility("default")))
+const frictionbeam::LawDescription frictionbeam_law;

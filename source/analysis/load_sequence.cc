@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/analysis/load_sequence.h>
 
+#include <frictionbeam/analysis/line_factorization.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,15 @@ namespace frictionbeam {
 using namespace dealii;
 
 LoadSequence::LoadSequence(const Model &model)
-    : model(model), solver(model.scene.solver, model.contacts, model.space) {}
+    : model(model),
+      statics(make_equilibrium_solver(model.scene.solver, model.scene.solver.method, model.contacts,
+                                      model.space, model.linear.stiffness())),
+      dynamics(make_equilibrium_solver(
+          model.scene.solver,
+          model.scene.solver.method == SolverSettings::Method::elastic
+              ? SolverSettings::Method::elastic
+              : SolverSettings::Method::newton, // exact contact is for statics
+          model.contacts, model.space, model.linear.stiffness())) {}
 
 EquilibriumProblem LoadSequence::problem(const SparseMatrix &matrix, const Factors &factors) const {
   EquilibriumProblem result{matrix, model.contacts.platen_forces(),
@@ -147,6 +157,10 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
     ++report.increments;
     return true;
   }
+  if (report.no_equilibrium) {
+    report.remark = "stopped at time " + std::to_string(start) + ": " + report.remark;
+    return false;
+  }
   if (halvings == model.scene.solver.max_halvings) {
     report.remark = "stopped at time " + std::to_string(start) + ": " + report.remark +
                     ", also after halving the increment " + std::to_string(halvings) + " times";
@@ -160,27 +174,31 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
          advance(middle, to, time, transient, halvings + 1);
 }
 
-bool LoadSequence::solve_increment(const Factors &factors, const double time,
-                                   const bool transient) {
-  if (transient)
-    return solve_newmark(problem(effective, factors), time) && (commit(factors, time), true);
-
-  if (effective_step != 0.) {
-    effective_step = 0.;
-    solver.matrix_changed();
-  }
-  EquilibriumProblem increment = problem(model.linear.stiffness(), factors);
-  increment.time = time;
-  trial = current.unknowns;
-  const EquilibriumResult result = solver.solve(increment, current.contacts, trial, response);
+bool LoadSequence::report(const EquilibriumResult &result) {
   StepReport &report = step_reports.back();
   report.iterations += result.iterations;
   report.factorizations += result.factorizations;
   if (!result.converged) {
     report.remark = result.remark;
+    report.no_equilibrium = result.no_equilibrium;
     return false;
   }
   report.residual = std::max(report.residual, result.residual);
+  if (result.check)
+    report.contact = std::max(report.contact, result.check->natural_map);
+  return true;
+}
+
+bool LoadSequence::solve_increment(const Factors &factors, const double time,
+                                   const bool transient) {
+  if (transient)
+    return solve_newmark(problem(effective, factors), time) && (commit(factors, time), true);
+
+  EquilibriumProblem increment = problem(model.linear.stiffness(), factors);
+  increment.time = time;
+  trial = current.unknowns;
+  if (!report(statics->solve(increment, current.contacts, trial, response)))
+    return false;
   current.unknowns = trial;
   model.space.expand(current.unknowns, current.dofs);
   current.dofs += increment.imposed;
@@ -196,7 +214,7 @@ bool LoadSequence::solve_newmark(const EquilibriumProblem &forces, const double 
   if (std::abs(dt - effective_step) > 1e-9 * dt) {
     effective = model.linear.stiffness() + 1. / (beta * dt * dt) * model.linear.mass();
     effective_step = dt;
-    solver.matrix_changed();
+    dynamics->matrix_changed();
   }
   const Vector predicted = current.unknowns + dt * current.velocity +
                            dt * dt * (0.5 - beta) * current.acceleration;
@@ -205,15 +223,8 @@ bool LoadSequence::solve_newmark(const EquilibriumProblem &forces, const double 
   increment.time = time;
   increment.time_increment = dt;
   trial = current.unknowns;
-  const EquilibriumResult result = solver.solve(increment, current.contacts, trial, response);
-  StepReport &report = step_reports.back();
-  report.iterations += result.iterations;
-  report.factorizations += result.factorizations;
-  if (!result.converged) {
-    report.remark = result.remark;
+  if (!report(dynamics->solve(increment, current.contacts, trial, response)))
     return false;
-  }
-  report.residual = std::max(report.residual, result.residual);
   const Vector acceleration = (trial - predicted) / (beta * dt * dt);
   current.velocity += dt * ((1. - gamma) * current.acceleration + gamma * acceleration);
   current.acceleration = acceleration;

@@ -131,9 +131,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
   }
 }
 
-void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
-                        const double time_increment, const LawTangent tangent,
-                        ContactResponse &response) const {
+void Contacts::prepare(ContactResponse &response) const {
   const unsigned int n = list.size();
   response.stress.resize(n);
   response.tangent.resize(n);
@@ -143,34 +141,46 @@ void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed, c
   response.state.strain.resize(n);
   response.state.touch.resize(n);
   response.state.dissipated.resize(n);
-  for (unsigned int i = 0; i < n; ++i) {
-    const Contact &contact = list[i];
-    const Contact::Strains strain = contact.strain(all_dofs);
-    Contact::Strains rate = Contact::Strains::Zero();
-    if (time_increment > 0.)
-      rate = (strain - committed.strain[i]) / time_increment;
-    const double displacement[3] = {strain[0] * contact.length, strain[1] * contact.length,
-                                    strain[2] * contact.length};
-    const LawInput input{contact.parameters->data(),
-                         strain.data(),
-                         rate.data(),
-                         displacement,
-                         contact.length,
-                         time,
-                         time_increment,
-                         20.,
-                         committed.internal.data() + contact.state_offset,
-                         tangent};
-    LawOutput output{response.stress[i].data(), response.tangent[i].data(),
-                     response.state.internal.data() + contact.state_offset, 0.,
-                     ContactStatus::none};
-    if (contact.law->law->integrate(input, output) != LawStatus::ok)
-      response.failed = true;
-    response.status[i] = output.contact;
-    response.state.strain[i] = strain;
-    response.state.touch[i] = output.contact == ContactStatus::open ? strain : committed.touch[i];
-    response.state.dissipated[i] = committed.dissipated[i] + contact.weight * output.dissipation;
+}
+
+void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
+                        const double time_increment, const LawTangent tangent,
+                        ContactResponse &response) const {
+  prepare(response);
+  for (unsigned int i = 0; i < list.size(); ++i) {
+    response.state.strain[i] = list[i].strain(all_dofs);
+    evaluate_law(i, committed, time, time_increment, tangent, response);
   }
+}
+
+void Contacts::evaluate_law(const unsigned int i, const ContactState &committed, const double time,
+                            const double time_increment, const LawTangent tangent,
+                            ContactResponse &response) const {
+  const Contact &contact = list[i];
+  const Contact::Strains &strain = response.state.strain[i];
+  Contact::Strains rate = Contact::Strains::Zero();
+  if (time_increment > 0.)
+    rate = (strain - committed.strain[i]) / time_increment;
+  const double displacement[3] = {strain[0] * contact.length, strain[1] * contact.length,
+                                  strain[2] * contact.length};
+  const LawInput input{contact.parameters->data(),
+                       strain.data(),
+                       rate.data(),
+                       displacement,
+                       contact.length,
+                       time,
+                       time_increment,
+                       20.,
+                       committed.internal.data() + contact.state_offset,
+                       tangent};
+  LawOutput output{response.stress[i].data(), response.tangent[i].data(),
+                   response.state.internal.data() + contact.state_offset, 0., ContactStatus::none};
+  if (contact.law->law->integrate(input, output) != LawStatus::ok)
+    response.failed = true;
+  response.status[i] = output.contact;
+  response.state.touch[i] =
+      output.contact == ContactStatus::open ? strain : committed.touch[i];
+  response.state.dissipated[i] = committed.dissipated[i] + contact.weight * output.dissipation;
 }
 
 void Contacts::add_forces(const ContactResponse &response, Vector &forces) const {

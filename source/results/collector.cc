@@ -88,11 +88,7 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
     throw UserError("Quantity " + quantity.name + ": there is no point, restraint, spring or "
                     "support called '" + quantity.where +
                     "'. A repeated support's names are numbered: name.1, name.2, ...");
-  double force = builder.reaction(point->second)[component];
-  for (unsigned int i = 0; component < 3 && i < model.contacts.size(); ++i)
-    if (model.contacts[i].vertices[0] == point->second)
-      force += builder.support_force(state, i)[component];
-  return force;
+  return builder.reaction(point->second)[component];
 }
 
 double Collector::evaluate(const Quantity &quantity, const LineState &state) {
@@ -178,19 +174,29 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
   }
   previous_time = state.time;
 
+  current_step = step;
+  current_increment = increment;
+  is_put_out = start;
   if (!start && output_is_due(model.scene.steps[step], state.time, last)) {
     last_output = state.time;
-    current_frame(state);
-    frame.step = step;
-    frame.increment = increment;
-    frame.end_of_step = last;
-    sink(frame);
-    if (last)
-      results.frames.push_back(frame);
+    put_out(state, last);
   }
 }
 
-void Collector::finish() {
+void Collector::put_out(const LineState &state, const bool keep) {
+  current_frame(state);
+  frame.step = current_step;
+  frame.increment = current_increment;
+  frame.end_of_step = keep;
+  sink(frame);
+  is_put_out = true;
+  if (keep)
+    results.frames.push_back(frame);
+}
+
+void Collector::finish(const LineState &state) {
+  if (!is_put_out)
+    put_out(state, true);
   for (unsigned int i = 0; i < pending.size(); ++i) {
     const Quantity &quantity = model.scene.quantities[i];
     if (!pending[i].value) {

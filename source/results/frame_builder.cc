@@ -100,8 +100,8 @@ SupportState FrameBuilder::support_state(const LineState &state, const unsigned 
   result.ft1 = share * stress[2];
   result.ft2 = share * stress[1];
   result.work_friction = state.contacts.dissipated[i];
-  FrictionThreshold law{0., 0., 0., 0., std::numeric_limits<double>::infinity(),
-                        std::numeric_limits<double>::infinity()};
+  FrictionThreshold law{};
+  law.shear_rigidity_y = law.shear_rigidity_z = std::numeric_limits<double>::infinity();
   if (contact.law->threshold != nullptr)
     contact.law->threshold(contact.parameters->data(), law);
   result.gap = strain[0] * contact.length + law.gap;

@@ -30,11 +30,14 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
 }
 
 void declare_solver(ParameterReader &in) {
-  in.declare_choice("Method", "newton", {"elastic", "newton"},
-                    "elastic: the elastic stiffness kept, residual forces sent back, as TEDEL did; "
+  in.declare_choice("Method", "exact", {"elastic", "newton", "exact"},
+                    "exact: Signorini's condition and Coulomb's law without a stiffness to choose, in "
+                    "static steps (transient ones take newton); elastic: the elastic stiffness kept, residual forces sent back, as TEDEL did; "
                     "newton: consistent tangent, line search, increments halved where needed.");
   in.declare_number("Tolerance", 1e-10, "-", positive, 1.,
                     "Of the residual, relative to the largest force.");
+  in.declare_number("Contact tolerance", 1e-9, "-", positive, 1.,
+                    "Of exact: how far the contact laws may be missed, each contact on its own scale.");
   in.declare_count("Max iterations", 50, 1, "Of newton, in one increment.");
   in.declare_count("Max elastic iterations", 10000, 1, "Of elastic, in one increment.");
   in.declare_count("Max halvings", 10, 0, "How often an increment that fails may be halved.");
@@ -42,7 +45,10 @@ void declare_solver(ParameterReader &in) {
 
 void parse_solver(const ParameterReader &in, Scene &scene) {
   using Method = SolverSettings::Method;
-  scene.solver.method = in.text("Method") == "elastic" ? Method::elastic : Method::newton;
+  scene.solver.method = in.text("Method") == "elastic"  ? Method::elastic
+                        : in.text("Method") == "newton" ? Method::newton
+                                                        : Method::exact;
+  scene.solver.contact_tolerance = in.number("Contact tolerance");
   scene.solver.tolerance = in.number("Tolerance");
   scene.solver.max_iterations = in.count("Max iterations");
   scene.solver.max_elastic_iterations = in.count("Max elastic iterations");

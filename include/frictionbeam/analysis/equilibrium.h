@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/analysis/line_factorization.h>
 #include <frictionbeam/analysis/line_state.h>
+#include <frictionbeam/analysis/proximal_contacts.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
 
 namespace frictionbeam {
 
@@ -10,66 +14,77 @@ namespace frictionbeam {
 struct EquilibriumProblem {
   const SparseMatrix &matrix;
   Vector right_hand_side;
-  Vector imposed;  ///< on all degrees of freedom
+  Vector imposed; ///< on all degrees of freedom
   double time = 0., time_increment = 0.;
 };
 
 struct EquilibriumResult {
   bool converged = false;
   unsigned int iterations = 0, factorizations = 0;
-  double residual = 0.; ///< relative to the largest force
-  std::string remark;   ///< why not
+  double residual = 0.;              ///< relative to the largest force
+  std::optional<ContactCheck> check; ///< of methods that solve exact contact laws
+  bool no_equilibrium = false;       ///< proved: something slides or lifts off freely
+  std::string remark;                ///< why not converged
 };
 
-/**
- * Solves an EquilibriumProblem by the return mapping of the friction elements, with either
- *  - elastic: the elastic stiffness kept, residual forces sent back until they vanish (what TEDEL
- *    did); one factorization for all increments;
- *  - newton: the consistent, unsymmetric tangent with a line search. Each increment starts with the
- *    elastic tangent, since contacts that rest exactly on the threshold make the consistent one
- *    singular at a reversal.
- * Converged means that the largest residual is below the tolerance times the largest force, or below
- * the rounding error of the forces themselves where that is larger.
- *
- * The place for further methods is a class beside this one with the same call.
- */
+/// A method for EquilibriumProblem. It may keep factors and states between increments.
 class EquilibriumSolver {
 public:
-  EquilibriumSolver(const SolverSettings &settings, const Contacts &contacts,
-                    const ReducedSpace &space);
+  virtual ~EquilibriumSolver() = default;
 
   /// To be called when the matrix of the following problems has changed.
-  void matrix_changed() { elastic_is_current = false; }
+  virtual void matrix_changed() = 0;
 
   /**
    * @param unknowns in: first guess; out: the solution, or the last iterate if not converged
    * @param response of the contacts at the solution
    */
-  EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
-                          Vector &unknowns, ContactResponse &response);
+  virtual EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
+                                  Vector &unknowns, ContactResponse &response) = 0;
+};
+
+/// The solver that Solver/Method names. @p stiffness of the line, without contacts.
+std::unique_ptr<EquilibriumSolver> make_equilibrium_solver(const SolverSettings &settings,
+                                                           const SolverSettings::Method method,
+                                                           const Contacts &contacts,
+                                                           const ReducedSpace &space,
+                                                           const SparseMatrix &stiffness);
+
+/**
+ * Residual forces of a problem, and when they count as zero: below the tolerance times the largest
+ * force, or below the rounding error of the forces themselves where that is larger, but never above
+ * 1e-8 of the largest force.
+ */
+class Residual {
+public:
+  /// Evaluates all contacts at displacements of all degrees of freedom.
+  using Evaluate = std::function<void(const Vector &, const LawTangent, ContactResponse &)>;
+
+  Residual(const EquilibriumProblem &problem, const Contacts &contacts, const ReducedSpace &space,
+           Evaluate evaluate);
+
+  /// right_hand_side - A q - contact forces, the contacts evaluated on the way.
+  Vector operator()(const Vector &unknowns, const LawTangent tangent, ContactResponse &response);
+
+  double largest_force(const ContactResponse &response) const;
+  /// @param diagonal of the tangent, for the rounding error of A q
+  double tolerance(const double relative, const Vector &diagonal, const Vector &unknowns,
+                   const ContactResponse &response) const;
 
 private:
-  /// Residual forces at the unknowns, the contacts evaluated on the way.
-  Vector residual(const EquilibriumProblem &problem, const ContactState &committed,
-                  const Vector &unknowns, const LawTangent tangent, ContactResponse &response);
-  double tolerance(const EquilibriumProblem &problem, const Vector &unknowns,
-                   const ContactResponse &response) const;
-  bool factor_elastic(const EquilibriumProblem &problem, const ContactState &committed,
-                      const Vector &unknowns, EquilibriumResult &result);
-  bool factor_consistent(const EquilibriumProblem &problem, const ContactResponse &response,
-                         EquilibriumResult &result);
-  void search_line(const EquilibriumProblem &problem, const ContactState &committed,
-                   const Vector &direction, Vector &unknowns, Vector &forces,
-                   ContactResponse &response);
-
-  const SolverSettings &settings;
+  const EquilibriumProblem &problem;
   const Contacts &contacts;
   const ReducedSpace &space;
-  LineFactorization elastic, consistent;
-  SparseMatrix tangent;
-  Vector elastic_diagonal; ///< scales residuals of forces and moments to displacements
-  bool analyzed = false, elastic_is_current = false;
-  mutable double largest_force = 0.;
+  const Evaluate evaluate;
+  Vector dofs; ///< scratch
 };
+
+/**
+ * Go along a direction until the residual, weighed by a positive diagonal so that forces and moments
+ * become energies, decreases; where no length does that, a kink lies ahead, and the least bad step
+ * crosses it. @return the weighed residual reached, squared.
+ */
+double search_line(Residual &residual, const Vector &direction, const Vector &diagonal,
+                   Vector &unknowns, Vector &forces, ContactResponse &response);
 
 } // namespace frictionbeam

@@ -45,8 +45,11 @@ private:
   EquilibriumProblem problem(const SparseMatrix &matrix, const Factors &factors) const;
   void start_motion();
 
+  /// Add what a solve did to the report. @return whether it converged.
+  bool report(const EquilibriumResult &result);
+
   const Model &model;
-  EquilibriumSolver solver;
+  const std::unique_ptr<EquilibriumSolver> statics, dynamics;
   LineState current;
   std::vector<StepReport> step_reports;
 

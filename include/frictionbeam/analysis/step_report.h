@@ -10,7 +10,9 @@ struct StepReport {
   std::string step;
   unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
   double residual = 0.; ///< largest of its increments, relative to the largest force
+  double contact = 0.;  ///< largest natural-map residual of exact contact, each on its own scale
   bool converged = false;
+  bool no_equilibrium = false; ///< proved that there is none
   std::string remark; ///< why it was cut or stopped, in plain words
 };
 

@@ -64,6 +64,13 @@ public:
                 const double time_increment, const LawTangent tangent,
                 ContactResponse &response) const;
 
+  /// Size a response for all contacts.
+  void prepare(ContactResponse &response) const;
+  /// Evaluate the law of contact @p i at response.state.strain[i].
+  void evaluate_law(const unsigned int i, const ContactState &committed, const double time,
+                    const double time_increment, const LawTangent tangent,
+                    ContactResponse &response) const;
+
   /// forces += weight B^T stress, on the unknowns.
   void add_forces(const ContactResponse &response, Vector &forces) const;
   /// matrix += weight B^T D B; the pattern has the entries (add_pattern()).

@@ -22,8 +22,9 @@ public:
   void observe(const unsigned int step, const unsigned int increment,
                const unsigned int n_increments, const LineState &state);
 
-  /// Fill in the quantities' results; those never reached are left out with a remark.
-  void finish();
+  /// Fill in the quantities' results; those never reached are left out with a remark. If the analysis
+  /// stopped between outputs, @p state, the last in equilibrium, is put out as well.
+  void finish(const LineState &state);
 
 private:
   struct Pending {
@@ -34,6 +35,7 @@ private:
   double evaluate(const Quantity &quantity, const LineState &state);
   double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
   const Frame &current_frame(const LineState &state);
+  void put_out(const LineState &state, const bool keep);
   bool output_is_due(const LoadStep &step, const double time, const bool last) const;
 
   const Model &model;
@@ -42,7 +44,8 @@ private:
   FrameBuilder builder;
   std::vector<Pending> pending; ///< beside Scene::quantities
   Frame frame;
-  bool frame_is_current = false;
+  bool frame_is_current = false, is_put_out = true;
+  unsigned int current_step = 0, current_increment = 0;
   double previous_time = 0., last_output = 0., largest_error = 0.;
 };
 

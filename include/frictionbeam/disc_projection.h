@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cmath>
+
+/**
+ * @file
+ * The return to Coulomb's disc, plain C++ for laws and solvers alike.
+ */
+namespace frictionbeam {
+
+/**
+ * Nearest point T of the disc |T| <= radius to a trial point T* outside of it, in the norm of
+ * diag(k)^-1:  T_i = T*_i / (1 + lambda k_i), with lambda > 0 from |T| = radius, and its derivatives.
+ * With equal k it lies on the ray to T*.
+ *
+ * lambda comes from Newton's method on 1/|T| - 1/radius, nearly linear in lambda.
+ */
+struct DiscProjection {
+  double point[2];
+  double lambda;
+  double by_trial[2][2]; ///< d point_i / d trial_j
+  double by_radius[2];   ///< d point_i / d radius
+
+  /// @param radius > 0, @param k > 0
+  DiscProjection(const double (&trial)[2], const double (&k)[2], const double radius) {
+    const double size = std::hypot(trial[0], trial[1]);
+    lambda = (size / radius - 1.) / std::fmax(k[0], k[1]);
+    for (unsigned int iteration = 0; k[0] != k[1] && iteration < 100; ++iteration) {
+      double norm2 = 0., slope = 0.;
+      for (int i = 0; i < 2; ++i) {
+        const double a = 1. + lambda * k[i], t = trial[i] / a;
+        norm2 += t * t;
+        slope += t * t * k[i] / a;
+      }
+      const double step = (std::sqrt(norm2) - radius) / radius * norm2 / slope;
+      lambda += step;
+      if (std::fabs(step) <= 1e-15 * lambda)
+        break;
+    }
+    double a[2], weight[2], sum = 0.;
+    for (int i = 0; i < 2; ++i) {
+      a[i] = 1. + lambda * k[i];
+      point[i] = trial[i] / a[i];
+      weight[i] = k[i] * point[i] / a[i]; // -d point_i / d lambda
+      sum += point[i] * weight[i];
+    }
+    // |T| = radius fixes d lambda = (sum_j T_j/a_j dT*_j - radius d radius) / sum.
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j)
+        by_trial[i][j] = (i == j ? 1. / a[i] : 0.) - weight[i] * point[j] / a[j] / sum;
+      by_radius[i] = weight[i] * radius / sum;
+    }
+  }
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "return_mapping_solver.h"
+
+namespace frictionbeam {
+
+ReturnMappingSolver::ReturnMappingSolver(const SolverSettings &settings,
+                                         const SolverSettings::Method method,
+                                         const Contacts &contacts, const ReducedSpace &space)
+    : settings(settings), newton(method != SolverSettings::Method::elastic), contacts(contacts),
+      space(space) {}
+
+bool ReturnMappingSolver::factor_elastic(const EquilibriumProblem &problem, Residual &residual,
+                                         const Vector &unknowns, EquilibriumResult &result) {
+  if (elastic_is_current)
+    return true;
+  if (!analyzed) {
+    elastic.analyze(problem.matrix);
+    if (newton)
+      consistent = elastic;
+    analyzed = true;
+  }
+  ContactResponse response;
+  residual(unknowns, LawTangent::elastic, response);
+  tangent = problem.matrix;
+  contacts.add_tangent(response, tangent);
+  elastic_diagonal = tangent.diagonal();
+  ++result.factorizations;
+  elastic_is_current = elastic.factorize(tangent);
+  if (!elastic_is_current)
+    result.remark = "the elastic stiffness is singular: something can move freely";
+  return elastic_is_current;
+}
+
+EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
+                                             const ContactState &committed, Vector &unknowns,
+                                             ContactResponse &response) {
+  EquilibriumResult result;
+  Residual residual(problem, contacts, space,
+                    [&](const Vector &dofs, const LawTangent wanted, ContactResponse &r) {
+                      contacts.evaluate(dofs, committed, problem.time, problem.time_increment,
+                                        wanted, r);
+                    });
+  if (!factor_elastic(problem, residual, unknowns, result))
+    return result;
+  const unsigned int most = newton ? settings.max_iterations : settings.max_elastic_iterations;
+  const LawTangent wanted = newton ? LawTangent::consistent : LawTangent::none;
+
+  Vector forces = residual(unknowns, wanted, response);
+  for (;;) {
+    const double size = forces.lpNorm<Eigen::Infinity>();
+    const double largest = residual.largest_force(response);
+    result.residual = largest > 0. ? size / largest : size;
+    result.converged = !response.failed && size <= residual.tolerance(settings.tolerance,
+                                                                      elastic_diagonal, unknowns,
+                                                                      response);
+    if (result.converged)
+      return result;
+    if (response.failed || !(size < 1e30)) {
+      result.remark = response.failed ? "a law had no answer" : "the iteration diverges";
+      return result;
+    }
+    if (result.iterations == most) {
+      result.remark = "no convergence in " + std::to_string(most) + " iterations";
+      return result;
+    }
+    ++result.iterations;
+    if (newton && result.iterations > 1) {
+      tangent = problem.matrix;
+      contacts.add_tangent(response, tangent);
+      ++result.factorizations;
+      if (!consistent.factorize(tangent)) {
+        result.remark = "the tangent is singular";
+        return result;
+      }
+      search_line(residual, consistent.solve(forces), elastic_diagonal, unknowns, forces, response);
+    } else {
+      unknowns += elastic.solve(forces);
+      forces = residual(unknowns, wanted, response);
+    }
+  }
+}
+
+} // namespace frictionbeam
