@@ -45,33 +45,30 @@ std::vector<std::size_t> chain(const std::vector<Edge> &edges, const std::string
   for (const Edge &edge : edges)
     for (const unsigned int i : {0, 1})
       neighbours[edge[i]].push_back(edge[1 - i]);
-  std::size_t start = edges.front()[0];
-  for (const Edge &edge : edges) {
-    for (const std::size_t node : edge)
+  std::size_t start = edges.front()[0]; // of a ring; otherwise the first free end
+  bool ring = true;
+  for (const Edge &edge : edges)
+    for (const std::size_t node : edge) {
       if (neighbours[node].size() > 2)
         throw UserError("The physical curve '" + pipe + "' of '" + file +
                         "' has a branch. A pipe is one chain of cells: give each branch a physical "
                         "curve of its own.");
-  }
-  for (const Edge &edge : edges) // gmsh lists cells along the curve: the first free end begins it
-    if (neighbours[edge[0]].size() == 1) {
-      start = edge[0];
-      break;
+      if (ring && neighbours[node].size() == 1) {
+        start = node;
+        ring = false;
+      }
     }
-  std::vector<std::size_t> nodes{start};
-  std::size_t previous = start, current = start;
-  do {
-    const auto &next = neighbours[current];
-    const std::size_t chosen = next.size() == 1 || next[0] != previous ? next[0] : next[1];
-    if (next.size() == 1 && chosen == previous && nodes.size() > 1)
-      break;
-    previous = current;
-    current = chosen;
-    nodes.push_back(current);
-  } while (current != start && neighbours[current].size() > 1);
+  std::vector<std::size_t> nodes{start, ring ? edges.front()[1] : neighbours[start][0]};
+  while (nodes.back() != start && neighbours[nodes.back()].size() == 2) {
+    const auto &next = neighbours[nodes.back()];
+    nodes.push_back(next[0] != nodes[nodes.size() - 2] ? next[0] : next[1]);
+  }
   if (nodes.size() != edges.size() + 1)
     throw UserError("The physical curve '" + pipe + "' of '" + file +
                     "' is not connected. Give each part a physical curve of its own.");
+  const auto first = std::find(nodes.begin(), nodes.end(), edges.front()[0]);
+  if (first + 1 == nodes.end() || *(first + 1) != edges.front()[1])
+    std::reverse(nodes.begin(), nodes.end());
   return nodes;
 }
 
@@ -130,7 +127,8 @@ LineMesh mesh_file(const Scene &scene) {
       const Point3 &here = mesh.vertices[entry->second];
       meshed.s.push_back(meshed.s.empty()
                              ? 0.
-                             : meshed.s.back() + here.distance(mesh.vertices[meshed.vertices.back()]));
+                             : meshed.s.back() +
+                                   here.distance(mesh.vertices[meshed.vertices.back()]));
       meshed.vertices.push_back(entry->second);
     }
     meshed.bend_radius.assign(meshed.vertices.size() - 1, pipe.bend_radius);

@@ -31,8 +31,7 @@ std::string nearest_pipe(const Scene &scene, const LineMesh &mesh, const Point3 
     for (unsigned int k = 0; k + 1 < mesh.pipes[i].vertices.size(); ++k) {
       const Point3 begin = mesh.vertices[mesh.pipes[i].vertices[k]];
       const Vector3 leg = mesh.vertices[mesh.pipes[i].vertices[k + 1]] - begin;
-      const Point3 foot =
-          begin + std::clamp((p - begin) * leg / leg.norm_square(), 0., 1.) * leg;
+      const Point3 foot = begin + std::clamp((p - begin) * leg / leg.norm_square(), 0., 1.) * leg;
       if (foot.distance(p) >= best)
         continue;
       best = foot.distance(p);
@@ -58,14 +57,14 @@ void add_free_points(const Scene &scene, LineMesh &mesh) {
         support = s.name;
     const bool carried = on_spring.count(point.name) > 0;
     if (!carried && support.empty())
-      throw UserError("Point " + point.name + ": no pipe reaches the position " +
-                      text(point.position) + "; " + nearest_pipe(scene, mesh, point.position) +
-                      ". Move the point onto a pipe, or carry it by a spring or a friction support.");
+      throw UserError(
+          "Point " + point.name + ": no pipe reaches the position " + text(point.position) + "; " +
+          nearest_pipe(scene, mesh, point.position) +
+          ". Move the point onto a pipe, or carry it by a spring or a friction support.");
     if (!carried && !scene.pipes.empty())
       throw UserError("Support " + support + " is off the line: its point '" + point.name +
                       "' is at " + text(point.position) + ", and " +
-                      nearest_pipe(scene, mesh, point.position) +
-                      ". Move the point onto a pipe.");
+                      nearest_pipe(scene, mesh, point.position) + ". Move the point onto a pipe.");
     mesh.points[point.name] = mesh.vertices.size();
     mesh.vertices.push_back(point.position);
   }
@@ -152,10 +151,21 @@ private:
   std::vector<Vector3> tangents;
 };
 
+LineMesh mesh_by_gmsh(const Scene &scene) {
+  const std::string &file = scene.mesh.file;
+  try {
+    return file.empty() ? mesh_routes(scene) : mesh_file(scene);
+  } catch (const std::string &reason) { // what gmsh throws
+    throw UserError(file.empty() ? "gmsh cannot mesh the routes: " + reason
+                                 : "Mesh/File: gmsh cannot read or mesh '" + file + "': " + reason +
+                                       ". Open the file in gmsh to see what is wrong.");
+  }
+}
+
 } // namespace
 
 LineMesh build_line_mesh(const Scene &scene) {
-  LineMesh mesh = scene.mesh.file.empty() ? mesh_routes(scene) : mesh_file(scene);
+  LineMesh mesh = mesh_by_gmsh(scene);
   add_free_points(scene, mesh);
   const Placer placer(scene, mesh);
   for (const FrictionSupport &support : scene.supports)

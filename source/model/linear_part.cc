@@ -42,6 +42,18 @@ CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &pro
 
 namespace {
 
+/// Pressure needs a bore to act on; a section that is given by its figures has none.
+void check_pressure(const Scene &scene) {
+  for (const Load &load : scene.loads)
+    for (const Pipe &pipe : scene.pipes)
+      if (load.kind == Load::Kind::pressure && scene.sections[pipe.section].wall == 0. &&
+          (load.pipes.empty() || std::count(load.pipes.begin(), load.pipes.end(), pipe.name) > 0))
+        throw UserError("Load " + load.name + " puts pressure into pipe '" + pipe.name +
+                        "', whose section '" + scene.sections[pipe.section].name +
+                        "' is given by its area and inertia and so has no bore. Give its outer "
+                        "diameter and wall, or name the pipes under pressure in 'Pipes'.");
+}
+
 /// Unknowns of a small set of degrees of freedom, and how they depend on them: u_e = C_e q_e.
 struct LocalSpace {
   std::vector<int> unknowns;
@@ -52,7 +64,8 @@ struct LocalSpace {
     for (const auto dof : dofs)
       for (const auto &term : space.terms(dof)) {
         unknowns.push_back(term.unknown);
-        plain = plain && term.weight == 1. && space.terms(dof).begin() + 1 == space.terms(dof).end();
+        plain =
+            plain && term.weight == 1. && space.terms(dof).begin() + 1 == space.terms(dof).end();
       }
     std::sort(unknowns.begin(), unknowns.end());
     unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
@@ -87,6 +100,7 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
                        const Contacts &contacts, const bool with_mass)
     : load_forces(scene.loads.size(), Vector::Zero(space.n_unknowns())),
       imposed_motions(scene.loads.size()), nodal_loads(scene.loads.size()) {
+  check_pressure(scene);
   find_imposed_motions(scene, mesh, discretization, space);
   find_nodal_loads(scene, mesh, discretization, space);
   make_pattern(discretization, space, contacts, scene, mesh);
@@ -98,7 +112,8 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
     for (const PointMass &mass : scene.masses)
       for (const std::string &point : mass.points) {
         const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), {mesh.points.at(point)});
-        add_local(mass.mass * Eigen::Matrix3d::Identity(), {dofs.begin(), dofs.begin() + 3}, space, M);
+        add_local(mass.mass * Eigen::Matrix3d::Identity(), {dofs.begin(), dofs.begin() + 3}, space,
+                  M);
       }
 }
 
@@ -132,7 +147,8 @@ void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
       const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
       if ((rows * motion - values).norm() > 1e-9 * values.norm())
         throw UserError("Load " + scene.loads[l].name + ": the motion imposed at point '" +
-                        at.point + "' contradicts a restraint there. Impose it only in directions "
+                        at.point +
+                        "' contradicts a restraint there. Impose it only in directions "
                         "that are free otherwise.");
       for (unsigned int c = 0; c < 6; ++c) {
         const auto dof = discretization.vertex_dofs().index(vertex, c);
@@ -144,8 +160,7 @@ void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
 }
 
 void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
-                                  const Discretization &discretization,
-                                  const ReducedSpace &space) {
+                                  const Discretization &discretization, const ReducedSpace &space) {
   for (unsigned int l = 0; l < scene.loads.size(); ++l) {
     const Load &load = scene.loads[l];
     if (load.kind == Load::Kind::force)
@@ -163,7 +178,8 @@ void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
         if (force[c] == 0.)
           continue;
         if (dof == numbers::invalid_dof_index)
-          throw UserError("Load " + load.name + " puts a moment on a point that has no rotations. "
+          throw UserError("Load " + load.name +
+                          " puts a moment on a point that has no rotations. "
                           "Leave the moment out.");
         for (const auto &term : space.terms(dof))
           load_forces[l][term.unknown] += term.weight * force[c];
@@ -211,7 +227,8 @@ void LinearPart::make_pattern(const Discretization &discretization, const Reduce
 
 void LinearPart::add_pipes(const Scene &scene, const Discretization &discretization,
                            const ReducedSpace &space, const bool with_mass) {
-  std::unordered_map<unsigned int, std::vector<std::pair<unsigned int, double>>> imposed; // dof: load
+  std::unordered_map<unsigned int, std::vector<std::pair<unsigned int, double>>>
+      imposed; // dof: load
   for (unsigned int l = 0; l < imposed_motions.size(); ++l)
     for (const auto &[dof, value] : imposed_motions[l])
       imposed[dof].emplace_back(l, value);

@@ -1,0 +1,10 @@
+Point(1) = {0, 0, 0};
+Point(2) = {5, 0, 0};
+Point(3) = {10, 0, 0};
+Point(4) = {5, 5, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {2, 4};
+Transfinite Curve {1, 2, 3} = 3;
+Physical Curve("main") = {1, 2, 3};
+Physical Point("A") = {1};

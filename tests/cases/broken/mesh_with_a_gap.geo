@@ -1,0 +1,9 @@
+Point(1) = {0, 0, 0};
+Point(2) = {4, 0, 0};
+Point(3) = {6, 0, 0};
+Point(4) = {10, 0, 0};
+Line(1) = {1, 2};
+Line(2) = {3, 4};
+Transfinite Curve {1, 2} = 3;
+Physical Curve("main") = {1, 2};
+Physical Point("A") = {1};
