@@ -1,17 +1,19 @@
 # cmake -P: install the plugin into an empty folder, build the project in this folder against it, run.
 # Wants BUILD (FrictionBeam's build folder), SOURCE (this folder), WORK (a scratch folder), TYPE.
 cmake_minimum_required(VERSION 3.18)
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK}/build)
 function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result WORKING_DIRECTORY ${WORK}/build)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "failed (${result}): ${ARGV}")
   endif()
 endfunction()
 
-file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --component plugin --prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -DCMAKE_BUILD_TYPE=${TYPE}
   -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_FLAGS=-Werror)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/prefix/bin/frictionbeam-check-law ${WORK}/build/my_law.so)
-run(${WORK}/build/beam_on_support ${WORK}/build/my_law.so)
+# By its name alone, as a user in that folder would.
+run(${WORK}/prefix/bin/frictionbeam-check-law my_law.so)
+run(${WORK}/build/beam_on_support my_law.so)

@@ -191,12 +191,15 @@ void coefficients_and_torsion() {
   CHECK(probe.contact == ContactStatus::slip);
   CHECK_NEAR(probe.stress[1], 0.4, 1e-14);
   CHECK_NEAR(probe.stress[3], 0.2 * 2. * 0.4, 1e-14); // f of a contact that slips
-  probe.move({-2., 0.7, 0., 0.1});
+  probe.move({-2., 1.02, 0., 0.1}); // the trial force 0.41 is below the static limit
+  CHECK(probe.contact == ContactStatus::slip);
+  CHECK_NEAR(probe.stress[1], 0.4, 1e-14);
+  probe.move({-2., 0.71, 0., 0.1});
   CHECK(probe.contact == ContactStatus::stick);
   CHECK_NEAR(probe.stress[1], 0.4 - 0.31, 1e-13);
-  probe.move({-2., 1.5, 0., 0.1});
+  probe.move({-2., 1.51, 0., 0.1});
   CHECK_NEAR(probe.stress[1], 0.89, 1e-13);
-  probe.move({-2., 1.5, 0., -9.}); // turns only
+  probe.move({-2., 1.51, 0., -9.}); // turns only
   CHECK(probe.contact == ContactStatus::stick);
   CHECK_NEAR(probe.stress[3], -0.5 * 2. * 0.4, 1e-14);
   CHECK(probe.dissipation > 0.4 * 8.);
