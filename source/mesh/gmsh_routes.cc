@@ -248,11 +248,19 @@ LineMesh mesh_routes(const Scene &scene) {
   for (unsigned int p = 0; p < paths.size(); ++p) {
     const auto vertex_at = [&](const double s) {
       const auto &list = mesh.pipes[p].s;
-      return mesh.pipes[p].vertices[std::lower_bound(list.begin(), list.end(), s - tolerance) -
-                                    list.begin()];
+      return mesh.pipes[p]
+          .vertices[std::lower_bound(list.begin(), list.end(), s - tolerance) - list.begin()];
     };
-    for (const auto &named : paths[p].named_points())
-      mesh.points[named.name] = vertex_at(named.s);
+    for (const auto &named : paths[p].named_points()) {
+      const unsigned int v = vertex_at(named.s);
+      const auto [entry, is_new] = mesh.points.emplace(named.name, v);
+      if (!is_new && entry->second != v)
+        throw UserError("The point '" + named.name + "' of pipe '" + scene.pipes[p].name +
+                        "' stands for another place already: the name of a bend's corner is that "
+                        "of the middle of the bend, " +
+                        std::to_string(mesh.vertices[v].distance(mesh.vertices[entry->second])) +
+                        " m away. Give the two places two names.");
+    }
     for (const NamedPoint &point : scene.points)
       if (const auto s = paths[p].locate(point.position, tolerance))
         mesh.points[point.name] = vertex_at(*s);
