@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/model/discretization.h>
 
-#include <frictionbeam/fe_friction_beam.h>
 #include <frictionbeam/fe_timoshenko_beam.h>
 #include <frictionbeam/generalized_strain.h>
 #include <frictionbeam/scene/user_error.h>
@@ -59,6 +58,20 @@ Table<2, double> section_tangent(const LawDescription &law, const Profile &profi
   return result;
 }
 
+/// Options of the friction element; in a turned cell the pipe is the second node.
+std::pair<FE_FrictionBeam::Rotations, bool> element_option(const FrictionSupport &support,
+                                                           const bool reversed) {
+  using Rotations = FE_FrictionBeam::Rotations;
+  switch (support.rotations) {
+  case FrictionSupport::Rotations::none:
+    return {Rotations::none, support.torsion};
+  case FrictionSupport::Rotations::averaged:
+    return {Rotations::averaged, support.torsion};
+  default:
+    return {reversed ? Rotations::second_node : Rotations::first_node, support.torsion};
+  }
+}
+
 Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
                      const double bend_radius, const LawDescription &law) {
   const double E = material.youngs_modulus, G = E / (2. * (1. + material.poissons_ratio));
@@ -84,21 +97,24 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
   for (const Profile &profile : sections)
     shear_flexibility.push_back(profile.GA > 0. ? 12. * profile.EI / profile.GA : 0.);
   fe.push_back(FE_TimoshenkoBeam(shear_flexibility));
-  for (const FrictionSupport &support : scene.supports) {
-    const std::pair<FrictionSupport::Rotations, bool> option(support.rotations, support.torsion);
+  using Rotations = FE_FrictionBeam::Rotations;
+  const auto add_option = [this](const std::pair<Rotations, bool> &option) {
     if (std::find(options.begin(), options.end(), option) == options.end())
       options.push_back(option);
+  };
+  for (const FrictionSupport &support : scene.supports) {
+    add_option(element_option(support, false));
+    if (!support.ground.empty()) // between two pipes: the triangulation may turn the cell
+      add_option(element_option(support, true));
   }
   const bool turning_spring =
       std::any_of(scene.springs.begin(), scene.springs.end(), [](const Spring &spring) {
         return spring.stiffness[3] != 0. || spring.stiffness[4] != 0. || spring.stiffness[5] != 0.;
       });
   if (!scene.springs.empty()) // carriers of free points
-    options.emplace_back(
-        turning_spring ? FrictionSupport::Rotations::averaged : FrictionSupport::Rotations::none,
-        turning_spring);
+    options.emplace_back(turning_spring ? Rotations::averaged : Rotations::none, turning_spring);
   for (const auto &[rotations, torsion] : options)
-    fe.push_back(FE_FrictionBeam(static_cast<FE_FrictionBeam::Rotations>(rotations), torsion));
+    fe.push_back(FE_FrictionBeam(rotations, torsion));
   add_supports(scene, mesh);
   add_carriers(scene, mesh);
   AssertThrow(!cells.empty(), ExcMessage("The scene has no cells."));
@@ -147,8 +163,9 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
   }
 }
 
-unsigned int Discretization::element_index(const FrictionSupport &support) const {
-  const std::pair<FrictionSupport::Rotations, bool> option(support.rotations, support.torsion);
+unsigned int Discretization::element_index(const FrictionSupport &support,
+                                           const bool reversed) const {
+  const auto option = element_option(support, reversed);
   return 1 + (std::find(options.begin(), options.end(), option) - options.begin());
 }
 
@@ -165,7 +182,7 @@ void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
       } else
         ground = mesh.points.at(support.ground);
       cells.push_back({{on, ground}, 0});
-      fe_index.push_back(element_index(support));
+      fe_index.push_back(element_index(support, false));
       supports.push_back({i, site, {on, ground}});
     }
   }

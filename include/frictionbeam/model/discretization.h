@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/fe_friction_beam.h>
 #include <frictionbeam/law_library.h>
 #include <frictionbeam/line_triangulation.h>
 #include <frictionbeam/mesh/line_mesh.h>
@@ -69,7 +70,7 @@ private:
   void add_profiles(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws);
   void add_supports(const Scene &scene, const LineMesh &mesh);
   void add_carriers(const Scene &scene, const LineMesh &mesh);
-  unsigned int element_index(const FrictionSupport &support) const;
+  unsigned int element_index(const FrictionSupport &support, const bool reversed) const;
 
   dealii::Triangulation<1, 3> triangulation;
   dealii::hp::FECollection<1, 3> fe;
@@ -85,7 +86,7 @@ private:
   std::vector<SupportCell> supports;
   std::vector<CellInfo> infos;          ///< by active cell index
   std::vector<unsigned int> cell_level_index; ///< of each author's cell
-  std::vector<std::pair<FrictionSupport::Rotations, bool>> options; ///< of fe[1], fe[2], ...
+  std::vector<std::pair<FE_FrictionBeam::Rotations, bool>> options; ///< of fe[1], fe[2], ...
 };
 
 /// Stiffness of a straight pipe over that of the bend, by the pipe's rule.
