@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "parts.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace frictionbeam::parts {
@@ -110,9 +111,11 @@ void parse_global(const ParameterReader &in, Scene &scene) {
 }
 
 void parse_monitors(const ParameterReader &in, Scene &scene) {
-  scene.monitors = in.list("Monitors");
-  for (const std::string &point : scene.monitors)
+  for (const std::string &point : in.list("Monitors")) {
     check_point(in, "Monitors", point, scene);
+    if (std::count(scene.monitors.begin(), scene.monitors.end(), point) == 0)
+      scene.monitors.push_back(point); // beside those of a generated scene
+  }
 }
 
 } // namespace frictionbeam::parts
