@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 
 namespace frictionbeam {
 
@@ -82,8 +83,8 @@ int run_case(const RunOptions &options) {
   LawLibrary laws;
   laws.load_builtin();
   Scene scene = read_scene(options.parameter_file, options.overrides, laws);
-  scene.output.directory = options.output_directory.empty() ? "output/" + scene.name
-                                                            : options.output_directory;
+  scene.output.directory =
+      options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
   prepare_output_folder(scene.output.directory);
 
   Results results;
@@ -101,6 +102,15 @@ int run_case(const RunOptions &options) {
     for (const std::string &warning :
          check_mechanisms(scene, mesh, discretization, space, contacts))
       results.remarks.push_back(warning);
+  std::set<std::string> without_threshold;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (contacts[i].law->threshold == nullptr)
+      without_threshold.insert(contacts[i].law->name);
+  if (scene.solver.method == SolverSettings::Method::exact)
+    for (const std::string &law : without_threshold)
+      results.remarks.push_back("The law '" + law +
+                                "' has no threshold in closed form: the exact "
+                                "method evaluates it as it is, by Newton's method.");
   const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
   results.cost.setup_seconds = timer.wall_time();
 
@@ -134,7 +144,7 @@ int run_case(const RunOptions &options) {
   collector.finish(sequence.state());
   csv->finish();
   results.steps = sequence.reports();
-  results.status = converged                                ? RunStatus::converged
+  results.status = converged                                  ? RunStatus::converged
                    : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
                                                               : RunStatus::failed;
   switch (scene.solver.method) {

@@ -2,8 +2,6 @@
 #include "exact_solver.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <iostream>
 
 namespace frictionbeam {
 
@@ -92,7 +90,6 @@ bool ExactSolver::slides_away(const EquilibriumProblem &problem, const Vector &f
 EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,
                                      ContactResponse &response) {
-  const bool trace = std::getenv("FB_TRACE") != nullptr;
   EquilibriumResult result;
   if (!analyzed) {
     factors.analyze(problem.matrix);
@@ -118,11 +115,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
   for (unsigned int outer = 0; outer < most_outer; ++outer) {
     proximal.stiffness_factor = factor;
     Vector trial = unknowns;
-    const unsigned int before = result.iterations;
     if (!solve_inner(problem, residual, trial, response, result)) {
-      if (trace)
-        std::cerr << "outer " << outer << " c " << factor << " failed after "
-                  << result.iterations - before << ": " << result.remark << '\n';
       if (slides_away(problem, last_forces, response)) {
         result.no_equilibrium = true;
         result.remark = "there is no equilibrium: the loads exceed what friction can hold, and the "
@@ -137,10 +130,6 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     unknowns = trial;
     proximal.centre = response.stress;
     result.check = proximal.check(response, committed);
-    if (trace)
-      std::cerr << "outer " << outer << " c " << factor << " its " << result.iterations - before
-                << " natural map " << result.check->natural_map << " equilibrium "
-                << result.residual << '\n';
     if (result.check->natural_map <= settings.contact_tolerance) {
       if (proximal.let_slipping_go(response))
         continue;

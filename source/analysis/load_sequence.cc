@@ -105,8 +105,7 @@ bool LoadSequence::run_static(const unsigned int step, const Factors &target,
 bool LoadSequence::run_transient(const unsigned int step, const Factors &target,
                                  const Observer &observer) {
   const LoadStep &declared = model.scene.steps[step];
-  const unsigned int n =
-      std::max(1., std::ceil(declared.duration / model.scene.time.step - 1e-9));
+  const unsigned int n = std::max(1., std::ceil(declared.duration / model.scene.time.step - 1e-9));
   const Factors from = current.load_factors;
   const double start = current.time;
   const auto factors_at = [&](const double time) {
@@ -216,8 +215,8 @@ bool LoadSequence::solve_newmark(const EquilibriumProblem &forces, const double 
     effective_step = dt;
     dynamics->matrix_changed();
   }
-  const Vector predicted = current.unknowns + dt * current.velocity +
-                           dt * dt * (0.5 - beta) * current.acceleration;
+  const Vector predicted =
+      current.unknowns + dt * current.velocity + dt * dt * (0.5 - beta) * current.acceleration;
   EquilibriumProblem increment = forces;
   increment.right_hand_side += model.linear.mass() * predicted / (beta * dt * dt);
   increment.time = time;

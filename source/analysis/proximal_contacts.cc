@@ -63,10 +63,9 @@ ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix 
 void ProximalContacts::begin(const ContactState &committed) {
   for (unsigned int i = 0; i < list.size(); ++i)
     if (list[i].is_exact)
-      friction[i] =
-          committed.internal[contacts[i].state_offset + list[i].law.was_slipping] != 0.
-              ? list[i].law.dynamic_friction
-              : list[i].law.static_friction;
+      friction[i] = committed.internal[contacts[i].state_offset + list[i].law.was_slipping] != 0.
+                        ? list[i].law.dynamic_friction
+                        : list[i].law.static_friction;
 }
 
 bool ProximalContacts::let_slipping_go(const ContactResponse &response) {
@@ -218,7 +217,8 @@ ContactCheck ProximalContacts::check(const ContactResponse &response,
         m *= radius / size;
     const double shear = std::hypot(T[0] - moved[0], T[1] - moved[1]);
     const double force = std::hypot(P, std::hypot(T[0], T[1]));
-    double motion = std::max(std::abs(rho_n * gap), P > 0. ? rho_t * std::hypot(slip[0], slip[1]) : 0.);
+    double motion =
+        std::max(std::abs(rho_n * gap), P > 0. ? rho_t * std::hypot(slip[0], slip[1]) : 0.);
     const double scale = std::max({force, motion, 1e-12 * largest});
     if (scale > 0.)
       result.natural_map = std::max(result.natural_map, std::hypot(normal, shear) / scale);
@@ -231,8 +231,8 @@ ContactCheck ProximalContacts::check(const ContactResponse &response,
       const double cross = slip[0] * T[1] - slip[1] * T[0], dot = slip[0] * T[0] + slip[1] * T[1];
       result.slip_angle = std::max(result.slip_angle, std::abs(std::atan2(cross, dot)));
     }
-    result.least_dissipation = std::min(
-        result.least_dissipation, response.state.dissipated[i] - committed.dissipated[i]);
+    result.least_dissipation =
+        std::min(result.least_dissipation, response.state.dissipated[i] - committed.dissipated[i]);
   }
   return result;
 }

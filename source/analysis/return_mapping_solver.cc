@@ -50,9 +50,9 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
     const double size = forces.lpNorm<Eigen::Infinity>();
     const double largest = residual.largest_force(response);
     result.residual = largest > 0. ? size / largest : size;
-    result.converged = !response.failed && size <= residual.tolerance(settings.tolerance,
-                                                                      elastic_diagonal, unknowns,
-                                                                      response);
+    result.converged =
+        !response.failed &&
+        size <= residual.tolerance(settings.tolerance, elastic_diagonal, unknowns, response);
     if (result.converged)
       return result;
     if (response.failed || !(size < 1e30)) {

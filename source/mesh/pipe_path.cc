@@ -43,7 +43,8 @@ PipePath::PipePath(const Pipe &pipe) {
       continue;
     }
     if (leg.norm() == 0.)
-      throw UserError("The " + where(i) + " lies where the run before it begins, so the run has no "
+      throw UserError("The " + where(i) +
+                      " lies where the run before it begins, so the run has no "
                       "length. Remove one of the two points or give a smaller bend radius.");
     const Vector3 t = leg / leg.norm();
     double cut = 0.; // of the leg, by the bend at its end

@@ -35,8 +35,16 @@ double axial_force(const Contact &contact, const double axial_strain, double &ta
          stress[n_support_strains], matrix[n_support_strains * n_support_strains] = {},
          displacement[3] = {axial_strain * contact.length, 0., 0.};
   std::vector<double> zero(contact.law->n_internal_variables + 1, 0.), state(zero);
-  const LawInput input{contact.parameters->data(), strain, rate, displacement, contact.length, 0.,
-                       0., 20., zero.data(), LawTangent::consistent};
+  const LawInput input{contact.parameters->data(),
+                       strain,
+                       rate,
+                       displacement,
+                       contact.length,
+                       0.,
+                       0.,
+                       20.,
+                       zero.data(),
+                       LawTangent::consistent};
   LawOutput output{stress, matrix, state.data(), 0., ContactStatus::none};
   contact.law->law->integrate(input, output);
   tangent = matrix[0];
@@ -178,8 +186,7 @@ void Contacts::evaluate_law(const unsigned int i, const ContactState &committed,
   if (contact.law->law->integrate(input, output) != LawStatus::ok)
     response.failed = true;
   response.status[i] = output.contact;
-  response.state.touch[i] =
-      output.contact == ContactStatus::open ? strain : committed.touch[i];
+  response.state.touch[i] = output.contact == ContactStatus::open ? strain : committed.touch[i];
   response.state.dissipated[i] = committed.dissipated[i] + contact.weight * output.dissipation;
 }
 
@@ -195,9 +202,9 @@ void Contacts::add_forces(const ContactResponse &response, Vector &forces) const
 void Contacts::add_tangent(const ContactResponse &response, SparseMatrix &matrix) const {
   for (unsigned int i = 0; i < list.size(); ++i) {
     const Contact &contact = list[i];
-    const auto local = (contact.weight * contact.B_reduced.transpose() * response.tangent[i] *
-                        contact.B_reduced)
-                           .eval();
+    const auto local =
+        (contact.weight * contact.B_reduced.transpose() * response.tangent[i] * contact.B_reduced)
+            .eval();
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
       for (unsigned int k = 0; k < contact.unknowns.size(); ++k)
         add_to(matrix, contact.unknowns[j], contact.unknowns[k], local(j, k));
@@ -228,8 +235,16 @@ ContactState Contacts::initial_state(const Vector &all_dofs) const {
     const double displacement[3] = {contact.length, strain[1] * contact.length,
                                     strain[2] * contact.length};
     const std::vector<double> zero(contact.law->n_internal_variables + 1, 0.);
-    const LawInput input{contact.parameters->data(), strain.data(), rate.data(), displacement,
-                         contact.length, 0., 0., 20., zero.data(), LawTangent::none};
+    const LawInput input{contact.parameters->data(),
+                         strain.data(),
+                         rate.data(),
+                         displacement,
+                         contact.length,
+                         0.,
+                         0.,
+                         20.,
+                         zero.data(),
+                         LawTangent::none};
     LawOutput output{stress.data(), nullptr, state.internal.data() + contact.state_offset, 0.,
                      ContactStatus::none};
     contact.law->law->integrate(input, output);

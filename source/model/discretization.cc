@@ -18,8 +18,10 @@ double bend_flexibility(const Pipe &pipe, const Section &section, const double b
   if (pipe.bend_flexibility.rule == BendFlexibility::Rule::given)
     return pipe.bend_flexibility.factor;
   if (section.wall == 0.)
-    throw UserError("Pipe " + pipe.name + ": Bend flexibility = code needs the outer diameter and "
-                    "the wall of section '" + section.name +
+    throw UserError("Pipe " + pipe.name +
+                    ": Bend flexibility = code needs the outer diameter and "
+                    "the wall of section '" +
+                    section.name +
                     "', which is given by its area and inertia. Give them, a number, or none.");
   const double r = section.outer_radius - section.wall / 2.;
   return std::max(1., 1.65 * r * r / (section.wall * bend_radius));
@@ -29,7 +31,8 @@ Vector3 resolve(const Direction &direction, const Vector3 &tangent, const std::s
   if (direction.kind == Direction::Kind::global)
     return direction.sign * direction.vector;
   if (tangent.norm() == 0.)
-    throw UserError("Support " + part + " follows the direction of a pipe, and no pipe reaches its "
+    throw UserError("Support " + part +
+                    " follows the direction of a pipe, and no pipe reaches its "
                     "point. Give its direction, or place it on a pipe.");
   const LocalAxes axes(tangent);
   return direction.sign * (direction.kind == Direction::Kind::along ? axes.x : axes.y);
@@ -49,8 +52,9 @@ Table<2, double> section_tangent(const LawDescription &law, const Profile &profi
   const std::vector<double> zero(std::max(n_section_strains, law.n_internal_variables), 0.);
   std::vector<double> stress(n_section_strains), tangent(n_section_strains * n_section_strains),
       state(law.n_internal_variables);
-  const LawInput input{parameters.data(), zero.data(), zero.data(), nullptr, 1., 0.,
-                       0.,                20.,         zero.data(), LawTangent::consistent};
+  const LawInput input{
+      parameters.data(), zero.data(),           zero.data(), nullptr, 1., 0., 0., 20.,
+      zero.data(),       LawTangent::consistent};
   LawOutput output{stress.data(), tangent.data(), state.data(), 0., ContactStatus::none};
   law.law->integrate(input, output);
   Table<2, double> result(n_section_strains, n_section_strains);
@@ -155,7 +159,8 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
           known.try_emplace({p, meshed.bend_radius[i]}, static_cast<unsigned int>(sections.size()));
       if (is_new)
         sections.push_back(make_profile(pipe, scene.sections[pipe.section],
-                                        scene.materials[pipe.material], meshed.bend_radius[i], law));
+                                        scene.materials[pipe.material], meshed.bend_radius[i],
+                                        law));
       cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, entry->second});
       fe_index.push_back(0);
       pipes.push_back({p, i, false});
@@ -176,7 +181,8 @@ void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
       const unsigned int on = mesh.supports[i][site].vertex;
       unsigned int ground;
       if (support.ground.empty()) {
-        const Vector3 normal = resolve(support.normal, mesh.supports[i][site].tangent, support.name);
+        const Vector3 normal =
+            resolve(support.normal, mesh.supports[i][site].tangent, support.name);
         ground = points.size();
         points.push_back(points[on] - support.length * normal);
       } else

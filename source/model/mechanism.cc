@@ -89,9 +89,8 @@ public:
       return;
     Part &part = parts.at(root.find(vertex));
     const Vector3 force({direction[0], direction[1], direction[2]});
-    const Vector3 moment =
-        Vector3({direction[3], direction[4], direction[5]}) +
-        cross_product_3d(Vector3(points[vertex] - Point3(part.centre)), force);
+    const Vector3 moment = Vector3({direction[3], direction[4], direction[5]}) +
+                           cross_product_3d(Vector3(points[vertex] - Point3(part.centre)), force);
     Vector6 row;
     const double scale = part.size > 0. ? part.size : 1.;
     for (unsigned int d = 0; d < 3; ++d) {
@@ -182,8 +181,16 @@ bool resists_sliding(const Contact &contact) {
   double stress[n_support_strains];
   const double displacement[3] = {base * contact.length, e * contact.length, 0.};
   std::vector<double> zero(contact.law->n_internal_variables + 1, 0.), state(zero);
-  const LawInput input{contact.parameters->data(), strain, rate, displacement, contact.length, 0.,
-                       0., 20., zero.data(), LawTangent::none};
+  const LawInput input{contact.parameters->data(),
+                       strain,
+                       rate,
+                       displacement,
+                       contact.length,
+                       0.,
+                       0.,
+                       20.,
+                       zero.data(),
+                       LawTangent::none};
   LawOutput output{stress, nullptr, state.data(), 0., ContactStatus::none};
   contact.law->law->integrate(input, output);
   return stress[1] != 0.;

@@ -8,9 +8,8 @@ namespace frictionbeam {
 using namespace dealii;
 
 PipeElement::PipeElement(const Discretization &discretization)
-    : discretization(discretization),
-      values(discretization.elements()[0], QGauss<1>(2),
-             update_values | update_gradients | update_JxW_values),
+    : discretization(discretization), values(discretization.elements()[0], QGauss<1>(2),
+                                             update_values | update_gradients | update_JxW_values),
       mass_values(discretization.elements()[0], QGauss<1>(4), update_values | update_JxW_values) {}
 
 void PipeElement::reinit(const Discretization::Cell &cell) {

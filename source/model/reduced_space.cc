@@ -34,8 +34,8 @@ std::vector<ReducedSpace::Held> collect(const Scene &scene, const LineMesh &mesh
         if (scene.restraints[i].fixed[c])
           rows.push_back({site.vertex, motion(c)});
       for (const Direction &direction : scene.restraints[i].translations)
-        rows.push_back({site.vertex, translation(resolve(direction, site.tangent,
-                                                         scene.restraints[i].name))});
+        rows.push_back(
+            {site.vertex, translation(resolve(direction, site.tangent, scene.restraints[i].name))});
     }
   for (const Load &load : scene.loads)
     if (load.kind == Load::Kind::displacement)

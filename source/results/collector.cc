@@ -85,8 +85,10 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
       return component < 3 ? builder.support_force(state, i)[component] : 0.;
   const auto point = model.mesh.points.find(quantity.where);
   if (point == model.mesh.points.end())
-    throw UserError("Quantity " + quantity.name + ": there is no point, restraint, spring or "
-                    "support called '" + quantity.where +
+    throw UserError("Quantity " + quantity.name +
+                    ": there is no point, restraint, spring or "
+                    "support called '" +
+                    quantity.where +
                     "'. A repeated support's names are numbered: name.1, name.2, ...");
   return builder.reaction(point->second)[component];
 }
@@ -149,10 +151,10 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
     history.displacement.push_back(builder.motion(state, history.point));
   }
   if (model.scene.exact)
-    largest_error =
-        std::max(largest_error,
-                 std::abs(builder.motion(state, model.scene.exact->point)[model.scene.exact->component] -
-                          model.scene.exact->value(state.time)));
+    largest_error = std::max(
+        largest_error,
+        std::abs(builder.motion(state, model.scene.exact->point)[model.scene.exact->component] -
+                 model.scene.exact->value(state.time)));
 
   for (unsigned int i = 0; i < pending.size(); ++i) {
     const Quantity &quantity = model.scene.quantities[i];
@@ -164,10 +166,12 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
         pending[i].previous = evaluate(quantity, state);
       } else {
         const double now = evaluate(quantity, state);
-        const double part = state.time > previous_time && !start
-                                ? std::min(1., (*quantity.time - previous_time) / (state.time - previous_time))
-                                : 1.;
-        pending[i].value = part == 1. ? now : pending[i].previous + part * (now - pending[i].previous);
+        const double part =
+            state.time > previous_time && !start
+                ? std::min(1., (*quantity.time - previous_time) / (state.time - previous_time))
+                : 1.;
+        pending[i].value =
+            part == 1. ? now : pending[i].previous + part * (now - pending[i].previous);
       }
     } else if (last && (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
       pending[i].value = evaluate(quantity, state);
@@ -203,11 +207,12 @@ void Collector::finish(const LineState &state) {
       results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
       continue;
     }
-    QuantityResult result{quantity.name, unit_of(quantity.what), quantity.source,
-                          *pending[i].value, quantity.reference, {}};
+    QuantityResult result{quantity.name,     unit_of(quantity.what), quantity.source,
+                          *pending[i].value, quantity.reference,     {}};
     if (quantity.reference) {
       const double difference = std::abs(result.value - *quantity.reference);
-      result.error = *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
+      result.error =
+          *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
     }
     results.quantities.push_back(result);
   }

@@ -41,10 +41,10 @@ std::vector<SupportInfo> FrameBuilder::support_infos() const {
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     const FrictionSupport &support = model.scene.supports[contact.support];
-    infos.push_back({instance_name(support.name, contact.site,
-                                   model.mesh.supports[contact.support].size() > 1),
-                     support.kind, model.discretization.vertices()[contact.vertices[0]],
-                     -contact.axes.x, contact.axes.z, contact.axes.y});
+    infos.push_back(
+        {instance_name(support.name, contact.site, model.mesh.supports[contact.support].size() > 1),
+         support.kind, model.discretization.vertices()[contact.vertices[0]], -contact.axes.x,
+         contact.axes.z, contact.axes.y});
   }
   return infos;
 }
@@ -53,12 +53,13 @@ std::vector<RestraintInfo> FrameBuilder::restraint_infos() const {
   std::vector<RestraintInfo> infos;
   for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
     for (unsigned int site = 0; site < model.mesh.restraints[i].size(); ++site)
-      infos.push_back({instance_name(model.scene.restraints[i].name, site,
-                                     model.mesh.restraints[i].size() > 1),
-                       model.scene.restraints[i].kind,
-                       model.mesh.vertices[model.mesh.restraints[i][site].vertex]});
+      infos.push_back(
+          {instance_name(model.scene.restraints[i].name, site, model.mesh.restraints[i].size() > 1),
+           model.scene.restraints[i].kind,
+           model.mesh.vertices[model.mesh.restraints[i][site].vertex]});
   for (const Spring &spring : model.scene.springs)
-    infos.push_back({spring.name, "spring", model.mesh.vertices[model.mesh.points.at(spring.point)]});
+    infos.push_back(
+        {spring.name, "spring", model.mesh.vertices[model.mesh.points.at(spring.point)]});
   return infos;
 }
 
@@ -185,8 +186,7 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
                x / length * (meshed.s[pipe_cell.position + 1] - meshed.s[pipe_cell.position]);
     result.position = begin + x * axes.x;
     const Vector3 F = force - x * load.line_force;
-    const Vector3 M =
-        moment - cross_product_3d(axes.x, x * force - x * x / 2. * load.line_force);
+    const Vector3 M = moment - cross_product_3d(axes.x, x * force - x * x / 2. * load.line_force);
     result.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
     return result;
   };

@@ -80,9 +80,9 @@ private:
 };
 
 /**
- * Go along a direction until the residual, weighed by a positive diagonal so that forces and moments
- * become energies, decreases; where no length does that, a kink lies ahead, and the least bad step
- * crosses it. @return the weighed residual reached, squared.
+ * Go along a direction until the residual, weighed by a positive diagonal so that forces and
+ * moments become energies, decreases; where no length does that, a kink lies ahead, and the least
+ * bad step crosses it. @return the weighed residual reached, squared.
  */
 double search_line(Residual &residual, const Vector &direction, const Vector &diagonal,
                    Vector &unknowns, Vector &forces, ContactResponse &response);

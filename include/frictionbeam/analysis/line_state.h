@@ -10,13 +10,13 @@ namespace frictionbeam {
 
 /// The line at one instant: everything needed to go on from there and to report it.
 struct LineState {
-  Vector unknowns;                   ///< free unknowns q
-  Vector dofs;                       ///< all degrees of freedom u = C q + imposed motions
-  Vector velocity, acceleration;     ///< of the unknowns; zero in statics
-  ContactState contacts;             ///< committed
+  Vector unknowns;               ///< free unknowns q
+  Vector dofs;                   ///< all degrees of freedom u = C q + imposed motions
+  Vector velocity, acceleration; ///< of the unknowns; zero in statics
+  ContactState contacts;         ///< committed
   std::vector<Contact::Strains> contact_stress;
   std::vector<ContactStatus> contact_status;
-  std::vector<double> load_factors;  ///< beside Scene::loads
+  std::vector<double> load_factors; ///< beside Scene::loads
   double time = 0.;
 };
 

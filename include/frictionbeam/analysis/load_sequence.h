@@ -56,8 +56,8 @@ private:
   // of the increment being solved
   Vector trial;
   ContactResponse response;
-  SparseMatrix effective;        ///< stiffness + mass/(beta dt^2)
-  double effective_step = 0.;    ///< dt it was made for; 0: the stiffness
+  SparseMatrix effective;     ///< stiffness + mass/(beta dt^2)
+  double effective_step = 0.; ///< dt it was made for; 0: the stiffness
 };
 
 } // namespace frictionbeam

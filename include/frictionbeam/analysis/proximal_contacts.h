@@ -7,25 +7,26 @@ namespace frictionbeam {
 
 /// How far the contacts are from Signorini's condition and Coulomb's law, each on its own scale.
 struct ContactCheck {
-  /// Largest natural-map residual |r - P(r - rho u)| / max(|r|, rho |u|, 1e-12 of the largest force).
+  /// Largest natural-map residual |r - P(r - rho u)| / max(|r|, rho |u|, 1e-12 of the largest
+  /// force).
   double natural_map = 0.;
-  double penetration = 0.;     ///< largest, rigid part [m]
-  double cone_violation = 0.;  ///< largest (|T| - f N) / max(N, 1e-12 of the largest force)
-  double slip_angle = 0.;      ///< largest angle between slip and friction force [rad]
+  double penetration = 0.;       ///< largest, rigid part [m]
+  double cone_violation = 0.;    ///< largest (|T| - f N) / max(N, 1e-12 of the largest force)
+  double slip_angle = 0.;        ///< largest angle between slip and friction force [rad]
   double least_dissipation = 0.; ///< of one contact in the increment [J]
 };
 
 /**
  * Unilateral contact with Coulomb friction, rigid or on an elastic element, in proximal form.
  *
- * For each contact with compression P, friction force T, gap g (of the rigid part) and slip p of the
- * increment, the laws P = max(0, P - rho g) and T = proj_{fP}(T + rho p) hold for any rho > 0. With a
- * centre (P_c, T_c) the proximal contact replaces g by g + (P - P_c)/rho and p by p - (T - T_c)/rho:
- *   P = max(0, kappa_n (P_c/rho - g_total)),   T = proj_{fP}(kappa_t (s - p_old + T_c/rho)),
- *   1/kappa = 1/rho + 1/k,
- * k the element's own stiffness (infinite if rigid), which is the friction element of 1983 with an
- * initial force; its fixed point (P, T) = (P_c, T_c) is the exact contact, whatever rho is. So rho,
- * the element's numerical stiffness, is a parameter of the method and not of the model.
+ * For each contact with compression P, friction force T, gap g (of the rigid part) and slip p of
+ * the increment, the laws P = max(0, P - rho g) and T = proj_{fP}(T + rho p) hold for any rho > 0.
+ * With a centre (P_c, T_c) the proximal contact replaces g by g + (P - P_c)/rho and p by p - (T -
+ * T_c)/rho: P = max(0, kappa_n (P_c/rho - g_total)),   T = proj_{fP}(kappa_t (s - p_old +
+ * T_c/rho)), 1/kappa = 1/rho + 1/k, k the element's own stiffness (infinite if rigid), which is the
+ * friction element of 1983 with an initial force; its fixed point (P, T) = (P_c, T_c) is the exact
+ * contact, whatever rho is. So rho, the element's numerical stiffness, is a parameter of the method
+ * and not of the model.
  *
  * rho = c k_d, k_d the diagonal of the line's own stiffness at the contact.
  */
@@ -39,11 +40,11 @@ public:
   /// Contacts that began to slip obey their dynamic coefficient. @return whether any changed.
   bool let_slipping_go(const ContactResponse &response);
 
-  double stiffness_factor = 1e-3;              ///< c
-  std::vector<Contact::Strains> centre;        ///< stresses (P_c, T_c), as -N, T
+  double stiffness_factor = 1e-3;       ///< c
+  std::vector<Contact::Strains> centre; ///< stresses (P_c, T_c), as -N, T
 
-  /// As Contacts::evaluate(), with the proximal form of laws that have a threshold and any other law
-  /// as it is.
+  /// As Contacts::evaluate(), with the proximal form of laws that have a threshold and any other
+  /// law as it is.
   void evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
                 const double time_increment, const LawTangent tangent,
                 ContactResponse &response) const;
@@ -51,8 +52,8 @@ public:
   /// Judge forces and displacements by the exact laws, without the proximal term.
   ContactCheck check(const ContactResponse &response, const ContactState &committed) const;
 
-  /// Whether contact @p i, moved at the strain rate @p rate, resists as much as it ever can: it opens,
-  /// or its friction at the threshold opposes the motion, or it does not move.
+  /// Whether contact @p i, moved at the strain rate @p rate, resists as much as it ever can: it
+  /// opens, or its friction at the threshold opposes the motion, or it does not move.
   bool gives_utmost(const unsigned int i, const ContactResponse &response,
                     const Contact::Strains &rate) const;
 

@@ -13,7 +13,7 @@ struct StepReport {
   double contact = 0.;  ///< largest natural-map residual of exact contact, each on its own scale
   bool converged = false;
   bool no_equilibrium = false; ///< proved that there is none
-  std::string remark; ///< why it was cut or stopped, in plain words
+  std::string remark;          ///< why it was cut or stopped, in plain words
 };
 
 } // namespace frictionbeam

@@ -27,7 +27,7 @@ struct Contact {
   Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B;         ///< strains of these
   std::vector<int> unknowns;                                          ///< free ones they depend on
   Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B_reduced; ///< strains of those
-  double platen_force = 0.;  ///< pressed on the ground node [N]
+  double platen_force = 0.; ///< pressed on the ground node [N]
   unsigned int state_offset = 0, support = 0, site = 0;
 
   Strains strain(const Vector &all_dofs) const;

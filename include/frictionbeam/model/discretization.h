@@ -84,8 +84,8 @@ private:
   std::vector<unsigned int> fe_index; ///< of each author's cell
   std::vector<PipeCell> pipes;
   std::vector<SupportCell> supports;
-  std::vector<CellInfo> infos;          ///< by active cell index
-  std::vector<unsigned int> cell_level_index; ///< of each author's cell
+  std::vector<CellInfo> infos;                                      ///< by active cell index
+  std::vector<unsigned int> cell_level_index;                       ///< of each author's cell
   std::vector<std::pair<FE_FrictionBeam::Rotations, bool>> options; ///< of fe[1], fe[2], ...
 };
 
