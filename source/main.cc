@@ -8,6 +8,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <cstdlib>
 #include <iostream>
 
 namespace {
@@ -63,6 +64,8 @@ bool read_command_line(const int argc, char **argv, frictionbeam::RunOptions &op
 
 int main(int argc, char **argv) {
   try {
+    // One process needs no daemon, and with it no network interface; under mpirun it has no effect.
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     frictionbeam::RunOptions options;
     return read_command_line(argc, argv, options) ? run_case(options) : 0;

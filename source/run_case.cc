@@ -143,6 +143,8 @@ int run_case(const RunOptions &options) {
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
   collector.finish(sequence.state());
   csv->finish();
+  if (vtu)
+    vtu->finish();
   results.steps = sequence.reports();
   results.status = converged                                  ? RunStatus::converged
                    : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium

@@ -24,19 +24,22 @@ Tensor<1, 6> motion(const unsigned int component) {
   return row;
 }
 
+/// Add what of a direction is not held yet, as a unit vector.
+void add_orthonormal(Tensor<1, 6> direction, std::vector<Tensor<1, 6>> &held) {
+  for (const Tensor<1, 6> &other : held)
+    direction -= (direction * other) * other;
+  if (direction.norm() > 1e-6)
+    held.push_back(direction / direction.norm());
+}
+
 /// Every direction in which something is held.
 std::vector<ReducedSpace::Held> collect(const Scene &scene, const LineMesh &mesh,
                                         const Discretization &discretization) {
   std::vector<ReducedSpace::Held> rows;
   for (unsigned int i = 0; i < scene.restraints.size(); ++i)
-    for (const Site &site : mesh.restraints[i]) {
-      for (unsigned int c = 0; c < 6; ++c)
-        if (scene.restraints[i].fixed[c])
-          rows.push_back({site.vertex, motion(c)});
-      for (const Direction &direction : scene.restraints[i].translations)
-        rows.push_back(
-            {site.vertex, translation(resolve(direction, site.tangent, scene.restraints[i].name))});
-    }
+    for (const Site &site : mesh.restraints[i])
+      for (const Tensor<1, 6> &direction : held_directions(scene.restraints[i], site))
+        rows.push_back({site.vertex, direction});
   for (const Load &load : scene.loads)
     if (load.kind == Load::Kind::displacement)
       for (const Load::AtPoint &at : load.at)
@@ -101,6 +104,19 @@ struct VertexElimination {
 };
 
 } // namespace
+
+std::vector<Tensor<1, 6>> held_directions(const Restraint &restraint, const Site &site) {
+  std::vector<Tensor<1, 6>> held;
+  for (unsigned int c = 0; c < 6; ++c)
+    if (restraint.fixed[c])
+      held.push_back(motion(c));
+  for (const Direction &direction : restraint.translations) {
+    add_orthonormal(translation(resolve(direction, site.tangent, restraint.name)), held);
+    if (direction.kind == Direction::Kind::across && std::abs(site.tangent[2]) > 1. - 1e-6)
+      add_orthonormal(translation(LocalAxes(site.tangent).z), held);
+  }
+  return held;
+}
 
 ReducedSpace::ReducedSpace(const Scene &scene, const LineMesh &mesh,
                            const Discretization &discretization)

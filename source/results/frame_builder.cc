@@ -128,9 +128,19 @@ Frame FrameBuilder::make(const LineState &state) {
   add_vertex_forces(state);
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
     frame.supports.push_back(support_state(state, i));
-  for (const auto &sites : model.mesh.restraints)
-    for (const Site &site : sites)
-      frame.reactions.push_back(vertex_forces[site.vertex]);
+  // Restraints that share a point each report what acts in their own directions.
+  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
+    for (const Site &site : model.mesh.restraints[i]) {
+      Motion reaction{};
+      for (const Tensor<1, 6> &held : held_directions(model.scene.restraints[i], site)) {
+        double force = 0.;
+        for (unsigned int c = 0; c < 6; ++c)
+          force += held[c] * vertex_forces[site.vertex][c];
+        for (unsigned int c = 0; c < 6; ++c)
+          reaction[c] += force * held[c];
+      }
+      frame.reactions.push_back(reaction);
+    }
   for (const Spring &spring : model.scene.springs)
     frame.reactions.push_back(spring_force(state, spring));
   return frame;

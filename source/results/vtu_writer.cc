@@ -142,17 +142,27 @@ VtuWriter::VtuWriter(const Results &results, const std::string &folder)
 
 void VtuWriter::append(const Frame &frame) {
   char number[16];
-  std::snprintf(number, sizeof(number), "%04zu", line_frames.size());
+  std::snprintf(number, sizeof(number), "%04u", n_frames++);
   if (frame.line.size() > 1) {
     line_frames.emplace_back(frame.time, std::string("vtu/line_") + number + ".vtu");
     write_line(frame, folder + "/" + line_frames.back().second);
-    write_pvd(line_frames, folder + "/results.pvd");
   }
   if (!frame.supports.empty()) {
     support_frames.emplace_back(frame.time, std::string("vtu/supports_") + number + ".vtu");
     write_supports(results.supports, frame, folder + "/" + support_frames.back().second);
-    write_pvd(support_frames, folder + "/supports.pvd");
   }
+  // The collections are written again and again, ever more rarely: their total cost stays linear.
+  if (n_frames >= next_collection) {
+    finish();
+    next_collection = n_frames + n_frames / 10 + 1;
+  }
+}
+
+void VtuWriter::finish() const {
+  if (!line_frames.empty())
+    write_pvd(line_frames, folder + "/results.pvd");
+  if (!support_frames.empty())
+    write_pvd(support_frames, folder + "/supports.pvd");
 }
 
 } // namespace frictionbeam

@@ -10,6 +10,12 @@ namespace frictionbeam {
 using Vector = Eigen::VectorXd;
 
 /**
+ * The directions in which a restraint holds its site, orthonormal motions. A guide holds both
+ * directions across where the pipe is vertical.
+ */
+std::vector<dealii::Tensor<1, 6>> held_directions(const Restraint &restraint, const Site &site);
+
+/**
  * The free unknowns q of a scene: what remains of all degrees of freedom u when restraints, the
  * ground and the motions that a plane scene does not have are taken out, u = C q + imposed. Nothing
  * that is constrained is ever solved for.

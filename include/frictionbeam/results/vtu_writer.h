@@ -14,7 +14,7 @@ namespace frictionbeam {
  *   the pipe in global axes, fn, friction, status (1 stick, 2 slip, 3 open, 4 closed), gap, slip
  * and the work of friction.
  *
- * SI units. The pvd files are complete after every frame. All functions throw UserError if a file
+ * SI units. All functions throw UserError if a file
  * cannot be written.
  */
 class VtuWriter {
@@ -22,12 +22,16 @@ public:
   /// @p results must know its supports and outlive this object.
   VtuWriter(const Results &results, const std::string &folder);
 
-  /// Write @p frame and enter it into the pvd files.
+  /// Write @p frame. The pvd files follow at once while frames are few, then every tenth of them.
   void append(const Frame &frame);
+
+  /// Enter all frames into the pvd files. To be called at the end.
+  void finish() const;
 
 private:
   const Results &results;
   std::string folder;
+  unsigned int n_frames = 0, next_collection = 1;
   std::vector<std::pair<double, std::string>> line_frames, support_frames; ///< time, file
 };
 
