@@ -7,9 +7,9 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double cautious_factor = 1e-3, bold_factor = 1., largest_factor = 100., growth = 10.,
-                 retreat = 30.;
-constexpr unsigned int most_outer = 200, most_failures = 12, most_inner = 15;
+constexpr double cautious_factor = 1e-3, bold_factor = 1., largest_factor = 100.,
+                 first_growth = 10., least_growth = 2., retreat = 30.;
+constexpr unsigned int most_outer = 200, most_failures = 30, most_inner = 15;
 
 } // namespace
 
@@ -111,6 +111,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
   const Vector unknowns_before = unknowns;
   std::vector<ContactStatus> status_before;
   double factor = first_factor;
+  double growth = first_growth;
   unsigned int failures = 0;
   for (unsigned int outer = 0; outer < most_outer; ++outer) {
     proximal.stiffness_factor = factor;
@@ -125,6 +126,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
       if (++failures == most_failures)
         break;
       factor = std::min(cautious_factor, factor / retreat);
+      growth = std::max(least_growth, growth / 2.); // next time more slowly
       continue;
     }
     unknowns = trial;
@@ -135,14 +137,14 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
         continue;
       result.converged = true;
       result.remark.clear();
-      first_factor = failures == 0 ? std::min(growth * first_factor, bold_factor)
-                                   : std::max(first_factor / growth, cautious_factor);
+      first_factor = failures == 0 ? std::min(first_growth * first_factor, bold_factor)
+                                   : std::max(first_factor / first_growth, cautious_factor);
       return result;
     }
     // Once no contact changes its state any more, what remains is nearly linear.
     const bool settled = response.status == status_before;
     status_before = response.status;
-    factor = std::min((settled ? growth : 1.) * growth * factor, largest_factor);
+    factor = std::min((settled && failures == 0 ? growth : 1.) * growth * factor, largest_factor);
   }
   first_factor = cautious_factor;
   proximal.centre = centre_before;

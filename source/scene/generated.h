@@ -22,6 +22,10 @@ void build_oscillator(const ParameterReader &in, const LawLibrary &laws, Scene &
 void declare_friction_bed(ParameterReader &in);
 void build_friction_bed(const ParameterReader &in, const LawLibrary &laws, Scene &scene);
 
+/// A rack of n spans with loops, risers and guides, under weight and heat (section Rack).
+void declare_rack(ParameterReader &in);
+void build_rack(const ParameterReader &in, const LawLibrary &laws, Scene &scene);
+
 /// A Coulomb friction support at given points: friction f, rigidities [N], normal +z.
 FrictionSupport coulomb_support(const LawLibrary &laws, const std::string &name,
                                 const double friction, const double axial_rigidity,

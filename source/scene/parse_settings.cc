@@ -89,7 +89,7 @@ void parse_output(const ParameterReader &in, Scene &scene) {
 
 void declare_global(ParameterReader &in) {
   in.declare_text("Title", "", "any text", "Of the report.");
-  in.declare_choice("Scene", "line", {"line", "slab", "oscillator", "friction bed"},
+  in.declare_choice("Scene", "line", {"line", "slab", "oscillator", "friction bed", "rack"},
                     "line: from the parts in this file; the others are generated from the few "
                     "entries of a section of their own: Slab, Oscillator, Rack.");
   in.declare_text("Law libraries", "", "paths of .so files, separated by commas",

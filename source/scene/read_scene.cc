@@ -29,7 +29,8 @@ struct SceneKind {
 const std::vector<SceneKind> scene_kinds = {
     {"slab", "Slab", &generated::declare_slab, &generated::build_slab},
     {"oscillator", "Oscillator", &generated::declare_oscillator, &generated::build_oscillator},
-    {"friction bed", "Rack", &generated::declare_friction_bed, &generated::build_friction_bed}};
+    {"friction bed", "Rack", &generated::declare_friction_bed, &generated::build_friction_bed},
+    {"rack", "Rack", &generated::declare_rack, &generated::build_rack}};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "generated.h"
+
+#include <frictionbeam/scene/user_error.h>
+
+namespace frictionbeam::generated {
+
+namespace {
+
+/// A route laid cell by cell, with rest supports on the way.
+class Layout {
+public:
+  Layout() { pipe.route.push_back({"start", Point3()}); }
+
+  /// Go on by @p way in @p n_cells equal cells.
+  void lay(const Vector3 &way, const unsigned int n_cells) {
+    const Point3 begin = pipe.route.back().position;
+    for (unsigned int i = 1; i <= n_cells; ++i)
+      pipe.route.push_back({"", begin + static_cast<double>(i) / n_cells * way});
+  }
+
+  void rest() {
+    pipe.route.back().name = "R" + std::to_string(rests.size());
+    rests.push_back(pipe.route.back().name);
+  }
+
+  Pipe pipe;
+  std::vector<std::string> rests;
+};
+
+const Vector3 x({1., 0., 0.}), y({0., 1., 0.}), z({0., 0., 1.});
+
+/// Spans of 6 m; every tenth a loop to alternating sides with a rest on it, every tenth a riser, up
+/// and down in turn.
+void lay_plant_span(const unsigned int i, Layout &layout) {
+  const double turn = (i / 10) % 2 == 0 ? 1. : -1.;
+  if (i % 10 == 9) {
+    layout.lay(3. * turn * y, 4);
+    layout.lay(3. * x, 2);
+    layout.rest();
+    layout.lay(3. * x, 2);
+    layout.lay(-3. * turn * y, 4);
+  } else if (i % 10 == 4) {
+    layout.lay(3. * x, 2);
+    layout.lay(1.5 * turn * z, 2);
+    layout.lay(3. * x, 2);
+  } else
+    layout.lay(6. * x, 4);
+}
+
+/// Spans of 6 m along one line; every tenth a loop to one side without a support on it.
+void lay_planar_span(const unsigned int i, Layout &layout) {
+  if (i % 10 == 9) {
+    layout.lay(3. * y, 4);
+    layout.lay(6. * x, 4);
+    layout.lay(-3. * y, 4);
+  } else
+    layout.lay(6. * x, 4);
+}
+
+LoadStep step(const std::string &name, const unsigned int n_increments, const double heat) {
+  LoadStep result;
+  result.name = name;
+  result.loads = {{0, 1.}};
+  if (heat != 0.)
+    result.loads.emplace_back(1, heat);
+  result.n_increments = n_increments;
+  return result;
+}
+
+} // namespace
+
+void declare_rack(ParameterReader &in) {
+  in.declare_choice(
+      "Kind", "plant", {"plant", "planar"},
+      "Scene = rack. plant: loops to either side and risers; planar: every rest on one line, an "
+      "algebraic stress case.");
+  in.declare_count("Spans", 20, 3, "Scene = rack. n: the line has n - 1 spans of 6 m.");
+  in.declare_count("Guide every", 0, 0,
+                   "Scene = rack. Every so manyth support, from the first, also holds y by a "
+                   "spring of 1e10 N/m; "
+                   "0: none.");
+  in.declare_number("Friction", 0.3, "-", 0., 100.,
+                    "Scene = rack. Friction coefficient of the rests.");
+  in.declare_number(
+      "Stiffness", 0., "N", 0., 1e300,
+      "Scene = rack. Rigidity ES and GS of the friction elements, of length 1 m; 0: rigid.");
+  in.declare_choice("Sequence", "one step", {"one step", "weight heat cool"},
+                    "Scene = rack. All at once, or weight, heat in 10 increments, cool in 10.");
+}
+
+void build_rack(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
+  const bool plant = in.text("Kind") == "plant";
+  const unsigned int n_spans = in.count("Spans") - 1;
+  Layout layout;
+  for (unsigned int i = 0; i < n_spans; ++i) {
+    (plant ? lay_plant_span : lay_planar_span)(i, layout);
+    if (i + 1 < n_spans)
+      layout.rest();
+  }
+  layout.pipe.name = "pipe";
+  layout.pipe.route.back().name = "end";
+
+  constexpr double pi = 3.14159265358979323846, nu = 0.3, outer = 0.3239 / 2., wall = 0.0095;
+  constexpr double inner = outer - wall;
+  scene.materials = {{"steel", 2e11, nu, 7850., 1.2e-5}};
+  Section section;
+  section.name = "pipe";
+  section.outer_radius = outer;
+  section.wall = wall;
+  section.area = pi * (outer * outer - inner * inner);
+  section.inertia = pi / 4. * (outer * outer * outer * outer - inner * inner * inner * inner);
+  section.torsion_constant = 2. * section.inertia;
+  section.shear_area = 2. * (1. + nu) / (4. + 3. * nu) * section.area; // thin tube, Cowper
+  section.added_mass = 100.;
+  scene.sections = {section};
+  scene.pipes = {layout.pipe};
+
+  Restraint anchors;
+  anchors.name = "anchors";
+  anchors.kind = "anchor";
+  anchors.fixed.fill(true);
+  anchors.placement.points = {"start", "end"};
+  scene.restraints = {anchors};
+
+  const double rigidity = in.number("Stiffness");
+  FrictionSupport rests =
+      coulomb_support(laws, "rests", in.number("Friction"), rigidity, rigidity, 0.);
+  rests.placement.points = layout.rests;
+  scene.supports = {rests};
+  if (const unsigned int every = in.count("Guide every"); every > 0)
+    for (unsigned int i = 0; i < layout.rests.size(); i += every)
+      scene.springs.push_back({"guide_" + layout.rests[i], layout.rests[i], "", {0., 1e10}});
+
+  Load weight, hot;
+  weight.name = "weight";
+  weight.vector = -9.81 * z;
+  hot.name = "hot";
+  hot.kind = Load::Kind::temperature;
+  hot.value = 100.;
+  scene.loads = {weight, hot};
+  if (in.text("Sequence") == "one step")
+    scene.steps = {step("weight_and_heat", 1, 1.)};
+  else
+    scene.steps = {step("weight", 1, 0.), step("heat", 10, 1.), step("cool", 10, 0.)};
+  for (const char *const what : {"sum_normal", "sum_friction", "n_stick", "n_slip", "n_open"}) {
+    Quantity quantity;
+    quantity.name = quantity.what = what;
+    scene.quantities.push_back(quantity);
+  }
+}
+
+} // namespace frictionbeam::generated
