@@ -150,11 +150,13 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
     history.time.push_back(state.time);
     history.displacement.push_back(builder.motion(state, history.point));
   }
-  if (model.scene.exact)
-    largest_error = std::max(
-        largest_error,
-        std::abs(builder.motion(state, model.scene.exact->point)[model.scene.exact->component] -
-                 model.scene.exact->value(state.time)));
+  if (model.scene.exact) {
+    const ExactHistory &exact = *model.scene.exact;
+    const double error = std::abs(builder.motion(state, exact.point)[exact.component] -
+                                  exact.value(state.time)),
+                 scale = exact.largest > 0. ? exact.largest : 1.;
+    largest_error = std::max(largest_error, error / scale);
+  }
 
   for (unsigned int i = 0; i < pending.size(); ++i) {
     const Quantity &quantity = model.scene.quantities[i];
@@ -207,8 +209,14 @@ void Collector::finish(const LineState &state) {
       results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
       continue;
     }
-    QuantityResult result{quantity.name,     unit_of(quantity.what), quantity.source,
-                          *pending[i].value, quantity.reference,     {}};
+    const bool relative =
+        quantity.what == "max_error" && model.scene.exact && model.scene.exact->largest > 0.;
+    QuantityResult result{quantity.name,
+                          relative ? "-" : unit_of(quantity.what),
+                          quantity.source,
+                          *pending[i].value,
+                          quantity.reference,
+                          {}};
     if (quantity.reference) {
       const double difference = std::abs(result.value - *quantity.reference);
       result.error =

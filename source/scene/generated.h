@@ -26,12 +26,39 @@ void build_friction_bed(const ParameterReader &in, const LawLibrary &laws, Scene
 void declare_rack(ParameterReader &in);
 void build_rack(const ParameterReader &in, const LawLibrary &laws, Scene &scene);
 
-/// A Coulomb friction support at given points: friction f, rigidities [N], normal +z.
+/// A random line, the same for a seed on every machine (section Random).
+void declare_random(ParameterReader &in);
+void build_random(const ParameterReader &in, const LawLibrary &laws, Scene &scene);
+
+// Parts that several of them are made of.
+
+/// Entry Expansion, which both kinds of scenes with a section Rack have.
+void declare_expansion(ParameterReader &in);
+
+/// A Coulomb friction support without a place yet: friction f, rigidities [N] (0: rigid), normal
+/// +z, normal force of a platen [N] (0: none).
 FrictionSupport coulomb_support(const LawLibrary &laws, const std::string &name,
                                 const double friction, const double axial_rigidity,
                                 const double shear_rigidity, const double normal_force);
 
 /// A restraint that holds ux.
 Restraint hold_ux(const std::string &name, const std::string &point);
+
+/// A restraint that holds all six motions.
+Restraint anchor(const std::string &name, const std::vector<std::string> &points);
+
+/// A pipe of outer diameter and wall [m], shear area over area, added mass [kg/m].
+Section pipe_section(const std::string &name, const double outer_diameter, const double wall,
+                     const double shear_coefficient, const double added_mass);
+
+Load weight_load();                                                ///< 9.81 m/s2 downwards
+Load temperature_load(const std::string &name, const double rise); ///< [K]
+
+LoadStep static_step(const std::string &name,
+                     const std::vector<std::pair<unsigned int, double>> &loads,
+                     const unsigned int n_increments);
+
+/// Sums of forces over all friction supports and numbers of supports by status, at the end.
+std::vector<Quantity> sums_over_supports();
 
 } // namespace frictionbeam::generated

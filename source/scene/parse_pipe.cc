@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace frictionbeam::parts {
 
 std::vector<std::string> point_names(const Scene &scene) {
   std::vector<std::string> result = names(scene.points);
+  std::set<std::string> known(result.begin(), result.end());
   for (const Pipe &pipe : scene.pipes)
     for (const RoutePoint &point : pipe.route)
-      if (!point.name.empty() && std::count(result.begin(), result.end(), point.name) == 0)
+      if (!point.name.empty() && known.insert(point.name).second)
         result.push_back(point.name);
   return result;
 }

@@ -47,7 +47,8 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
       in.find(entry, where, supports, "friction support");
   } else if (what == "max_error") {
     if (!scene.exact)
-      in.fail(entry, "max_error in scenes with an exact solution", "Scene = oscillator");
+      in.fail(entry, "max_error in scenes with an exact solution",
+              "Scene = oscillator, or slab with Sequence = cycle");
   } else if (!where.empty())
     in.find(entry, where, supports, "friction support");
 }

@@ -31,14 +31,17 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
 }
 
 void declare_solver(ParameterReader &in) {
-  in.declare_choice("Method", "exact", {"elastic", "newton", "exact"},
-                    "exact: Signorini's condition and Coulomb's law without a stiffness to choose, in "
-                    "static steps (transient ones take newton); elastic: the elastic stiffness kept, residual forces sent back, as TEDEL did; "
-                    "newton: consistent tangent, line search, increments halved where needed.");
+  in.declare_choice(
+      "Method", "exact", {"elastic", "newton", "exact"},
+      "exact: Signorini's condition and Coulomb's law without a stiffness to choose, in "
+      "static steps (transient ones take newton); elastic: the elastic stiffness kept, residual "
+      "forces sent back, as TEDEL did; "
+      "newton: consistent tangent, line search, increments halved where needed.");
   in.declare_number("Tolerance", 1e-10, "-", positive, 1.,
                     "Of the residual, relative to the largest force.");
-  in.declare_number("Contact tolerance", 1e-9, "-", positive, 1.,
-                    "Of exact: how far the contact laws may be missed, each contact on its own scale.");
+  in.declare_number(
+      "Contact tolerance", 1e-9, "-", positive, 1.,
+      "Of exact: how far the contact laws may be missed, each contact on its own scale.");
   in.declare_count("Max iterations", 50, 1, "Of newton, in one increment.");
   in.declare_count("Max elastic iterations", 10000, 1, "Of elastic, in one increment.");
   in.declare_count("Max halvings", 10, 0, "How often an increment that fails may be halved.");
@@ -89,9 +92,10 @@ void parse_output(const ParameterReader &in, Scene &scene) {
 
 void declare_global(ParameterReader &in) {
   in.declare_text("Title", "", "any text", "Of the report.");
-  in.declare_choice("Scene", "line", {"line", "slab", "oscillator", "friction bed", "rack"},
+  in.declare_choice("Scene", "line",
+                    {"line", "slab", "oscillator", "friction bed", "rack", "random"},
                     "line: from the parts in this file; the others are generated from the few "
-                    "entries of a section of their own: Slab, Oscillator, Rack.");
+                    "entries of a section of their own: Slab, Oscillator, Rack, Random.");
   in.declare_text("Law libraries", "", "paths of .so files, separated by commas",
                   "Shared libraries with laws of your own, from the parameter file's folder or the "
                   "folder the program runs in.");

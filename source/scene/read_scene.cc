@@ -30,7 +30,8 @@ const std::vector<SceneKind> scene_kinds = {
     {"slab", "Slab", &generated::declare_slab, &generated::build_slab},
     {"oscillator", "Oscillator", &generated::declare_oscillator, &generated::build_oscillator},
     {"friction bed", "Rack", &generated::declare_friction_bed, &generated::build_friction_bed},
-    {"rack", "Rack", &generated::declare_rack, &generated::build_rack}};
+    {"rack", "Rack", &generated::declare_rack, &generated::build_rack},
+    {"random", "Random", &generated::declare_random, &generated::build_random}};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -294,7 +295,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
          "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"
          "# sum_normal sum_friction [N] n_stick n_slip n_open of all friction supports or of one\n"
-         "# part; max_error [m] in scenes with an exact solution. |what| is its absolute value.\n"
+         "# part; max_error [m, or relative] in scenes with an exact solution. |what| is its "
+         "absolute value.\n"
          "# Without a step, the last one is meant; without a time, the end of the step.\n";
   const ParameterFile empty;
   ParameterReader in(empty);

@@ -54,7 +54,7 @@ void declare_friction_bed(ParameterReader &in) {
                     "Length of the pipe over its active length EA alpha theta/f.");
   in.declare_count("Supports", 4000, 2, "Along the pipe, each in the middle of its share of it.");
   in.declare_number("EA", 6.88e8, "N", positive, 1e300, "Axial stiffness of the pipe.");
-  in.declare_number("Expansion", 1.2e-5, "1/K", positive, 1., "Coefficient alpha of the pipe.");
+  declare_expansion(in);
   in.declare_number("Temperature rise", 60., "K", positive, 1e300, "theta.");
   in.declare_number("Friction per length", 240., "N/m", positive, 1e300,
                     "f, friction coefficient times weight per length.");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "generated.h"
 
-#include <frictionbeam/scene/user_error.h>
-
 namespace frictionbeam::generated {
 
 namespace {
@@ -58,28 +56,16 @@ void lay_planar_span(const unsigned int i, Layout &layout) {
     layout.lay(6. * x, 4);
 }
 
-LoadStep step(const std::string &name, const unsigned int n_increments, const double heat) {
-  LoadStep result;
-  result.name = name;
-  result.loads = {{0, 1.}};
-  if (heat != 0.)
-    result.loads.emplace_back(1, heat);
-  result.n_increments = n_increments;
-  return result;
-}
-
 } // namespace
 
 void declare_rack(ParameterReader &in) {
-  in.declare_choice(
-      "Kind", "plant", {"plant", "planar"},
-      "Scene = rack. plant: loops to either side and risers; planar: every rest on one line, an "
-      "algebraic stress case.");
+  in.declare_choice("Kind", "plant", {"plant", "planar"},
+                    "Scene = rack. plant: loops to either side and risers; planar: every rest on "
+                    "one line, an algebraic stress case.");
   in.declare_count("Spans", 20, 3, "Scene = rack. n: the line has n - 1 spans of 6 m.");
   in.declare_count("Guide every", 0, 0,
                    "Scene = rack. Every so manyth support, from the first, also holds y by a "
-                   "spring of 1e10 N/m; "
-                   "0: none.");
+                   "spring of 1e10 N/m; 0: none.");
   in.declare_number("Friction", 0.3, "-", 0., 100.,
                     "Scene = rack. Friction coefficient of the rests.");
   in.declare_number(
@@ -87,6 +73,18 @@ void declare_rack(ParameterReader &in) {
       "Scene = rack. Rigidity ES and GS of the friction elements, of length 1 m; 0: rigid.");
   in.declare_choice("Sequence", "one step", {"one step", "weight heat cool"},
                     "Scene = rack. All at once, or weight, heat in 10 increments, cool in 10.");
+  in.declare_number("Outer diameter", 0.3239, "m", positive, 1e300, "Scene = rack. Of the pipe.");
+  in.declare_number("Wall", 0.0095, "m", positive, 1e300,
+                    "Scene = rack. Thickness, at most half the outer diameter.");
+  in.declare_number("Young's modulus", 2e11, "Pa", positive, 1e300, "Scene = rack.");
+  in.declare_number("Poisson's ratio", 0.3, "-", -1., 0.5,
+                    "Scene = rack. The shear area is that of a thin tube, 2 (1 + nu)/(4 + 3 nu) "
+                    "of the area.");
+  in.declare_number("Density", 7850., "kg/m3", 0., 1e300, "Scene = rack. Of the metal.");
+  in.declare_number("Contents", 100., "kg/m", 0., 1e300, "Scene = rack. Mass of the contents.");
+  declare_expansion(in);
+  in.declare_number("Heating", 100., "K", -1e300, 1e300,
+                    "Scene = rack. Rise of the temperature in operation.");
 }
 
 void build_rack(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
@@ -101,27 +99,17 @@ void build_rack(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
   layout.pipe.name = "pipe";
   layout.pipe.route.back().name = "end";
 
-  constexpr double pi = 3.14159265358979323846, nu = 0.3, outer = 0.3239 / 2., wall = 0.0095;
-  constexpr double inner = outer - wall;
-  scene.materials = {{"steel", 2e11, nu, 7850., 1.2e-5}};
-  Section section;
-  section.name = "pipe";
-  section.outer_radius = outer;
-  section.wall = wall;
-  section.area = pi * (outer * outer - inner * inner);
-  section.inertia = pi / 4. * (outer * outer * outer * outer - inner * inner * inner * inner);
-  section.torsion_constant = 2. * section.inertia;
-  section.shear_area = 2. * (1. + nu) / (4. + 3. * nu) * section.area; // thin tube, Cowper
-  section.added_mass = 100.;
-  scene.sections = {section};
+  const double nu = in.number("Poisson's ratio"), diameter = in.number("Outer diameter");
+  if (in.number("Wall") > diameter / 2.)
+    in.fail("Wall", "at most half the outer diameter, " + to_text(diameter / 2.) + " m",
+            "metres, not millimetres");
+  scene.materials = {
+      {"steel", in.number("Young's modulus"), nu, in.number("Density"), in.number("Expansion")}};
+  scene.sections = {pipe_section("pipe", diameter, in.number("Wall"),
+                                 2. * (1. + nu) / (4. + 3. * nu), // G. R. Cowper (1966), thin tube
+                                 in.number("Contents"))};
   scene.pipes = {layout.pipe};
-
-  Restraint anchors;
-  anchors.name = "anchors";
-  anchors.kind = "anchor";
-  anchors.fixed.fill(true);
-  anchors.placement.points = {"start", "end"};
-  scene.restraints = {anchors};
+  scene.restraints = {anchor("anchors", {"start", "end"})};
 
   const double rigidity = in.number("Stiffness");
   FrictionSupport rests =
@@ -132,22 +120,13 @@ void build_rack(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
     for (unsigned int i = 0; i < layout.rests.size(); i += every)
       scene.springs.push_back({"guide_" + layout.rests[i], layout.rests[i], "", {0., 1e10}});
 
-  Load weight, hot;
-  weight.name = "weight";
-  weight.vector = -9.81 * z;
-  hot.name = "hot";
-  hot.kind = Load::Kind::temperature;
-  hot.value = 100.;
-  scene.loads = {weight, hot};
+  scene.loads = {weight_load(), temperature_load("hot", in.number("Heating"))};
   if (in.text("Sequence") == "one step")
-    scene.steps = {step("weight_and_heat", 1, 1.)};
+    scene.steps = {static_step("weight_and_heat", {{0, 1.}, {1, 1.}}, 1)};
   else
-    scene.steps = {step("weight", 1, 0.), step("heat", 10, 1.), step("cool", 10, 0.)};
-  for (const char *const what : {"sum_normal", "sum_friction", "n_stick", "n_slip", "n_open"}) {
-    Quantity quantity;
-    quantity.name = quantity.what = what;
-    scene.quantities.push_back(quantity);
-  }
+    scene.steps = {static_step("weight", {{0, 1.}}, 1), static_step("heat", {{0, 1.}, {1, 1.}}, 10),
+                   static_step("cool", {{0, 1.}}, 10)};
+  scene.quantities = sums_over_supports();
 }
 
 } // namespace frictionbeam::generated

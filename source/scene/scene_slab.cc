@@ -5,51 +5,21 @@
 
 namespace frictionbeam::generated {
 
-FrictionSupport coulomb_support(const LawLibrary &laws, const std::string &name,
-                                const double friction, const double axial_rigidity,
-                                const double shear_rigidity, const double normal_force) {
-  const LawDescription &law = laws.find("coulomb");
-  FrictionSupport support;
-  support.name = name;
-  support.kind = "friction";
-  support.law = law.name;
-  support.parameters = default_parameters(law);
-  support.parameters[parameter_index(law, "Friction coefficient")] = friction;
-  support.parameters[parameter_index(law, "Axial rigidity")] = axial_rigidity;
-  support.parameters[parameter_index(law, "Shear rigidity")] = shear_rigidity;
-  support.normal.vector[2] = 1.;
-  support.normal_force = normal_force;
-  return support;
-}
-
-Restraint hold_ux(const std::string &name, const std::string &point) {
-  Restraint restraint;
-  restraint.name = name;
-  restraint.kind = "restraint";
-  restraint.placement.points = {point};
-  restraint.fixed[0] = true;
-  return restraint;
-}
-
 namespace {
 
 /// The slab as n bars of stiffness c on n+1 friction springs: stiffness K and bound Q, half of
-/// either at the two ends.
+/// either at the two ends. K = 0 stands for rigid springs.
 struct DiscreteSlab {
   unsigned int n;
-  double c, K, Q, force;
+  double c, K, Q;
   bool far_end_fixed;
 
   double weight(const unsigned int i) const { return i == 0 || i == n ? 0.5 : 1.; }
+  unsigned int n_springs() const { return far_end_fixed ? n : n + 1; }
 
-  /**
-   * Displacement of the pushed end, exact, for a force that grows from zero. Nodes 0 .. m-1 slip;
-   * what sticks from node m on acts on m as one spring, made from the far end by sums of positive
-   * numbers only, so that no cosh overflows. The first m whose spring force stays within the bound
-   * is the solution. Empty if nothing can hold the slab.
-   */
-  std::optional<double> pushed_end() const {
-    // stiffness[m]: force at node m per displacement there, with nodes m .. n sticking.
+  /// Force at node m per displacement there, with nodes m .. n sticking: a tridiagonal system
+  /// eliminated from the far end, by sums of positive numbers only, so that no cosh overflows.
+  std::vector<double> stiffness_of_rest() const {
     std::vector<double> stiffness(n + 1);
     if (far_end_fixed)
       stiffness[n - 1] = weight(n - 1) * K + c;
@@ -59,19 +29,29 @@ struct DiscreteSlab {
     }
     for (unsigned int i = n - 1; i-- > 0;)
       stiffness[i] = weight(i) * K + c * stiffness[i + 1] / (c + stiffness[i + 1]);
+    return stiffness;
+  }
 
-    const unsigned int n_springs = far_end_fixed ? n : n + 1;
+  /**
+   * Displacement of the pushed end, exact, for a force >= 0 that grows from zero. Nodes 0 .. m-1
+   * slip; what sticks from node m on acts on m as one spring, and the first m whose spring force
+   * stays within the bound is the solution. Rigid springs: node m is where the rest of the force
+   * stays within the bound, and does not move. Empty if nothing can hold the slab.
+   */
+  std::optional<double> pushed_end(const double force) const {
+    const bool rigid = K == 0.;
+    const std::vector<double> stiffness = rigid ? std::vector<double>() : stiffness_of_rest();
     std::vector<double> bar_force; // right of each slipping node
     double force_at_m = force, u = 0.;
     unsigned int m = 0;
-    for (; m < n_springs; ++m) {
-      u = force_at_m / stiffness[m];
-      if (K * u <= Q)
+    for (; m < n_springs(); ++m) {
+      u = rigid ? 0. : force_at_m / stiffness[m];
+      if (rigid ? force_at_m <= weight(m) * Q : K * u <= Q)
         break;
       force_at_m -= weight(m) * Q;
       bar_force.push_back(force_at_m);
     }
-    if (m == n_springs) {
+    if (m == n_springs()) {
       if (!far_end_fixed)
         return std::nullopt;
       u = 0.;
@@ -82,12 +62,25 @@ struct DiscreteSlab {
   }
 };
 
+/**
+ * Displacement of the pushed end while the force goes 0, F, -F, F evenly in times of 1 s, by
+ * Masing's rule, which is exact for springs of constant bound: from a reversal at F on,
+ * u(F - dF) = u(F) - 2 u_virgin(dF/2), and likewise from -F. F must be one that friction holds.
+ */
+double cycled_end(const DiscreteSlab &slab, const double force, const double time) {
+  const double at_reversal = *slab.pushed_end(force);
+  if (time <= 1.)
+    return *slab.pushed_end(force * time);
+  return time <= 2. ? at_reversal - 2. * *slab.pushed_end(force * (time - 1.))
+                    : -at_reversal + 2. * *slab.pushed_end(force * (time - 2.));
+}
+
 } // namespace
 
 void declare_slab(ParameterReader &in) {
   in.declare_number("Force", 12., "N", 0., 1e300, "At the end x = 0, towards +x.");
-  in.declare_number("GS", 1e6, "N", positive, 1e300,
-                    "Shear rigidity of a friction element, which is 1 m long.");
+  in.declare_number("GS", 1e6, "N", 0., 1e300,
+                    "Shear rigidity of a friction element, which is 1 m long; 0: rigid.");
   in.declare_count("Elements", 16, 1, "Of the slab; a friction element at every node.");
   in.declare_number("Length", 8., "m", positive, 1e300, "Of the slab, along x.");
   in.declare_number("Width", 1., "m", positive, 1e300, "Of the slab.");
@@ -96,7 +89,9 @@ void declare_slab(ParameterReader &in) {
   in.declare_number("Friction", 0.3, "-", 0., 100., "Coefficient of the surface.");
   in.declare_number("Young's modulus", 1000., "Pa", positive, 1e300, "Of the slab.");
   in.declare_choice("Far end", "free", {"free", "fixed"}, "The end at x = Length.");
-  in.declare_count("Increments", 10, 1, "In which the force grows.");
+  in.declare_choice("Sequence", "push", {"push", "cycle"},
+                    "push: the force grows from 0; cycle: from 0 to Force, to -Force, to Force.");
+  in.declare_count("Increments", 10, 1, "Of the push, of each leg of the cycle.");
 }
 
 void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
@@ -141,23 +136,34 @@ void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
   push.kind = Load::Kind::force;
   push.at = {{"P0", {{force, 0., 0., 0., 0., 0.}}, {}}};
   scene.loads = {push};
-  LoadStep step;
-  step.name = "push";
-  step.loads = {{0, 1.}};
-  step.n_increments = in.count("Increments");
-  scene.steps = {step};
+  const unsigned int n_increments = in.count("Increments");
+  const bool cycle = in.text("Sequence") == "cycle";
+  scene.steps = {static_step("push", {{0, 1.}}, n_increments)};
+  if (cycle) {
+    scene.steps.push_back(static_step("pull", {{0, -1.}}, n_increments));
+    scene.steps.push_back(static_step("push_again", {{0, 1.}}, n_increments));
+  }
 
+  const DiscreteSlab slab{n, E * section.area / h, GS, friction * normal_force, far_end_fixed};
   Quantity u_0;
   u_0.name = "u_0";
   u_0.what = "ux";
   u_0.where = "P0";
-  u_0.reference =
-      DiscreteSlab{n, E * section.area / h, GS, friction * normal_force, force, far_end_fixed}
-          .pushed_end();
+  u_0.reference = slab.pushed_end(force);
   u_0.source = "exact solution of the discrete model, bars on friction springs";
   scene.quantities = {u_0};
   if (!u_0.reference)
     scene.remarks.push_back("The force exceeds what friction can hold: there is no equilibrium.");
+  else if (cycle) {
+    scene.exact = ExactHistory{
+        "P0", 0, [=](const double time) { return cycled_end(slab, force, time); }, *u_0.reference};
+    Quantity error;
+    error.name = error.what = "max_error";
+    error.where = "P0";
+    error.reference = 0.;
+    error.source = "exact solution of the discrete model by Masing's rule";
+    scene.quantities.push_back(error);
+  }
 }
 
 } // namespace frictionbeam::generated

@@ -178,6 +178,7 @@ struct ExactHistory {
   std::string point;
   unsigned int component = 0;
   std::function<double(const double)> value;
+  double largest = 0.; ///< errors are relative to this value [m]; 0: they are in metres
 };
 
 struct MeshSettings {
