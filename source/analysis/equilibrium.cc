@@ -26,6 +26,10 @@ Vector Residual::operator()(const Vector &unknowns, const LawTangent tangent,
   space.expand(unknowns, dofs);
   dofs += problem.imposed;
   evaluate(dofs, tangent, response);
+  return with_stress(unknowns, response);
+}
+
+Vector Residual::with_stress(const Vector &unknowns, const ContactResponse &response) const {
   Vector forces = Vector::Zero(unknowns.size());
   contacts.add_forces(response, forces);
   return problem.right_hand_side - problem.matrix * unknowns - forces;

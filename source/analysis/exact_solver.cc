@@ -2,154 +2,135 @@
 #include "exact_solver.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 namespace frictionbeam {
 
 namespace {
 
-constexpr double cautious_factor = 1e-3, bold_factor = 1., largest_factor = 100.,
-                 first_growth = 10., least_growth = 2., retreat = 30.;
-constexpr unsigned int most_outer = 200, most_failures = 30, most_inner = 15;
+// Newton's method on displacements and forces together, from the start of the increment.
+constexpr std::array<double, 4> factors_together = {1e-3, 1e-4, 1e-2, 1e-5};
+unsigned int most_together = 30;
+// Proximal steps.
+constexpr double first_proximal = 1e-3, largest_factor = 100., first_growth = 10.,
+                 least_growth = 2., retreat = 30.;
+constexpr unsigned int most_outer = 60, most_failures = 20, most_to_finish = 15;
+constexpr unsigned int most_refinements = 5;
 
 } // namespace
 
 ExactSolver::ExactSolver(const SolverSettings &settings, const Contacts &contacts,
                          const ReducedSpace &space, const SparseMatrix &stiffness)
-    : settings(settings), contacts(contacts), space(space), proximal(contacts, stiffness) {}
-
-bool ExactSolver::solve_inner(const EquilibriumProblem &problem, Residual &residual,
-                              Vector &unknowns, ContactResponse &response,
-                              EquilibriumResult &result) {
-  Vector forces = residual(unknowns, LawTangent::consistent, response);
-  for (unsigned int iteration = 0;; ++iteration) {
-    const double size = forces.lpNorm<Eigen::Infinity>();
-    const double largest = residual.largest_force(response);
-    result.residual = largest > 0. ? size / largest : size;
-    if (response.failed || !(size < 1e30)) {
-      result.remark = response.failed ? "a law had no answer" : "the iteration diverges";
-      return false;
-    }
-    if (size <= residual.tolerance(settings.tolerance, diagonal, unknowns, response))
-      return true;
-    last_forces = forces;
-    if (iteration == most_inner) {
-      result.remark = "no convergence in " + std::to_string(most_inner) + " iterations";
-      return false;
-    }
-    ++result.iterations;
-    if (!factor(problem, forces, response, result))
-      return false;
-    search_line(residual, factors.solve(forces), diagonal, unknowns, forces, response);
-  }
-}
-
-bool ExactSolver::factor(const EquilibriumProblem &problem, const Vector &forces,
-                         const ContactResponse &response, EquilibriumResult &result) {
-  tangent = problem.matrix;
-  contacts.add_tangent(response, tangent);
-  ++result.factorizations;
-  if (factors.factorize(tangent))
-    return true;
-  result.remark = "the tangent is singular";
-  if (slides_away(problem, forces, response))
-    return false;
-  tangent = problem.matrix;
-  contacts.add_tangent(response, tangent);
-  for (const double shift : {1e-9, 1e-6}) {
-    for (int i = 0; i < tangent.rows(); ++i)
-      add_to(tangent, i, i, shift * diagonal[i]);
-    ++result.factorizations;
-    if (factors.factorize(tangent))
-      return true;
-  }
-  return false;
-}
-
-bool ExactSolver::slides_away(const EquilibriumProblem &problem, const Vector &forces,
-                              const ContactResponse &response) {
-  constexpr double shift = 1e-9;
-  tangent = problem.matrix;
-  for (int i = 0; i < tangent.rows(); ++i)
-    add_to(tangent, i, i, shift * diagonal[i]);
-  if (!factors.factorize(tangent))
-    return false;
-  const Vector motion = factors.solve(forces);
-  const double work = forces.dot(motion);
-  if (!(work > 0.) || motion.dot(problem.matrix * motion) > 1e-3 * work)
-    return false;
-  for (unsigned int i = 0; i < contacts.size(); ++i) {
-    Contact::Strains rate = Contact::Strains::Zero();
-    for (unsigned int j = 0; j < contacts[i].unknowns.size(); ++j)
-      rate += motion[contacts[i].unknowns[j]] * contacts[i].B_reduced.col(j);
-    if (!proximal.gives_utmost(i, response, rate))
-      return false;
-  }
-  return true;
-}
+    : settings(settings), contacts(contacts), space(space), line(stiffness, contacts),
+      proximal(contacts, stiffness), newton(settings, contacts, line, proximal),
+      diagonal(stiffness.diagonal()), first_factor(factors_together.front()) {}
 
 EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,
                                      ContactResponse &response) {
   EquilibriumResult result;
-  if (!analyzed) {
-    factors.analyze(problem.matrix);
-    diagonal = problem.matrix.diagonal();
-    double mean = diagonal.sum() / diagonal.size();
-    if (!(mean > 0.))
-      mean = 1.;
-    for (double &d : diagonal)
-      d = d > 0. ? d : mean;
-    analyzed = true;
-  }
   proximal.begin(committed);
-  Residual residual(problem, contacts, space,
-                    [&](const Vector &dofs, const LawTangent wanted, ContactResponse &r) {
-                      proximal.evaluate(dofs, committed, problem.time, problem.time_increment,
-                                        wanted, r);
-                    });
+  const Residual residual(problem, contacts, space, {});
   const auto centre_before = proximal.centre;
   const Vector unknowns_before = unknowns;
-  std::vector<ContactStatus> status_before;
-  double factor = first_factor;
-  double growth = first_growth;
-  unsigned int failures = 0;
-  for (unsigned int outer = 0; outer < most_outer; ++outer) {
-    proximal.stiffness_factor = factor;
-    Vector trial = unknowns;
-    if (!solve_inner(problem, residual, trial, response, result)) {
-      if (slides_away(problem, last_forces, response)) {
-        result.no_equilibrium = true;
+  Vector dofs;
+  for (unsigned int pass = 0; pass <= most_refinements; ++pass) {
+    space.expand(unknowns, dofs);
+    dofs += problem.imposed;
+    const Vector forces = problem.right_hand_side - problem.matrix * unknowns;
+    newton.begin(forces, problem.right_hand_side.lpNorm<Eigen::Infinity>(), dofs, committed,
+                 problem.time, problem.time_increment);
+    Vector x = Vector::Zero(line.n_kept());
+    const Outcome outcome = solve_contacts(x, response, result);
+    if (outcome != Outcome::solved) {
+      result.no_equilibrium = outcome == Outcome::slides_away;
+      if (result.no_equilibrium)
         result.remark = "there is no equilibrium: the loads exceed what friction can hold, and the "
                         "line slides away";
-        break;
-      }
-      if (++failures == most_failures)
-        break;
-      factor = std::min(cautious_factor, factor / retreat);
-      growth = std::max(least_growth, growth / 2.); // next time more slowly
-      continue;
+      break;
     }
-    unknowns = trial;
-    proximal.centre = response.stress;
-    result.check = proximal.check(response, committed);
-    if (result.check->natural_map <= settings.contact_tolerance) {
+    unknowns += line.expand(x, forces);
+    const Vector left = residual.with_stress(unknowns, response);
+    const double size = left.lpNorm<Eigen::Infinity>(), largest = residual.largest_force(response);
+    result.residual = largest > 0. ? size / largest : size;
+    if (size <= residual.tolerance(settings.tolerance, diagonal, unknowns, response)) {
       if (proximal.let_slipping_go(response))
         continue;
+      result.check = newton.check(response);
       result.converged = true;
       result.remark.clear();
-      first_factor = failures == 0 ? std::min(first_growth * first_factor, bold_factor)
-                                   : std::max(first_factor / first_growth, cautious_factor);
       return result;
     }
-    // Once no contact changes its state any more, what remains is nearly linear.
-    const bool settled = response.status == status_before;
-    status_before = response.status;
-    factor = std::min((settled && failures == 0 ? growth : 1.) * growth * factor, largest_factor);
+    result.remark = "rounding errors leave forces unbalanced";
   }
-  first_factor = cautious_factor;
   proximal.centre = centre_before;
   unknowns = unknowns_before;
   return result;
+}
+
+ExactSolver::Outcome ExactSolver::solve_contacts(Vector &x, ContactResponse &response,
+                                                 EquilibriumResult &result) {
+  const auto centre_before = proximal.centre;
+  std::vector<double> list(factors_together.begin(), factors_together.end());
+  if (const char *v = std::getenv("FB_CS")) {
+    list.clear(); std::string t(v); std::size_t p = 0;
+    while (p < t.size()) { std::size_t e = t.find(',', p); if (e == std::string::npos) e = t.size(); list.push_back(std::atof(t.substr(p, e - p).c_str())); p = e + 1; }
+  }
+  if (const char *v = std::getenv("FB_MOST")) most_together = std::atoi(v);
+  std::stable_partition(list.begin(), list.end(), [&](const double c) { return c == first_factor; });
+  for (const double c : list) {
+    proximal.stiffness_factor = c;
+    const unsigned int before = result.iterations;
+    Vector trial = x;
+    const Outcome outcome = newton.solve_together(most_together, trial, response, result);
+    if (std::getenv("FB_DEBUG"))
+      std::fprintf(stderr, "together c %.0e %u its %s\n", c, result.iterations - before, outcome == Outcome::solved ? "solved" : outcome == Outcome::stalled ? "stalled" : "slides");
+    if (outcome == Outcome::solved) {
+      x = trial;
+      first_factor = c;
+    }
+    if (outcome != Outcome::stalled)
+      return outcome;
+    proximal.centre = centre_before;
+  }
+  return solve_by_proximal_steps(x, response, result);
+}
+
+ExactSolver::Outcome ExactSolver::solve_by_proximal_steps(Vector &x, ContactResponse &response,
+                                                          EquilibriumResult &result) {
+  double factor = first_proximal, growth = first_growth;
+  unsigned int failures = 0;
+  for (unsigned int outer = 0; outer < most_outer; ++outer) {
+    proximal.stiffness_factor = factor;
+    Vector trial = x;
+    const Outcome outcome = newton.solve_proximal(trial, response, result);
+    if (outcome == Outcome::slides_away)
+      return outcome;
+    if (outcome == Outcome::stalled) {
+      if (std::getenv("FB_DEBUG"))
+        std::fprintf(stderr, "proximal outer %u c %.1e FAILED its %u\n", outer, factor, result.iterations);
+      if (++failures == most_failures)
+        return outcome;
+      factor = std::min(first_proximal, factor / retreat);
+      growth = std::max(least_growth, growth / 2.); // next time more slowly
+      continue;
+    }
+    x = trial;
+    proximal.centre = response.stress;
+    const auto centre = proximal.centre;
+    const Outcome finished = newton.solve_together(most_to_finish, trial, response, result);
+    if (std::getenv("FB_DEBUG"))
+      std::fprintf(stderr, "proximal outer %u c %.1e its %u finish %s\n", outer, factor, result.iterations, finished == Outcome::solved ? "solved" : "-");
+    if (finished == Outcome::solved)
+      x = trial;
+    if (finished != Outcome::stalled)
+      return finished;
+    proximal.centre = centre;
+    factor = std::min(growth * factor, largest_factor);
+  }
+  result.remark = "no convergence in " + std::to_string(most_outer) + " proximal steps";
+  return Outcome::stalled;
 }
 
 } // namespace frictionbeam

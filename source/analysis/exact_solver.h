@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/analysis/equilibrium.h>
-#include <frictionbeam/analysis/line_factorization.h>
+#include "contact_newton.h"
 
 namespace frictionbeam {
 
 /**
- * Exact contact: Signorini's condition and Coulomb's law without a stiffness to choose, by a
- * proximal-point iteration around semismooth Newton.
+ * Exact contact: Signorini's condition and Coulomb's law without a stiffness to choose.
  *
- * Each outer step solves the line on proximal contacts (ProximalContacts) of stiffness c k_d around
- * the forces of the step before, by Newton's method with the unsymmetric tangent and a line search.
- * The stiffness grows tenfold from step to step; where Newton fails, it is lowered thirtyfold. The
+ * On the line condensed to the nodes of its contacts, Newton's method on displacements and contact
+ * forces together is tried first, for some values of c, the scale between the two. Where it stalls,
+ * a proximal-point iteration takes over: the line is solved on proximal contacts (ProximalContacts)
+ * of stiffness c k_d around the forces of the step before, c grows from step to step and is lowered
+ * where the solution fails, and after each step Newton's method on both is tried again. The
  * iteration ends when the contact laws themselves, judged without the proximal term, hold: each
  * contact's natural-map residual on its own scale. Neither a small change from step to step nor the
  * convergence of an inner solve decides.
@@ -27,30 +27,20 @@ public:
                           Vector &unknowns, ContactResponse &response) override;
 
 private:
-  /// Newton's method on the present proximal contacts.
-  bool solve_inner(const EquilibriumProblem &problem, Residual &residual, Vector &unknowns,
-                   ContactResponse &response, EquilibriumResult &result);
+  using Outcome = ContactNewton::Outcome;
 
-  /// Factor the tangent, with a small multiple of the diagonal where it is singular.
-  bool factor(const EquilibriumProblem &problem, const Vector &forces,
-              const ContactResponse &response, EquilibriumResult &result);
-  /**
-   * Whether the last iterate proves that there is no equilibrium: a motion without elastic forces,
-   * along which every contact gives its utmost resistance or none, and the loads still do work.
-   */
-  bool slides_away(const EquilibriumProblem &problem, const Vector &forces,
-                   const ContactResponse &response);
+  /// From the displacements that newton began with.
+  Outcome solve_contacts(Vector &x, ContactResponse &response, EquilibriumResult &result);
+  Outcome solve_by_proximal_steps(Vector &x, ContactResponse &response, EquilibriumResult &result);
 
   const SolverSettings &settings;
   const Contacts &contacts;
   const ReducedSpace &space;
+  CondensedLine line;
   ProximalContacts proximal;
-  LineFactorization factors;
-  SparseMatrix tangent;
-  Vector diagonal; ///< of the line's stiffness with proximal contacts closed
-  Vector last_forces;
-  bool analyzed = false;
-  double first_factor = 1e-3; ///< c that an increment begins with
+  ContactNewton newton;
+  Vector diagonal; ///< of the line's stiffness
+  double first_factor;
 };
 
 } // namespace frictionbeam

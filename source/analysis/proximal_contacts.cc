@@ -45,10 +45,8 @@ ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix 
     const Contact &contact = contacts[i];
     Exact &exact = list[i];
     exact.is_exact = contact.law->threshold != nullptr;
-    if (!exact.is_exact) {
-      ++n_other;
+    if (!exact.is_exact)
       continue;
-    }
     contact.law->threshold(contact.parameters->data(), exact.law);
     const double share = contact.weight / contact.length;
     exact.normal_diagonal = diagonal_stiffness(contact, 0, stiffness, mean) / share;
@@ -79,12 +77,11 @@ bool ProximalContacts::let_slipping_go(const ContactResponse &response) {
   return changed;
 }
 
-void ProximalContacts::evaluate(const Vector &all_dofs, const ContactState &committed,
-                                const double time, const double time_increment,
-                                const LawTangent tangent, ContactResponse &response) const {
+void ProximalContacts::evaluate(const ContactState &committed, const double time,
+                                const double time_increment, const LawTangent tangent,
+                                ContactResponse &response) const {
   contacts.prepare(response);
   for (unsigned int i = 0; i < list.size(); ++i) {
-    response.state.strain[i] = contacts[i].strain(all_dofs);
     if (list[i].is_exact)
       evaluate_exact(i, committed, tangent, response);
     else
@@ -175,6 +172,16 @@ void ProximalContacts::evaluate_exact(const unsigned int i, const ContactState &
   }
 }
 
+Contact::Strains ProximalContacts::by_centre(const unsigned int i) const {
+  Contact::Strains scale = Contact::Strains::Zero();
+  if (list[i].is_exact) {
+    const double per_force = 1. / (contacts[i].length * stiffness_factor);
+    scale[0] = per_force / list[i].normal_diagonal;
+    scale[1] = scale[2] = per_force / list[i].shear_diagonal;
+  }
+  return scale;
+}
+
 bool ProximalContacts::gives_utmost(const unsigned int i, const ContactResponse &response,
                                     const Contact::Strains &rate) const {
   const double size = rate.head<3>().norm(), sliding = rate.segment<2>(1).norm();
@@ -187,8 +194,8 @@ bool ProximalContacts::gives_utmost(const unsigned int i, const ContactResponse 
   return most == 0. || T.dot(rate.segment<2>(1)) >= (1. - 1e-6) * most * sliding;
 }
 
-ContactCheck ProximalContacts::check(const ContactResponse &response,
-                                     const ContactState &committed) const {
+ContactCheck ProximalContacts::check(const ContactResponse &response, const ContactState &committed,
+                                     const std::vector<Contact::Strains> &rounding) const {
   ContactCheck result;
   double largest = 0.;
   for (const auto &stress : response.stress)
@@ -209,13 +216,18 @@ ContactCheck ProximalContacts::check(const ContactResponse &response,
         l * (strain[2] - old_state[exact.law.slip_z] - T[1] / exact.law.shear_rigidity_z)};
     const double rho_n = exact.normal_diagonal, rho_t = exact.shear_diagonal;
 
-    const double normal = P - std::max(0., P - rho_n * gap);
+    const auto beyond = [](const double misfit, const double rounding) {
+      return std::max(0., std::abs(misfit) - rounding);
+    };
+    const double normal =
+        beyond(P - std::max(0., P - rho_n * gap), rho_n * l * rounding[i][0]);
     double moved[2] = {T[0] + rho_t * slip[0], T[1] + rho_t * slip[1]};
     const double radius = f * P, size = std::hypot(moved[0], moved[1]);
     if (size > radius)
       for (double &m : moved)
         m *= radius / size;
-    const double shear = std::hypot(T[0] - moved[0], T[1] - moved[1]);
+    const double shear = beyond(std::hypot(T[0] - moved[0], T[1] - moved[1]),
+                                rho_t * l * std::hypot(rounding[i][1], rounding[i][2]));
     const double force = std::hypot(P, std::hypot(T[0], T[1]));
     double motion =
         std::max(std::abs(rho_n * gap), P > 0. ? rho_t * std::hypot(slip[0], slip[1]) : 0.);

@@ -89,8 +89,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     contact.law = &laws.find(support.law);
     contact.parameters = &support.parameters;
     contact.vertices = support_cell.vertices;
-    contact.axes = LocalAxes(discretization.vertices()[contact.vertices[1]] -
-                             discretization.vertices()[contact.vertices[0]]);
+    contact.axes = LocalAxes(support_cell.axis);
     contact.length = fe_values.JxW(0);
     contact.support = support_cell.support;
     contact.site = support_cell.site;
@@ -112,6 +111,12 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
       for (const auto &term : space.terms(dofs[i]))
         contact.unknowns.push_back(term.unknown);
     }
+    for (const unsigned int vertex : contact.vertices)
+      for (unsigned int c = 0; c < 6; ++c)
+        if (const auto dof = discretization.vertex_dofs().index(vertex, c);
+            dof != numbers::invalid_dof_index)
+          for (const auto &term : space.terms(dof))
+            contact.vertex_unknowns.push_back(term.unknown);
     std::sort(contact.unknowns.begin(), contact.unknowns.end());
     contact.unknowns.erase(std::unique(contact.unknowns.begin(), contact.unknowns.end()),
                            contact.unknowns.end());

@@ -180,16 +180,18 @@ void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
     for (unsigned int site = 0; site < mesh.supports[i].size(); ++site) {
       const unsigned int on = mesh.supports[i][site].vertex;
       unsigned int ground;
+      Vector3 axis;
       if (support.ground.empty()) {
-        const Vector3 normal =
-            resolve(support.normal, mesh.supports[i][site].tangent, support.name);
+        axis = -1. * resolve(support.normal, mesh.supports[i][site].tangent, support.name);
         ground = points.size();
-        points.push_back(points[on] - support.length * normal);
-      } else
+        points.push_back(points[on] + support.length * axis);
+      } else {
         ground = mesh.points.at(support.ground);
+        axis = points[ground] - points[on];
+      }
       cells.push_back({{on, ground}, 0});
       fe_index.push_back(element_index(support, false));
-      supports.push_back({i, site, {on, ground}});
+      supports.push_back({i, site, {on, ground}, axis / axis.norm()});
     }
   }
 }

@@ -59,8 +59,7 @@ std::vector<ReducedSpace::Held> collect(const Scene &scene, const LineMesh &mesh
     if (support.normal_force == 0. || ground < discretization.n_line_vertices())
       continue;
     platen[ground] = true;
-    const LocalAxes axes(discretization.vertices()[ground] -
-                         discretization.vertices()[cell.vertices[0]]);
+    const LocalAxes axes(cell.axis);
     rows.push_back({ground, translation(axes.y)});
     rows.push_back({ground, translation(axes.z)});
     for (unsigned int c = 3; c < 6; ++c)

@@ -66,6 +66,9 @@ public:
   /// right_hand_side - A q - contact forces, the contacts evaluated on the way.
   Vector operator()(const Vector &unknowns, const LawTangent tangent, ContactResponse &response);
 
+  /// The same at the stresses that the response has.
+  Vector with_stress(const Vector &unknowns, const ContactResponse &response) const;
+
   double largest_force(const ContactResponse &response) const;
   /// @param diagonal of the tangent, for the rounding error of A q
   double tolerance(const double relative, const Vector &diagonal, const Vector &unknowns,

@@ -8,7 +8,7 @@ namespace frictionbeam {
 /// How far the contacts are from Signorini's condition and Coulomb's law, each on its own scale.
 struct ContactCheck {
   /// Largest natural-map residual |r - P(r - rho u)| / max(|r|, rho |u|, 1e-12 of the largest
-  /// force).
+  /// force), beyond what rounding of the displacements makes of it.
   double natural_map = 0.;
   double penetration = 0.;       ///< largest, rigid part [m]
   double cone_violation = 0.;    ///< largest (|T| - f N) / max(N, 1e-12 of the largest force)
@@ -43,22 +43,28 @@ public:
   double stiffness_factor = 1e-3;       ///< c
   std::vector<Contact::Strains> centre; ///< stresses (P_c, T_c), as -N, T
 
-  /// As Contacts::evaluate(), with the proximal form of laws that have a threshold and any other
-  /// law as it is.
-  void evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
-                const double time_increment, const LawTangent tangent,
-                ContactResponse &response) const;
+  /// Evaluate all contacts at response.state.strain: the proximal form of laws that have a
+  /// threshold, any other law as it is.
+  void evaluate(const ContactState &committed, const double time, const double time_increment,
+                const LawTangent tangent, ContactResponse &response) const;
 
-  /// Judge forces and displacements by the exact laws, without the proximal term.
-  ContactCheck check(const ContactResponse &response, const ContactState &committed) const;
+  /// Derivative of the proximal stresses by the centre: the tangent times this diagonal.
+  Contact::Strains by_centre(const unsigned int i) const;
+
+  /**
+   * Judge forces and displacements by the exact laws, without the proximal term.
+   * @param rounding error of the strains
+   */
+  ContactCheck check(const ContactResponse &response, const ContactState &committed,
+                     const std::vector<Contact::Strains> &rounding) const;
 
   /// Whether contact @p i, moved at the strain rate @p rate, resists as much as it ever can: it
   /// opens, or its friction at the threshold opposes the motion, or it does not move.
   bool gives_utmost(const unsigned int i, const ContactResponse &response,
                     const Contact::Strains &rate) const;
 
-  /// Whether all contacts are of the kind that the exact laws cover.
-  bool all_exact() const { return n_other == 0; }
+  /// Whether contact @p i is of the kind that the exact laws cover.
+  bool is_exact(const unsigned int i) const { return list[i].is_exact; }
 
 private:
   struct Exact {
@@ -73,7 +79,6 @@ private:
   const Contacts &contacts;
   std::vector<Exact> list;
   std::vector<double> friction; ///< coefficient in force in this increment
-  unsigned int n_other = 0;
 };
 
 } // namespace frictionbeam

@@ -26,6 +26,7 @@ struct Contact {
   std::vector<unsigned int> dofs;                                     ///< of the cell
   Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B;         ///< strains of these
   std::vector<int> unknowns;                                          ///< free ones they depend on
+  std::vector<int> vertex_unknowns; ///< all free ones of the two vertices
   Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B_reduced; ///< strains of those
   double platen_force = 0.; ///< pressed on the ground node [N]
   unsigned int state_offset = 0, support = 0, site = 0;

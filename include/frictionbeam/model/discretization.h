@@ -32,6 +32,9 @@ struct PipeCell {
 struct SupportCell {
   unsigned int support = 0, site = 0;
   std::array<unsigned int, 2> vertices{}; ///< pipe, ground
+  /// From the pipe to the ground, unit length: not from the vertices where the scene gives it, so
+  /// that two elements face to face are opposite to the last digit.
+  Vector3 axis;
 };
 
 /**

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contact_newton.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <limits>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr unsigned int most_proximal = 15, most_stalls = 4;
+constexpr double epsilon_of_direction = 1e-6;
+
+Vector positive_diagonal(const SparseMatrix &matrix) {
+  Vector diagonal = matrix.diagonal();
+  double mean = diagonal.size() > 0 ? diagonal.sum() / diagonal.size() : 1.;
+  if (!(mean > 0.))
+    mean = 1.;
+  for (double &d : diagonal)
+    d = d > 0. ? d : mean;
+  return diagonal;
+}
+
+} // namespace
+
+ContactNewton::ContactNewton(const SolverSettings &settings, const Contacts &contacts,
+                             const CondensedLine &line, ProximalContacts &proximal)
+    : settings(settings), contacts(contacts), S(line.matrix()), line(line), proximal(proximal),
+      places(contacts.size()), diagonal(positive_diagonal(S)), start_strain(contacts.size()),
+      start_rounding(contacts.size()) {
+  factors.analyze(S);
+  tangent = S;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    for (const int unknown : contacts[i].unknowns)
+      places[i].unknowns.push_back(line.place(unknown));
+    for (const int row : places[i].unknowns)
+      for (const int column : places[i].unknowns) {
+        const int *const begin = S.innerIndexPtr() + S.outerIndexPtr()[row],
+                  *const end = S.innerIndexPtr() + S.outerIndexPtr()[row + 1];
+        places[i].values.push_back(std::lower_bound(begin, end, column) - S.innerIndexPtr());
+      }
+  }
+}
+
+void ContactNewton::begin(const Vector &forces, const double largest, const Vector &dofs,
+                          const ContactState &state, const double t, const double dt) {
+  loads = line.condense(forces);
+  largest_load = largest;
+  committed = &state;
+  time = t;
+  time_increment = dt;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    start_strain[i] = contacts[i].strain(dofs);
+    start_rounding[i].setZero();
+    for (unsigned int j = 0; j < contacts[i].dofs.size(); ++j)
+      start_rounding[i] += std::abs(dofs[contacts[i].dofs[j]]) * contacts[i].B.col(j).cwiseAbs();
+  }
+}
+
+Contact::Strains ContactNewton::strain_of(const unsigned int i, const Vector &motion) const {
+  Contact::Strains strain = Contact::Strains::Zero();
+  for (unsigned int j = 0; j < places[i].unknowns.size(); ++j)
+    strain += motion[places[i].unknowns[j]] * contacts[i].B_reduced.col(j);
+  return strain;
+}
+
+void ContactNewton::add_to_forces(const unsigned int i, const Contact::Strains &stress,
+                                  Vector &forces) const {
+  for (unsigned int j = 0; j < places[i].unknowns.size(); ++j)
+    forces[places[i].unknowns[j]] -=
+        contacts[i].weight * contacts[i].B_reduced.col(j).dot(stress);
+}
+
+Vector ContactNewton::evaluate(const Vector &x, ContactResponse &response) {
+  contacts.prepare(response);
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    response.state.strain[i] = start_strain[i] + strain_of(i, x);
+  proximal.evaluate(*committed, time, time_increment, LawTangent::consistent, response);
+  return forces_left(x, response);
+}
+
+Vector ContactNewton::forces_left(const Vector &x, const ContactResponse &response) const {
+  Vector forces = loads - S * x;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    add_to_forces(i, response.stress[i], forces);
+  return forces;
+}
+
+bool ContactNewton::balanced(const Vector &forces, const Vector &x, const ContactResponse &response,
+                             EquilibriumResult &result) const {
+  double largest = largest_load;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    largest = std::max(largest, contacts[i].weight / contacts[i].length *
+                                    response.stress[i].lpNorm<Eigen::Infinity>());
+  const double size = forces.size() > 0 ? forces.lpNorm<Eigen::Infinity>() : 0.;
+  result.residual = largest > 0. ? size / largest : size;
+  const double rounding =
+      x.size() > 0 ? 8. * std::numeric_limits<double>::epsilon() *
+                         diagonal.cwiseProduct(x).lpNorm<Eigen::Infinity>()
+                   : 0.;
+  return size <= std::max(settings.tolerance * largest, std::min(rounding, 1e-8 * largest));
+}
+
+double ContactNewton::energy(const Vector &forces) const {
+  return forces.cwiseProduct(forces).cwiseQuotient(diagonal).sum();
+}
+
+double ContactNewton::energy_together(const Vector &x, const ContactResponse &response) const {
+  Vector forces = loads - S * x;
+  double misfit = 0.;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    Contact::Strains stress = response.stress[i];
+    if (proximal.is_exact(i)) {
+      const Contact::Strains scale = proximal.by_centre(i);
+      stress.head<3>() = proximal.centre[i].head<3>();
+      const Contact::Strains difference = response.stress[i] - stress;
+      misfit +=
+          contacts[i].weight * difference.cwiseProduct(difference).cwiseProduct(scale).sum();
+    }
+    add_to_forces(i, stress, forces);
+  }
+  return energy(forces) + misfit;
+}
+
+ContactCheck ContactNewton::check(const ContactResponse &response) const {
+  std::vector<Contact::Strains> rounding(contacts.size());
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    rounding[i] = 4. * std::numeric_limits<double>::epsilon() *
+                  (start_rounding[i] + response.state.strain[i].cwiseAbs() +
+                   (response.state.strain[i] - start_strain[i]).cwiseAbs());
+  return proximal.check(response, *committed, rounding);
+}
+
+bool ContactNewton::factor(const ContactResponse &response, EquilibriumResult &result) {
+  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const auto &B = contacts[i].B_reduced;
+    const Eigen::MatrixXd block = contacts[i].weight * B.transpose() * response.tangent[i] * B;
+    for (Eigen::Index a = 0, v = 0; a < block.rows(); ++a)
+      for (Eigen::Index b = 0; b < block.cols(); ++b, ++v)
+        tangent.valuePtr()[places[i].values[v]] += block(a, b);
+  }
+  ++result.factorizations;
+  return factors.factorize(tangent);
+}
+
+bool ContactNewton::slides_away(const Vector &x, ContactResponse &response) {
+  constexpr double shift = 1e-9;
+  const Vector forces = evaluate(x, response);
+  tangent = S;
+  for (int i = 0; i < tangent.rows(); ++i)
+    add_to(tangent, i, i, shift * diagonal[i]);
+  if (!factors.factorize(tangent))
+    return false;
+  const Vector motion = factors.solve(forces);
+  const double work = forces.dot(motion);
+  if (!(work > 0.) || motion.dot(S * motion) > 1e-3 * work)
+    return false;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (!proximal.gives_utmost(i, response, strain_of(i, motion)))
+      return false;
+  return true;
+}
+
+ContactNewton::Outcome ContactNewton::solve_proximal(Vector &x, ContactResponse &response,
+                                                     EquilibriumResult &result) {
+  Vector forces = evaluate(x, response);
+  for (unsigned int iteration = 0;; ++iteration) {
+    if (response.failed) {
+      result.remark = "a law had no answer";
+      return Outcome::stalled;
+    }
+    if (balanced(forces, x, response, result))
+      return Outcome::solved;
+    ++result.iterations;
+    const bool regular = iteration < most_proximal && factor(response, result);
+    if (!regular) {
+      result.remark = "no convergence in " + std::to_string(most_proximal) + " iterations";
+      return slides_away(x, response) ? Outcome::slides_away : Outcome::stalled;
+    }
+    const Vector direction = factors.solve(forces), start = x;
+    const double before = energy(forces);
+    double best = std::numeric_limits<double>::max(), best_length = 1., length = 1.;
+    for (; length >= 0.0625; length /= 2.) {
+      x = start + length * direction;
+      forces = evaluate(x, response);
+      const double after = energy(forces);
+      if (after < best) {
+        best = after;
+        best_length = length;
+      }
+      if (after <= (1. - 1e-4 * length) * before)
+        break;
+    }
+    if (length != best_length) { // a kink lies ahead, and the least bad step crosses it
+      x = start + best_length * direction;
+      forces = evaluate(x, response);
+    }
+  }
+}
+
+ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_iterations, Vector &x,
+                                                     ContactResponse &response,
+                                                     EquilibriumResult &result) {
+  using Block = Eigen::Matrix<double, n_support_strains, n_support_strains>;
+  std::vector<Contact::Strains> step(contacts.size());
+  evaluate(x, response);
+  double before = energy_together(x, response);
+  unsigned int stalls = 0;
+  for (unsigned int iteration = 0;; ++iteration) {
+    if (response.failed || !(before < std::numeric_limits<double>::max()))
+      return Outcome::stalled;
+    if (balanced(forces_left(x, response), x, response, result) &&
+        check(response).natural_map <= settings.contact_tolerance)
+      return Outcome::solved;
+    if (iteration == most_iterations || stalls == most_stalls)
+      return Outcome::stalled;
+
+    for (unsigned int i = 0; i < contacts.size(); ++i) {
+      if (!proximal.is_exact(i)) {
+        step[i].setZero();
+        continue;
+      }
+      proximal.centre[i][3] = response.stress[i][3]; // torsion has no proximal term
+      const Block D = response.tangent[i];
+      const Eigen::PartialPivLU<Block> M(Block::Identity() -
+                                         (1. - epsilon_of_direction) * D *
+                                             proximal.by_centre(i).asDiagonal());
+      response.tangent[i] = M.solve(D);
+      step[i] = M.solve(response.stress[i] - proximal.centre[i]);
+      response.stress[i] = proximal.centre[i] + step[i];
+    }
+    ++result.iterations;
+    if (!factor(response, result))
+      return slides_away(x, response) ? Outcome::slides_away : Outcome::stalled;
+    const Vector direction = factors.solve(forces_left(x, response)), start = x;
+    for (unsigned int i = 0; i < contacts.size(); ++i)
+      if (proximal.is_exact(i))
+        step[i] += response.tangent[i] * strain_of(i, direction);
+
+    const std::vector<Contact::Strains> centre = proximal.centre;
+    const auto go = [&](const double length) {
+      x = start + length * direction;
+      for (unsigned int i = 0; i < contacts.size(); ++i)
+        proximal.centre[i] = centre[i] + length * step[i];
+      evaluate(x, response);
+      return energy_together(x, response);
+    };
+    double best = std::numeric_limits<double>::max(), best_length = 1., length = 1.;
+    for (; length >= 1e-3; length /= 2.) {
+      const double after = go(length);
+      if (after < best) {
+        best = after;
+        best_length = length;
+      }
+      if (after <= (1. - 1e-4 * length) * before)
+        break;
+    }
+    stalls = best_length < 0.01 || best > before ? stalls + 1 : 0;
+    before = length == best_length ? best : go(best_length);
+  }
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/analysis/condensed_line.h>
+#include <frictionbeam/analysis/equilibrium.h>
+#include <frictionbeam/analysis/line_factorization.h>
+
+namespace frictionbeam {
+
+/**
+ * Newton's methods for one increment of a condensed line on proximal contacts:
+ * find x, the motion of the kept unknowns, with S x + H^T r = g and r = R(H x, centre).
+ */
+class ContactNewton {
+public:
+  ContactNewton(const SolverSettings &settings, const Contacts &contacts, const CondensedLine &line,
+                ProximalContacts &proximal);
+
+  enum class Outcome { solved, stalled, slides_away };
+
+  /**
+   * Begin from the displacements q.
+   * @param forces on the unknowns that the line at q does not balance, without those of contacts
+   * @param dofs all displacements at q
+   */
+  void begin(const Vector &forces, const double largest_load, const Vector &dofs,
+             const ContactState &committed, const double time, const double time_increment);
+
+  /// Newton's method on the contacts around a fixed centre, with a line search.
+  Outcome solve_proximal(Vector &x, ContactResponse &response, EquilibriumResult &result);
+
+  /**
+   * Newton's method on motions and contact forces together, for the exact contact: the centre takes
+   * part as an unknown. With r the forces, D the proximal tangent and C = D diag(by centre), the
+   * linearised law is (I - C) dr = D H dx + R - r; C has the eigenvalue 1 where a rigid contact is
+   * closed or sticks, so that I - (1 - epsilon) C takes its place, which is a stiffness of rho /
+   * epsilon in the direction of Newton's step and leaves the solution alone. dr is eliminated
+   * contact by contact. The line search is on the energy
+   * (g - S x - H^T r)^2 / diag S + (R - r)^2 / (c k_d).
+   */
+  Outcome solve_together(const unsigned int most_iterations, Vector &x, ContactResponse &response,
+                         EquilibriumResult &result);
+
+  /// Of the exact laws, at the last evaluation.
+  ContactCheck check(const ContactResponse &response) const;
+
+private:
+  /// Evaluate the contacts and return the forces left over.
+  Vector evaluate(const Vector &x, ContactResponse &response);
+  Vector forces_left(const Vector &x, const ContactResponse &response) const;
+  bool balanced(const Vector &forces, const Vector &x, const ContactResponse &response,
+                EquilibriumResult &result) const;
+  Contact::Strains strain_of(const unsigned int i, const Vector &motion) const;
+  void add_to_forces(const unsigned int i, const Contact::Strains &stress, Vector &forces) const;
+  double energy(const Vector &forces) const;
+  double energy_together(const Vector &x, const ContactResponse &response) const;
+
+  /// Factor S with the contacts' tangents, and a small multiple of the diagonal where it is
+  /// singular. @return false if there are no factors or no equilibrium
+  bool factor(const ContactResponse &response, EquilibriumResult &result);
+  /**
+   * Whether an iterate proves that there is no equilibrium: a motion without elastic forces, along
+   * which every contact gives its utmost resistance or none, and the loads still do work.
+   */
+  bool slides_away(const Vector &x, ContactResponse &response);
+
+  /// Places of a contact's unknowns in x, and of its block in the values of S.
+  struct Places {
+    std::vector<int> unknowns, values;
+  };
+
+  const SolverSettings &settings;
+  const Contacts &contacts;
+  const SparseMatrix &S;
+  const CondensedLine &line;
+  ProximalContacts &proximal;
+  std::vector<Places> places;
+  Vector diagonal; ///< of S, positive
+  LineFactorization factors;
+  SparseMatrix tangent;
+
+  // of the increment
+  Vector loads; ///< g
+  double largest_load = 0.;
+  std::vector<Contact::Strains> start_strain, start_rounding;
+  const ContactState *committed = nullptr;
+  double time = 0., time_increment = 0.;
+};
+
+} // namespace frictionbeam
