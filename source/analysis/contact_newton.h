@@ -82,7 +82,8 @@ private:
   // of the increment
   Vector loads; ///< g
   double largest_load = 0.;
-  std::vector<Contact::Strains> start_strain, start_rounding;
+  std::vector<Contact::Strains> start_strain;
+  double start_displacement = 0., largest_displacement = 0.;
   const ContactState *committed = nullptr;
   double time = 0., time_increment = 0.;
 };

@@ -40,7 +40,7 @@ void declare_solver(ParameterReader &in) {
   in.declare_number("Tolerance", 1e-10, "-", positive, 1.,
                     "Of the residual, relative to the largest force.");
   in.declare_number(
-      "Contact tolerance", 1e-9, "-", positive, 1.,
+      "Contact tolerance", 1e-8, "-", positive, 1.,
       "Of exact: how far the contact laws may be missed, each contact on its own scale.");
   in.declare_count("Max iterations", 50, 1, "Of newton, in one increment.");
   in.declare_count("Max elastic iterations", 10000, 1, "Of elastic, in one increment.");

@@ -53,10 +53,10 @@ public:
 
   /**
    * Judge forces and displacements by the exact laws, without the proximal term.
-   * @param rounding error of the strains
+   * @param rounding error of displacements [m]
    */
   ContactCheck check(const ContactResponse &response, const ContactState &committed,
-                     const std::vector<Contact::Strains> &rounding) const;
+                     const double rounding) const;
 
   /// Whether contact @p i, moved at the strain rate @p rate, resists as much as it ever can: it
   /// opens, or its friction at the threshold opposes the motion, or it does not move.

@@ -190,7 +190,7 @@ struct MeshSettings {
 struct SolverSettings {
   enum class Method { elastic, newton, exact } method = Method::exact;
   double tolerance = 1e-10;         ///< of the residual, relative to the largest force
-  double contact_tolerance = 1e-9;  ///< exact: of the contact laws, each contact on its own scale
+  double contact_tolerance = 1e-8;  ///< exact: of the contact laws, each contact on its own scale
   unsigned int max_iterations = 50; ///< newton, an increment; elastic: max_elastic_iterations
   unsigned int max_elastic_iterations = 10000;
   unsigned int max_halvings = 10; ///< of an increment
