@@ -112,10 +112,10 @@ int run_case(const RunOptions &options) {
                                 "' has no threshold in closed form: the exact "
                                 "method evaluates it as it is, by Newton's method.");
   const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
-  results.cost.setup_seconds = timer.wall_time();
-
   const Model model{scene, mesh, discretization, space, contacts, linear};
   LoadSequence sequence(model);
+  results.cost.setup_seconds = timer.wall_time();
+
   std::unique_ptr<CsvWriter> csv;
   std::unique_ptr<VtuWriter> vtu;
   Collector collector(model, results, [&](const Frame &frame) {

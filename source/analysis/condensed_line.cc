@@ -13,8 +13,7 @@ CondensedLine::CondensedLine(const SparseMatrix &stiffness, const Contacts &cont
     : place_of(stiffness.rows(), -1), place_inside(stiffness.rows(), -1) {
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     kept.insert(kept.end(), contacts[i].unknowns.begin(), contacts[i].unknowns.end());
-    kept.insert(kept.end(), contacts[i].vertex_unknowns.begin(),
-                contacts[i].vertex_unknowns.end());
+    kept.insert(kept.end(), contacts[i].vertex_unknowns.begin(), contacts[i].vertex_unknowns.end());
   }
   std::sort(kept.begin(), kept.end());
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());

@@ -4,8 +4,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace frictionbeam {
@@ -39,7 +37,7 @@ ContactNewton::ContactNewton(const SolverSettings &settings, const Contacts &con
     for (const int row : places[i].unknowns)
       for (const int column : places[i].unknowns) {
         const int *const begin = S.innerIndexPtr() + S.outerIndexPtr()[row],
-                  *const end = S.innerIndexPtr() + S.outerIndexPtr()[row + 1];
+                         *const end = S.innerIndexPtr() + S.outerIndexPtr()[row + 1];
         places[i].values.push_back(std::lower_bound(begin, end, column) - S.innerIndexPtr());
       }
   }
@@ -67,16 +65,14 @@ Contact::Strains ContactNewton::strain_of(const unsigned int i, const Vector &mo
 void ContactNewton::add_to_forces(const unsigned int i, const Contact::Strains &stress,
                                   Vector &forces) const {
   for (unsigned int j = 0; j < places[i].unknowns.size(); ++j)
-    forces[places[i].unknowns[j]] -=
-        contacts[i].weight * contacts[i].B_reduced.col(j).dot(stress);
+    forces[places[i].unknowns[j]] -= contacts[i].weight * contacts[i].B_reduced.col(j).dot(stress);
 }
 
 Vector ContactNewton::evaluate(const Vector &x, ContactResponse &response) {
   contacts.prepare(response);
   for (unsigned int i = 0; i < contacts.size(); ++i)
     response.state.strain[i] = start_strain[i] + strain_of(i, x);
-  largest_displacement =
-      start_displacement + (x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.);
+  largest_displacement = start_displacement + (x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.);
   proximal.evaluate(*committed, time, time_increment, LawTangent::consistent, response);
   return forces_left(x, response);
 }
@@ -96,10 +92,9 @@ bool ContactNewton::balanced(const Vector &forces, const Vector &x, const Contac
                                     response.stress[i].lpNorm<Eigen::Infinity>());
   const double size = forces.size() > 0 ? forces.lpNorm<Eigen::Infinity>() : 0.;
   result.residual = largest > 0. ? size / largest : size;
-  const double rounding =
-      x.size() > 0 ? 8. * std::numeric_limits<double>::epsilon() *
-                         diagonal.cwiseProduct(x).lpNorm<Eigen::Infinity>()
-                   : 0.;
+  const double rounding = x.size() > 0 ? 8. * std::numeric_limits<double>::epsilon() *
+                                             diagonal.cwiseProduct(x).lpNorm<Eigen::Infinity>()
+                                       : 0.;
   return size <= std::max(settings.tolerance * largest, std::min(rounding, 1e-8 * largest));
 }
 
@@ -116,8 +111,7 @@ double ContactNewton::energy_together(const Vector &x, const ContactResponse &re
       const Contact::Strains scale = proximal.by_centre(i);
       stress.head<3>() = proximal.centre[i].head<3>();
       const Contact::Strains difference = response.stress[i] - stress;
-      misfit +=
-          contacts[i].weight * difference.cwiseProduct(difference).cwiseProduct(scale).sum();
+      misfit += contacts[i].weight * difference.cwiseProduct(difference).cwiseProduct(scale).sum();
     }
     add_to_forces(i, stress, forces);
   }
@@ -201,8 +195,7 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
                                                      ContactResponse &response,
                                                      EquilibriumResult &result) {
   using Block = Eigen::Matrix<double, n_support_strains, n_support_strains>;
-  const double epsilon =
-      std::min(1., proximal.stiffness_factor / stiffness_of_direction);
+  const double epsilon = std::min(1., proximal.stiffness_factor / stiffness_of_direction);
   std::vector<Contact::Strains> step(contacts.size());
   evaluate(x, response);
   double before = energy_together(x, response);
@@ -215,7 +208,6 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
     if (balanced(forces_left(x, response), x, response, result) &&
         check(response).natural_map <= (last ? 1. : 0.1) * settings.contact_tolerance)
       return Outcome::solved;
-    if (std::getenv("FB_WORST")) std::fprintf(stderr, "  it %u energy %.3e res %.1e\n", iteration, before, result.residual);
     if (last)
       return Outcome::stalled;
 

@@ -2,16 +2,14 @@
 #include "exact_solver.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace frictionbeam {
 
 namespace {
 
 // Newton's method on displacements and forces together, from the start of the increment.
-constexpr std::array<double, 4> factors_together = {1e-3, 1e-4, 1e-2, 1e-5};
-unsigned int most_together = 30;
+constexpr std::array<double, 4> factors_together = {1e-4, 1e-3, 1e-5, 1e-2};
+constexpr unsigned int most_together = 30;
 // Proximal steps.
 constexpr double first_proximal = 1e-3, largest_factor = 100., first_growth = 10.,
                  least_growth = 2., retreat = 30.;
@@ -24,7 +22,7 @@ ExactSolver::ExactSolver(const SolverSettings &settings, const Contacts &contact
                          const ReducedSpace &space, const SparseMatrix &stiffness)
     : settings(settings), contacts(contacts), space(space), line(stiffness, contacts),
       proximal(contacts, stiffness), newton(settings, contacts, line, proximal),
-      diagonal(stiffness.diagonal()), first_factor(factors_together.front()) {}
+      diagonal(stiffness.diagonal()), first_factor(0.) {}
 
 EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,
@@ -73,19 +71,12 @@ ExactSolver::Outcome ExactSolver::solve_contacts(Vector &x, ContactResponse &res
                                                  EquilibriumResult &result) {
   const auto centre_before = proximal.centre;
   std::vector<double> list(factors_together.begin(), factors_together.end());
-  if (const char *v = std::getenv("FB_CS")) {
-    list.clear(); std::string t(v); std::size_t p = 0;
-    while (p < t.size()) { std::size_t e = t.find(',', p); if (e == std::string::npos) e = t.size(); list.push_back(std::atof(t.substr(p, e - p).c_str())); p = e + 1; }
-  }
-  if (const char *v = std::getenv("FB_MOST")) most_together = std::atoi(v);
-  std::stable_partition(list.begin(), list.end(), [&](const double c) { return c == first_factor; });
+  std::stable_partition(list.begin(), list.end(),
+                        [&](const double c) { return c == first_factor; });
   for (const double c : list) {
     proximal.stiffness_factor = c;
-    const unsigned int before = result.iterations;
     Vector trial = x;
     const Outcome outcome = newton.solve_together(most_together, trial, response, result);
-    if (std::getenv("FB_DEBUG"))
-      std::fprintf(stderr, "together c %.0e %u its %s\n", c, result.iterations - before, outcome == Outcome::solved ? "solved" : outcome == Outcome::stalled ? "stalled" : "slides");
     if (outcome == Outcome::solved) {
       x = trial;
       first_factor = c;
@@ -108,8 +99,6 @@ ExactSolver::Outcome ExactSolver::solve_by_proximal_steps(Vector &x, ContactResp
     if (outcome == Outcome::slides_away)
       return outcome;
     if (outcome == Outcome::stalled) {
-      if (std::getenv("FB_DEBUG"))
-        std::fprintf(stderr, "proximal outer %u c %.1e FAILED its %u\n", outer, factor, result.iterations);
       if (++failures == most_failures)
         return outcome;
       factor = std::min(first_proximal, factor / retreat);
@@ -120,8 +109,6 @@ ExactSolver::Outcome ExactSolver::solve_by_proximal_steps(Vector &x, ContactResp
     proximal.centre = response.stress;
     const auto centre = proximal.centre;
     const Outcome finished = newton.solve_together(most_to_finish, trial, response, result);
-    if (std::getenv("FB_DEBUG"))
-      std::fprintf(stderr, "proximal outer %u c %.1e its %u finish %s\n", outer, factor, result.iterations, finished == Outcome::solved ? "solved" : "-");
     if (finished == Outcome::solved)
       x = trial;
     if (finished != Outcome::stalled)

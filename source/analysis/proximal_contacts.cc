@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace frictionbeam {
 
@@ -223,15 +221,13 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
     const auto beyond = [](const double misfit, const double rounding) {
       return std::max(0., std::abs(misfit) - rounding);
     };
-    const double normal =
-        beyond(P - std::max(0., P - rho_n * gap), rho_n * rounding);
+    const double normal = beyond(P - std::max(0., P - rho_n * gap), rho_n * rounding);
     double moved[2] = {T[0] + rho_t * slip[0], T[1] + rho_t * slip[1]};
     const double radius = f * P, size = std::hypot(moved[0], moved[1]);
     if (size > radius)
       for (double &m : moved)
         m *= radius / size;
-    const double shear = beyond(std::hypot(T[0] - moved[0], T[1] - moved[1]),
-                                rho_t * rounding);
+    const double shear = beyond(std::hypot(T[0] - moved[0], T[1] - moved[1]), rho_t * rounding);
     const double force = std::hypot(P, std::hypot(T[0], T[1]));
     double motion =
         std::max(std::abs(rho_n * gap), P > 0. ? rho_t * std::hypot(slip[0], slip[1]) : 0.);
@@ -239,8 +235,6 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
     if (scale > 0.)
       result.natural_map = std::max(result.natural_map, std::hypot(normal, shear) / scale);
 
-    if (std::getenv("FB_WORST") && scale > 0. && std::hypot(normal, shear) / scale > 1e-9)
-      std::fprintf(stderr, "     worst %u P %.3e T %.3e %.3e gap %.3e slip %.3e %.3e rho %.2e %.2e f %.2f kN %.1e kT %.1e normal %.1e shear %.1e largest %.1e round %.1e %.1e map %.1e\n", i, P, T[0], T[1], gap, slip[0], slip[1], rho_n, rho_t, f, exact.law.axial_rigidity, exact.law.shear_rigidity_y, normal, shear,largest,rounding,rounding, std::hypot(normal, shear) / scale);
     result.penetration = std::max(result.penetration, -gap);
     const double friction_force = std::hypot(T[0], T[1]), path = std::hypot(slip[0], slip[1]);
     result.cone_violation =
