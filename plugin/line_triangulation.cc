@@ -45,6 +45,12 @@ struct Incidence {
  *   d = p at the start of a trail,  p = -d at its end,
  * and of the two cells of the trail that goes through, the one that points the other way from the
  * attached ones is listed first. Without loops d = p = 1 and the order is that of the walk.
+ *
+ * deal.II's time is another matter: it follows neighbors from the first-listed cell on, and where
+ * that ends, searches all cells from the beginning for one not met yet. A vertex's first cell has
+ * its last as neighbor, and all others have its first. So where a trail passes dead ends, it is
+ * best listed backwards but for its beginning, p = -d, with a dead end as the vertex's last: then
+ * the neighbors lead from one end of the trail to the other past all its dead ends.
  */
 class Walk {
 public:
@@ -57,8 +63,9 @@ public:
     // Loops may leave no directions or no order for one way to walk and some for another.
     for (unsigned int attempt = 0; attempt < 200; ++attempt) {
       walk(n_vertices, attempt);
-      if (find_directions(n_vertices) && find_order(n_vertices))
-        return;
+      for (const bool chained : {true, false})
+        if (find_directions(n_vertices, chained) && find_order(n_vertices, chained))
+          return;
     }
     AssertThrow(false,
                 ExcMessage("The loops of the line meet in such a way that deal.II accepts no "
@@ -111,6 +118,14 @@ private:
            incidence.degree(cells[c].vertices[1]) == 1;
   }
 
+  /// Whether a trail goes on through a vertex that has one dead end, too, its last cell. Of
+  /// several, only one could keep the author's direction.
+  bool passes_dead_end(const unsigned int v) const {
+    const unsigned int end = incidence.start[v + 1];
+    return incidence.degree(v) > 2 && is_dead_end(incidence.cell[end - 1]) &&
+           !is_dead_end(incidence.cell[end - 2]);
+  }
+
   void walk_from(const unsigned int root) {
     visited[root] = true;
     std::vector<std::pair<unsigned int, unsigned int>> stack{{root, incidence.start[root]}};
@@ -144,7 +159,7 @@ private:
   }
 
   /// Solve the rules of directions, a graph to be coloured with two colours.
-  bool find_directions(const unsigned int n_vertices) {
+  bool find_directions(const unsigned int n_vertices, const bool chained) {
     struct Relation {
       unsigned int other;
       bool equal;
@@ -163,6 +178,8 @@ private:
     for (unsigned int v = 0; v < n_vertices; ++v)
       if (parent[v] == none) // a root: no cell of its trail arrives
         relate(steps[continuation[v]].trail, v, false);
+      else if (chained && passes_dead_end(v))
+        relate(steps[parent[v]].trail, v, false);
 
     sign.assign(relations.size(), 0);
     std::vector<unsigned int> pending;
@@ -191,7 +208,7 @@ private:
   /// first. deal.II follows neighbors from a vertex's first cell to its last and back, and turns
   /// what it meets there; so one dead end at each vertex, listed last, may keep the author's
   /// direction.
-  bool find_order(const unsigned int n_vertices) {
+  bool find_order(const unsigned int n_vertices, const bool chained) {
     std::vector<unsigned int> first(n_vertices, none), last(n_vertices, none);
     const auto direction = [&](const unsigned int step) {
       return sign[n_vertices + steps[step].trail];
@@ -218,11 +235,14 @@ private:
     }
 
     std::vector<unsigned int> n_waits_for(steps.size(), 0);
-    // In the order of the walk, but dead ends at once after the cell that leads to them.
+    // In the order of the walk, or backwards but for its beginning; dead ends beside the cell that
+    // leads to them.
     std::set<std::pair<unsigned int, unsigned int>> ready;
     const auto insert = [&](const unsigned int step) {
       const unsigned int before = parent[steps[step].from];
-      ready.insert({is_dead_end(steps[step].cell) && before != none ? before : step, step});
+      const unsigned int place =
+          is_dead_end(steps[step].cell) && before != none ? before : step;
+      ready.insert({chained && before != none ? steps.size() - place : place, step});
     };
     for (unsigned int s = 0; s < steps.size(); ++s) {
       for (const unsigned int v : {steps[s].from, steps[s].to})

@@ -108,8 +108,7 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
   };
   for (const FrictionSupport &support : scene.supports) {
     add_option(element_option(support, false));
-    if (!support.ground.empty()) // between two pipes: the triangulation may turn the cell
-      add_option(element_option(support, true));
+    add_option(element_option(support, true)); // the triangulation may turn the cell
   }
   const bool turning_spring =
       std::any_of(scene.springs.begin(), scene.springs.end(), [](const Spring &spring) {
@@ -133,9 +132,11 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
     if (origin.index < pipes.size()) {
       info = {CellKind::pipe, origin.index};
       pipes[origin.index].reversed = origin.reversed;
-    } else if (origin.index < pipes.size() + supports.size())
+    } else if (origin.index < pipes.size() + supports.size()) {
       info = {CellKind::support, origin.index - static_cast<unsigned int>(pipes.size())};
-    else
+      fe_index[origin.index] =
+          element_index(scene.supports[supports[info.index].support], origin.reversed);
+    } else
       info = {CellKind::carrier, 0};
     cell->set_active_fe_index(fe_index[origin.index]);
   }
