@@ -117,7 +117,7 @@ private:
     }
     const DiscProjection on_disc(trial, k, g);
     for (int i = 0; i < 2; ++i) {
-      const double slip = on_disc.lambda * on_disc.point[i];
+      const double slip = (trial[i] - on_disc.point[i]) / k[i];
       out.stress[1 + i] = on_disc.point[i];
       out.new_state[i] = in.old_state[i] + slip;
       out.dissipation += slip * on_disc.point[i];

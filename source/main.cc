@@ -10,6 +10,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -21,6 +22,13 @@ const char *const usage =
     "frictionbeam --version\n"
     "frictionbeam --help\n"
     "Exit status: 0 solved; 1 the input is wrong; 2 no convergence or no equilibrium.\n";
+
+bool started_by_mpirun() {
+  for (const char *const variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK"})
+    if (std::getenv(variable) != nullptr)
+      return true;
+  return false;
+}
 
 /// Options as they stand on the command line. @return whether a case is to be run.
 bool read_command_line(const int argc, char **argv, frictionbeam::RunOptions &options) {
@@ -64,9 +72,11 @@ bool read_command_line(const int argc, char **argv, frictionbeam::RunOptions &op
 
 int main(int argc, char **argv) {
   try {
-    // One process needs no daemon, and with it no network interface; under mpirun it has no effect.
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    // A process by itself needs no MPI, nor the daemon, network interface and common folder that
+    // Open MPI wants: programs that start at the same time would get in each other's way there.
+    std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+    if (started_by_mpirun())
+      mpi.emplace(argc, argv, 1);
     frictionbeam::RunOptions options;
     return read_command_line(argc, argv, options) ? run_case(options) : 0;
   } catch (const frictionbeam::UserError &error) {

@@ -11,8 +11,8 @@ namespace frictionbeam {
 
 /**
  * Nearest point T of the disc |T| <= radius to a trial point T* outside of it, in the norm of
- * diag(k)^-1:  T_i = T*_i / (1 + lambda k_i), with lambda > 0 from |T| = radius, and its derivatives.
- * With equal k it lies on the ray to T*.
+ * diag(k)^-1:  T_i = T*_i / (1 + lambda k_i), with lambda > 0 from |T| = radius, and its
+ * derivatives. With equal k it lies on the ray to T*.
  *
  * lambda comes from Newton's method on 1/|T| - 1/radius, nearly linear in lambda.
  */
@@ -22,9 +22,13 @@ struct DiscProjection {
   double by_trial[2][2]; ///< d point_i / d trial_j
   double by_radius[2];   ///< d point_i / d radius
 
-  /// @param radius > 0, @param k > 0
+  /// @param radius >= 0, @param k > 0
   DiscProjection(const double (&trial)[2], const double (&k)[2], const double radius) {
     const double size = std::hypot(trial[0], trial[1]);
+    if (!(radius > 1e-100 * size)) { // as good as zero: the limit, T along k^-1 T*
+      shrink_to_centre(trial, k);
+      return;
+    }
     lambda = (size / radius - 1.) / std::fmax(k[0], k[1]);
     for (unsigned int iteration = 0; k[0] != k[1] && iteration < 100; ++iteration) {
       double norm2 = 0., slope = 0.;
@@ -50,6 +54,16 @@ struct DiscProjection {
       for (int j = 0; j < 2; ++j)
         by_trial[i][j] = (i == j ? 1. / a[i] : 0.) - weight[i] * point[j] / a[j] / sum;
       by_radius[i] = weight[i] * radius / sum;
+    }
+  }
+
+private:
+  void shrink_to_centre(const double (&trial)[2], const double (&k)[2]) {
+    const double size = std::hypot(trial[0] / k[0], trial[1] / k[1]);
+    lambda = INFINITY;
+    for (int i = 0; i < 2; ++i) {
+      point[i] = by_trial[i][0] = by_trial[i][1] = 0.;
+      by_radius[i] = trial[i] / k[i] / size;
     }
   }
 };

@@ -23,6 +23,13 @@ Vector positive_diagonal(const SparseMatrix &matrix) {
   return diagonal;
 }
 
+/// Place of an entry among the values.
+int place_of(const SparseMatrix &matrix, const int row, const int column) {
+  const int *const begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row],
+                   *const end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row + 1];
+  return std::lower_bound(begin, end, column) - matrix.innerIndexPtr();
+}
+
 } // namespace
 
 ContactNewton::ContactNewton(const SolverSettings &settings, const Contacts &contacts,
@@ -30,6 +37,8 @@ ContactNewton::ContactNewton(const SolverSettings &settings, const Contacts &con
     : settings(settings), contacts(contacts), S(line.matrix()), line(line), proximal(proximal),
       places(contacts.size()), diagonal(positive_diagonal(S)), start_strain(contacts.size()) {
   factors.analyze(S);
+  for (int i = 0; i < S.rows(); ++i)
+    diagonal_places.push_back(place_of(S, i, i));
   tangent = S;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     for (const int unknown : contacts[i].unknowns)
@@ -132,8 +141,16 @@ bool ContactNewton::factor(const ContactResponse &response, EquilibriumResult &r
       for (Eigen::Index b = 0; b < block.cols(); ++b, ++v)
         tangent.valuePtr()[places[i].values[v]] += block(a, b);
   }
-  ++result.factorizations;
-  return factors.factorize(tangent);
+  double shifted = 0.;
+  for (const double shift : {0., 1e-9, 1e-6}) { // there is no pivoting
+    for (int i = 0; i < tangent.rows(); ++i)
+      tangent.valuePtr()[diagonal_places[i]] += (shift - shifted) * diagonal[i];
+    shifted = shift;
+    ++result.factorizations;
+    if (factors.factorize(tangent))
+      return true;
+  }
+  return false;
 }
 
 bool ContactNewton::slides_away(const Vector &x, ContactResponse &response) {
@@ -141,7 +158,7 @@ bool ContactNewton::slides_away(const Vector &x, ContactResponse &response) {
   const Vector forces = evaluate(x, response);
   tangent = S;
   for (int i = 0; i < tangent.rows(); ++i)
-    add_to(tangent, i, i, shift * diagonal[i]);
+    tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
   if (!factors.factorize(tangent))
     return false;
   const Vector motion = factors.solve(forces);

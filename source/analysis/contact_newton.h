@@ -55,8 +55,7 @@ private:
   double energy(const Vector &forces) const;
   double energy_together(const Vector &x, const ContactResponse &response) const;
 
-  /// Factor S with the contacts' tangents, and a small multiple of the diagonal where it is
-  /// singular. @return false if there are no factors or no equilibrium
+  /// Factor S with the contacts' tangents, and a small multiple of the diagonal where that fails.
   bool factor(const ContactResponse &response, EquilibriumResult &result);
   /**
    * Whether an iterate proves that there is no equilibrium: a motion without elastic forces, along
@@ -75,7 +74,8 @@ private:
   const CondensedLine &line;
   ProximalContacts &proximal;
   std::vector<Places> places;
-  Vector diagonal; ///< of S, positive
+  std::vector<int> diagonal_places; ///< in the values of S
+  Vector diagonal;                  ///< of S, positive
   LineFactorization factors;
   SparseMatrix tangent;
 
