@@ -8,6 +8,7 @@
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
 #include <frictionbeam/results/summary.h>
+#include <frictionbeam/results/text.h>
 #include <frictionbeam/results/vtu_writer.h>
 #include <frictionbeam/scene/read_scene.h>
 
@@ -52,6 +53,24 @@ double peak_memory_mb() {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss / 1024.;
+}
+
+/// Which supports' states may not be the only ones, in a sentence.
+std::string several_equilibria(const Results &results, const StepReport &step) {
+  constexpr std::size_t most_named = 3;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most_named, step.several_equilibria.size()); ++i) {
+    const BeyondUniqueness &beyond = step.several_equilibria[i];
+    names += (i > 0 ? ", " : "") + results.supports[beyond.contact].name +
+             " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
+             rounded_number(beyond.limit, 3) + ")";
+  }
+  if (step.several_equilibria.size() > most_named)
+    names += " and " + std::to_string(step.several_equilibria.size() - most_named) + " more";
+  return "Step " + step.step +
+         ": several equilibria are possible, since friction exceeds the limit "
+         "K_tt/|K_tn| up to which a support's state is unique: " +
+         names + ". The answer is the one reached along the declared load sequence.";
 }
 
 void print_summary(const Scene &scene, const Results &results, const std::string &folder) {
@@ -159,17 +178,14 @@ int run_case(const RunOptions &options) {
   case SolverSettings::Method::exact:
     results.method = "exact: Signorini and Coulomb by a proximal-point semismooth Newton method";
   }
-  double residual = 0., contact = 0.;
   for (const StepReport &step : results.steps) {
-    residual = std::max(residual, step.residual);
-    contact = std::max(contact, step.contact);
     results.cost.iterations += step.iterations;
     results.cost.factorizations += step.factorizations;
     results.cost.steps += step.increments;
+    if (!step.several_equilibria.empty())
+      results.remarks.push_back(several_equilibria(results, step));
   }
-  results.certificate["equilibrium"] = residual;
-  if (scene.solver.method == SolverSettings::Method::exact)
-    results.certificate["contact"] = contact;
+  results.certify(scene);
   results.cost.unknowns = space.n_unknowns();
   results.cost.cells = discretization.pipe_cells().size();
   results.cost.contacts = contacts.size();

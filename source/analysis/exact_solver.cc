@@ -56,9 +56,11 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
       if (proximal.let_slipping_go(response))
         continue;
       result.check = newton.check(response);
-      result.converged = true;
-      result.remark.clear();
-      return result;
+      result.converged = result.check->holds(settings.contact_tolerance);
+      result.remark = result.converged ? "" : "the contact laws fail their check";
+      if (result.converged)
+        return result;
+      break;
     }
     result.remark = "rounding errors leave forces unbalanced";
   }

@@ -25,6 +25,10 @@ public:
   void matrix_changed() override {}
   EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
                           Vector &unknowns, ContactResponse &response) override;
+  std::vector<BeyondUniqueness>
+  beyond_uniqueness(const std::vector<ContactStatus> &status) const override {
+    return contacts_beyond_uniqueness(contacts, line, proximal, status);
+  }
 
 private:
   using Outcome = ContactNewton::Outcome;

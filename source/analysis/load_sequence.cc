@@ -10,6 +10,10 @@ namespace frictionbeam {
 
 using namespace dealii;
 
+namespace {
+constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadratic in them
+}
+
 LoadSequence::LoadSequence(const Model &model)
     : model(model),
       statics(make_equilibrium_solver(model.scene.solver, model.scene.solver.method, model.contacts,
@@ -99,6 +103,8 @@ bool LoadSequence::run_static(const unsigned int step, const Factors &target,
       return false;
     observer({step, i, declared.n_increments}, current);
   }
+  if (model.contacts.size() <= most_contacts_for_uniqueness)
+    step_reports.back().several_equilibria = statics->beyond_uniqueness(current.contact_status);
   return true;
 }
 
@@ -184,7 +190,7 @@ bool LoadSequence::report(const EquilibriumResult &result) {
   }
   report.residual = std::max(report.residual, result.residual);
   if (result.check)
-    report.contact = std::max(report.contact, result.check->natural_map);
+    report.contact.include(*result.check);
   return true;
 }
 
@@ -198,10 +204,15 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time,
   trial = current.unknowns;
   if (!report(statics->solve(increment, current.contacts, trial, response)))
     return false;
+  const Vector loads_before =
+      problem(model.linear.stiffness(), current.load_factors).right_hand_side;
+  LineState before = current;
   current.unknowns = trial;
   model.space.expand(current.unknowns, current.dofs);
   current.dofs += increment.imposed;
   commit(factors, time);
+  step_reports.back().energy +=
+      account_increment(model, before, current, loads_before, increment.right_hand_side);
   return true;
 }
 

@@ -11,8 +11,8 @@ namespace frictionbeam {
 namespace {
 
 /// Diagonal of the line's stiffness in the direction of one strain, per unit displacement.
-double diagonal_stiffness(const Contact &contact, const int strain, const SparseMatrix &stiffness,
-                          const double otherwise) {
+double stiffness_along(const Contact &contact, const int strain, const SparseMatrix &stiffness,
+                       const double otherwise) {
   double compliance = 0.;
   for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
     const double b = contact.length * contact.B_reduced(strain, j);
@@ -29,6 +29,14 @@ double in_series(const double element, const double proximal) {
 }
 
 } // namespace
+
+void ContactCheck::include(const ContactCheck &other) {
+  natural_map = std::max(natural_map, other.natural_map);
+  penetration = std::max(penetration, other.penetration);
+  cone_violation = std::max(cone_violation, other.cone_violation);
+  slip_angle = std::max(slip_angle, other.slip_angle);
+  least_dissipation = std::min(least_dissipation, other.least_dissipation);
+}
 
 ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix &stiffness)
     : contacts(contacts), list(contacts.size()), friction(contacts.size(), 0.) {
@@ -49,9 +57,9 @@ ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix 
       continue;
     contact.law->threshold(contact.parameters->data(), exact.law);
     const double share = contact.weight / contact.length;
-    exact.normal_diagonal = diagonal_stiffness(contact, 0, stiffness, mean) / share;
-    exact.shear_diagonal = std::max(diagonal_stiffness(contact, 1, stiffness, 0.),
-                                    diagonal_stiffness(contact, 2, stiffness, 0.)) /
+    exact.normal_diagonal = stiffness_along(contact, 0, stiffness, mean) / share;
+    exact.shear_diagonal = std::max(stiffness_along(contact, 1, stiffness, 0.),
+                                    stiffness_along(contact, 2, stiffness, 0.)) /
                            share;
     if (exact.shear_diagonal == 0.)
       exact.shear_diagonal = exact.normal_diagonal;
@@ -239,7 +247,7 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
     const double friction_force = std::hypot(T[0], T[1]), path = std::hypot(slip[0], slip[1]);
     result.cone_violation =
         std::max(result.cone_violation, (friction_force - radius) / std::max(P, 1e-12 * largest));
-    if (P > 0. && friction_force > 0. && rho_t * path > 1e-6 * scale) {
+    if (P > 0. && friction_force > 0. && rho_t * path > 1e-4 * scale) {
       const double cross = slip[0] * T[1] - slip[1] * T[0], dot = slip[0] * T[0] + slip[1] * T[1];
       result.slip_angle = std::max(result.slip_angle, std::abs(std::atan2(cross, dot)));
     }

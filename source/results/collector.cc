@@ -211,12 +211,9 @@ void Collector::finish(const LineState &state) {
     }
     const bool relative =
         quantity.what == "max_error" && model.scene.exact && model.scene.exact->largest > 0.;
-    QuantityResult result{quantity.name,
-                          relative ? "-" : unit_of(quantity.what),
-                          quantity.source,
-                          *pending[i].value,
-                          quantity.reference,
-                          {}};
+    QuantityResult result{quantity.name,      relative ? "-" : unit_of(quantity.what),
+                          quantity.source,    *pending[i].value,
+                          quantity.reference, {}};
     if (quantity.reference) {
       const double difference = std::abs(result.value - *quantity.reference);
       result.error =

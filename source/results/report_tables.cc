@@ -253,6 +253,27 @@ std::string reaction_tables(const Scene &scene, const Results &results,
          html_note("Forces and moments on the pipe in global axes, z up.");
 }
 
+namespace {
+
+std::string energy_table(const Results &results) {
+  if (!results.energy)
+    return "";
+  const EnergyAccount &energy = *results.energy;
+  const auto joule = [](const double value) { return optional_number(value, 4) + " J"; };
+  return "<h3>Energy</h3>\n" +
+         HtmlTable()
+             .text("static steps", {"work of loads and imposed motions", "stored", "dissipated",
+                                    "along gaps that open or close", "imbalance",
+                                    "friction work missed by the steps"})
+             .right("", {joule(energy.external), joule(energy.stored), joule(energy.dissipated),
+                         joule(energy.gaps),
+                         joule(energy.external - energy.stored - energy.dissipated - energy.gaps),
+                         joule(energy.missed_friction)})
+             .str();
+}
+
+} // namespace
+
 std::string solver_tables(const Results &results) {
   std::vector<std::string> steps, increments, halvings, iterations, factorizations, residuals,
       contact, converged, remarks;
@@ -264,8 +285,8 @@ std::string solver_tables(const Results &results) {
     iterations.push_back(std::to_string(step.iterations));
     factorizations.push_back(std::to_string(step.factorizations));
     residuals.push_back(optional_number(step.residual, 2));
-    contact.push_back(optional_number(step.contact, 2));
-    any_contact = any_contact || step.contact != 0.;
+    contact.push_back(optional_number(step.contact.natural_map, 2));
+    any_contact = any_contact || step.contact.natural_map != 0.;
     converged.push_back(step.converged ? "yes" : "no");
     remarks.push_back(step.remark);
   }
@@ -281,16 +302,17 @@ std::string solver_tables(const Results &results) {
     table.right("contact residual", contact);
   std::string text = table.text("remark", remarks).str();
 
-  std::vector<std::string> checks, values;
-  for (const auto &[name, value] : results.certificate) {
-    checks.push_back(name);
-    values.push_back(optional_number(value, 2));
+  std::vector<std::string> checks, meanings, values;
+  for (const Check &check : results.certificate) {
+    checks.push_back(check.name);
+    meanings.push_back(check.meaning);
+    values.push_back(optional_number(check.value, 2) + (check.unit == "-" ? "" : " " + check.unit));
   }
   const Cost &cost = results.cost;
   const auto seconds = [](const double value) { return rounded_number(value, 3) + " s"; };
   text += "<div class=\"columns\">\n<div><h3>Certificate</h3>\n" +
-          HtmlTable().text("check", checks).right("relative residual", values).str() +
-          "</div>\n<div><h3>Cost</h3>\n" +
+          HtmlTable().text("check", checks).text("", meanings).right("worst", values).str() +
+          energy_table(results) + "</div>\n<div><h3>Cost</h3>\n" +
           HtmlTable()
               .text("time", {"all", "mesh", "setup", "solution"})
               .right("", {seconds(cost.wall_seconds), seconds(cost.mesh_seconds),

@@ -120,8 +120,16 @@ void write_summary(const Scene &scene, const Results &results, const std::string
                        .str());
 
   List certificate('{', '}');
-  for (const auto &[name, value] : results.certificate)
-    certificate.add(name, value);
+  for (const Check &check : results.certificate)
+    certificate.add(check.name, check.value);
+  List energy('{', '}');
+  if (results.energy)
+    energy.add("external", results.energy->external)
+        .add("stored", results.energy->stored)
+        .add("dissipated", results.energy->dissipated)
+        .add("gaps", results.energy->gaps)
+        .add("missed_friction", results.energy->missed_friction)
+        .add("imbalance", results.energy->imbalance());
 
   const Cost &cost = results.cost;
   List costs('{', '}', "  ");
@@ -146,7 +154,7 @@ void write_summary(const Scene &scene, const Results &results, const std::string
                   .add("iterations", step.iterations)
                   .add("factorizations", step.factorizations)
                   .add("residual", step.residual)
-                  .add("contact", step.contact)
+                  .add("contact", step.contact.natural_map)
                   .add(json("converged") + (step.converged ? ": true" : ": false"))
                   .add("remark", step.remark)
                   .str());
@@ -165,6 +173,8 @@ void write_summary(const Scene &scene, const Results &results, const std::string
   member("status", json(status_word(results.status)));
   member("quantities", quantities.str());
   member("certificate", certificate.str());
+  if (results.energy)
+    member("energy", energy.str());
   member("cost", costs.str());
   member("method", json(results.method));
   member("steps", steps.str());

@@ -88,7 +88,7 @@ inline Sample make_sample(const unsigned int n_supports, const unsigned int n_st
     results.steps[step].step = scene.steps[step].name;
     results.steps[step].converged = step == 0;
   }
-  results.certificate = {{"equilibrium", 1e-13}};
+  results.certificate = {{"equilibrium", "-", "largest force left over", 1e-13}};
   results.remarks = {"a remark"};
   results.method = "none";
   results.status = RunStatus::converged;

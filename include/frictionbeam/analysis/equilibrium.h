@@ -3,6 +3,7 @@
 
 #include <frictionbeam/analysis/line_state.h>
 #include <frictionbeam/analysis/proximal_contacts.h>
+#include <frictionbeam/analysis/uniqueness.h>
 
 #include <functional>
 #include <memory>
@@ -41,6 +42,13 @@ public:
    */
   virtual EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
                                   Vector &unknowns, ContactResponse &response) = 0;
+
+  /// Contacts of the last solution that may have other states for the same loads, as far as the
+  /// method can see.
+  virtual std::vector<BeyondUniqueness>
+  beyond_uniqueness(const std::vector<ContactStatus> &) const {
+    return {};
+  }
 };
 
 /// The solver that Solver/Method names. @p stiffness of the line, without contacts.

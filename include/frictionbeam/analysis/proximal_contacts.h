@@ -10,10 +10,20 @@ struct ContactCheck {
   /// Largest natural-map residual |r - P(r - rho u)| / max(|r|, rho |u|, 1e-12 of the largest
   /// force), beyond what rounding of the displacements makes of it.
   double natural_map = 0.;
-  double penetration = 0.;       ///< largest, rigid part [m]
-  double cone_violation = 0.;    ///< largest (|T| - f N) / max(N, 1e-12 of the largest force)
-  double slip_angle = 0.;        ///< largest angle between slip and friction force [rad]
-  double least_dissipation = 0.; ///< of one contact in the increment [J]
+  double penetration = 0.;    ///< largest, rigid part [m]
+  double cone_violation = 0.; ///< largest (|T| - f N) / max(N, 1e-12 of the largest force)
+  /// Largest angle between slip and friction force, where rho |slip| is above 1e-4 of the contact's
+  /// scale [rad].
+  double slip_angle = 0.;
+  double least_dissipation = 0.; ///< of one contact in the increment, at most 0 [J]
+
+  /// Whether the contact laws hold: natural map and cone to the tolerance, slip within a
+  /// milliradian of the friction force, and so no dissipation below zero.
+  bool holds(const double tolerance) const {
+    return natural_map <= tolerance && cone_violation <= tolerance && slip_angle <= 1e-3;
+  }
+  /// The worst of both.
+  void include(const ContactCheck &other);
 };
 
 /**
@@ -65,6 +75,13 @@ public:
 
   /// Whether contact @p i is of the kind that the exact laws cover.
   bool is_exact(const unsigned int i) const { return list[i].is_exact; }
+  /// In force in this increment.
+  double friction_coefficient(const unsigned int i) const { return friction[i]; }
+  /// k_d of the contact, along its normal and across [N/m].
+  Eigen::Vector2d diagonal_stiffness(const unsigned int i) const {
+    const double share = contacts[i].weight / contacts[i].length;
+    return {list[i].normal_diagonal * share, list[i].shear_diagonal * share};
+  }
 
 private:
   struct Exact {

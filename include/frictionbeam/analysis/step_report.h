@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/analysis/energy_account.h>
+#include <frictionbeam/analysis/uniqueness.h>
+
 #include <string>
 
 namespace frictionbeam {
@@ -10,10 +13,12 @@ struct StepReport {
   std::string step;
   unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
   double residual = 0.; ///< largest of its increments, relative to the largest force
-  double contact = 0.;  ///< largest natural-map residual of exact contact, each on its own scale
+  ContactCheck contact; ///< worst of its increments (exact method)
+  EnergyAccount energy; ///< of static steps
   bool converged = false;
-  bool no_equilibrium = false; ///< proved that there is none
-  std::string remark;          ///< why it was cut or stopped, in plain words
+  bool no_equilibrium = false;                      ///< proved that there is none
+  std::vector<BeyondUniqueness> several_equilibria; ///< at its end
+  std::string remark;                               ///< why it was cut or stopped, in plain words
 };
 
 } // namespace frictionbeam

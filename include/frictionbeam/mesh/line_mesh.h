@@ -17,8 +17,8 @@ struct MeshedPipe {
 /// Where a part of the scene stands on the mesh.
 struct Site {
   unsigned int vertex = 0;
-  Vector3 tangent;         ///< of the pipe there, unit; zero at a free point
-  double tributary = 1.;   ///< length of pipe that falls to it [m], for a bed; otherwise 1
+  Vector3 tangent;       ///< of the pipe there, unit; zero at a free point
+  double tributary = 1.; ///< length of pipe that falls to it [m], for a bed; otherwise 1
 };
 
 /// The line as gmsh meshed it, with everything the scene places on it found again.

@@ -11,10 +11,10 @@ public:
   struct Segment {
     double start = 0., length = 0.; ///< along the pipe [m]
     Point3 begin, end;
-    double radius = 0.;      ///< of a bend; 0: straight
-    Point3 centre;           ///< of a bend
-    Vector3 first_tangent;   ///< unit
-    Vector3 inward;          ///< of a bend: unit, from its beginning to its centre
+    double radius = 0.;    ///< of a bend; 0: straight
+    Point3 centre;         ///< of a bend
+    Vector3 first_tangent; ///< unit
+    Vector3 inward;        ///< of a bend: unit, from its beginning to its centre
 
     Point3 point(const double s) const; ///< s from the segment's start [m]
     Vector3 tangent(const double s) const;

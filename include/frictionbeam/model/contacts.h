@@ -23,10 +23,10 @@ struct Contact {
   LocalAxes axes{Vector3({0., 0., -1.})}; ///< x from the pipe to the ground
   double length = 0.;                     ///< [m]
   double weight = 0.; ///< length times share times tributary length: forces are weight B^T stress
-  std::vector<unsigned int> dofs;                                     ///< of the cell
-  Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B;         ///< strains of these
-  std::vector<int> unknowns;                                          ///< free ones they depend on
-  std::vector<int> vertex_unknowns; ///< all free ones of the two vertices
+  std::vector<unsigned int> dofs;                             ///< of the cell
+  Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B; ///< strains of these
+  std::vector<int> unknowns;                                  ///< free ones they depend on
+  std::vector<int> vertex_unknowns;                           ///< all free ones of the two vertices
   Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B_reduced; ///< strains of those
   double platen_force = 0.; ///< pressed on the ground node [N]
   unsigned int state_offset = 0, support = 0, site = 0;

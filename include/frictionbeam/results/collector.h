@@ -22,8 +22,8 @@ public:
   void observe(const unsigned int step, const unsigned int increment,
                const unsigned int n_increments, const LineState &state);
 
-  /// Fill in the quantities' results; those never reached are left out with a remark. If the analysis
-  /// stopped between outputs, @p state, the last in equilibrium, is put out as well.
+  /// Fill in the quantities' results; those never reached are left out with a remark. If the
+  /// analysis stopped between outputs, @p state, the last in equilibrium, is put out as well.
   void finish(const LineState &state);
 
 private:

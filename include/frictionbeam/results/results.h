@@ -4,8 +4,6 @@
 #include <frictionbeam/analysis/step_report.h>
 #include <frictionbeam/scene/scene.h>
 
-#include <map>
-
 /**
  * @file
  * What an analysis leaves behind, as plain data in SI units: everything that the writers of csv,
@@ -21,13 +19,14 @@ struct SupportInfo {
   Vector3 normal, t1, t2; ///< right-handed (t1, t2, n), n from the ground into the pipe
 };
 
-/// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in compression.
+/// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in
+/// compression.
 struct SupportState {
   ContactStatus status = ContactStatus::open;
-  double fn = 0., ft1 = 0., ft2 = 0.;  ///< [N]
-  double gap = 0.;                     ///< [m], >= 0 open
-  double slip1 = 0., slip2 = 0.;       ///< of the pipe on the ground since contact began [m]
-  double work_friction = 0.;           ///< dissipated so far [J]
+  double fn = 0., ft1 = 0., ft2 = 0.; ///< [N]
+  double gap = 0.;                    ///< [m], >= 0 open
+  double slip1 = 0., slip2 = 0.;      ///< of the pipe on the ground since contact began [m]
+  double work_friction = 0.;          ///< dissipated so far [J]
 };
 
 /// A restraint or spring in place; its forces on the pipe in global axes are in Frame::reactions.
@@ -68,7 +67,14 @@ struct History {
 struct QuantityResult {
   std::string name, unit, source;
   double value = 0.;
-  std::optional<double> reference, error; ///< error relative to the reference (absolute if that is 0)
+  std::optional<double> reference,
+      error; ///< error relative to the reference (absolute if that is 0)
+};
+
+/// A line of the certificate: the worst of all increments.
+struct Check {
+  std::string name, unit, meaning;
+  double value = 0.;
 };
 
 enum class RunStatus { converged, failed, no_equilibrium };
@@ -83,15 +89,19 @@ struct Cost {
 struct Results {
   std::vector<SupportInfo> supports;
   std::vector<RestraintInfo> restraints;
-  std::vector<Frame> frames;    ///< ends of steps, and output instants in between
+  std::vector<Frame> frames; ///< ends of steps, and output instants in between
   std::vector<History> histories;
   std::vector<QuantityResult> quantities;
   std::vector<StepReport> steps;
-  std::map<std::string, double> certificate; ///< name, relative residual (equilibrium, contact, ...)
-  std::vector<std::string> remarks; ///< warnings to the user
-  std::string method;               ///< in plain words
+  std::vector<Check> certificate;
+  std::optional<EnergyAccount> energy; ///< of static steps, all together
+  std::vector<std::string> remarks;    ///< warnings to the user
+  std::string method;                  ///< in plain words
   RunStatus status = RunStatus::failed;
   Cost cost;
+
+  /// Fill certificate and energy from the steps.
+  void certify(const Scene &scene);
 };
 
 } // namespace frictionbeam

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/analysis/condensed_line.h>
+#include <frictionbeam/analysis/proximal_contacts.h>
+
+namespace frictionbeam {
+
+/// A contact whose friction exceeds the limit up to which its state is unique.
+struct BeyondUniqueness {
+  unsigned int contact;
+  double friction, limit;
+};
+
+/**
+ * Contacts with f >= K_tt/|K_tn|, where K = [K_nn K_tn; K_tn K_tt] is the stiffness of the line at
+ * the contact, all other contacts held as they are: closed ones in their normal, sticking ones in
+ * their plane, too. For one contact the limit is sharp (several equilibria exist above it); for
+ * many it is a warning. K_tt is the smaller of the two principal stiffnesses.
+ *
+ * One factorization and three solutions a contact: quadratic in the number of contacts.
+ */
+std::vector<BeyondUniqueness> contacts_beyond_uniqueness(const Contacts &contacts,
+                                                         const CondensedLine &line,
+                                                         const ProximalContacts &proximal,
+                                                         const std::vector<ContactStatus> &status);
+
+} // namespace frictionbeam

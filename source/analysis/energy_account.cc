@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/analysis/energy_account.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+double EnergyAccount::imbalance() const {
+  return turnover > 0. ? std::abs(external - stored - dissipated - gaps) / turnover : 0.;
+}
+
+EnergyAccount &EnergyAccount::operator+=(const EnergyAccount &other) {
+  external += other.external;
+  stored += other.stored;
+  dissipated += other.dissipated;
+  gaps += other.gaps;
+  missed_friction += other.missed_friction;
+  turnover += other.turnover;
+  return *this;
+}
+
+namespace {
+
+/// Share of one contact: its strain increment in parts that store, open a gap and slip.
+void account_contact(const Contact &contact, const unsigned int i, const LineState &before,
+                     const LineState &after, EnergyAccount &account) {
+  const Contact::Strains change = after.contacts.strain[i] - before.contacts.strain[i],
+                         force = (before.contact_stress[i] + after.contact_stress[i]) / 2.,
+                         force_change = after.contact_stress[i] - before.contact_stress[i];
+  if (contact.law->threshold == nullptr) { // only the law knows
+    const double lost = after.contacts.dissipated[i] - before.contacts.dissipated[i];
+    account.dissipated += lost;
+    account.stored += contact.weight * force.dot(change) - lost;
+    return;
+  }
+  FrictionThreshold law{};
+  contact.law->threshold(contact.parameters->data(), law);
+  const auto slip = [&](const int place) {
+    return after.contacts.internal[contact.state_offset + place] -
+           before.contacts.internal[contact.state_offset + place];
+  };
+  const Contact::Strains slipped(0., slip(law.slip_y), slip(law.slip_z), slip(law.twist));
+  const double normal_elastic = force_change[0] / law.axial_rigidity;
+  account.gaps += contact.weight * force[0] * (change[0] - normal_elastic);
+  account.stored += contact.weight * (force[0] * normal_elastic +
+                                      force.tail<3>().dot(change.tail<3>() - slipped.tail<3>()));
+  account.dissipated += contact.weight * force.dot(slipped);
+  account.missed_friction += contact.weight * std::abs(force_change.dot(slipped)) / 2.;
+}
+
+} // namespace
+
+EnergyAccount account_increment(const Model &model, const LineState &before, const LineState &after,
+                                const Vector &loads_before, const Vector &loads_after) {
+  EnergyAccount account;
+  const Vector motion = after.unknowns - before.unknowns;
+  account.external = (loads_before + loads_after).dot(motion) / 2.;
+  account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
+  account.turnover = std::abs(account.external) + std::abs(account.stored);
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    EnergyAccount share;
+    account_contact(contact, i, before, after, share);
+    // What of the contact's strain comes from imposed motions, and not from the unknowns.
+    Contact::Strains imposed = after.contacts.strain[i] - before.contacts.strain[i];
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      imposed -= motion[contact.unknowns[j]] * contact.B_reduced.col(j);
+    share.external =
+        contact.weight * (before.contact_stress[i] + after.contact_stress[i]).dot(imposed) / 2.;
+    share.turnover = std::abs(share.stored) + std::abs(share.dissipated) + std::abs(share.gaps);
+    account += share;
+  }
+  return account;
+}
+
+} // namespace frictionbeam

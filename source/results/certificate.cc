@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/results.h>
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+void Results::certify(const Scene &scene) {
+  double residual = 0., imbalance = 0.;
+  ContactCheck contact;
+  EnergyAccount account;
+  for (const StepReport &step : steps) {
+    residual = std::max(residual, step.residual);
+    imbalance = std::max(imbalance, step.energy.imbalance());
+    contact.include(step.contact);
+    account += step.energy;
+  }
+  certificate = {{"equilibrium", "-", "largest force left over, of the largest force", residual}};
+  if (scene.solver.method == SolverSettings::Method::exact) {
+    certificate.push_back(
+        {"contact", "-", "natural map, each contact on its own scale", contact.natural_map});
+    certificate.push_back({"penetration", "m", "largest", contact.penetration});
+    certificate.push_back(
+        {"cone_violation", "-", "friction above f N, of N", contact.cone_violation});
+    certificate.push_back(
+        {"slip_angle", "rad", "between slip and friction force", contact.slip_angle});
+    certificate.push_back(
+        {"least_dissipation", "J", "of one contact in one increment", contact.least_dissipation});
+  }
+  if (account.turnover == 0.)
+    return;
+  certificate.push_back({"energy", "-", "imbalance of the account below", imbalance});
+  energy = account;
+}
+
+} // namespace frictionbeam
