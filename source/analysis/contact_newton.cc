@@ -133,6 +133,9 @@ ContactCheck ContactNewton::check(const ContactResponse &response) const {
 }
 
 bool ContactNewton::factor(const ContactResponse &response, EquilibriumResult &result) {
+  if (response.tangent == factored) // nothing slides, nothing opened or closed
+    return true;
+  factored.clear();
   std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const auto &B = contacts[i].B_reduced;
@@ -147,8 +150,10 @@ bool ContactNewton::factor(const ContactResponse &response, EquilibriumResult &r
       tangent.valuePtr()[diagonal_places[i]] += (shift - shifted) * diagonal[i];
     shifted = shift;
     ++result.factorizations;
-    if (factors.factorize(tangent))
+    if (factors.factorize(tangent)) {
+      factored = response.tangent;
       return true;
+    }
   }
   return false;
 }
@@ -156,6 +161,7 @@ bool ContactNewton::factor(const ContactResponse &response, EquilibriumResult &r
 bool ContactNewton::slides_away(const Vector &x, ContactResponse &response) {
   constexpr double shift = 1e-9;
   const Vector forces = evaluate(x, response);
+  factored.clear();
   tangent = S;
   for (int i = 0; i < tangent.rows(); ++i)
     tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];

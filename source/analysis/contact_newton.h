@@ -78,6 +78,7 @@ private:
   Vector diagonal;                  ///< of S, positive
   LineFactorization factors;
   SparseMatrix tangent;
+  decltype(ContactResponse::tangent) factored; ///< the contacts' tangents that factors hold
 
   // of the increment
   Vector loads; ///< g
