@@ -43,7 +43,8 @@ def judge(case, method, done, folder):
     cost = summary["cost"]
     figures = {"seconds": cost["setup_seconds"] + cost["solve_seconds"],
                "iterations": cost["iterations"],
-               "certificate": max(value or 0. for value in summary["certificate"].values())}
+               "certificate": max(summary["certificate"].get(name) or 0.
+                                  for name in ("equilibrium", "contact"))}
     if summary["status"] == "no_equilibrium":
         figures["outcome"] = "solved" if case.no_equilibrium else "no equilibrium"
         figures["where"] = where_it_stops(summary)
