@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -55,22 +56,33 @@ double peak_memory_mb() {
   return usage.ru_maxrss / 1024.;
 }
 
-/// Which supports' states may not be the only ones, in a sentence.
-std::string several_equilibria(const Results &results, const StepReport &step) {
-  constexpr std::size_t most_named = 3;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(most_named, step.several_equilibria.size()); ++i) {
-    const BeyondUniqueness &beyond = step.several_equilibria[i];
-    names += (i > 0 ? ", " : "") + results.supports[beyond.contact].name +
-             " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
-             rounded_number(beyond.limit, 3) + ")";
+/// Which supports' states may not be the only ones, in a sentence; empty if none is known.
+std::string several_equilibria(const Results &results) {
+  std::map<unsigned int, BeyondUniqueness> worst;
+  std::string steps, supports;
+  for (const StepReport &step : results.steps) {
+    if (!step.several_equilibria.empty())
+      steps += (steps.empty() ? "" : ", ") + step.step;
+    for (const BeyondUniqueness &beyond : step.several_equilibria)
+      if (const auto [entry, is_new] = worst.try_emplace(beyond.contact, beyond);
+          !is_new && beyond.limit < entry->second.limit)
+        entry->second = beyond;
   }
-  if (step.several_equilibria.size() > most_named)
-    names += " and " + std::to_string(step.several_equilibria.size() - most_named) + " more";
-  return "Step " + step.step +
-         ": several equilibria are possible, since friction exceeds the limit "
-         "K_tt/|K_tn| up to which a support's state is unique: " +
-         names + ". The answer is the one reached along the declared load sequence.";
+  if (worst.empty())
+    return "";
+  constexpr std::size_t most_named = 5;
+  std::size_t n = 0;
+  for (const auto &[contact, beyond] : worst)
+    if (++n <= most_named)
+      supports += (supports.empty() ? "" : ", ") + results.supports[contact].name +
+                  " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
+                  rounded_number(beyond.limit, 3) + ")";
+  if (n > most_named)
+    supports += " and " + std::to_string(n - most_named) + " more";
+  return "Several equilibria are possible at the end of " + steps +
+         ", since friction exceeds the limit K_tt/|K_tn| up to which a support's state is "
+         "unique: " +
+         supports + ". The answer is the one reached along the declared load sequence.";
 }
 
 void print_summary(const Scene &scene, const Results &results, const std::string &folder) {
@@ -182,9 +194,9 @@ int run_case(const RunOptions &options) {
     results.cost.iterations += step.iterations;
     results.cost.factorizations += step.factorizations;
     results.cost.steps += step.increments;
-    if (!step.several_equilibria.empty())
-      results.remarks.push_back(several_equilibria(results, step));
   }
+  if (const std::string remark = several_equilibria(results); !remark.empty())
+    results.remarks.push_back(remark);
   results.certify(scene);
   results.cost.unknowns = space.n_unknowns();
   results.cost.cells = discretization.pipe_cells().size();

@@ -247,7 +247,8 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
     const double friction_force = std::hypot(T[0], T[1]), path = std::hypot(slip[0], slip[1]);
     result.cone_violation =
         std::max(result.cone_violation, (friction_force - radius) / std::max(P, 1e-12 * largest));
-    if (P > 0. && std::min(friction_force, rho_t * path) > 1e-4 * scale) {
+    if (P > 0. && path > 1e4 * rounding &&
+        std::min(friction_force, rho_t * path) > 1e-4 * scale) {
       const double cross = slip[0] * T[1] - slip[1] * T[0], dot = slip[0] * T[0] + slip[1] * T[1];
       result.slip_angle = std::max(result.slip_angle, std::abs(std::atan2(cross, dot)));
     }

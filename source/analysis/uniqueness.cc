@@ -3,8 +3,10 @@
 
 #include <frictionbeam/analysis/line_factorization.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -18,6 +20,20 @@ Eigen::Vector3d hold(const ProximalContacts &proximal, const unsigned int i,
   const Eigen::Vector2d diagonal = stiff * proximal.diagonal_stiffness(i);
   const double tangential = status == ContactStatus::stick ? diagonal[1] : 0.;
   return {status == ContactStatus::open ? 0. : diagonal[0], tangential, tangential};
+}
+
+/// Least t.K_tt t/|K_tn.t| of all directions t, to a degree; couplings below a millionth are
+/// rounding.
+double least_ratio(const Eigen::Matrix2d &K_tt, const Eigen::Vector2d &K_tn) {
+  constexpr double degree = 3.14159265358979323846 / 180.;
+  double least = std::numeric_limits<double>::infinity();
+  for (int angle = 0; angle < 180; ++angle) {
+    const Eigen::Vector2d t(std::cos(angle * degree), std::sin(angle * degree));
+    const double stiffness = t.dot(K_tt * t), coupling = std::abs(K_tn.dot(t));
+    if (stiffness > 0. && coupling > 1e-6 * stiffness)
+      least = std::min(least, stiffness / coupling);
+  }
+  return least;
 }
 
 } // namespace
@@ -59,14 +75,10 @@ std::vector<BeyondUniqueness> contacts_beyond_uniqueness(const Contacts &contact
     }
     Eigen::Matrix3d stiffness = compliance.inverse();
     stiffness -= Eigen::Matrix3d(hold(proximal, i, status[i]).asDiagonal());
-    const Eigen::Matrix2d K_tt = stiffness.bottomRightCorner<2, 2>();
-    const double coupling = stiffness.block<2, 1>(1, 0).norm();
-    const double least =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>((K_tt + K_tt.transpose()) / 2.)
-            .eigenvalues()[0];
-    // Below a millionth of the stiffness, coupling is rounding.
-    if (coupling > 1e-6 * std::abs(least) && least > 0. && friction * coupling >= least)
-      result.push_back({i, friction, least / coupling});
+    const double limit =
+        least_ratio(stiffness.bottomRightCorner<2, 2>(), stiffness.block<2, 1>(1, 0));
+    if (friction >= limit)
+      result.push_back({i, friction, limit});
   }
   return result;
 }

@@ -12,8 +12,8 @@ struct ContactCheck {
   double natural_map = 0.;
   double penetration = 0.;    ///< largest, rigid part [m]
   double cone_violation = 0.; ///< largest (|T| - f N) / max(N, 1e-12 of the largest force)
-  /// Largest angle between slip and friction force, where both, rho |slip| and |T|, are above 1e-4 of
-  /// the contact's scale [rad].
+  /// Largest angle between slip and friction force, where slip is above rounding and both, rho |slip|
+  /// and |T|, are above 1e-4 of the contact's scale [rad].
   double slip_angle = 0.;
   double least_dissipation = 0.; ///< of one contact in the increment, at most 0 [J]
 
