@@ -118,12 +118,26 @@ private:
            incidence.degree(cells[c].vertices[1]) == 1;
   }
 
-  /// Whether a trail goes on through a vertex that has one dead end, too, its last cell. Of
-  /// several, only one could keep the author's direction.
+  /// Whether a trail goes on through a vertex that has one dead end, too. Of several, only one
+  /// could keep the author's direction.
   bool passes_dead_end(const unsigned int v) const {
-    const unsigned int end = incidence.start[v + 1];
-    return incidence.degree(v) > 2 && is_dead_end(incidence.cell[end - 1]) &&
-           !is_dead_end(incidence.cell[end - 2]);
+    if (parent[v] == none || continuation[v] == none || is_dead_end(steps[continuation[v]].cell))
+      return false;
+    unsigned int n = 0;
+    for (unsigned int i = incidence.start[v]; i < incidence.start[v + 1]; ++i)
+      n += incidence.cell[i] != steps[parent[v]].cell && is_dead_end(incidence.cell[i]);
+    return n == 1;
+  }
+
+  /// The first step of a trail, from @p step on, that does not lead to a dead end.
+  unsigned int beginning(unsigned int step) const {
+    for (;;) {
+      const unsigned int next = continuation[steps[step].to];
+      if (next == none || next <= step ||
+          !passes_dead_end(steps[step].to)) // <=: once around a ring
+        return step;
+      step = next;
+    }
   }
 
   void walk_from(const unsigned int root) {
@@ -235,14 +249,18 @@ private:
     }
 
     std::vector<unsigned int> n_waits_for(steps.size(), 0);
+    std::vector<bool> begins(steps.size(), !chained);
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      if (chained && parent[v] == none)
+        begins[beginning(continuation[v])] = true;
     // In the order of the walk, or backwards but for its beginning; dead ends beside the cell that
     // leads to them.
     std::set<std::pair<unsigned int, unsigned int>> ready;
     const auto insert = [&](const unsigned int step) {
-      const unsigned int before = parent[steps[step].from];
-      const unsigned int place =
-          is_dead_end(steps[step].cell) && before != none ? before : step;
-      ready.insert({chained && before != none ? steps.size() - place : place, step});
+      const unsigned int from = steps[step].from;
+      const bool beside = is_dead_end(steps[step].cell) && continuation[from] != step;
+      const unsigned int place = beside && parent[from] != none ? parent[from] : step;
+      ready.insert({begins[step] ? place : 2 * steps.size() - place, step});
     };
     for (unsigned int s = 0; s < steps.size(); ++s) {
       for (const unsigned int v : {steps[s].from, steps[s].to})

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -77,6 +78,7 @@ int main(int argc, char **argv) {
     std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
     if (started_by_mpirun())
       mpi.emplace(argc, argv, 1);
+    dealii::MultithreadInfo::set_thread_limit(1); // a line is too small to share out
     frictionbeam::RunOptions options;
     return read_command_line(argc, argv, options) ? run_case(options) : 0;
   } catch (const frictionbeam::UserError &error) {

@@ -24,7 +24,9 @@ struct CellOrigin {
  * loops. deal.II 9.4 accepts a vertex of three or more cells only if the first-listed cell there
  * points the other way from the others (an assertion in debug mode); so the cells are listed along
  * a depth-first walk from a free end, each away from it; where a loop closes, cells are turned and
- * listed anew as the rule needs. Walking along the line also keeps the bandwidth small.
+ * listed anew as the rule needs. Walking along the line also keeps the bandwidth small. Where the
+ * pipe has supports, the walk is listed backwards but for its first cell: in the author's order,
+ * deal.II would take time quadratic in their number.
  *
  * A friction cell between two pipes may be turned like any other. One to a ground vertex of its own
  * keeps the author's direction, from the pipe to the ground, but for some where several supports

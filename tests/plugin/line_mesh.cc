@@ -194,8 +194,30 @@ void direction_of_supports() {
   }
 }
 
+/// How often deal.II must look for a cell that it has not met yet, following neighbors.
+unsigned int n_searches(const Triangulation<1, 3> &triangulation) {
+  std::set<int> met;
+  unsigned int n = 0;
+  for (const auto &start : triangulation.active_cell_iterators()) {
+    if (!met.insert(start->index()).second)
+      continue;
+    ++n;
+    std::vector<int> pending = {start->index()};
+    while (!pending.empty()) {
+      const Triangulation<1, 3>::cell_iterator cell(&triangulation, 0, pending.back());
+      pending.pop_back();
+      for (const unsigned int f : {0, 1})
+        if (!cell->at_boundary(f) && met.insert(cell->neighbor_index(f)).second)
+          pending.push_back(cell->neighbor_index(f));
+    }
+  }
+  return n;
+}
+
 /// A straight pipe with supports, listed at random, is numbered along its length: a cell's degrees
-/// of freedom are those of its two vertices and of a support between.
+/// of freedom are those of its two vertices and of a support between. Only a cell at the pipe's
+/// beginning stands out of the row. deal.II meets all cells from there, so that it takes linear
+/// time.
 void numbering() {
   Line pipe{"pipe", {}, 0};
   pipe.chain(0, 40);
@@ -212,7 +234,18 @@ void numbering() {
   DoFHandler<1, 3> dofs(triangulation);
   dofs.distribute_dofs(fe);
   std::vector<types::global_dof_index> indices(12);
+  const auto first = dofs.begin_active();
+  const auto meets_first = [&](const auto &cell) {
+    for (const unsigned int v : {0, 1})
+      for (const unsigned int w : {0, 1})
+        if (cell->vertex_index(v) == first->vertex_index(w))
+          return true;
+    return false;
+  };
+  CHECK(n_searches(triangulation) <= 2);
   for (const auto &cell : dofs.active_cell_iterators()) {
+    if (meets_first(cell))
+      continue;
     cell->get_dof_indices(indices);
     CHECK(*std::max_element(indices.begin(), indices.end()) <=
           *std::min_element(indices.begin(), indices.end()) + 11 + 6);

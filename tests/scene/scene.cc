@@ -93,7 +93,7 @@ void test_broken_options() {
   };
   expect(slab, "Slab/GS", {"Section/Entry = value"});
   expect(slab, "Slab/Gs = 1e6", {"section 'Slab', entry 'Gs'", "try:     'GS'"});
-  expect(slab, "Slab/GS = -1", {"read:    -1", "a number > 0 [N]"});
+  expect(slab, "Slab/GS = -1", {"read:    -1", "a number >= 0 [N]"});
   expect(slab, "Slap/GS = 1", {"subsection Slap"});
   expect(line, "Support rest/Friction coefficient = 0.2",
          {"section 'Support rest', which the file does not have", "try:     'Support rests'"});
