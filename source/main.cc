@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contact_command.h"
 #include "run_case.h"
 
 #include <frictionbeam/results/summary.h>
@@ -19,6 +20,7 @@ const char *const usage =
     "frictionbeam CASE.prm [options]     solve a piping line on friction supports\n"
     "  --set \"Section/Entry = value\"     change an entry of the file; may be repeated\n"
     "  --output-directory FOLDER         where results go (default: output/CASE)\n"
+    "frictionbeam contact FILE.hdf5      solve a friction-contact problem in the format of FCLIB\n"
     "frictionbeam --print-parameters     every entry there is, with unit, bounds and meaning\n"
     "frictionbeam --version\n"
     "frictionbeam --help\n"
@@ -69,10 +71,19 @@ bool read_command_line(const int argc, char **argv, frictionbeam::RunOptions &op
   return true;
 }
 
+int solve_contact_command(const int argc, char **argv) {
+  if (argc != 3 || argv[2][0] == '-')
+    throw frictionbeam::UserError("'frictionbeam contact' takes one argument, the path of an FCLIB "
+                                  "file: frictionbeam contact problem.hdf5");
+  return frictionbeam::solve_contact_file(argv[2]);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
   try {
+    if (argc > 1 && std::string(argv[1]) == "contact")
+      return solve_contact_command(argc, argv);
     // A process by itself needs no MPI, nor the daemon, network interface and common folder that
     // Open MPI wants: programs that start at the same time would get in each other's way there.
     std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;

@@ -4,6 +4,7 @@
 #include <frictionbeam/analysis/load_sequence.h>
 #include <frictionbeam/model/mechanism.h>
 #include <frictionbeam/results/collector.h>
+#include <frictionbeam/results/contact_problem_writer.h>
 #include <frictionbeam/results/csv_writer.h>
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
@@ -157,6 +158,9 @@ int run_case(const RunOptions &options) {
   csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory);
   if (scene.output.vtu)
     vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
+  std::unique_ptr<ContactProblemWriter> contact_problems;
+  if (scene.output.contact_problems)
+    contact_problems = std::make_unique<ContactProblemWriter>(model, results);
 
   timer.restart();
   dealii::Timer output_timer;
@@ -164,12 +168,19 @@ int run_case(const RunOptions &options) {
   bool converged;
   {
     ProgressLine progress_line(scene);
-    converged = sequence.run([&](const LoadSequence::Progress &progress, const LineState &state) {
-      output_timer.start();
-      progress_line.show(progress);
-      collector.observe(progress.step, progress.increment, progress.n_increments, state);
-      output_timer.stop();
-    });
+    converged = sequence.run(
+        [&](const LoadSequence::Progress &progress, const LineState &state) {
+          output_timer.start();
+          progress_line.show(progress);
+          collector.observe(progress.step, progress.increment, progress.n_increments, state);
+          output_timer.stop();
+        },
+        [&](const LoadSequence::Progress &progress, const LineState &state) {
+          output_timer.start();
+          if (contact_problems)
+            contact_problems->observe(progress, state);
+          output_timer.stop();
+        });
   }
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
   collector.finish(sequence.state());

@@ -68,9 +68,12 @@ void LoadSequence::commit(const Factors &factors, const double time) {
   current.time = time;
 }
 
-bool LoadSequence::run(const Observer &observer) {
+bool LoadSequence::run(const Observer &observer, const Observer &each) {
+  each_increment = each;
   initialize();
   observer({0, 0, 0}, current);
+  if (each_increment)
+    each_increment({0, 0, 0}, current);
   for (unsigned int step = 0; step < model.scene.steps.size(); ++step) {
     const LoadStep &declared = model.scene.steps[step];
     StepReport report;
@@ -160,6 +163,9 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
   const double start = current.time;
   if (solve_increment(to, time, transient)) {
     ++report.increments;
+    if (each_increment)
+      each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
+                     current);
     return true;
   }
   if (report.no_equilibrium) {

@@ -81,6 +81,9 @@ void declare_output(ParameterReader &in) {
                   "Write the state at every increment, not only at the ends of steps.");
   in.declare_flag("VTU", true, "Write files for ParaView.");
   in.declare_flag("Report", true, "Write report.html.");
+  in.declare_flag("Write contact problems", false,
+                  "Of every static increment of the method exact: the friction-contact problem and "
+                  "its solution in the format of FCLIB, into the folder contact_problems.");
 }
 
 void parse_output(const ParameterReader &in, Scene &scene) {
@@ -88,6 +91,7 @@ void parse_output(const ParameterReader &in, Scene &scene) {
   scene.output.every_increment = in.flag("Every increment");
   scene.output.vtu = in.flag("VTU");
   scene.output.report = in.flag("Report");
+  scene.output.contact_problems = in.flag("Write contact problems");
 }
 
 void declare_global(ParameterReader &in) {

@@ -94,13 +94,9 @@ inline void read_summary(const std::filesystem::path &folder, Run &run) {
          number(entry, "reference"), number(entry, "error")});
 }
 
-/// Run `program file options... --output-directory folder`, its output into the run.
-inline Run run(const std::string &program, const std::string &file,
-               const std::vector<std::string> &options, const std::filesystem::path &folder) {
+/// Run a command, its output into the run.
+inline Run execute(std::vector<std::string> words) {
   const TemporaryFolder log;
-  std::vector<std::string> words{program, file};
-  words.insert(words.end(), options.begin(), options.end());
-  words.insert(words.end(), {"--output-directory", folder.string()});
   std::vector<char *> arguments;
   for (std::string &word : words)
     arguments.push_back(word.data());
@@ -119,6 +115,16 @@ inline Run run(const std::string &program, const std::string &file,
   Run result;
   result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   result.output = text_of(log_file);
+  return result;
+}
+
+/// Run `program file options... --output-directory folder`.
+inline Run run(const std::string &program, const std::string &file,
+               const std::vector<std::string> &options, const std::filesystem::path &folder) {
+  std::vector<std::string> words{program, file};
+  words.insert(words.end(), options.begin(), options.end());
+  words.insert(words.end(), {"--output-directory", folder.string()});
+  Run result = execute(words);
   read_summary(folder, result);
   return result;
 }

@@ -24,7 +24,9 @@ public:
   explicit LoadSequence(const Model &model);
 
   /// @return whether every step converged; if not, state() is the last one in equilibrium.
-  bool run(const Observer &observer);
+  /// @param each called with the start and with every increment solved, those of a cut one too;
+  /// its number counts these
+  bool run(const Observer &observer, const Observer &each = {});
 
   const LineState &state() const { return current; }
   const std::vector<StepReport> &reports() const { return step_reports; }
@@ -52,6 +54,7 @@ private:
   const std::unique_ptr<EquilibriumSolver> statics, dynamics;
   LineState current;
   std::vector<StepReport> step_reports;
+  Observer each_increment;
 
   // of the increment being solved
   Vector trial;

@@ -208,6 +208,7 @@ struct OutputSettings {
   unsigned int stations = 3;    ///< between the nodes of a cell
   bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
   bool vtu = true, report = true;
+  bool contact_problems = false; ///< FCLIB files of every static increment
 };
 
 struct Scene {
