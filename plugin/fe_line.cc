@@ -14,10 +14,11 @@ struct LineData : public FiniteElement<1, 3>::InternalDataBase {};
 } // namespace
 
 FE_Line::FE_Line(const unsigned int dofs_per_vertex)
-    : FiniteElement<1, 3>(
-          FiniteElementData<1>({dofs_per_vertex, 0}, n_line_components, 3, FiniteElementData<1>::H1),
-          std::vector<bool>(2 * dofs_per_vertex, false),
-          std::vector<ComponentMask>(2 * dofs_per_vertex, ComponentMask(n_line_components, true))) {}
+    : FiniteElement<1, 3>(FiniteElementData<1>({dofs_per_vertex, 0}, n_line_components, 3,
+                                               FiniteElementData<1>::H1),
+                          std::vector<bool>(2 * dofs_per_vertex, false),
+                          std::vector<ComponentMask>(2 * dofs_per_vertex,
+                                                     ComponentMask(n_line_components, true))) {}
 
 UpdateFlags FE_Line::requires_update_flags(const UpdateFlags flags) const { return flags; }
 
@@ -44,13 +45,15 @@ FE_Line::compare_for_domination(const FiniteElement<1, 3> &other, const unsigned
              : FiniteElementDomination::other_element_dominates;
 }
 
-std::unique_ptr<FiniteElement<1, 3>::InternalDataBase>
-FE_Line::get_data(const UpdateFlags flags, const Mapping<1, 3> &, const Quadrature<1> &,
-                  ElementOutput &) const {
+std::unique_ptr<FiniteElement<1, 3>::InternalDataBase> FE_Line::get_data(const UpdateFlags flags,
+                                                                         const Mapping<1, 3> &,
+                                                                         const Quadrature<1> &,
+                                                                         ElementOutput &) const {
   AssertThrow(!(flags & (update_hessians | update_3rd_derivatives)),
-              ExcMessage(get_name() + " offers values and gradients of its shape functions, no "
-                                      "second derivatives; curvatures are strains of the rotations, "
-                                      "see generalized_strain()."));
+              ExcMessage(get_name() +
+                         " offers values and gradients of its shape functions, no "
+                         "second derivatives; curvatures are strains of the rotations, "
+                         "see generalized_strain()."));
   auto data = std::make_unique<LineData>();
   data->update_each = flags;
   return data;
@@ -60,7 +63,8 @@ void FE_Line::fill_point(const Cell &cell, const double xi, const unsigned int q
                          const InternalDataBase &fe_internal, ElementOutput &output) const {
   const Tensor<1, 3> axis = cell->vertex(1) - cell->vertex(0);
   const double length = axis.norm();
-  const CellGeometry geometry{axis / length, length, cell->material_id()};
+  const CellGeometry geometry{axis / length, length, cell->material_id(), cell->vertex(0),
+                              cell->vertex(1)};
 
   std::vector<ShapeFunction> shapes(n_dofs_per_cell());
   evaluate(geometry, xi, shapes);

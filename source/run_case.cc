@@ -6,8 +6,10 @@
 #include <frictionbeam/results/collector.h>
 #include <frictionbeam/results/contact_problem_writer.h>
 #include <frictionbeam/results/csv_writer.h>
+#include <frictionbeam/results/derived_cases.h>
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
+#include <frictionbeam/results/report_modes.h>
 #include <frictionbeam/results/summary.h>
 #include <frictionbeam/results/text.h>
 #include <frictionbeam/results/vtu_writer.h>
@@ -108,6 +110,57 @@ void print_summary(const Scene &scene, const Results &results, const std::string
   std::cout << "Results are in " << folder << ", the report is report.html\n";
 }
 
+/// Whether the end of this step says which supports hold when the line vibrates.
+bool wants_modes_after(const Scene &scene, const unsigned int step) {
+  return scene.modal.n_modes > 0 &&
+         (scene.modal.step.empty() ? !scene.steps[step].transient
+                                   : scene.steps[step].name == scene.modal.step);
+}
+
+/// Modes, spectra and combinations; their names become steps of the scene, for the writers.
+void add_derived_cases(const Model &model, const std::optional<LineState> &modal_state,
+                       Scene &scene, Collector &collector, Results &results) {
+  const unsigned int n_steps = scene.steps.size();
+  std::optional<Frame> response;
+  if (modal_state) {
+    const ModalAnalysis analysis(model, *modal_state, scene.modal);
+    add_modes(model, analysis, results);
+    if (!scene.spectra.empty()) {
+      response = spectrum_response(model, analysis);
+      results.remarks.push_back(
+          "Friction is off in the modes and in the response to the spectra: a closed support holds "
+          "along its normal only. The method is linear and cannot do otherwise; a transient step "
+          "has friction.");
+    } else if (model.contacts.size() > 0)
+      results.remarks.push_back(
+          std::string("In the modes, closed supports hold along their normals") +
+          (scene.modal.friction_holds ? ", and those that stick sideways too; slipping ones do not."
+                                      : " only: friction is off."));
+  }
+  for (const std::string &name : derived_case_names(scene)) {
+    LoadStep step;
+    step.name = name;
+    scene.steps.push_back(step);
+  }
+  unsigned int next = n_steps;
+  if (response) {
+    response->step = next++;
+    collector.observe_case("spectrum", *response);
+  }
+  for (const Combination &combination : scene.combinations) {
+    std::vector<const Frame *> frames;
+    for (const auto &part : combination.cases)
+      for (const Frame &frame : results.frames)
+        if (frame.end_of_step && step_name(scene, frame) == part.first)
+          frames.push_back(&frame);
+    if (frames.size() != combination.cases.size())
+      continue; // a transient step may have been left out
+    Frame frame = combine(combination, frames);
+    frame.step = next++;
+    collector.observe_case(combination.name, frame);
+  }
+}
+
 } // namespace
 
 int run_case(const RunOptions &options) {
@@ -120,6 +173,7 @@ int run_case(const RunOptions &options) {
   prepare_output_folder(scene.output.directory);
 
   Results results;
+  results.units = scene.units;
   dealii::Timer timer;
   const LineMesh mesh = build_line_mesh(scene);
   results.cost.mesh_seconds = timer.wall_time();
@@ -151,9 +205,10 @@ int run_case(const RunOptions &options) {
   std::unique_ptr<CsvWriter> csv;
   std::unique_ptr<VtuWriter> vtu;
   Collector collector(model, results, [&](const Frame &frame) {
-    csv->append(frame);
+    const Frame shown = scene.units.is_si() ? frame : in_units(scene.units, frame);
+    csv->append(shown);
     if (vtu)
-      vtu->append(frame);
+      vtu->append(shown);
   });
   csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory);
   if (scene.output.vtu)
@@ -166,6 +221,7 @@ int run_case(const RunOptions &options) {
   dealii::Timer output_timer;
   output_timer.reset();
   bool converged;
+  std::optional<LineState> modal_state; // at the end of the step that modes start from
   {
     ProgressLine progress_line(scene);
     converged = sequence.run(
@@ -173,6 +229,9 @@ int run_case(const RunOptions &options) {
           output_timer.start();
           progress_line.show(progress);
           collector.observe(progress.step, progress.increment, progress.n_increments, state);
+          if (progress.increment == progress.n_increments &&
+              wants_modes_after(scene, progress.step))
+            modal_state = state;
           output_timer.stop();
         },
         [&](const LoadSequence::Progress &progress, const LineState &state) {
@@ -183,10 +242,14 @@ int run_case(const RunOptions &options) {
         });
   }
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
+  if (converged)
+    add_derived_cases(model, modal_state, scene, collector, results);
   collector.finish(sequence.state());
   csv->finish();
-  if (vtu)
+  if (vtu) {
+    vtu->append_modes();
     vtu->finish();
+  }
   results.steps = sequence.reports();
   results.status = converged                                  ? RunStatus::converged
                    : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
@@ -214,6 +277,7 @@ int run_case(const RunOptions &options) {
   results.cost.contacts = contacts.size();
   results.cost.peak_memory_mb = peak_memory_mb();
   results.cost.wall_seconds = wall.wall_time();
+  write_modes(results, scene.output.directory);
   write_summary(scene, results, scene.output.directory);
   if (scene.output.report)
     write_report(scene, results, scene.output.directory);

@@ -13,9 +13,10 @@ namespace frictionbeam {
  * two vertices. Its shape functions are vector-valued in every component (non-primitive) and depend
  * on the cell's tangent and length, which FEValues hands in with the cell.
  *
- * Limits, all of deal.II 9.4 with non-primitive elements: no VectorTools::interpolate_boundary_values
- * (use constrain_vertex_dofs()), no DoFTools::map_dofs_to_support_points; second derivatives are not
- * offered; FEValues views return only the first component (use generalized_strain()).
+ * Limits, all of deal.II 9.4 with non-primitive elements: no
+ * VectorTools::interpolate_boundary_values (use constrain_vertex_dofs()), no
+ * DoFTools::map_dofs_to_support_points; second derivatives are not offered; FEValues views return
+ * only the first component (use generalized_strain()).
  */
 class FE_Line : public dealii::FiniteElement<1, 3> {
 public:
@@ -38,6 +39,7 @@ protected:
     dealii::Tensor<1, 3> tangent; ///< unit vector from the first to the second vertex
     double length;                ///< [m]
     unsigned int material_id;
+    dealii::Point<3> begin, end; ///< its vertices
   };
 
   /// Six components of one shape function, and their derivatives along the line [1/m].

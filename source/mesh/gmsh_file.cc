@@ -122,7 +122,8 @@ LineMesh mesh_file(const Scene &scene) {
       const auto [entry, is_new] = vertex.try_emplace(tag, mesh.vertices.size());
       if (is_new) {
         const double *const x = &coordinates[3 * place.at(tag)];
-        mesh.vertices.emplace_back(x[0], x[1], x[2]);
+        const double unit = scene.units.factor("m"); // the file is in the units of the input
+        mesh.vertices.emplace_back(unit * x[0], unit * x[1], unit * x[2]);
       }
       const Point3 &here = mesh.vertices[entry->second];
       meshed.s.push_back(meshed.s.empty()

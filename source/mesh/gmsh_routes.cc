@@ -147,7 +147,11 @@ struct Piece {
   int curve;
   double start, length, bend_radius;
   int n_cells;
+  std::optional<Point3> arc_centre; ///< of an arc in one cell
 };
+
+/// A bend of a smaller angle than this [rad] is as well a straight cell.
+constexpr double smallest_arc = 0.02;
 
 int cells_of_piece(const MeshSettings &settings, const PipePath::Segment &segment,
                    const double length) {
@@ -188,8 +192,13 @@ LineMesh mesh_routes(const Scene &scene) {
       while (begin >= segment->start + segment->length - tolerance &&
              segment + 1 != paths[p].segments().end())
         ++segment;
-      Piece piece{0, begin, end - begin, segment->radius, 0};
+      Piece piece{0, begin, end - begin, segment->radius, 0, {}};
       piece.n_cells = cells_of_piece(scene.mesh, *segment, piece.length);
+      if (scene.mesh.arcs && piece.length > smallest_arc * segment->radius &&
+          segment->radius > 0.) {
+        piece.n_cells = 1;
+        piece.arc_centre = segment->centre;
+      }
       const int first = gmsh_point(segment->point(begin - segment->start));
       const int last = gmsh_point(segment->point(end - segment->start));
       piece.curve = segment->radius > 0.
@@ -241,6 +250,8 @@ LineMesh mesh_routes(const Scene &scene) {
                     ExcMessage("gmsh did not list the cells of a curve in its direction."));
         pipe.vertices.push_back(vertex_of(nodes[0][2 * i + 1]));
         pipe.s.push_back(piece.start + (i + 1) * piece.length / piece.n_cells);
+        if (piece.arc_centre)
+          pipe.arc_centre[pipe.bend_radius.size()] = *piece.arc_centre;
         pipe.bend_radius.push_back(piece.bend_radius);
       }
     }

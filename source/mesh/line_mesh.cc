@@ -15,6 +15,17 @@ namespace frictionbeam {
 
 using namespace dealii;
 
+Vector3 MeshedPipe::tangent(const std::vector<Point3> &points, const unsigned int cell,
+                            const bool at_end) const {
+  const Point3 begin = points[vertices[cell]], end = points[vertices[cell + 1]];
+  Vector3 along = end - begin;
+  if (const auto arc = arc_centre.find(cell); arc != arc_centre.end()) {
+    const Vector3 axis = cross_product_3d(begin - arc->second, end - arc->second);
+    along = cross_product_3d(axis, (at_end ? end : begin) - arc->second);
+  }
+  return along / along.norm();
+}
+
 namespace {
 
 std::string text(const Point3 &p) {
@@ -78,9 +89,8 @@ public:
     for (const MeshedPipe &pipe : mesh.pipes) {
       std::vector<Vector3> own(pipe.vertices.size());
       for (unsigned int i = 0; i + 1 < pipe.vertices.size(); ++i) {
-        const Vector3 leg = mesh.vertices[pipe.vertices[i + 1]] - mesh.vertices[pipe.vertices[i]];
-        own[i] += leg / leg.norm();
-        own[i + 1] += leg / leg.norm();
+        own[i] += pipe.tangent(mesh.vertices, i, false);
+        own[i + 1] += pipe.tangent(mesh.vertices, i, true);
       }
       for (unsigned int i = 0; i < own.size(); ++i)
         if (tangents[pipe.vertices[i]].norm() == 0. && own[i].norm() > 0.)

@@ -77,7 +77,8 @@ std::pair<FE_FrictionBeam::Rotations, bool> element_option(const FrictionSupport
 }
 
 Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
-                     const double bend_radius, const LawDescription &law) {
+                     const double bend_radius, const std::optional<Point3> &arc_centre,
+                     const LawDescription &law) {
   const double E = material.youngs_modulus, G = E / (2. * (1. + material.poissons_ratio));
   Profile profile;
   profile.EA = E * section.area;
@@ -88,6 +89,15 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   profile.rotary_inertia = material.density * section.inertia;
   profile.expansion = material.expansion;
   profile.pressure_strain = section.bore_area() * (1. - 2. * material.poissons_ratio) / profile.EA;
+  if (arc_centre) {
+    // The Bourdon effect: pressure straightens a bend (MEL 10-66, eq. 3-29).
+    const double r = section.outer_radius - section.wall / 2., nu = material.poissons_ratio;
+    if (section.wall > 0.)
+      profile.pressure_curvature =
+          -numbers::PI * r * r * r * r / (2. * E * section.inertia) *
+          (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (bend_radius * bend_radius)) / bend_radius;
+    profile.arc_centre = arc_centre;
+  }
   profile.tangent = section_tangent(law, profile);
   return profile;
 }
@@ -101,6 +111,13 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
   for (const Profile &profile : sections)
     shear_flexibility.push_back(profile.GA > 0. ? 12. * profile.EI / profile.GA : 0.);
   fe.push_back(FE_TimoshenkoBeam(shear_flexibility));
+  std::map<unsigned int, ArcData> arcs;
+  for (unsigned int id = 0; id < sections.size(); ++id)
+    if (sections[id].arc_centre)
+      arcs[id] = sections[id].arc();
+  if (!arcs.empty())
+    fe.push_back(FE_ArcBeam(arcs));
+  first_option = fe.size();
   using Rotations = FE_FrictionBeam::Rotations;
   const auto add_option = [this](const std::pair<Rotations, bool> &option) {
     if (std::find(options.begin(), options.end(), option) == options.end())
@@ -148,6 +165,13 @@ Discretization::Cell Discretization::at(const unsigned int author_index) const {
   return {&triangulation, 0, static_cast<int>(cell_level_index[author_index]), &dofs};
 }
 
+std::optional<ArcBeam> Discretization::arc(const Cell &cell) const {
+  const Profile &profile = sections[cell->material_id()];
+  if (!profile.arc_centre)
+    return {};
+  return ArcBeam(cell->vertex(0), cell->vertex(1), profile.arc());
+}
+
 void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
                                   const LawLibrary &laws) {
   const LawDescription &law = laws.find("elastic_section");
@@ -156,14 +180,18 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
     const MeshedPipe &meshed = mesh.pipes[p];
     const Pipe &pipe = scene.pipes[p];
     for (unsigned int i = 0; i + 1 < meshed.vertices.size(); ++i) {
-      const auto [entry, is_new] =
-          known.try_emplace({p, meshed.bend_radius[i]}, static_cast<unsigned int>(sections.size()));
-      if (is_new)
+      const auto arc = meshed.arc_centre.find(i);
+      const bool is_arc = arc != meshed.arc_centre.end();
+      unsigned int id = sections.size();
+      if (!is_arc)
+        id = known.try_emplace({p, meshed.bend_radius[i]}, id).first->second;
+      if (id == sections.size())
         sections.push_back(make_profile(pipe, scene.sections[pipe.section],
                                         scene.materials[pipe.material], meshed.bend_radius[i],
+                                        is_arc ? std::optional<Point3>(arc->second) : std::nullopt,
                                         law));
-      cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, entry->second});
-      fe_index.push_back(0);
+      cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, id});
+      fe_index.push_back(is_arc ? 1 : 0);
       pipes.push_back({p, i, false});
     }
   }
@@ -172,7 +200,7 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
 unsigned int Discretization::element_index(const FrictionSupport &support,
                                            const bool reversed) const {
   const auto option = element_option(support, reversed);
-  return 1 + (std::find(options.begin(), options.end(), option) - options.begin());
+  return first_option + (std::find(options.begin(), options.end(), option) - options.begin());
 }
 
 void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {

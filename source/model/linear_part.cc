@@ -32,6 +32,7 @@ CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &pro
     break;
   case Load::Kind::pressure:
     result.axial_strain = profile.pressure_strain * load.value;
+    result.curvature = profile.pressure_curvature * load.value;
     break;
   case Load::Kind::force:
   case Load::Kind::displacement:
@@ -248,14 +249,15 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
       add_local(element.mass(cell), dofs, space, M);
 
     const auto line = element.unit_line_loads();
-    const PipeElement::Vector12 strain = element.unit_axial_strain();
+    const PipeElement::Vector12 strain = element.unit_axial_strain(),
+                                curvature = element.unit_curvature();
     for (unsigned int l = 0; l < scene.loads.size(); ++l) {
       const CellLoad load = cell_load(scene.loads[l], pipe, element.profile());
       if (load.axial_strain == 0. && load.line_force.norm() == 0.)
         continue;
       const PipeElement::Vector12 forces =
           line * Eigen::Vector3d(load.line_force[0], load.line_force[1], load.line_force[2]) +
-          load.axial_strain * strain;
+          load.axial_strain * strain + load.curvature * curvature;
       for (unsigned int i = 0; i < 12; ++i)
         for (const auto &term : space.terms(dofs[i]))
           load_forces[l][term.unknown] += term.weight * forces[i];

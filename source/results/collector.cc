@@ -55,11 +55,14 @@ std::string unit_of(const std::string &what) {
     return "N";
   if (what == "gap" || what == "slip1" || what == "slip2" || what == "max_error")
     return "m";
+  if (what == "frequency")
+    return "Hz";
   return what == "work" ? "J" : "-";
 }
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
-    : model(model), results(results), sink(std::move(sink)), builder(model),
+    : model(model), results(results), sink(std::move(sink)),
+      builder(model, !model.scene.combinations.empty() || !model.scene.spectra.empty()),
       pending(model.scene.quantities.size()) {
   results.supports = builder.support_infos();
   results.restraints = builder.restraint_infos();
@@ -100,22 +103,9 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
     value = builder.motion(state, quantity.where)[c];
   else if (const int c = place(forces, what); c >= 0)
     value = force_at(quantity, state, c);
-  else if (const int c = place(section_forces, what); c >= 0) {
-    const unsigned int vertex = model.mesh.points.at(quantity.where);
-    for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p) {
-      const MeshedPipe &pipe = model.mesh.pipes[p];
-      const auto found = std::find(pipe.vertices.begin(), pipe.vertices.end(), vertex);
-      if (found == pipe.vertices.end())
-        continue;
-      const double s = pipe.s[found - pipe.vertices.begin()];
-      for (const Station &station : current_frame(state).line)
-        if (station.pipe == p && station.node && std::abs(station.s - s) <= 1e-9 * pipe.s.back()) {
-          value = station.force[c];
-          break;
-        }
-      break;
-    }
-  } else if (what == "max_error")
+  else if (const int c = place(section_forces, what); c >= 0)
+    value = station_at(quantity, current_frame(state)).force[c];
+  else if (what == "max_error")
     value = largest_error;
   else if (quantity.where.empty())
     value = sum_over_supports(current_frame(state).supports, what);
@@ -131,6 +121,68 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
                       quantity.where + "'. A repeated support's names are numbered: name.1, ...");
   }
   return quantity.scale * (quantity.absolute ? std::abs(value) : value);
+}
+
+const Station &Collector::station_at(const Quantity &quantity, const Frame &made) const {
+  const unsigned int vertex = model.mesh.points.at(quantity.where);
+  for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p) {
+    if (!quantity.pipe.empty() && model.scene.pipes[p].name != quantity.pipe)
+      continue;
+    const MeshedPipe &pipe = model.mesh.pipes[p];
+    const auto found = std::find(pipe.vertices.begin(), pipe.vertices.end(), vertex);
+    if (found == pipe.vertices.end())
+      continue;
+    const double s = pipe.s[found - pipe.vertices.begin()];
+    const Station *last = nullptr;
+    for (const Station &station : made.line)
+      if (station.pipe == p && station.node && std::abs(station.s - s) <= 1e-9 * pipe.s.back()) {
+        last = &station;
+        if (quantity.side != Quantity::Side::after)
+          break;
+      }
+    Assert(last != nullptr, dealii::ExcInternalError());
+    return *last;
+  }
+  throw UserError("Quantity " + quantity.name + ": the point '" + quantity.where +
+                  "' is on no pipe" + (quantity.pipe.empty() ? "" : " called " + quantity.pipe) +
+                  ", and so has no section forces.");
+}
+
+double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
+  const std::string &what = quantity.what;
+  double value = 0.;
+  if (const int c = place(motions, what); c >= 0)
+    value = station_at(quantity, made).displacement[c];
+  else if (const int c = place(section_forces, what); c >= 0)
+    value = station_at(quantity, made).force[c];
+  else if (const int c = place(forces, what); c >= 0) {
+    const auto point = model.mesh.points.find(quantity.where);
+    for (unsigned int i = 0; i < results.restraints.size(); ++i)
+      if (results.restraints[i].name == quantity.where ||
+          (point != model.mesh.points.end() &&
+           results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.))
+        value += made.reactions[i][c];
+    for (unsigned int i = 0; i < results.supports.size(); ++i)
+      if (results.supports[i].name == quantity.where && c < 3) {
+        const SupportState &s = made.supports[i];
+        const SupportInfo &info = results.supports[i];
+        value += s.fn * info.normal[c] + s.ft1 * info.t1[c] + s.ft2 * info.t2[c];
+      }
+  } else if (quantity.where.empty())
+    value = sum_over_supports(made.supports, what);
+  else
+    for (unsigned int i = 0; i < results.supports.size(); ++i)
+      if (results.supports[i].name == quantity.where)
+        value = support_value(made.supports[i], what);
+  return quantity.scale * (quantity.absolute ? std::abs(value) : value);
+}
+
+void Collector::observe_case(const std::string &name, const Frame &made) {
+  for (unsigned int i = 0; i < pending.size(); ++i)
+    if (model.scene.quantities[i].step == name && model.scene.quantities[i].what != "frequency")
+      pending[i].value = evaluate(model.scene.quantities[i], made);
+  sink(made);
+  results.frames.push_back(made);
 }
 
 bool Collector::output_is_due(const LoadStep &step, const double time, const bool last) const {
@@ -175,7 +227,8 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
         pending[i].value =
             part == 1. ? now : pending[i].previous + part * (now - pending[i].previous);
       }
-    } else if (last && (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
+    } else if (last && quantity.what != "frequency" &&
+               (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
       pending[i].value = evaluate(quantity, state);
   }
   previous_time = state.time;
@@ -205,15 +258,20 @@ void Collector::finish(const LineState &state) {
     put_out(state, true);
   for (unsigned int i = 0; i < pending.size(); ++i) {
     const Quantity &quantity = model.scene.quantities[i];
+    if (quantity.what == "frequency")
+      if (const std::size_t mode = std::stoul(quantity.where); mode <= results.modes.size())
+        pending[i].value = quantity.scale * results.modes[mode - 1].frequency;
     if (!pending[i].value) {
       results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
       continue;
     }
     const bool relative =
         quantity.what == "max_error" && model.scene.exact && model.scene.exact->largest > 0.;
-    QuantityResult result{quantity.name,      relative ? "-" : unit_of(quantity.what),
-                          quantity.source,    *pending[i].value,
-                          quantity.reference, {}};
+    const std::string unit = relative ? "-" : unit_of(quantity.what);
+    QuantityResult result{
+        quantity.name,      quantity.unit.empty() ? model.scene.units.name(unit) : quantity.unit,
+        quantity.source,    *pending[i].value / model.scene.units.factor(unit),
+        quantity.reference, {}};
     if (quantity.reference) {
       const double difference = std::abs(result.value - *quantity.reference);
       result.error =

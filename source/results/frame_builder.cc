@@ -26,8 +26,8 @@ Vector3 vector_at(const PipeElement::Vector12 &values, const unsigned int first)
 
 } // namespace
 
-FrameBuilder::FrameBuilder(const Model &model)
-    : model(model), element(model.discretization),
+FrameBuilder::FrameBuilder(const Model &model, const bool both_sides)
+    : model(model), both_sides(both_sides), element(model.discretization),
       station_values(model.discretization.elements()[0],
                      station_points(model.scene.output.stations), update_values) {
   const auto &cells = model.discretization.pipe_cells();
@@ -166,20 +166,16 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
   PipeElement::Vector12 u;
   for (unsigned int i = 0; i < 12; ++i)
     u[i] = state.dofs[dofs[i]];
-  CellLoad load;
-  for (unsigned int l = 0; l < state.load_factors.size(); ++l) {
-    const CellLoad one =
-        cell_load(model.scene.loads[l], model.scene.pipes[pipe_cell.pipe].name, profile);
-    load.line_force += state.load_factors[l] * one.line_force;
-    load.axial_strain += state.load_factors[l] * one.axial_strain;
-  }
+  const CellLoad load = load_on(state, pipe_cell, profile);
   const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
-  const PipeElement::Vector12 ends = element.stiffness() * u -
-                                     element.unit_line_loads() * line_force -
-                                     load.axial_strain * element.unit_axial_strain();
+  const PipeElement::Vector12 ends =
+      element.stiffness() * u - element.unit_line_loads() * line_force -
+      load.axial_strain * element.unit_axial_strain() - load.curvature * element.unit_curvature();
   for (const unsigned int v : {0u, 1u})
     for (unsigned int c = 0; c < 6; ++c)
       vertex_forces[cell->vertex_index(v)][c] += ends[6 * v + c];
+  if (element.arc())
+    return add_arc(pipe_cell, ends, u, load, line);
 
   // From here on in the direction of the route: section force F and moment M act on the face that
   // looks forward, with F' = -q, M' = -x cross F.
@@ -207,16 +203,7 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
     return result;
   };
 
-  // Where the forces jump (a support, a point load), a node appears with both sides.
-  const Station first = at_node(0., start);
-  bool jumps = line.empty() || line.back().pipe != first.pipe;
-  if (!jumps)
-    for (unsigned int c = 0; c < 6; ++c)
-      jumps = jumps || std::abs(first.force[c] - line.back().force[c]) >
-                           1e-6 * (std::abs(first.force[c]) + std::abs(line.back().force[c]));
-  if (jumps)
-    line.push_back(first);
-
+  begin_cell(at_node(0., start), line);
   station_values.reinit(cell);
   const unsigned int n = model.scene.output.stations;
   const Vector3 across = load.line_force - (load.line_force * axes.x) * axes.x;
@@ -242,6 +229,77 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
     line.push_back(result);
   }
   line.push_back(at_node(length, 6 - start));
+}
+
+CellLoad FrameBuilder::load_on(const LineState &state, const PipeCell &cell,
+                               const Profile &profile) const {
+  CellLoad load;
+  for (unsigned int l = 0; l < state.load_factors.size(); ++l) {
+    const CellLoad one =
+        cell_load(model.scene.loads[l], model.scene.pipes[cell.pipe].name, profile);
+    load.line_force += state.load_factors[l] * one.line_force;
+    load.axial_strain += state.load_factors[l] * one.axial_strain;
+    load.curvature += state.load_factors[l] * one.curvature;
+  }
+  return load;
+}
+
+/// Where the forces jump (a support, a point load), a node appears with both sides.
+void FrameBuilder::begin_cell(const Station &first, std::vector<Station> &line) const {
+  bool jumps = both_sides || line.empty() || line.back().pipe != first.pipe;
+  if (!jumps)
+    for (unsigned int c = 0; c < 6; ++c)
+      jumps = jumps || std::abs(first.force[c] - line.back().force[c]) >
+                           1e-6 * (std::abs(first.force[c]) + std::abs(line.back().force[c]));
+  if (jumps)
+    line.push_back(first);
+}
+
+void FrameBuilder::add_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
+                           const PipeElement::Vector12 &motions, const CellLoad &load,
+                           std::vector<Station> &line) const {
+  const ArcBeam &arc = *element.arc();
+  const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
+  const unsigned int n = model.scene.output.stations, n_stations = n + 2;
+  const Vector3 force = -vector_at(ends, 0), moment = -vector_at(ends, 3);
+  FullMatrix<double> shapes, slopes;
+  for (unsigned int i = 0; i < n_stations; ++i) {
+    // Along the route; psi along the deal.II cell.
+    const double part = static_cast<double>(i) / (n + 1),
+                 psi = arc.angle() * (pipe_cell.reversed ? 1. - part : part);
+    Station station;
+    station.pipe = pipe_cell.pipe;
+    station.node = i == 0 || i == n + 1;
+    station.s = meshed.s[pipe_cell.position] +
+                part * (meshed.s[pipe_cell.position + 1] - meshed.s[pipe_cell.position]);
+    station.position = arc.point(psi);
+    arc.shapes(psi, shapes, slopes);
+    const Tensor<1, 6> clamped =
+        arc.clamped_motion(psi, load.line_force, load.axial_strain, load.curvature);
+    for (unsigned int c = 0; c < 6; ++c) {
+      station.displacement[c] = station.node ? 0. : clamped[c];
+      for (unsigned int j = 0; j < 12; ++j)
+        station.displacement[c] += shapes(c, j) * motions[j];
+    }
+    // Equilibrium of what lies between the cell's beginning and the section: q acts on each slice.
+    const Vector3 arm = station.position - arc.point(0.);
+    const double R = arc.radius();
+    const Vector3 slices =
+        psi * R * arm -
+        R * R * ((1. - std::cos(psi)) * arc.tangent(0.) + (psi - std::sin(psi)) * arc.inward(0.));
+    Vector3 F = force - psi * R * load.line_force,
+            M = moment - cross_product_3d(arm, force) + cross_product_3d(slices, load.line_force);
+    const LocalAxes axes((pipe_cell.reversed ? -1. : 1.) * arc.tangent(psi));
+    if (pipe_cell.reversed) { // the face that looks forward along the route is the other one
+      F *= -1.;
+      M *= -1.;
+    }
+    station.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    if (i == 0)
+      begin_cell(station, line);
+    else
+      line.push_back(station);
+  }
 }
 
 void FrameBuilder::add_vertex_forces(const LineState &state) {

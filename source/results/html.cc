@@ -131,7 +131,7 @@ HtmlTable &HtmlTable::numbers(const std::string &header, const std::string &si_u
   largest(like);
   for (const double value : values)
     largest(value);
-  const DisplayUnit unit = display_unit(si_unit, largest.value());
+  const DisplayUnit unit = display_unit(units, si_unit, largest.value());
   const unsigned int decimals = decimals_for(unit.factor * largest.value());
   std::vector<std::string> cells;
   for (const double value : values)

@@ -230,7 +230,7 @@ std::string Picture::draw_supports() {
         markers_shared = true;
         continue;
       }
-      const DisplayUnit unit = display_unit("N", std::abs(state.fn));
+      const DisplayUnit unit = display_unit(scene.units, "N", std::abs(state.fn));
       text = status_marker(status, at.x, at.y, size,
                            info.name + ": " + status_word(status) + ", fn " +
                                rounded_number(unit.factor * state.fn) + " " + unit.name) +
@@ -300,10 +300,11 @@ std::string Picture::draw_legend() const {
 
   // the axes, each of a round length
   const double foreshortening = std::sqrt(2. / 3.);
-  const double room = 34. / (foreshortening * fit_factor);
+  const double metre = scene.units.factor("m");
+  const double room = 34. / (foreshortening * fit_factor * metre);
   const double power = std::pow(10., std::floor(std::log10(room)));
   const double length = power * std::floor(room / power);
-  const double axis = length * foreshortening * fit_factor;
+  const double axis = length * metre * foreshortening * fit_factor;
   const Pixel origin{46., bottom + 52.};
   const std::array<std::string, 3> names{{"x", "y", "z"}};
   for (unsigned int d = 0; d < 3; ++d) {
@@ -315,7 +316,8 @@ std::string Picture::draw_legend() const {
     text += text_at(origin.x + (axis + 9.) * to.x, origin.y + (axis + 9.) * to.y + 4., names[d],
                     "font-size=\"12\" text-anchor=\"middle\" fill=\"#111\"");
   }
-  text += text_at(origin.x, bottom + legend - 6., "axes " + rounded_number(length) + " m",
+  text += text_at(origin.x, bottom + legend - 6.,
+                  "axes " + rounded_number(length) + " " + scene.units.name("m"),
                   "font-size=\"11\" text-anchor=\"middle\" fill=\"#555\"");
 
   // pipes
@@ -323,7 +325,7 @@ std::string Picture::draw_legend() const {
   const double first = bottom + 28., second = bottom + 64.;
   text += stroke(x, first - 4., x + 26., first - 4., "stroke=\"#b4b4b4\" stroke-width=\"2\"");
   text += text_at(x + 34., first, "as built");
-  const DisplayUnit unit = display_unit("m", largest);
+  const DisplayUnit unit = display_unit(scene.units, "m", largest);
   x = 230.;
   for (unsigned int bin = 0; bin < n_colours; ++bin)
     text += "<rect x=\"" + px(x + 10. * bin) + "\" y=\"" + px(first - 10.) +

@@ -5,6 +5,7 @@
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
 #include <frictionbeam/results/report_charts.h>
+#include <frictionbeam/results/report_modes.h>
 #include <frictionbeam/results/report_tables.h>
 #include <frictionbeam/results/summary.h>
 #include <frictionbeam/results/text.h>
@@ -147,6 +148,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("supports", "Supports", support_tables(scene, results, frames));
     if (!results.restraints.empty())
       add("reactions", "Reactions", reaction_tables(scene, results, frames));
+    if (!results.modes.empty())
+      add("modes", "Modes", mode_section(scene, results));
     write_file(folder + "/line.svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
                                          draw_line(scene, results, *frames.back(), scale));
   }

@@ -48,9 +48,9 @@ Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
           largest(station.force[c]);
     if (largest.value() <= nothing * largest_of_all[c / 3])
       continue;
-    const DisplayUnit unit = display_unit(c < 3 ? "N" : "N m", largest.value());
+    const DisplayUnit unit = display_unit(scene.units, c < 3 ? "N" : "N m", largest.value());
     Plot plot;
-    plot.x_label = "s [m]";
+    plot.x_label = "s [" + scene.units.name("m") + "]";
     plot.y_label = std::string(names[c]) + " [" + unit.name + "]";
     for (const Frame *frame : frames) {
       Plot::Series series;
@@ -58,7 +58,7 @@ Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
       series.line_width = 1.5 + 0.8 * (frames.size() - 1 - plot.series.size());
       for (const Station &station : frame->line)
         if (station.pipe == pipe) {
-          series.x.push_back(station.s);
+          series.x.push_back(station.s / scene.units.factor("m"));
           series.y.push_back(unit.factor * station.force[c]);
         }
       plot.series.push_back(std::move(series));
@@ -96,14 +96,14 @@ std::vector<unsigned int> pipes_to_show(const Scene &scene,
 void add_time_chart(const std::string &what, const std::string &si_unit, const bool transient,
                     const std::vector<double> &time,
                     const std::vector<std::pair<std::string, std::vector<double>>> &curves,
-                    const double negligible, Group &group) {
+                    const double negligible, const UnitSystem &units, Group &group) {
   Largest largest;
   for (const auto &curve : curves)
     for (const double value : curve.second)
       largest(value);
   if (largest.value() <= negligible)
     return;
-  const DisplayUnit unit = display_unit(si_unit, largest.value());
+  const DisplayUnit unit = display_unit(units, si_unit, largest.value());
   Plot plot;
   plot.x_label = transient ? "time [s]" : "time of the load sequence [s]";
   plot.y_label = what + " [" + unit.name + "]";
@@ -127,7 +127,7 @@ void add_time_chart(const std::string &what, const std::string &si_unit, const b
 
 /// A chart of the translations and one of the rotations of a point. @p largest: of all points.
 Group history_charts(const History &history, const bool transient,
-                     const std::array<double, 2> &largest) {
+                     const std::array<double, 2> &largest, const UnitSystem &units) {
   static const std::array<const char *, 6> names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
   Group group{"Point " + history.point, "", {}};
   for (unsigned int kind = 0; kind < 2; ++kind) {
@@ -138,7 +138,7 @@ Group history_charts(const History &history, const bool transient,
         curves.back().second.push_back(motion[c]);
     }
     add_time_chart(kind == 0 ? "displacement" : "rotation", kind == 0 ? "m" : "rad", transient,
-                   history.time, curves, nothing * largest[kind], group);
+                   history.time, curves, nothing * largest[kind], units, group);
   }
   return group;
 }
@@ -169,7 +169,8 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
   for (const History &history : results.histories)
     if (history.time.size() > 1 && groups.size() < n_pipe_groups + n_points_at_most)
       groups.push_back(history_charts(history, transient,
-                                      {{largest_motion[0].value(), largest_motion[1].value()}}));
+                                      {{largest_motion[0].value(), largest_motion[1].value()}},
+                                      scene.units));
 
   std::vector<Plot> plots;
   for (const Group &group : groups)

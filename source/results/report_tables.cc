@@ -46,7 +46,9 @@ std::pair<std::string, double> largest_displacement(const Scene &scene, const Fr
         std::hypot(station.displacement[0], station.displacement[1], station.displacement[2]);
     if (std::isfinite(size) && size > largest) {
       largest = size;
-      where = scene.pipes[station.pipe].name + ", s = " + rounded_number(station.s) + " m";
+      where = scene.pipes[station.pipe].name +
+              ", s = " + rounded_number(station.s / scene.units.factor("m")) + " " +
+              scene.units.name("m");
     }
   }
   return {where, largest};
@@ -103,7 +105,7 @@ std::string support_table(const Results &results, const Frame &frame) {
     status.push_back(status_cell(state.status));
     ratio.push_back(state.fn > 0. ? fixed_number(friction_force(state) / state.fn, 3) : dash);
   }
-  return HtmlTable()
+  return HtmlTable(results.units)
              .text("support", names)
              .text("kind", kinds)
              .html("status", status)
@@ -144,7 +146,7 @@ std::string reaction_table(const Results &results, const Frame &frame) {
     kinds.push_back(results.restraints[row].kind);
   }
   static const std::array<const char *, 6> headers{{"fx", "fy", "fz", "mx", "my", "mz"}};
-  HtmlTable table;
+  HtmlTable table(results.units);
   table.text("restraint", names).text("kind", kinds);
   for (unsigned int c = 0; c < 6; ++c) {
     std::vector<double> values;
@@ -216,7 +218,7 @@ std::string step_table(const Scene &scene, const Results &results,
     friction.push_back(sum_friction);
     work.push_back(sum_work);
   }
-  HtmlTable table;
+  HtmlTable table(results.units);
   table.text("step", names)
       .text("loads", loads)
       .numbers("displacement", "m", displacement)
@@ -290,7 +292,7 @@ std::string solver_tables(const Results &results) {
     converged.push_back(step.converged ? "yes" : "no");
     remarks.push_back(step.remark);
   }
-  HtmlTable table;
+  HtmlTable table(results.units);
   table.text("step", steps)
       .text("converged", converged)
       .right("increments", increments)

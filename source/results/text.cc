@@ -145,6 +145,38 @@ DisplayUnit display_unit(const std::string &si_unit, const double largest) {
   return {1., si_unit};
 }
 
+DisplayUnit display_unit(const UnitSystem &units, const std::string &si_unit,
+                         const double largest) {
+  if (units.is_si())
+    return display_unit(si_unit, largest);
+  return {1. / units.factor(si_unit), units.name(si_unit)};
+}
+
+Frame in_units(const UnitSystem &units, const Frame &frame) {
+  Frame shown = frame;
+  const double length = 1. / units.factor("m"), force = 1. / units.factor("N");
+  const auto scale = [](Motion &motion, const double first, const double second) {
+    for (unsigned int c = 0; c < 6; ++c)
+      motion[c] *= c < 3 ? first : second;
+  };
+  for (Station &station : shown.line) {
+    station.s *= length;
+    station.position = length * station.position;
+    scale(station.displacement, length, 1.);
+    scale(station.force, force, force * length);
+  }
+  for (SupportState &support : shown.supports) {
+    for (double *value : {&support.fn, &support.ft1, &support.ft2})
+      *value *= force;
+    for (double *value : {&support.gap, &support.slip1, &support.slip2})
+      *value *= length;
+    support.work_friction *= force * length;
+  }
+  for (Motion &reaction : shown.reactions)
+    scale(reaction, force, force * length);
+  return shown;
+}
+
 void Largest::operator()(const double value) {
   if (std::isfinite(value))
     largest = std::max(largest, std::abs(value));

@@ -158,6 +158,20 @@ void VtuWriter::append(const Frame &frame) {
   }
 }
 
+void VtuWriter::append_modes() const {
+  std::vector<std::pair<double, std::string>> modes;
+  for (const ModeResult &mode : results.modes) {
+    char number[16];
+    std::snprintf(number, sizeof(number), "%04zu", modes.size() + 1);
+    modes.emplace_back(mode.frequency, std::string("vtu/mode_") + number + ".vtu");
+    Frame shape = mode.shape;
+    shape.time = mode.frequency;
+    write_line(shape, folder + "/" + modes.back().second);
+  }
+  if (!modes.empty())
+    write_pvd(modes, folder + "/modes.pvd");
+}
+
 void VtuWriter::finish() const {
   if (!line_frames.empty())
     write_pvd(line_frames, folder + "/results.pvd");

@@ -63,7 +63,7 @@ void ParameterReader::declare(const std::string &name, const std::string &defaul
                               const dealii::Patterns::PatternBase &pattern, const std::string &unit,
                               const std::string &allowed, const std::string &meaning) {
   declared[heading].push_back(
-      {name, allowed + (unit.empty() || unit == "-" ? "" : " [" + unit + "]")});
+      {name, allowed + (unit.empty() || unit == "-" ? "" : " [" + unit + "]"), unit});
   if (!heading.empty())
     handler.enter_subsection(heading);
   handler.declare_entry(name, default_value, pattern,
@@ -165,6 +165,11 @@ double ParameterReader::number(const std::string &name) const {
   const bool is_number = to_number(text(name), value);
   (void)is_number;
   Assert(is_number, dealii::ExcInternalError());
+  if (units.is_si() || !given(name))
+    return value;
+  for (const Declared &entry : declared.at(heading))
+    if (entry.name == name)
+      return entry.unit == "degC" ? units.celsius(value) : value * units.factor(entry.unit);
   return value;
 }
 
@@ -197,13 +202,14 @@ std::vector<double> ParameterReader::numbers(const std::string &name) const {
   return result;
 }
 
-dealii::Tensor<1, 3> ParameterReader::vector(const std::string &name) const {
+dealii::Tensor<1, 3> ParameterReader::vector(const std::string &name,
+                                             const std::string &si_unit) const {
   const std::vector<double> values = numbers(name);
   if (values.size() != 3)
     fail(name, "three numbers x y z", "a vector such as '0 0 1'");
   dealii::Tensor<1, 3> result;
   for (unsigned int d = 0; d < 3; ++d)
-    result[d] = values[d];
+    result[d] = values[d] * si(name, si_unit);
   return result;
 }
 

@@ -42,6 +42,8 @@ Load::AtPoint parse_force(const ParameterReader &in, const std::string &text, co
     if (!to_number(words[i], at.value[i - 1]))
       in.fail("Forces", "a point and numbers", "a number in place of '" + words[i] + "'",
               "'" + text + "'");
+    else
+      at.value[i - 1] *= in.si(i <= 3 ? "N" : "N m");
   return at;
 }
 
@@ -61,8 +63,7 @@ Load::AtPoint parse_displacement(const ParameterReader &in, const std::string &t
       in.fail("Displacements", form, "another text than '" + words[i] + " " + words[i + 1] + "'",
               "'" + text + "'");
     at.given[motion] = true;
-    if (motion >= 3)
-      at.value[motion] *= degree;
+    at.value[motion] *= motion >= 3 ? degree : in.si("m");
   }
   return at;
 }
@@ -96,7 +97,7 @@ void parse_load(const ParameterReader &in, const std::string &name,
     in.find("Pipes", pipe, names(scene.pipes), "pipe");
   if (kind == "weight") {
     load.kind = Load::Kind::weight;
-    load.vector = in.vector("Acceleration");
+    load.vector = in.vector("Acceleration", "m/s2");
   } else if (kind == "temperature") {
     load.kind = Load::Kind::temperature;
     if (!in.given("Temperature"))
@@ -107,7 +108,7 @@ void parse_load(const ParameterReader &in, const std::string &name,
     load.value = in.number("Pressure");
   } else if (kind == "line force") {
     load.kind = Load::Kind::line_force;
-    load.vector = in.vector("Force per length");
+    load.vector = in.vector("Force per length", "N/m");
   } else {
     const bool force = kind == "force";
     const std::string entry = force ? "Forces" : "Displacements";

@@ -42,7 +42,7 @@ void declare_point(ParameterReader &in) {
 }
 
 void parse_point(const ParameterReader &in, const std::string &name, Scene &scene) {
-  scene.points.push_back({name, Point3(in.vector("Position"))});
+  scene.points.push_back({name, Point3(in.vector("Position", "m"))});
 }
 
 void declare_pipe(ParameterReader &in) {
@@ -99,6 +99,7 @@ RoutePoint parse_route_point(const ParameterReader &in, const std::string &text,
   if (words.size() >= 2 && words[words.size() - 2] == "bend") {
     if (!to_number(words.back(), point.bend_radius) || point.bend_radius <= 0.)
       fail_point(in, text, "bend R with a radius > 0 [m]", "bend 0.457");
+    point.bend_radius *= in.si("m");
     words.resize(words.size() - 2);
   }
   const bool relative = words.size() >= 4 && words[words.size() - 4] == "by";
@@ -124,6 +125,8 @@ RoutePoint parse_route_point(const ParameterReader &in, const std::string &text,
   for (unsigned int d = 0; d < 3; ++d)
     if (!to_number(words[d], point.position[d]))
       fail_point(in, text, form, "a number in place of '" + words[d] + "'");
+    else
+      point.position[d] *= in.si("m");
   if (relative) {
     if (pipe.route.empty())
       fail_point(in, text, "'by' from the second point on", "the first point's coordinates");

@@ -11,6 +11,7 @@ const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"},
                                reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
                                section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz"},
                                contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work"},
+                               modal = {"frequency"},
                                sums = {"sum_normal", "sum_friction", "n_stick",
                                        "n_slip",     "n_open",       "max_error"};
 
@@ -37,6 +38,13 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
       supports + names(scene.restraints) + names(scene.springs);
   const std::string &what = quantity.what, &where = quantity.where;
   const std::string entry = quantity.name;
+  if (what == "frequency") {
+    double number;
+    if (!to_number(where, number) || number < 1. || number > scene.modal.n_modes)
+      in.fail(entry, "frequency N, with N from 1 to the Number of modes in section Modes",
+              "'frequency 1'", "'" + where + "'");
+    return;
+  }
   if (contains(motions, what) || contains(section_forces, what))
     check_point(in, entry, where, scene);
   else if (contains(reactions, what)) {
@@ -56,7 +64,8 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
 [[noreturn]] void fail_form(const ParameterReader &in, const std::string &entry,
                             const std::string &read) {
   in.fail(entry,
-          "what at where, step NAME, time T; scale F; reference R; source TEXT (all but 'what' may "
+          "what at where, step NAME, time T; scale F; unit U; reference R; source TEXT (all but "
+          "'what' may "
           "be left out; |what| is its absolute value)",
           "'ux at P1, step heat; reference 0.012; source hand calculation'", "'" + read + "'");
 }
@@ -81,15 +90,25 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
       if (quantity.absolute)
         what = what.substr(1, what.size() - 2);
       quantity.what = what;
-      in.find(quantity.name, what, motions + reactions + section_forces + contact + sums,
+      in.find(quantity.name, what, motions + reactions + section_forces + contact + modal + sums,
               "quantity");
+      using Side = Quantity::Side;
       if (words.size() == 3 && words[1] == "at")
         quantity.where = words[2];
+      else if (words.size() == 3 && contains(section_forces, what) &&
+               (words[1] == "before" || words[1] == "after")) {
+        quantity.where = words[2];
+        quantity.side = words[1] == "before" ? Side::before : Side::after;
+      } else if (words.size() == 2 && what == "frequency")
+        quantity.where = words[1];
       else if (words.size() != 1)
         fail_form(in, quantity.name, piece);
     } else if (words.size() == 2 && words[0] == "step") {
       quantity.step = words[1];
-      in.find(quantity.name, words[1], names(scene.steps), "step");
+      in.find(quantity.name, words[1], case_names(scene), "step");
+    } else if (words.size() == 2 && words[0] == "pipe" && contains(section_forces, quantity.what)) {
+      quantity.pipe = words[1];
+      in.find(quantity.name, words[1], names(scene.pipes), "pipe");
     } else if (words.size() == 2 && words[0] == "time")
       quantity.time = number_of(in, quantity.name, words[1]);
     else
@@ -140,6 +159,8 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
         quantity.scale = number_of(in, entry.name, value);
       else if (key == "reference")
         quantity.reference = number_of(in, entry.name, value);
+      else if (key == "unit")
+        quantity.unit = value;
       else if (key == "source")
         quantity.source = value;
       else

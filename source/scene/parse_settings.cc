@@ -12,7 +12,10 @@ void declare_mesh(ParameterReader &in) {
                   "points. Empty: the routes are meshed.");
   in.declare_number("Cell length", 0., "m", 0., 1e300,
                     "Longest cell of a straight run; 0: one cell from point to point.");
-  in.declare_count("Cells per bend", 8, 1, "In 90 degrees.");
+  in.declare_choice("Bends", "straight pieces", {"straight pieces", "arcs"},
+                    "Of routes. straight pieces: cut into cells; arcs: one exact curved element "
+                    "between two points of a bend.");
+  in.declare_count("Cells per bend", 8, 1, "Of straight pieces, in 90 degrees.");
 }
 
 void parse_mesh(const ParameterReader &in, Scene &scene) {
@@ -27,6 +30,7 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
               "the path from " + fs::absolute(in.file().name()).parent_path().string());
   }
   scene.mesh.cell_length = in.number("Cell length");
+  scene.mesh.arcs = in.text("Bends") == "arcs";
   scene.mesh.cells_per_bend = in.count("Cells per bend");
 }
 
@@ -95,6 +99,10 @@ void parse_output(const ParameterReader &in, Scene &scene) {
 }
 
 void declare_global(ParameterReader &in) {
+  in.declare_text("Units", "si", "si, or a length and a force, and a mass, a stress, a temperature",
+                  "Of all numbers in this file and of all results: 'in lb psi F', 'mm N MPa'. Mass "
+                  "is force s2/length and stress force/length2 unless they are named. Words: " +
+                      UnitSystem::known_words() + ".");
   in.declare_text("Title", "", "any text", "Of the report.");
   in.declare_choice("Scene", "line",
                     {"line", "slab", "oscillator", "friction bed", "rack", "random"},

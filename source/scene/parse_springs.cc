@@ -5,14 +5,16 @@ namespace frictionbeam::parts {
 
 namespace {
 
-/// Six numbers, or three for the translations alone. @p angles: rotations are given in degrees.
-Motion parse_motion(const ParameterReader &in, const std::string &entry, const bool angles) {
+/// Six numbers, or three for the translations alone, in @p units. @p angles: rotations are given
+/// in degrees.
+Motion parse_motion(const ParameterReader &in, const std::string &entry, const bool angles,
+                    const std::array<const char *, 2> &units) {
   const std::vector<double> values = in.numbers(entry);
   if (values.size() != 3 && values.size() != 6)
     in.fail(entry, "three numbers, or six with the rotations", "'0 0 0'");
   Motion motion{};
   for (unsigned int i = 0; i < values.size(); ++i)
-    motion[i] = values[i] * (angles && i >= 3 ? degree : 1.);
+    motion[i] = values[i] * in.si(entry, units[i / 3]) * (angles && i >= 3 ? degree : 1.);
   return motion;
 }
 
@@ -35,7 +37,7 @@ void parse_spring(const ParameterReader &in, const std::string &name, Scene &sce
     check_point(in, "To", spring.other, scene);
   if (spring.point == spring.other)
     in.fail("To", "another point than At", "a second point, or nothing for the ground");
-  spring.stiffness = parse_motion(in, "Stiffness", false);
+  spring.stiffness = parse_motion(in, "Stiffness", false, {{"N/m", "N m/rad"}});
   double sum = 0.;
   for (const double k : spring.stiffness) {
     if (k < 0.)
@@ -78,8 +80,8 @@ void parse_initial(const ParameterReader &in, Scene &scene) {
     in.fail("At", "at least one point", "the name of a point");
   for (const std::string &point : points) {
     check_point(in, "At", point, scene);
-    scene.initial.push_back(
-        {point, parse_motion(in, "Displacement", true), parse_motion(in, "Velocity", true)});
+    scene.initial.push_back({point, parse_motion(in, "Displacement", true, {{"m", "rad"}}),
+                             parse_motion(in, "Velocity", true, {{"m/s", "rad/s"}})});
   }
 }
 

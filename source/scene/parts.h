@@ -47,6 +47,19 @@ void parse_time(const ParameterReader &in, Scene &scene);
 void declare_output(ParameterReader &in);
 void parse_output(const ParameterReader &in, Scene &scene);
 
+void declare_modes(ParameterReader &in);
+void parse_modes(const ParameterReader &in, Scene &scene);
+/// What of the modes depends on steps and spectra, in section Modes.
+void check_modes(const ParameterReader &in, Scene &scene);
+void declare_spectrum(ParameterReader &in);
+void parse_spectrum(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_response(ParameterReader &in);
+void parse_response(const ParameterReader &in, Scene &scene);
+void declare_combination(ParameterReader &in);
+void parse_combination(const ParameterReader &in, const std::string &name, Scene &scene);
+/// Names of steps, of the spectra's result and of combinations.
+std::vector<std::string> case_names(const Scene &scene);
+
 /// Entries outside of any section.
 void declare_global(ParameterReader &in);
 /// Title, free motions; the monitors, which need the points, come by parse_monitors().

@@ -16,9 +16,11 @@ namespace frictionbeam {
 namespace {
 
 /// Kinds of parts, in the order in which they are read: each may refer to those before it.
-const std::vector<std::string> part_kinds = {"Material", "Section", "Point", "Pipe", "Support",
-                                             "Spring",   "Mass",    "Load",  "Step", "Initial"};
-const std::vector<std::string> settings = {"Mesh", "Solver", "Time", "Output", "Quantities"};
+const std::vector<std::string> part_kinds = {"Material", "Section", "Point",    "Pipe",
+                                             "Support",  "Spring",  "Mass",     "Load",
+                                             "Step",     "Initial", "Spectrum", "Combination"};
+const std::vector<std::string> settings = {"Mesh",  "Solver",   "Time",      "Output",
+                                           "Modes", "Response", "Quantities"};
 
 struct SceneKind {
   std::string name, section;
@@ -59,6 +61,10 @@ void declare_part(ParameterReader &in, const LawLibrary &laws, const std::string
     parts::declare_load(in);
   else if (kind == "Step")
     parts::declare_step(in);
+  else if (kind == "Spectrum")
+    parts::declare_spectrum(in);
+  else if (kind == "Combination")
+    parts::declare_combination(in);
   else
     parts::declare_initial(in);
 }
@@ -83,6 +89,10 @@ void parse_part(const ParameterReader &in, const LawLibrary &laws, const std::st
     parts::parse_load(in, name, installation_temperature, scene);
   else if (kind == "Step")
     parts::parse_step(in, name, scene);
+  else if (kind == "Spectrum")
+    parts::parse_spectrum(in, name, scene);
+  else if (kind == "Combination")
+    parts::parse_combination(in, name, scene);
   else
     parts::parse_initial(in, scene);
 }
@@ -193,7 +203,9 @@ void read_settings(ParameterReader &in, Scene &scene) {
       {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
       {"Solver", &parts::declare_solver, &parts::parse_solver},
       {"Time", &parts::declare_time, &parts::parse_time},
-      {"Output", &parts::declare_output, &parts::parse_output}};
+      {"Output", &parts::declare_output, &parts::parse_output},
+      {"Modes", &parts::declare_modes, &parts::parse_modes},
+      {"Response", &parts::declare_response, &parts::parse_response}};
   for (const auto &[heading, declare, parse] : sections) {
     in.enter(heading);
     declare(in);
@@ -213,6 +225,8 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
         in.take();
         parse_part(in, laws, kind, name_of(section.heading), installation_temperature, scene);
       }
+  in.enter("Modes");
+  parts::check_modes(in, scene);
   in.enter("");
   if (scene.pipes.empty() && scene.points.empty())
     in.fail_section("no pipe and no point", "at least one part 'Pipe <name>' or 'Point <name>'",
@@ -252,12 +266,22 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   scene.input = text.text();
   scene.overrides = overrides;
   in.enter("");
+  if (const auto units = UnitSystem::parse(in.text("Units")))
+    scene.units = *units;
+  else
+    in.fail("Units",
+            "si, or a length and a force, and a mass, a stress and a temperature if they "
+            "are not those that follow: " +
+                UnitSystem::known_words(),
+            "'in lb psi F'");
+  in.set_units(scene.units);
   load_laws(in, laws);
   parts::parse_global(in, scene);
   const double installation_temperature = in.number("Installation temperature");
-  if (kind != nullptr && (in.given("Free motions") || in.given("Installation temperature")))
-    in.fail_section("'Free motions' or 'Installation temperature'",
-                    "neither with Scene = " + kind->name + ", which sets them itself",
+  if (kind != nullptr &&
+      (in.given("Free motions") || in.given("Installation temperature") || in.given("Units")))
+    in.fail_section("'Free motions', 'Installation temperature' or 'Units'",
+                    "none of them with Scene = " + kind->name + ", which sets them itself",
                     "removing the entry");
   read_settings(in, scene);
   if (kind == nullptr)
@@ -287,15 +311,19 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "# Entries of a support's law stand in the support: those of 'coulomb' are shown.\n"
          "# Files may be included: include <file>. In 'Quantities', entries have names of your "
          "own:\n"
-         "#   set <name> = what at where, step NAME, time T; scale F; reference R; source TEXT\n"
+         "#   set <name> = what at where, step NAME, time T; scale F; unit U; reference R; source "
+         "TEXT\n"
          "# what: ux uy uz rx ry rz [m, rad] at a point; N Vy Vz Mx My Mz [N, N m] of the pipe at "
          "a\n"
-         "# point, local axes, N > 0 in tension; fx fy fz mx my mz [N, N m] at a support, spring "
+         "# point, local axes, N > 0 in tension ('before P' or 'after P' where they jump, 'pipe "
+         "NAME' at\n"
+         "# a branch); fx fy fz mx my mz [N, N m] at a support, spring "
          "or\n"
          "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
          "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"
          "# sum_normal sum_friction [N] n_stick n_slip n_open of all friction supports or of one\n"
-         "# part; max_error [m, or relative] in scenes with an exact solution. |what| is its "
+         "# part; frequency N [Hz] of mode N; max_error [m, or relative] in scenes with an exact "
+         "solution. |what| is its "
          "absolute value.\n"
          "# Without a step, the last one is meant; without a time, the end of the step.\n";
   const ParameterFile empty;
@@ -314,6 +342,10 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_time(in);
   in.enter("Output");
   parts::declare_output(in);
+  in.enter("Modes");
+  parts::declare_modes(in);
+  in.enter("Response");
+  parts::declare_response(in);
   in.enter("Quantities");
   parts::declare_quantities(in);
   for (const SceneKind &kind : scene_kinds) {

@@ -87,6 +87,8 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
     section.shear_area = cowper(0.3, 1. - 2. * t / D) * section.area;
   } else if (shear != "none" && !(to_number(shear, section.shear_area) && section.shear_area > 0.))
     in.fail("Shear area", "half, cowper, none, or a number > 0 [m2]", "half");
+  else if (shear != "none")
+    section.shear_area *= in.si("m2");
   section.added_mass = in.number("Added mass");
   scene.sections.push_back(section);
 }

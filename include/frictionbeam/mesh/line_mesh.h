@@ -12,6 +12,12 @@ struct MeshedPipe {
   std::vector<unsigned int> vertices;
   std::vector<double> s;           ///< arc length at the vertices [m]
   std::vector<double> bend_radius; ///< of each cell between two vertices; 0: straight
+  /// Centre of a cell that is an arc as a whole, by the cell's place in the pipe.
+  std::map<unsigned int, Point3> arc_centre;
+
+  /// Unit tangent of the pipe at either end of a cell, in its direction.
+  Vector3 tangent(const std::vector<Point3> &points, const unsigned int cell,
+                  const bool at_end) const;
 };
 
 /// Where a part of the scene stands on the mesh.

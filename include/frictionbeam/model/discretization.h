@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/fe_arc_beam.h>
 #include <frictionbeam/fe_friction_beam.h>
 #include <frictionbeam/law_library.h>
 #include <frictionbeam/line_triangulation.h>
@@ -19,7 +20,11 @@ struct Profile {
   double rotary_inertia = 0.;                ///< about a diameter [kg m]
   double expansion = 0.;                     ///< [1/K]
   double pressure_strain = 0.;               ///< axial strain of a closed pipe per pressure [1/Pa]
+  double pressure_curvature = 0.;            ///< of an arc about its axis [1/(m Pa)]
   dealii::Table<2, double> tangent;          ///< of the section law, 6 x 6
+  std::optional<Point3> arc_centre;          ///< of a cell that is an arc
+
+  ArcData arc() const { return {*arc_centre, EA, GA, GJ, EI}; }
 };
 
 /// A cell of a pipe.
@@ -62,6 +67,9 @@ public:
   const std::vector<PipeCell> &pipe_cells() const { return pipes; }
   const std::vector<SupportCell> &support_cells() const { return supports; }
 
+  /// The exact arc of a pipe cell in the direction of its deal.II cell, if it is one.
+  std::optional<ArcBeam> arc(const Cell &cell) const;
+
   /// What the active cell is.
   const CellInfo &info(const Cell &cell) const { return infos[cell->active_cell_index()]; }
   /// The active cell of a pipe cell, and of a friction element.
@@ -87,9 +95,11 @@ private:
   std::vector<unsigned int> fe_index; ///< of each author's cell
   std::vector<PipeCell> pipes;
   std::vector<SupportCell> supports;
-  std::vector<CellInfo> infos;                                      ///< by active cell index
-  std::vector<unsigned int> cell_level_index;                       ///< of each author's cell
-  std::vector<std::pair<FE_FrictionBeam::Rotations, bool>> options; ///< of fe[1], fe[2], ...
+  unsigned int first_option = 1;              ///< fe before it: pipes
+  std::vector<CellInfo> infos;                ///< by active cell index
+  std::vector<unsigned int> cell_level_index; ///< of each author's cell
+  std::vector<std::pair<FE_FrictionBeam::Rotations, bool>>
+      options; ///< of the friction elements in fe
 };
 
 /// Stiffness of a straight pipe over that of the bend, by the pipe's rule.

@@ -50,6 +50,7 @@ private:
 struct CellLoad {
   Vector3 line_force;
   double axial_strain = 0.;
+  double curvature = 0.; ///< about an arc's axis [1/m]
 };
 CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile);
 

@@ -10,7 +10,7 @@ namespace frictionbeam {
 
 /**
  * Matrices and vectors of one pipe cell, integrated through FEValues. Degrees of freedom stand in
- * the order of deal.II's cell: 6 at vertex 0, 6 at vertex 1, global axes.
+ * the order of deal.II's cell: 6 at vertex 0, 6 at vertex 1, global axes. Straight cells and arcs.
  */
 class PipeElement {
 public:
@@ -22,22 +22,30 @@ public:
   /// Evaluate the shape functions on a cell; the functions below then speak of it.
   void reinit(const Discretization::Cell &cell);
 
-  /// Integral of B^T D B, exact with two Gauss points.
+  /// Integral of B^T D B, exact with two Gauss points (twelve for an arc).
   Matrix12 stiffness() const;
   /// Forces of a unit force per length in each global direction (columns) [N per N/m].
   Eigen::Matrix<double, 12, 3> unit_line_loads() const;
   /// Nodal forces that a unit axial strain, if it were free, would need.
   Vector12 unit_axial_strain() const;
-  /// Consistent mass with rotary inertia, exact with four Gauss points.
+  /// Nodal forces that a unit change of curvature about an arc's axis, if it were free, would need.
+  Vector12 unit_curvature() const;
+  /// Consistent mass with rotary inertia, exact with four Gauss points (twelve for an arc).
   Matrix12 mass(const Discretization::Cell &cell);
 
   const Profile &profile() const { return *section; }
+  /// The cell as an exact arc; empty for a straight one.
+  const std::optional<ArcBeam> &arc() const { return bend; }
 
 private:
   const Discretization &discretization;
-  dealii::FEValues<1, 3> values, mass_values;
+  dealii::FEValues<1, 3> straight_values, straight_mass_values;
+  std::unique_ptr<dealii::FEValues<1, 3>> arc_values; ///< if the line has arcs
+  dealii::FEValues<1, 3> *values = nullptr;           ///< of the cell
   const Profile *section = nullptr;
-  std::array<std::array<GeneralizedStrain, 12>, 2> strains; ///< by quadrature point, function
+  std::optional<ArcBeam> bend;
+  double stretch = 1.;                                    ///< length over chord
+  std::vector<std::array<GeneralizedStrain, 12>> strains; ///< by quadrature point, function
 };
 
 } // namespace frictionbeam

@@ -22,6 +22,9 @@ public:
   void observe(const unsigned int step, const unsigned int increment,
                const unsigned int n_increments, const LineState &state);
 
+  /// To be called for every case made after the load sequence: @p made is put out and kept.
+  void observe_case(const std::string &name, const Frame &made);
+
   /// Fill in the quantities' results; those never reached are left out with a remark. If the
   /// analysis stopped between outputs, @p state, the last in equilibrium, is put out as well.
   void finish(const LineState &state);
@@ -33,6 +36,9 @@ private:
   };
 
   double evaluate(const Quantity &quantity, const LineState &state);
+  /// The quantity in a frame alone, for cases that have no state of the line.
+  double evaluate(const Quantity &quantity, const Frame &made) const;
+  const Station &station_at(const Quantity &quantity, const Frame &made) const;
   double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
   const Frame &current_frame(const LineState &state);
   void put_out(const LineState &state, const bool keep);

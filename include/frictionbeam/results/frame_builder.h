@@ -10,7 +10,9 @@ namespace frictionbeam {
 /// Turns a state of the analysis into what is reported: section forces, support forces, reactions.
 class FrameBuilder {
 public:
-  explicit FrameBuilder(const Model &model);
+  /// @param both_sides nodes within a pipe always appear with the forces on either side, so that
+  /// frames have equally many stations and can be combined; otherwise only where forces jump.
+  explicit FrameBuilder(const Model &model, const bool both_sides = false);
 
   std::vector<SupportInfo> support_infos() const;
   std::vector<RestraintInfo> restraint_infos() const;
@@ -31,10 +33,18 @@ public:
 private:
   void add_pipe(const LineState &state, const unsigned int pipe, std::vector<Station> &line);
   void add_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
+  /// Sum of a state's loads on a pipe cell.
+  CellLoad load_on(const LineState &state, const PipeCell &cell, const Profile &profile) const;
+  void begin_cell(const Station &first, std::vector<Station> &line) const;
+  /// Stations of an arc; its end forces and motions stand in the order of the deal.II cell.
+  void add_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
+               const PipeElement::Vector12 &motions, const CellLoad &load,
+               std::vector<Station> &line) const;
   void add_vertex_forces(const LineState &state);
   SupportState support_state(const LineState &state, const unsigned int i) const;
 
   const Model &model;
+  const bool both_sides;
   PipeElement element;
   dealii::FEValues<1, 3> station_values;
   std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/scene/units.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +12,9 @@ namespace frictionbeam {
 /// An HTML table, given column by column; all columns have equally many rows.
 class HtmlTable {
 public:
+  /// @param units in which numbers are shown
+  explicit HtmlTable(const UnitSystem &units = {}) : units(units) {}
+
   /// Names and words.
   HtmlTable &text(const std::string &header, const std::vector<std::string> &cells);
 
@@ -33,6 +38,7 @@ private:
     std::string header, open; ///< with the opening tags of the header and of each cell
     std::vector<std::string> cells;
   };
+  UnitSystem units;
   std::vector<Column> columns;
 };
 

@@ -57,6 +57,15 @@ struct Frame {
   std::vector<Motion> reactions; ///< of RestraintInfo
 };
 
+/// One eigenfrequency, and its shape with a largest displacement of 1.
+struct ModeResult {
+  double frequency = 0.;                  ///< [Hz]
+  std::array<double, 3> participation{};  ///< of x, y, z, for q^T M q = 1 [kg^1/2]
+  std::array<double, 3> effective_mass{}; ///< [kg]
+  double residual = 0.;                   ///< |K q - w^2 M q| / (w^2 |M q|)
+  Frame shape;
+};
+
 /// Motion of a monitored point at every increment.
 struct History {
   std::string point;
@@ -92,6 +101,10 @@ struct Results {
   std::vector<Frame> frames; ///< ends of steps, and output instants in between
   std::vector<History> histories;
   std::vector<QuantityResult> quantities;
+  std::vector<ModeResult> modes;
+  std::array<double, 3> total_mass{}; ///< that modes could move [kg]
+  std::string modal_method;           ///< in plain words
+  UnitSystem units;                   ///< in which the writers show everything
   std::vector<StepReport> steps;
   std::vector<Check> certificate;
   std::optional<EnergyAccount> energy; ///< of static steps, all together

@@ -51,6 +51,11 @@ struct DisplayUnit {
 /// Unit in which to show a column or chart of numbers in @p si_unit (N, N m, m, rad, J; any other
 /// is left as it is) that are no larger than @p largest.
 DisplayUnit display_unit(const std::string &si_unit, const double largest);
+/// The same, but in the units that the user has asked for, if these are not SI.
+DisplayUnit display_unit(const UnitSystem &units, const std::string &si_unit, const double largest);
+
+/// A frame with all its numbers in the units asked for; a copy only if they are not SI.
+Frame in_units(const UnitSystem &units, const Frame &frame);
 
 /// Keeps the largest size of the finite numbers given to it.
 class Largest {

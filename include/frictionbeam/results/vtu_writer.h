@@ -14,7 +14,9 @@ namespace frictionbeam {
  *   the pipe in global axes, fn, friction, status (1 stick, 2 slip, 3 open, 4 closed), gap, slip
  * and the work of friction.
  *
- * SI units. All functions throw UserError if a file
+ * - `modes.pvd` and `vtu/mode_0001.vtu`, ...: the shapes of the modes, their frequencies as times.
+ *
+ * In the units of the results. All functions throw UserError if a file
  * cannot be written.
  */
 class VtuWriter {
@@ -24,6 +26,9 @@ public:
 
   /// Write @p frame. The pvd files follow at once while frames are few, then every tenth of them.
   void append(const Frame &frame);
+
+  /// Write the shapes of the modes, if there are any. To be called once.
+  void append_modes() const;
 
   /// Enter all frames into the pvd files. To be called at the end.
   void finish() const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <frictionbeam/scene/parameter_file.h>
+#include <frictionbeam/scene/units.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
@@ -49,13 +50,21 @@ public:
   bool given(const std::string &name) const;      ///< by the file or by --set
   bool overridden(const std::string &name) const; ///< by --set
 
+  /// In SI units; the file's numbers are in its own (set_units()).
   double number(const std::string &name) const;
   unsigned int count(const std::string &name) const;
   bool flag(const std::string &name) const;
   std::string text(const std::string &name) const;
   std::vector<std::string> list(const std::string &name) const; ///< between commas, no empty item
-  std::vector<double> numbers(const std::string &name) const;   ///< between blanks or commas
-  dealii::Tensor<1, 3> vector(const std::string &name) const;
+  std::vector<double> numbers(const std::string &name) const;   ///< between blanks, as written
+  /// Three numbers, in SI units where the file has them in its own for @p si_unit.
+  dealii::Tensor<1, 3> vector(const std::string &name, const std::string &si_unit = "-") const;
+  /// Of a number that a text has in it: how many of @p si_unit the file's unit is. Defaults are SI.
+  double si(const std::string &si_unit) const { return units.factor(si_unit); }
+  double si(const std::string &entry, const std::string &si_unit) const {
+    return given(entry) ? units.factor(si_unit) : 1.;
+  }
+  void set_units(const UnitSystem &file_units) { units = file_units; }
 
   /// Place of @p name among @p names. @throws UserError that lists them.
   unsigned int find(const std::string &entry, const std::string &name,
@@ -79,7 +88,7 @@ public:
 
 private:
   struct Declared {
-    std::string name, allowed;
+    std::string name, allowed, unit;
   };
 
   void declare(const std::string &name, const std::string &default_value,
@@ -93,6 +102,7 @@ private:
   std::map<std::string, std::vector<Declared>> declared; ///< by heading
   dealii::ParameterHandler handler;
   bool has_changed = false;
+  UnitSystem units;
 };
 
 /// The program's way to write a number for people: as short as it can be.

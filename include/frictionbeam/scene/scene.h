@@ -2,6 +2,8 @@
 #pragma once
 
 #include <frictionbeam/law.h>
+#include <frictionbeam/scene/modal.h>
+#include <frictionbeam/scene/units.h>
 
 #include <deal.II/base/point.h>
 
@@ -163,12 +165,15 @@ struct InitialCondition {
 struct Quantity {
   std::string name;
   std::string what; ///< ux .. rz, fx .. mz, N .. Mz, fn, ft1, ft2, gap, slip1, slip2, work,
-                    ///< sum_normal, sum_friction, n_stick, n_slip, n_open, max_error
+                    ///< frequency, sum_normal, sum_friction, n_stick, n_slip, n_open, max_error
   bool absolute = false;
-  std::string where;          ///< named point, or name of a support or restraint
+  std::string where; ///< named point, or name of a support or restraint; number of a mode
+  enum class Side { any, before, after } side = Side::any; ///< of a point, for N .. Mz
+  std::string pipe;           ///< on which the point is meant, for N .. Mz; empty: the first
   std::string step;           ///< empty: the last one
   std::optional<double> time; ///< [s], instead of a step's end
   double scale = 1.;
+  std::string unit; ///< to show, of a scaled one; empty: what it measures
   std::optional<double> reference;
   std::string source;
 };
@@ -185,6 +190,7 @@ struct MeshSettings {
   std::string file;                ///< .geo or .msh of the user's own; empty: routes
   double cell_length = 0.;         ///< longest cell of a straight run [m]; 0: one cell a run
   unsigned int cells_per_bend = 8; ///< in 90 degrees
+  bool arcs = false;               ///< a bend is one exact arc, not straight cells
 };
 
 struct SolverSettings {
@@ -233,6 +239,12 @@ struct Scene {
   std::vector<std::string> monitors; ///< points whose motion is recorded at every increment
   std::optional<ExactHistory> exact;
   std::array<bool, 6> free_motions{{true, true, true, true, true, true}}; ///< of pipe nodes
+
+  UnitSystem units; ///< of the file, and of what is shown
+  ModalSettings modal;
+  std::vector<Spectrum> spectra;
+  SpectrumSettings response;
+  std::vector<Combination> combinations;
 
   MeshSettings mesh;
   SolverSettings solver;

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/derived_cases.h>
+#include <frictionbeam/results/frame_builder.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+/// Call a function with every number of a frame that can be combined.
+template <typename AnyFrame, typename Function>
+void for_each_number(AnyFrame &frame, const Function &function) {
+  for (auto &station : frame.line) {
+    for (auto &value : station.displacement)
+      function(value);
+    for (auto &value : station.force)
+      function(value);
+  }
+  for (auto &support : frame.supports)
+    for (auto *value : {&support.fn, &support.ft1, &support.ft2, &support.gap, &support.slip1,
+                        &support.slip2, &support.work_friction})
+      function(*value);
+  for (auto &reaction : frame.reactions)
+    for (auto &value : reaction)
+      function(value);
+}
+
+Vector numbers_of(const Frame &frame) {
+  std::vector<double> list;
+  for_each_number(frame, [&](const double value) { list.push_back(value); });
+  return Eigen::Map<const Vector>(list.data(), list.size());
+}
+
+Frame with_numbers(Frame frame, const Vector &numbers) {
+  Eigen::Index i = 0;
+  for_each_number(frame, [&](double &value) { value = numbers[i++]; });
+  AssertDimension(i, numbers.size());
+  return frame;
+}
+
+/// Correlation of two modes of equal damping in the complete quadratic combination.
+double correlation(const double a, const double b, const double damping) {
+  const double r = std::min(a, b) / std::max(std::max(a, b), 1e-300), z = damping * damping;
+  return 8. * z * (1. + r) * std::pow(r, 1.5) /
+         (std::pow(1. - r * r, 2) + 4. * z * r * (1. + r) * (1. + r));
+}
+
+/// Response in one direction, squared sums of modes and missing mass.
+class DirectionResponse {
+public:
+  DirectionResponse(const Model &model, const ModalAnalysis &analysis,
+                    const std::vector<Vector> &shapes, FrameBuilder &builder)
+      : model(model), settings(model.scene.response), analysis(analysis), shapes(shapes),
+        builder(builder) {}
+
+  Vector operator()(const unsigned int d) {
+    const auto &modes = analysis.modes();
+    std::vector<double> amount(modes.size(), 0.);
+    Vector missing = Vector::Zero(shapes.empty() ? 0 : shapes.front().size());
+    for (const Spectrum &spectrum : model.scene.spectra) {
+      if (spectrum.factor[d] == 0.)
+        continue;
+      const Vector inertia = analysis.inertia(analysis.support_motion(d, spectrum.supports));
+      Vector left = inertia;
+      for (unsigned int k = 0; k < modes.size(); ++k) {
+        const double gamma = modes[k].unknowns.dot(inertia);
+        const double square = std::pow(2. * dealii::numbers::PI * modes[k].frequency, 2);
+        add(amount[k], spectrum.factor[d] * gamma *
+                           spectrum.at(modes[k].frequency, settings.logarithmic) / square);
+        left -= gamma * analysis.momentum(k);
+      }
+      if (settings.missing_mass) {
+        const Frame rest = builder.make(analysis.displaced(analysis.solve(left)));
+        const Vector response =
+            spectrum.factor[d] * spectrum.curve.back().second * numbers_of(rest);
+        if (settings.groups == SpectrumSettings::Sum::absolute)
+          missing += response.cwiseAbs();
+        else
+          missing = (missing.cwiseAbs2() + response.cwiseAbs2()).cwiseSqrt();
+      }
+    }
+    const Vector combined = over_modes(amount);
+    return (combined.cwiseAbs2() + missing.cwiseAbs2()).cwiseSqrt();
+  }
+
+private:
+  /// Groups act on one mode: their shares differ in size only.
+  void add(double &sum, const double share) const {
+    const auto spectra = std::count_if(model.scene.spectra.begin(), model.scene.spectra.end(),
+                                       [](const Spectrum &s) { return !s.supports.empty(); });
+    if (spectra == 0)
+      sum += share; // keeps its sign, for the complete quadratic combination
+    else if (settings.groups == SpectrumSettings::Sum::absolute)
+      sum = std::abs(sum) + std::abs(share);
+    else
+      sum = std::hypot(sum, share);
+  }
+
+  Vector over_modes(const std::vector<double> &amount) const {
+    using Modes = SpectrumSettings::Modes;
+    Vector sum = Vector::Zero(shapes.empty() ? 0 : shapes.front().size());
+    if (settings.modes == Modes::absolute) {
+      for (unsigned int k = 0; k < shapes.size(); ++k)
+        sum += std::abs(amount[k]) * shapes[k].cwiseAbs();
+      return sum;
+    }
+    const auto &modes = analysis.modes();
+    for (unsigned int i = 0; i < shapes.size(); ++i)
+      for (unsigned int j = settings.modes == Modes::srss ? i : 0;
+           j < (settings.modes == Modes::srss ? i + 1 : shapes.size()); ++j) {
+        const double rho =
+            i == j ? 1. : correlation(modes[i].frequency, modes[j].frequency, settings.damping);
+        sum += rho * amount[i] * amount[j] * shapes[i].cwiseProduct(shapes[j]);
+      }
+    return sum.cwiseMax(0.).cwiseSqrt();
+  }
+
+  const Model &model;
+  const SpectrumSettings &settings;
+  const ModalAnalysis &analysis;
+  const std::vector<Vector> &shapes; ///< numbers of the frames of the modes
+  FrameBuilder &builder;
+};
+
+} // namespace
+
+std::vector<std::string> derived_case_names(const Scene &scene) {
+  std::vector<std::string> names;
+  if (!scene.spectra.empty())
+    names.push_back("spectrum");
+  for (const Combination &combination : scene.combinations)
+    names.push_back(combination.name);
+  return names;
+}
+
+void add_modes(const Model &model, const ModalAnalysis &analysis, Results &results) {
+  FrameBuilder builder(model, true);
+  std::array<Vector, 3> inertia;
+  for (unsigned int d = 0; d < 3; ++d) {
+    inertia[d] = analysis.inertia(analysis.support_motion(d, {}));
+    results.total_mass[d] = analysis.total_mass(d);
+  }
+  results.modal_method = analysis.method();
+  for (const Mode &mode : analysis.modes()) {
+    ModeResult result;
+    result.frequency = mode.frequency;
+    result.residual = mode.residual;
+    for (unsigned int d = 0; d < 3; ++d) {
+      result.participation[d] = mode.unknowns.dot(inertia[d]);
+      result.effective_mass[d] = result.participation[d] * result.participation[d];
+    }
+    result.shape = builder.make(analysis.displaced(mode.unknowns));
+    double largest = 0.;
+    for (const Station &station : result.shape.line)
+      largest = std::max(largest, std::hypot(station.displacement[0], station.displacement[1],
+                                             station.displacement[2]));
+    if (largest > 0.)
+      for_each_number(result.shape, [&](double &value) { value /= largest; });
+    results.modes.push_back(result);
+  }
+}
+
+Frame spectrum_response(const Model &model, const ModalAnalysis &analysis) {
+  FrameBuilder builder(model, true);
+  std::vector<Vector> shapes;
+  for (const Mode &mode : analysis.modes())
+    shapes.push_back(numbers_of(builder.make(analysis.displaced(mode.unknowns))));
+  Frame frame = builder.make(analysis.displaced(Vector::Zero(model.space.n_unknowns())));
+  Vector sum = Vector::Zero(numbers_of(frame).size());
+  const bool squares = model.scene.response.directions == SpectrumSettings::Sum::srss;
+  DirectionResponse response(model, analysis, shapes, builder);
+  for (unsigned int d = 0; d < 3; ++d) {
+    const Vector one = response(d);
+    if (one.size() > 0)
+      sum += squares ? Vector(one.cwiseAbs2()) : one;
+  }
+  if (squares)
+    sum = sum.cwiseSqrt().eval();
+  frame.step = model.scene.steps.size();
+  return with_numbers(frame, sum);
+}
+
+Frame combine(const Combination &combination, const std::vector<const Frame *> &frames) {
+  using Kind = Combination::Kind;
+  AssertDimension(frames.size(), combination.cases.size());
+  std::vector<Vector> parts;
+  for (unsigned int i = 0; i < frames.size(); ++i)
+    parts.push_back(combination.cases[i].second * numbers_of(*frames[i]));
+  Vector result = parts.front();
+  switch (combination.kind) {
+  case Kind::sum:
+    for (unsigned int i = 1; i < parts.size(); ++i)
+      result += parts[i];
+    break;
+  case Kind::range: {
+    Vector least = result;
+    for (const Vector &part : parts) {
+      result = result.cwiseMax(part);
+      least = least.cwiseMin(part);
+    }
+    result -= least;
+    break;
+  }
+  case Kind::envelope:
+    for (const Vector &part : parts)
+      result = (part.cwiseAbs().array() > result.cwiseAbs().array()).select(part, result);
+    break;
+  case Kind::srss:
+    result = result.cwiseAbs2();
+    for (unsigned int i = 1; i < parts.size(); ++i)
+      result += parts[i].cwiseAbs2();
+    result = result.cwiseSqrt().eval();
+    break;
+  case Kind::absolute:
+    result = result.cwiseAbs().eval();
+    for (unsigned int i = 1; i < parts.size(); ++i)
+      result += parts[i].cwiseAbs();
+  }
+  Frame frame = with_numbers(*frames.back(), result);
+  frame.end_of_step = true;
+  return frame;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/scene/parameter_file.h>
+#include <frictionbeam/scene/units.h>
+
+#include <cmath>
+#include <vector>
+
+namespace frictionbeam {
+
+namespace {
+
+struct Word {
+  const char *name;
+  char dimension;
+  double factor; ///< SI units in one of it
+};
+
+// Inch, pound and standard gravity are exact by definition (NIST SP 811, appendix B).
+constexpr double inch = 0.0254, pound = 0.45359237, gravity = 9.80665,
+                 pound_force = pound * gravity;
+
+constexpr Word words[] = {{"m", 'l', 1.},
+                          {"mm", 'l', 1e-3},
+                          {"cm", 'l', 1e-2},
+                          {"in", 'l', inch},
+                          {"ft", 'l', 12. * inch},
+                          {"N", 'f', 1.},
+                          {"kN", 'f', 1e3},
+                          {"lb", 'f', pound_force},
+                          {"kip", 'f', 1e3 * pound_force},
+                          {"kgf", 'f', gravity},
+                          {"kg", 'm', 1.},
+                          {"t", 'm', 1e3},
+                          {"lbm", 'm', pound},
+                          {"slug", 'm', pound_force / (12. * inch)},
+                          {"Pa", 'p', 1.},
+                          {"kPa", 'p', 1e3},
+                          {"MPa", 'p', 1e6},
+                          {"bar", 'p', 1e5},
+                          {"psi", 'p', pound_force / (inch * inch)},
+                          {"ksi", 'p', 1e3 * pound_force / (inch * inch)},
+                          {"s", 's', 1.},
+                          {"C", 't', 1.},
+                          {"F", 't', 5. / 9.}};
+
+/// "m3" to m and 3.
+std::pair<std::string, int> power(const std::string &word) {
+  const auto digit = word.find_first_of("0123456789");
+  if (digit == std::string::npos || digit == 0)
+    return {word, 1};
+  return {word.substr(0, digit), std::stoi(word.substr(digit))};
+}
+
+} // namespace
+
+std::optional<UnitSystem> UnitSystem::parse(const std::string &text) {
+  UnitSystem result;
+  if (tidy(text) == "si")
+    return result;
+  bool any = false;
+  std::string seen;
+  for (const std::string &name : split(text, ' ')) {
+    const Word *found = nullptr;
+    for (const Word &word : words)
+      if (name == word.name)
+        found = &word;
+    if (found == nullptr || seen.find(found->dimension) != std::string::npos)
+      return {};
+    seen += found->dimension;
+    any = true;
+    if (found->dimension != 's')
+      result.given[found->dimension] = {name, found->factor};
+  }
+  // A length or force alone would leave mass and stress to guess.
+  if (!any || (result.given.count('l') != result.given.count('f')))
+    return {};
+  return result;
+}
+
+std::string UnitSystem::known_words() {
+  std::string text = "si";
+  for (const Word &word : words)
+    text += std::string(", ") + word.name;
+  return text;
+}
+
+std::optional<UnitSystem::Unit> UnitSystem::base(const std::string &word) const {
+  const auto of = [&](const char dimension, const std::string &otherwise) {
+    const auto found = given.find(dimension);
+    return found == given.end() ? Unit{otherwise, 1.} : found->second;
+  };
+  const Unit l = of('l', "m"), f = of('f', "N");
+  const bool metric = l.factor == 1. && f.factor == 1.;
+  if (word == "m")
+    return l;
+  if (word == "N")
+    return f;
+  if (word == "J")
+    return metric ? Unit{"J", 1.} : Unit{l.name + " " + f.name, l.factor * f.factor};
+  if (word == "kg")
+    return given.count('m') > 0 || metric ? of('m', "kg")
+                                          : Unit{f.name + " s2/" + l.name, f.factor / l.factor};
+  if (word == "Pa")
+    return given.count('p') > 0 || metric
+               ? of('p', "Pa")
+               : Unit{f.name + "/" + l.name + "2", f.factor / (l.factor * l.factor)};
+  if (word == "K" || word == "degC") {
+    const auto found = given.find('t');
+    if (found != given.end() && found->second.name == "F")
+      return Unit{"degF", found->second.factor};
+  }
+  return {};
+}
+
+double UnitSystem::factor(const std::string &si_unit) const {
+  double result = 1.;
+  bool below = false;
+  for (const std::string &part : split(si_unit, '/')) {
+    for (const std::string &word : split(part, ' ')) {
+      const auto [name, exponent] = power(word);
+      if (const std::optional<Unit> unit = base(name))
+        result *= std::pow(unit->factor, below ? -exponent : exponent);
+    }
+    below = true;
+  }
+  return result;
+}
+
+std::string UnitSystem::name(const std::string &si_unit) const {
+  if (is_si())
+    return si_unit;
+  std::string result;
+  bool below = false;
+  for (const std::string &part : split(si_unit, '/')) {
+    std::string piece;
+    for (const std::string &word : split(part, ' ')) {
+      const auto [base_name, exponent] = power(word);
+      const std::optional<Unit> unit = base(base_name);
+      std::string name = unit ? unit->name : base_name;
+      if (unit && name.find_first_of(" /") != std::string::npos && (below || exponent > 1))
+        name = "(" + name + ")";
+      piece += (piece.empty() ? "" : " ") + name + (exponent > 1 ? std::to_string(exponent) : "");
+    }
+    result += (below ? "/" : "") + piece;
+    below = true;
+  }
+  return result;
+}
+
+double UnitSystem::celsius(const double temperature) const {
+  const auto found = given.find('t');
+  return found != given.end() && found->second.name == "F" ? (temperature - 32.) * 5. / 9.
+                                                           : temperature;
+}
+
+} // namespace frictionbeam
