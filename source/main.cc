@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "chart_command.h"
 #include "contact_command.h"
 #include "run_case.h"
 
@@ -21,6 +22,8 @@ const char *const usage =
     "  --set \"Section/Entry = value\"     change an entry of the file; may be repeated\n"
     "  --output-directory FOLDER         where results go (default: output/CASE)\n"
     "frictionbeam contact FILE.hdf5      solve a friction-contact problem in the format of FCLIB\n"
+    "frictionbeam chart LIST.prm             run a list of configurations, draw error against "
+    "time\n"
     "frictionbeam --print-parameters     every entry there is, with unit, bounds and meaning\n"
     "frictionbeam --version\n"
     "frictionbeam --help\n"
@@ -84,6 +87,8 @@ int main(int argc, char **argv) {
   try {
     if (argc > 1 && std::string(argv[1]) == "contact")
       return solve_contact_command(argc, argv);
+    if (argc > 1 && std::string(argv[1]) == "chart")
+      return frictionbeam::chart_command(std::vector<std::string>(argv + 2, argv + argc));
     // A process by itself needs no MPI, nor the daemon, network interface and common folder that
     // Open MPI wants: programs that start at the same time would get in each other's way there.
     std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;

@@ -113,6 +113,11 @@ void write_range(const Plot &plot, const char axis, std::ostream &script) {
   script << "set " << axis << "range [*:*]\n";
   if (axis == 'x')
     script << "set autoscale xfix\n";
+  if (log && axis == 'x' && low < high) {
+    script << "set xrange [" << rounded_number(low / 1.3, 9) << ':' << rounded_number(high * 1.3, 9)
+           << "]\n";
+    return;
+  }
   if (high < low || high - low > 1e-9 * std::max(std::abs(high), std::abs(low)))
     return;
   const double margin = high == 0. ? 1. : std::abs(high) * (log ? 0.5 : 0.1);
@@ -135,16 +140,27 @@ void write_plot(const Plot &plot, const std::string &name, const std::string &fi
   script << "set terminal svg size " << plot.width << ',' << plot.height
          << " dynamic noenhanced font 'sans-serif,11' name '" << name << "' background 'white'\n"
          << "set output " << quoted(file) << '\n'
-         << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label)
-         << " offset 0,0.5\nset ylabel " << quoted(plot.y_label) << '\n'
+         << "set title " << quoted(plot.title) << " font 'sans-serif,13'"
+         << "\nset xlabel " << quoted(plot.x_label) << " offset 0,0.3\nset ylabel "
+         << quoted(plot.y_label) << '\n'
          << (plot.log_x ? "set logscale x 10\n" : "unset logscale x\n")
          << (plot.log_y ? "set logscale y 10\n" : "unset logscale y\n") << "set format x '"
-         << (plot.log_x ? "1e%T" : "%g") << "'\nset format y '" << (plot.log_y ? "1e%T" : "%g")
-         << "'\n";
+         << (!plot.x_format.empty() ? plot.x_format
+             : plot.log_x           ? "1e%T"
+                                    : "%g")
+         << "'\nset format y '" << (plot.log_y ? "1e%T" : "%g") << "'\n";
   write_range(plot, 'x', script);
   write_range(plot, 'y', script);
   script << (key.empty() ? "unset key\n"
-                         : "set key outside top center horizontal samplen 2 noenhanced\n");
+             : plot.key == Plot::Key::right
+                 ? "set key outside right top vertical Left reverse samplen 2 spacing 1.4 "
+                   "noenhanced\n"
+                 : "set key default\nset key outside top center horizontal samplen 2 noenhanced\n");
+  script << "unset label\n";
+  for (const Plot::Label &label : plot.labels)
+    script << "set label " << quoted(label.text) << " at " << rounded_number(label.x, 9) << ','
+           << rounded_number(label.y, 9)
+           << " front offset 0.7,0.6 font 'sans-serif,9' textcolor rgb '#333333' noenhanced\n";
   if (drawn.empty()) {
     script << "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\nunset output\n";
     return;
@@ -155,13 +171,15 @@ void write_plot(const Plot &plot, const std::string &name, const std::string &fi
     const bool points = series.style != Plot::Series::Style::line;
     script << (i == drawn.front() ? "plot " : ", ") << "$data" << i << " using 1:2 with "
            << (line ? (points ? "linespoints" : "lines") : "points") << " linecolor rgb '"
-           << series_colour(i) << "'";
+           << (series.colour.empty() ? series_colour(i) : series.colour) << "'";
     if (line)
       script << " linewidth " << rounded_number(series.line_width) << " dashtype "
              << (series.dashed ? "'--'" : "solid");
     if (points)
-      script << " pointtype " << std::array<int, 6>{{7, 5, 9, 13, 11, 4}}[i % 6]
-             << " pointsize 0.6";
+      script << " pointtype "
+             << std::array<int, 7>{{7, 5, 9, 13, 11, 4,
+                                    2}}[(series.marker > 0 ? series.marker - 1 : i % 6) % 7]
+             << " pointsize " << rounded_number(series.point_size);
     script << ' ' << (series.label.empty() ? "notitle" : "title " + quoted(series.label));
   }
   script << "\nunset output\n";

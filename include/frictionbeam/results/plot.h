@@ -16,13 +16,24 @@ struct Plot {
     Style style = Style::line;
     bool dashed = false; ///< for a reference or a slope
     double line_width = 1.8;
+    std::string colour;      ///< empty: that of its place among the series
+    unsigned int marker = 0; ///< shape of its points, from 1 on; 0: that of its place
+    double point_size = 0.6;
   };
+  struct Label {
+    double x, y;
+    std::string text; ///< to the right of the point, above it
+  };
+  enum class Key { above, right };
 
   std::string title; ///< may be empty
   std::string x_label, y_label;
-  bool log_x = false, log_y = false;      ///< pairs that are not positive are left out
+  bool log_x = false, log_y = false; ///< pairs that are not positive are left out
+  std::string x_format;              ///< of the tics, as printf's; empty: %g, logarithmic 1e%T
+  Key key = Key::above;
   unsigned int width = 560, height = 270; ///< [px]
   std::vector<Series> series;
+  std::vector<Label> labels;
 };
 
 /// What draw_plots returns.
