@@ -1,7 +1,7 @@
 #!/bin/sh
 # Write doc/charts anew: builds the program if needed, runs the lists of prm/chart (some minutes, with
 # the machine to itself), and puts their pages together in doc/charts/README.md. Arguments: names of
-# lists, to run only those.
+# lists, to run only those; "none" to put the pages together only.
 set -e
 here=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
 "$here/run" --version >/dev/null

@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
 const std::vector<std::string> forces = {"fx", "fy", "fz", "mx", "my", "mz"};
-const std::vector<std::string> section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz"};
+const std::vector<std::string> section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"};
 
 /// Place in a list of words, or -1.
 int place(const std::vector<std::string> &words, const std::string &word) {
@@ -49,7 +49,7 @@ std::string unit_of(const std::string &what) {
   if (motion >= 0)
     return motion < 3 ? "m" : "rad";
   if (force >= 0 || section >= 0)
-    return std::max(force, section) < 3 ? "N" : "N m";
+    return std::max(force, section) < 3 || section == 6 ? "N" : "N m";
   if (what == "fn" || what == "ft1" || what == "ft2" || what == "sum_normal" ||
       what == "sum_friction")
     return "N";
@@ -104,7 +104,7 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
   else if (const int c = place(forces, what); c >= 0)
     value = force_at(quantity, state, c);
   else if (const int c = place(section_forces, what); c >= 0)
-    value = station_at(quantity, current_frame(state)).force[c];
+    value = section_force(quantity, current_frame(state), c);
   else if (what == "max_error")
     value = largest_error;
   else if (quantity.where.empty())
@@ -148,13 +148,24 @@ const Station &Collector::station_at(const Quantity &quantity, const Frame &made
                   ", and so has no section forces.");
 }
 
+double Collector::section_force(const Quantity &quantity, const Frame &made,
+                                const unsigned int component) const {
+  if (component < 6)
+    return station_at(quantity, made).force[component];
+  Quantity side = quantity; // N_mean
+  side.side = Quantity::Side::before;
+  const double before = station_at(side, made).force[0];
+  side.side = Quantity::Side::after;
+  return 0.5 * (before + station_at(side, made).force[0]);
+}
+
 double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
   const std::string &what = quantity.what;
   double value = 0.;
   if (const int c = place(motions, what); c >= 0)
     value = station_at(quantity, made).displacement[c];
   else if (const int c = place(section_forces, what); c >= 0)
-    value = station_at(quantity, made).force[c];
+    value = section_force(quantity, made, c);
   else if (const int c = place(forces, what); c >= 0) {
     const auto point = model.mesh.points.find(quantity.where);
     for (unsigned int i = 0; i < results.restraints.size(); ++i)

@@ -115,7 +115,12 @@ void write_range(const Plot &plot, const char axis, std::ostream &script) {
     script << "set autoscale xfix\n";
   if (log && axis == 'x' && low < high) {
     script << "set xrange [" << rounded_number(low / 1.3, 9) << ':' << rounded_number(high * 1.3, 9)
-           << "]\n";
+           << "]\nset xtics autofreq\n";
+    if (high < 30. * low) // less than two decades want more than one number
+      for (int decade = std::floor(std::log10(low)) - 1; std::pow(10., decade) < high * 1.3;
+           ++decade)
+        for (const double digit : {1., 2., 5.})
+          script << "set xtics add (" << rounded_number(digit * std::pow(10., decade)) << ")\n";
     return;
   }
   if (high < low || high - low > 1e-9 * std::max(std::abs(high), std::abs(low)))

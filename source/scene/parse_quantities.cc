@@ -9,7 +9,7 @@ namespace {
 
 const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"},
                                reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
-                               section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz"},
+                               section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"},
                                contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work"},
                                modal = {"frequency"},
                                sums = {"sum_normal", "sum_friction", "n_stick",

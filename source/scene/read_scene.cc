@@ -317,7 +317,7 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "a\n"
          "# point, local axes, N > 0 in tension ('before P' or 'after P' where they jump, 'pipe "
          "NAME' at\n"
-         "# a branch); fx fy fz mx my mz [N, N m] at a support, spring "
+         "# a branch), N_mean the mean of N before and after; fx fy fz mx my mz [N, N m] at a support, spring "
          "or\n"
          "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
          "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "generated.h"
+#include "slab_line.h"
 
 #include <vector>
 
@@ -88,22 +89,26 @@ void declare_slab(ParameterReader &in) {
   in.declare_number("Pressure", 10., "Pa", positive, 1e300, "That presses it on the surface.");
   in.declare_number("Friction", 0.3, "-", 0., 100., "Coefficient of the surface.");
   in.declare_number("Young's modulus", 1000., "Pa", positive, 1e300, "Of the slab.");
+  in.declare_number("Poisson", 0.3, "-", 0., 0.4999, "Ratio of the slab, of the continuum.");
+  in.declare_choice("Plane", "stress", {"stress", "strain"}, "Of the continuum in 2D.");
   in.declare_choice("Far end", "free", {"free", "fixed"}, "The end at x = Length.");
   in.declare_choice("Sequence", "push", {"push", "cycle"},
                     "push: the force grows from 0; cycle: from 0 to Force, to -Force, to Force.");
   in.declare_count("Increments", 10, 1, "Of the push, of each leg of the cycle.");
+  declare_slab_line(in);
 }
 
 void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
   const unsigned int n = in.count("Elements");
   const double length = in.number("Length"), b = in.number("Width"), height = in.number("Height");
-  const double E = in.number("Young's modulus"), GS = in.number("GS");
   const double friction = in.number("Friction"), force = in.number("Force");
   const bool far_end_fixed = in.text("Far end") == "fixed";
   const double h = length / n, normal_force = in.number("Pressure") * b * h;
+  const SlabLine line = read_slab_line(in, h);
+  const double E = line.axial_modulus, GS = line.shear_rigidity, EA = E * b * height;
 
   scene.free_motions = {{true, false, false, false, false, false}};
-  scene.materials = {{"slab", E, 0.3, 0., 0.}};
+  scene.materials = {{"slab", E, in.number("Poisson"), 0., line.squeeze > 0. ? 1. : 0.}};
   Section section;
   section.name = "slab";
   section.area = b * height;
@@ -136,25 +141,41 @@ void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
   push.kind = Load::Kind::force;
   push.at = {{"P0", {{force, 0., 0., 0., 0., 0.}}, {}}};
   scene.loads = {push};
-  const unsigned int n_increments = in.count("Increments");
+  std::vector<std::pair<unsigned int, double>> squeeze;
+  if (line.squeeze > 0.) {
+    squeeze = {{1, 1.}};
+    scene.loads.push_back(temperature_load("squeeze", line.squeeze));
+  }
+  const auto step = [&](const std::string &name, const double factor) {
+    std::vector<std::pair<unsigned int, double>> loads = squeeze;
+    loads.emplace_back(0, factor);
+    return static_step(name, loads, in.count("Increments"));
+  };
   const bool cycle = in.text("Sequence") == "cycle";
-  scene.steps = {static_step("push", {{0, 1.}}, n_increments)};
+  scene.steps = {step("push", 1.)};
   if (cycle) {
-    scene.steps.push_back(static_step("pull", {{0, -1.}}, n_increments));
-    scene.steps.push_back(static_step("push_again", {{0, 1.}}, n_increments));
+    scene.steps.push_back(step("pull", -1.));
+    scene.steps.push_back(step("push_again", 1.));
   }
 
-  const DiscreteSlab slab{n, E * section.area / h, GS, friction * normal_force, far_end_fixed};
+  // With the squeeze, N + EA eps is the force in bars without it: pushed by F - EA eps, and pulled
+  // at the far end by EA eps, which slides there alone if the interface is rigid.
+  const double locked = EA * line.squeeze, bound = friction * normal_force;
+  const DiscreteSlab slab{n, EA / h, GS, bound, far_end_fixed};
+  const bool known = locked == 0. || (GS == 0. && !far_end_fixed && !cycle && force > locked &&
+                                      force / bound * h + h <= length);
   Quantity u_0;
   u_0.name = "u_0";
   u_0.what = "ux";
   u_0.where = "P0";
-  u_0.reference = slab.pushed_end(force);
+  if (known)
+    u_0.reference = slab.pushed_end(force - locked);
   u_0.source = "exact solution of the discrete model, bars on friction springs";
-  scene.quantities = {u_0};
-  if (!u_0.reference)
+  scene.quantities = slab_line_quantities(length, n);
+  scene.quantities.insert(scene.quantities.begin(), u_0);
+  if (known && !u_0.reference)
     scene.remarks.push_back("The force exceeds what friction can hold: there is no equilibrium.");
-  else if (cycle) {
+  else if (cycle && known) {
     scene.exact = ExactHistory{
         "P0", 0, [=](const double time) { return cycled_end(slab, force, time); }, *u_0.reference};
     Quantity error;

@@ -38,6 +38,8 @@ private:
   double evaluate(const Quantity &quantity, const LineState &state);
   /// The quantity in a frame alone, for cases that have no state of the line.
   double evaluate(const Quantity &quantity, const Frame &made) const;
+  double section_force(const Quantity &quantity, const Frame &made,
+                       const unsigned int component) const;
   const Station &station_at(const Quantity &quantity, const Frame &made) const;
   double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
   const Frame &current_frame(const LineState &state);
