@@ -153,6 +153,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     write_file(folder + "/line.svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
                                          draw_line(scene, results, *frames.back(), scale));
   }
+  for (const ReportSection &section : results.sections)
+    add(section.id, section.title, section.html);
   add("solver", "Solver", solver_tables(results));
   add("input", "Input", input(scene));
   write_file(folder + "/report.html",

@@ -108,6 +108,9 @@ void declare_global(ParameterReader &in) {
                     {"line", "slab", "oscillator", "friction bed", "rack", "random"},
                     "line: from the parts in this file; the others are generated from the few "
                     "entries of a section of their own: Slab, Oscillator, Rack, Random.");
+  in.declare_choice("Model", "line", {"line", "continuum", "both"},
+                    "line: beams; continuum: a plane or solid body, of scenes that are one; both: "
+                    "one after the other, with their quantities side by side.");
   in.declare_text("Law libraries", "", "paths of .so files, separated by commas",
                   "Shared libraries with laws of your own, from the parameter file's folder or the "
                   "folder the program runs in.");
@@ -121,6 +124,9 @@ void declare_global(ParameterReader &in) {
 
 void parse_global(const ParameterReader &in, Scene &scene) {
   scene.title = in.text("Title");
+  scene.model = in.text("Model") == "line"        ? ModelKind::line
+                : in.text("Model") == "continuum" ? ModelKind::continuum
+                                                  : ModelKind::both;
   scene.free_motions = parse_motions(in, "Free motions");
   if (scene.free_motions == std::array<bool, 6>{})
     in.fail("Free motions", "at least one of ux, uy, uz, rx, ry, rz", "'ux, uz, ry'");

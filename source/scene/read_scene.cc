@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "continuum_parts.h"
 #include "generated.h"
 #include "parts.h"
 
@@ -19,8 +20,8 @@ namespace {
 const std::vector<std::string> part_kinds = {"Material", "Section", "Point",    "Pipe",
                                              "Support",  "Spring",  "Mass",     "Load",
                                              "Step",     "Initial", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",  "Solver",   "Time",      "Output",
-                                           "Modes", "Response", "Quantities"};
+const std::vector<std::string> settings = {"Mesh",   "Continuum", "Solver",   "Time",
+                                           "Output", "Modes",     "Response", "Quantities"};
 
 struct SceneKind {
   std::string name, section;
@@ -201,6 +202,7 @@ void read_settings(ParameterReader &in, Scene &scene) {
   using Parse = void (*)(const ParameterReader &, Scene &);
   const std::vector<std::tuple<std::string, Declare, Parse>> sections = {
       {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
+      {"Continuum", &parts::declare_continuum, &parts::parse_continuum},
       {"Solver", &parts::declare_solver, &parts::parse_solver},
       {"Time", &parts::declare_time, &parts::parse_time},
       {"Output", &parts::declare_output, &parts::parse_output},
@@ -336,6 +338,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   Scene scene;
   in.enter("Mesh");
   parts::declare_mesh(in);
+  in.enter("Continuum");
+  parts::declare_continuum(in);
   in.enter("Solver");
   parts::declare_solver(in);
   in.enter("Time");

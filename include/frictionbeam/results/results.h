@@ -86,6 +86,11 @@ struct Check {
   double value = 0.;
 };
 
+/// A section of the report besides those that every report has.
+struct ReportSection {
+  std::string id, title, html;
+};
+
 enum class RunStatus { converged, failed, no_equilibrium };
 
 struct Cost {
@@ -110,6 +115,7 @@ struct Results {
   std::optional<EnergyAccount> energy; ///< of static steps, all together
   std::vector<std::string> remarks;    ///< warnings to the user
   std::string method;                  ///< in plain words
+  std::vector<ReportSection> sections;
   RunStatus status = RunStatus::failed;
   Cost cost;
 
