@@ -273,6 +273,14 @@ Results run_line(Scene &scene, const LawLibrary &laws) {
   return results;
 }
 
+/// For all processes, by one of them.
+void prepare_folder(const std::string &folder) {
+  if (this_process() == 0)
+    prepare_output_folder(folder);
+  if (n_processes() > 1)
+    MPI_Barrier(MPI_COMM_WORLD);
+}
+
 /// Write summary and report, and say what came out.
 void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   results.cost.peak_memory_mb = peak_memory_mb();
@@ -293,7 +301,7 @@ Results run_both(const Scene &scene, const LawLibrary &laws) {
   for (const std::string model : {"line", "continuum"}) {
     Scene part = scene;
     part.output.directory = scene.output.directory + "/" + model;
-    prepare_output_folder(part.output.directory);
+    prepare_folder(part.output.directory);
     const dealii::Timer wall;
     Results results = model == "line" ? run_line(part, laws) : run_continuum(part, laws);
     conclude(part, results, wall);
@@ -312,7 +320,7 @@ int run_case(const RunOptions &options) {
   Scene scene = read_scene(options.parameter_file, options.overrides, laws);
   scene.output.directory =
       options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
-  prepare_output_folder(scene.output.directory);
+  prepare_folder(scene.output.directory);
   Results results = scene.model == ModelKind::line        ? run_line(scene, laws)
                     : scene.model == ModelKind::continuum ? run_continuum(scene, laws)
                                                           : run_both(scene, laws);

@@ -125,8 +125,7 @@ void AdaptiveRun<dim>::run() {
     const std::size_t n = changes.size();
     reached = n >= 2 && std::max(changes[n - 1], changes[n - 2]) <= settings.tolerance;
   }
-  results.status =
-      solution.converged && why.empty() ? RunStatus::converged : RunStatus::failed;
+  results.status = solution.converged && why.empty() ? RunStatus::converged : RunStatus::failed;
   if (!why.empty())
     results.remarks.push_back("The refinement stopped at Continuum/" + why +
                               " before the quantities were known to Continuum/Tolerance = " +
@@ -159,12 +158,9 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
                    (body.is_parallel ? "Trilinos" : "contacts condensed");
   for (unsigned int i = 0; i < body.continuum.quantities.size(); ++i) {
     const ContinuumQuantity &quantity = body.continuum.quantities[i];
-    QuantityResult result{quantity.name,
-                          unit_of(quantity),
-                          quantity.source,
-                          levels.back().quantities[i],
-                          quantity.reference,
-                          {}};
+    QuantityResult result{quantity.name,      unit_of(quantity),
+                          quantity.source,    levels.back().quantities[i],
+                          quantity.reference, {}};
     if (quantity.reference) {
       const double difference = std::abs(result.value - *quantity.reference);
       result.error =
@@ -180,8 +176,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
   write_contact_csv(scene, solution.rows, folder);
   write_convergence_csv(scene, levels, folder);
   if (scene.output.report) {
-    results.sections.push_back(
-        {"refinement", "Refinement", convergence_table(scene, levels)});
+    results.sections.push_back({"refinement", "Refinement", convergence_table(scene, levels)});
     results.sections.push_back({"contact", "Contact", contact_charts(scene, solution.rows)});
   }
 }
@@ -190,6 +185,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
 
 Results run_continuum(const Scene &scene, const LawLibrary &laws) {
   Results results;
+  results.units = scene.units;
   if (scene.continuum->dimension == 2)
     AdaptiveRun<2>(scene, laws, results).run();
   else

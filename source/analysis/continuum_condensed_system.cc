@@ -61,7 +61,7 @@ private:
   std::vector<int> unknown_of; ///< by dof; -1: none
   int n_interior = 0, n_contact = 0;
   Factors factors;
-  Dense condensed; ///< stiffness of the contacts' unknowns
+  Dense condensed;  ///< stiffness of the contacts' unknowns
   Dense last_block; ///< of the factor L
 };
 

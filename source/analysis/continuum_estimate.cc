@@ -16,9 +16,8 @@ class Estimator {
 public:
   Estimator(const ContinuumBody<dim> &body, const ContinuumVector &u,
             const ContinuumVector &traction, const double factor)
-      : body(body), u(u), traction(traction), factor(factor),
-        lame(lame_constants(body.continuum)), degree(body.fe.degree), cell_rule(degree + 1),
-        face_rule(degree + 1),
+      : body(body), u(u), traction(traction), factor(factor), lame(lame_constants(body.continuum)),
+        degree(body.fe.degree), cell_rule(degree + 1), face_rule(degree + 1),
         in_cell(body.fe, cell_rule, update_hessians | update_JxW_values),
         on_face(body.fe, face_rule, flags), on_neighbor(body.fe, face_rule, flags),
         on_subface(body.fe, face_rule, flags) {}
@@ -133,7 +132,7 @@ private:
 
 template <int dim>
 dealii::Vector<float> estimate_error(const ContinuumBody<dim> &body, const ContinuumState &state,
-                             const ContinuumVector &contact_traction) {
+                                     const ContinuumVector &contact_traction) {
   dealii::Vector<float> result(body.triangulation->n_active_cells());
   Estimator<dim> estimator(body, state.displacement, contact_traction, state.factor);
   for (const auto &cell : body.dof_handler.active_cell_iterators())
@@ -143,8 +142,8 @@ dealii::Vector<float> estimate_error(const ContinuumBody<dim> &body, const Conti
 }
 
 template dealii::Vector<float> estimate_error<2>(const ContinuumBody<2> &, const ContinuumState &,
-                                         const ContinuumVector &);
+                                                 const ContinuumVector &);
 template dealii::Vector<float> estimate_error<3>(const ContinuumBody<3> &, const ContinuumState &,
-                                         const ContinuumVector &);
+                                                 const ContinuumVector &);
 
 } // namespace frictionbeam

@@ -94,11 +94,10 @@ ContinuumNewton<dim>::solve(const ContinuumVector &forces, const FoundationState
     contacts.stiffness_factor = scale;
     u = start;
     contacts.centre = centre;
-    result.converged =
-        iterate(forces, committed, time, time_increment, u, response, result);
-    while (result.converged && Utilities::MPI::max(static_cast<unsigned int>(
-                                                       contacts.let_slipping_go(response.state)),
-                                                   body.communicator) > 0)
+    result.converged = iterate(forces, committed, time, time_increment, u, response, result);
+    while (result.converged &&
+           Utilities::MPI::max(static_cast<unsigned int>(contacts.let_slipping_go(response.state)),
+                               body.communicator) > 0)
       result.converged = iterate(forces, committed, time, time_increment, u, response, result);
     if (result.converged)
       return result;
@@ -133,8 +132,8 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
         used[i][0] = contacts.centre[i][0];
       used[i].tail<2>() = contacts.centre[i].tail<2>();
       const LocalVector difference = response.state.stress[i] - used[i];
-      misfit += body.nodes[i].weight *
-                difference.cwiseProduct(difference).dot(contacts.by_centre(i));
+      misfit +=
+          body.nodes[i].weight * difference.cwiseProduct(difference).dot(contacts.by_centre(i));
     }
     residual(forces, u, used, left);
     return energy(left) + Utilities::MPI::sum(misfit, body.communicator);
@@ -165,9 +164,9 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
     check.least_dissipation = Utilities::MPI::min(check.least_dissipation, body.communicator);
     result.check = check;
     const bool last = iteration == most_iterations || stalls == most_stalls;
-    const double accepted = std::max(settings.tolerance * largest_force,
-                                     std::min(epsilon_of_rounding * largest_of(stiff),
-                                              1e-8 * largest_force));
+    const double accepted =
+        std::max(settings.tolerance * largest_force,
+                 std::min(epsilon_of_rounding * largest_of(stiff), 1e-8 * largest_force));
     if (size <= accepted && check.holds(settings.contact_tolerance) &&
         (last || check.natural_map <= 0.1 * settings.contact_tolerance))
       return true;

@@ -55,8 +55,7 @@ void flag_fronts(const ContinuumBody<dim> &body, const ContinuumState &state) {
       double low = 1e300, high = 0.;
       for (unsigned int i = 0; i < body.fe.n_dofs_per_face(f); ++i) {
         const unsigned int k = body.fe.face_to_cell_index(i, f);
-        const double value =
-            body.fe.system_to_component_index(k).first == 0 ? status(dofs[k]) : 0.;
+        const double value = body.fe.system_to_component_index(k).first == 0 ? status(dofs[k]) : 0.;
         if (value > 0.) {
           low = std::min(low, value);
           high = std::max(high, value);

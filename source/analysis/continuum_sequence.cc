@@ -40,6 +40,7 @@ bool ContinuumSequence<dim>::run(const ContinuumGuess *guess) {
   committed = foundation.initial_state();
   foundation.centre.assign(foundation.size(), LocalVector::Zero());
   step_ends.clear();
+  step_ends.reserve(body.continuum.steps.size());
   step_reports.clear();
   const auto &steps = body.continuum.steps;
   if (guess != nullptr && steps.size() == 1 && steps[0].n_increments == 1) {
@@ -164,16 +165,17 @@ void ContinuumSequence<dim>::keep(const unsigned int step, const unsigned int in
   state.time = now;
   state.displacement = unknowns;
   body.constraints.distribute(state.displacement);
-  state.displacement.update_ghost_values();
   state.contacts = committed;
   state.contact_displacement = newton.local(unknowns);
   step_ends.push_back(state);
+  step_ends.back().displacement.update_ghost_values(); // which a copy does not take along
 }
 
 template <int dim>
 ContinuumGuess ContinuumSequence<dim>::as_guess() const {
   ContinuumGuess guess;
   guess.displacement = step_ends.back().displacement;
+  guess.displacement.update_ghost_values();
   body.reinit(guess.traction);
   const auto &stress = step_ends.back().contacts.stress;
   for (unsigned int i = 0; i < body.nodes.size(); ++i)

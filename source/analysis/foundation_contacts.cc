@@ -72,8 +72,7 @@ bool FoundationContacts::let_slipping_go(const FoundationState &state) {
 
 void FoundationContacts::evaluate(const std::vector<LocalVector> &displacement,
                                   const FoundationState &committed, const double time,
-                                  const double time_increment,
-                                  FoundationResponse &response) const {
+                                  const double time_increment, FoundationResponse &response) const {
   response.state = committed;
   response.tangent.assign(points.size(), LocalMatrix::Zero());
   response.failed = false;
@@ -253,18 +252,16 @@ ContactCheck FoundationContacts::check(const std::vector<LocalVector> &displacem
       for (double &m : moved)
         m *= radius / size;
     const double shear = beyond(std::hypot(T[0] - moved[0], T[1] - moved[1]), rho_t * rounding);
-    const double force = std::hypot(P, std::hypot(T[0], T[1])),
-                 path = std::hypot(slip[0], slip[1]);
-    const double scale = std::max(
-        {force, std::abs(rho_n * gap), P > 0. ? rho_t * path : 0., 1e-12 * largest});
+    const double force = std::hypot(P, std::hypot(T[0], T[1])), path = std::hypot(slip[0], slip[1]);
+    const double scale =
+        std::max({force, std::abs(rho_n * gap), P > 0. ? rho_t * path : 0., 1e-12 * largest});
     if (scale > 0.)
       result.natural_map = std::max(result.natural_map, std::hypot(normal, shear) / scale);
     result.penetration = std::max(result.penetration, -gap);
     const double friction_force = std::hypot(T[0], T[1]);
     result.cone_violation =
         std::max(result.cone_violation, (friction_force - radius) / std::max(P, 1e-12 * largest));
-    if (P > 0. && path > 1e4 * rounding &&
-        std::min(friction_force, rho_t * path) > 1e-4 * scale) {
+    if (P > 0. && path > 1e4 * rounding && std::min(friction_force, rho_t * path) > 1e-4 * scale) {
       const double cross = slip[0] * T[1] - slip[1] * T[0], dot = slip[0] * T[0] + slip[1] * T[1];
       result.slip_angle = std::max(result.slip_angle, std::abs(std::atan2(cross, dot)));
     }

@@ -162,8 +162,8 @@ types::boundary_id ContinuumMesh<dim>::part(const std::string &name) const {
   std::string known;
   for (const std::string &other : parts)
     known += (known.empty() ? "" : ", ") + other;
-  throw UserError("The body has no part of its boundary called '" + name + "'. It has: " +
-                  (known.empty() ? "none" : known) + ".");
+  throw UserError("The body has no part of its boundary called '" + name +
+                  "'. It has: " + (known.empty() ? "none" : known) + ".");
 }
 
 template <int dim>

@@ -221,9 +221,8 @@ ContinuumVector ContinuumBody<dim>::traction_forces() const {
         values.reinit(cell, f);
         local = 0.;
         for (const unsigned int q : values.quadrature_point_indices()) {
-          const Tensor<1, dim> t =
-              values.JxW(q) * thickness() *
-              traction(cell->face(f)->boundary_id(), values.normal_vector(q));
+          const Tensor<1, dim> t = values.JxW(q) * thickness() *
+                                   traction(cell->face(f)->boundary_id(), values.normal_vector(q));
           for (unsigned int i = 0; i < local.size(); ++i)
             local[i] += t[fe.system_to_component_index(i).first] * values.shape_value(i, q);
         }
@@ -275,8 +274,8 @@ void ContinuumBody<dim>::find_contact_nodes() {
         node.position = place;
         node.surface = surface;
         for (unsigned int d = 0; d < dim; ++d)
-          node.dofs[d] = dofs[fe.component_to_system_index(
-              d, fe.system_to_component_index(k).second)];
+          node.dofs[d] =
+              dofs[fe.component_to_system_index(d, fe.system_to_component_index(k).second)];
       }
       if (cell->is_locally_owned())
         for (unsigned int k = 0; k < local.size(); ++k)

@@ -101,9 +101,9 @@ void write_contact_csv(const Scene &scene, const std::vector<ContactRow> &rows,
     for (unsigned int d = 0; d < 3; ++d)
       (line += ',') += exact_number(row.position[d]);
     line += ',' + exact_number(row.area) + ',' + status_word(row.status);
-    for (const double number : {row.pressure, row.traction1, row.traction2, row.gap, row.slip1,
-                                row.slip2, row.displacement[0], row.displacement[1],
-                                row.displacement[2]})
+    for (const double number :
+         {row.pressure, row.traction1, row.traction2, row.gap, row.slip1, row.slip2,
+          row.displacement[0], row.displacement[1], row.displacement[2]})
       (line += ',') += exact_number(number);
     file.stream() << line << '\n';
   }
@@ -149,11 +149,9 @@ std::string contact_charts(const Scene &scene, const std::vector<ContactRow> &ro
   return text + html_note("At the end of the last step, along x; contact.csv has every node.");
 }
 
-template std::vector<ContactRow> contact_rows<2>(const ContinuumBody<2> &,
-                                                 const FoundationContacts &,
-                                                 const ContinuumState &);
-template std::vector<ContactRow> contact_rows<3>(const ContinuumBody<3> &,
-                                                 const FoundationContacts &,
-                                                 const ContinuumState &);
+template std::vector<ContactRow>
+contact_rows<2>(const ContinuumBody<2> &, const FoundationContacts &, const ContinuumState &);
+template std::vector<ContactRow>
+contact_rows<3>(const ContinuumBody<3> &, const FoundationContacts &, const ContinuumState &);
 
 } // namespace frictionbeam

@@ -8,6 +8,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/fe_values_extractors.h>
+#include <deal.II/fe/mapping_q1.h>
 
 #include <cmath>
 
@@ -19,7 +20,7 @@ namespace {
 
 using Kind = ContinuumQuantity::Kind;
 
-/// Displacement component at a vertex of the mesh.
+/// Displacement component at a point of the body.
 template <int dim>
 double at_point(const ContinuumBody<dim> &body, const ContinuumState &state,
                 const ContinuumQuantity &quantity) {
@@ -27,19 +28,32 @@ double at_point(const ContinuumBody<dim> &body, const ContinuumState &state,
   if (point == body.mesh.points.end())
     throw UserError("The quantity " + quantity.name + " is at the point '" + quantity.where +
                     "', which the mesh does not have.");
+  const Point<dim> &p = point->second;
+  const MappingQ1<dim> mapping;
   double value = 0.;
   unsigned int n = 0;
-  for (const auto &cell : body.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned() && n == 0)
-      for (const unsigned int v : cell->vertex_indices())
-        if (cell->vertex(v).distance(point->second) < 1e-6 * cell->diameter()) {
-          value = state.displacement(cell->vertex_dof_index(v, quantity.component));
-          n = 1;
-        }
+  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned() || n > 0 || cell->center().distance(p) > 0.51 * cell->diameter())
+      continue;
+    Point<dim> unit;
+    try {
+      unit = mapping.transform_real_to_unit_cell(cell, p);
+    } catch (const typename Mapping<dim>::ExcTransformationFailed &) {
+      continue; // far outside of a distorted cell
+    }
+    if (!GeometryInfo<dim>::is_inside_unit_cell(unit, 1e-9))
+      continue;
+    std::vector<types::global_dof_index> dofs(body.fe.n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (body.fe.system_to_component_index(i).first == quantity.component)
+        value += state.displacement(dofs[i]) * body.fe.shape_value(i, unit);
+    n = 1;
+  }
   const unsigned int found = Utilities::MPI::sum(n, body.communicator);
   if (found == 0)
     throw UserError("The quantity " + quantity.name + " is at the point '" + quantity.where +
-                    "', where the mesh has no vertex.");
+                    "', which is not in the body.");
   return Utilities::MPI::sum(value, body.communicator) / found;
 }
 
@@ -97,8 +111,7 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
   for (unsigned int i = 0; i < body.nodes.size(); ++i)
     for (unsigned int a = 0; a < dim; ++a)
       for (unsigned int d = 0; d < dim; ++d)
-        traction(body.nodes[i].dofs[d]) +=
-            body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
+        traction(body.nodes[i].dofs[d]) += body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
   traction.update_ghost_values();
   double force = 0.;
   for (const auto &cell : body.dof_handler.active_cell_iterators())
@@ -123,10 +136,10 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
           values[FEValuesExtractors::Vector(0)].get_function_values(traction, friction);
         for (unsigned int q = 0; q < rule.size(); ++q)
           if (values.quadrature_point(q)[0] <= x)
-            force += (state.factor *
-                          body.traction(face->boundary_id(), values.normal_vector(q))[0] +
-                      friction[q][0]) *
-                     values.JxW(q) * body.thickness();
+            force +=
+                (state.factor * body.traction(face->boundary_id(), values.normal_vector(q))[0] +
+                 friction[q][0]) *
+                values.JxW(q) * body.thickness();
       }
   return Utilities::MPI::sum(force, body.communicator);
 }
@@ -173,10 +186,14 @@ double of_rows(const std::vector<ContactRow> &all, const ContinuumScene &scene,
     for (const ContactRow &row : rows)
       sum += row.area * row.pressure;
     return sum;
-  default:
-    for (const ContactRow &row : rows)
+  default: {
+    double across = 0.;
+    for (const ContactRow &row : rows) {
       sum += row.area * row.traction1;
-    return sum;
+      across += row.area * row.traction2;
+    }
+    return std::hypot(sum, across);
+  }
   }
 }
 
@@ -218,7 +235,8 @@ std::string convergence_table(const Scene &scene, const std::vector<ContinuumLev
              column([](const auto &level) { return std::to_string(level.contacts); }))
       .right("Iterations",
              column([](const auto &level) { return std::to_string(level.iterations); }))
-      .right("Estimate", column([](const auto &level) { return rounded_number(level.estimate, 2); }))
+      .right("Estimate",
+             column([](const auto &level) { return rounded_number(level.estimate, 2); }))
       .right("Seconds", column([](const auto &level) { return rounded_number(level.seconds, 2); }));
   for (unsigned int i = 0; i < scene.continuum->quantities.size(); ++i) {
     const ContinuumQuantity &quantity = scene.continuum->quantities[i];

@@ -69,11 +69,10 @@ void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<Conti
     const StressOutput<dim> stress(lame_constants(body.continuum));
     DataOut<dim> out;
     out.attach_dof_handler(body.dof_handler);
-    out.add_data_vector(
-        state.displacement, std::vector<std::string>(dim, "displacement"),
-        DataOut<dim>::type_dof_data,
-        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-            dim, DataComponentInterpretation::component_is_part_of_vector));
+    out.add_data_vector(state.displacement, std::vector<std::string>(dim, "displacement"),
+                        DataOut<dim>::type_dof_data,
+                        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                            dim, DataComponentInterpretation::component_is_part_of_vector));
     out.add_data_vector(state.displacement, stress);
     ContinuumVector traction;
     body.reinit(traction);
@@ -83,10 +82,10 @@ void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<Conti
           traction(body.nodes[i].dofs[d]) +=
               body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
     traction.update_ghost_values();
-    out.add_data_vector(
-        traction, std::vector<std::string>(dim, "contact_traction"), DataOut<dim>::type_dof_data,
-        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-            dim, DataComponentInterpretation::component_is_part_of_vector));
+    out.add_data_vector(traction, std::vector<std::string>(dim, "contact_traction"),
+                        DataOut<dim>::type_dof_data,
+                        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                            dim, DataComponentInterpretation::component_is_part_of_vector));
     out.build_patches(body.fe.degree);
     const auto piece = [&](const unsigned int i) {
       return name + (n_ranks > 1 ? "_" + std::to_string(i) : "") + ".vtu";

@@ -15,6 +15,9 @@ namespace parts {
 void declare_continuum(ParameterReader &in);
 void parse_continuum(const ParameterReader &in, Scene &scene);
 
+/// Section Quantities of a scene that is solved as a continuum only.
+void parse_continuum_quantities(const ParameterReader &in, Scene &scene);
+
 } // namespace parts
 
 namespace generated {
@@ -26,6 +29,10 @@ void build_slab_continuum(const ParameterReader &in, const LawLibrary &laws, Sce
 /// A square plate on a foundation (section Long bar).
 void declare_long_bar(ParameterReader &in);
 void build_long_bar(const ParameterReader &in, const LawLibrary &laws, Scene &scene);
+
+/// A body on the user's own mesh (section Body), with the entries of its law of friction.
+void declare_body(ParameterReader &in, const LawLibrary &laws);
+void build_body(const ParameterReader &in, const LawLibrary &laws, Scene &scene);
 
 } // namespace generated
 

@@ -32,6 +32,7 @@ bool same_value(const std::string &a, const std::string &b) {
 bool keeps_references(const std::string &heading, const std::string &name) {
   const std::vector<std::string> harmless = {"Mesh", "Solver", "Time", "Output", "Quantities"};
   return std::count(harmless.begin(), harmless.end(), heading) > 0 ||
+         (heading == "Continuum" && name != "Increments" && name != "Dimension") ||
          (heading.empty() && (name == "Title" || name == "Monitors"));
 }
 

@@ -4,7 +4,7 @@
 namespace frictionbeam::parts {
 
 void declare_continuum(ParameterReader &in) {
-  in.declare_count("Degree", 2, 1, "Of the elements' polynomials, per direction.");
+  in.declare_count("Degree", 3, 1, "Of the elements' polynomials, per direction.");
   in.declare_count("Cells", 2, 1,
                    "Of the first mesh across the height of a generated body; about square.");
   in.declare_number("Tolerance", 1e-3, "-", positive, 1.,
@@ -17,10 +17,11 @@ void declare_continuum(ParameterReader &in) {
                     "Of the squared error estimate that the cells to be refined hold together.");
   in.declare_count("Max refinements", 20, 0, "Of the first mesh.");
   in.declare_count("Max unknowns", 200000, 1, "A mesh that has more is not refined any further.");
-  in.declare_choice("Linear solver", "auto", {"auto", "direct", "amg"},
-                    "direct: factorization (with mpirun: Amesos KLU, which works on one process); "
-                    "amg: CG or GMRES with Trilinos ML, needs mpirun; auto: direct for up to 60,000 "
-                    "unknowns in 2D and 15,000 in 3D and without mpirun, else amg.");
+  in.declare_choice(
+      "Linear solver", "auto", {"auto", "direct", "amg"},
+      "direct: factorization (with mpirun: Amesos KLU, which works on one process); "
+      "amg: CG or GMRES with Trilinos ML, needs mpirun; auto: direct for up to 60,000 "
+      "unknowns in 2D and 15,000 in 3D and without mpirun, else amg.");
   in.declare_count("Increments", 1, 1,
                    "Of each step. Friction depends on the path: 1 applies a step's loads at once.");
   in.declare_count("Dimension", 2, 2, "Of a generated slab: 2, or 3 with its width.");

@@ -104,10 +104,12 @@ void declare_global(ParameterReader &in) {
                   "is force s2/length and stress force/length2 unless they are named. Words: " +
                       UnitSystem::known_words() + ".");
   in.declare_text("Title", "", "any text", "Of the report.");
-  in.declare_choice("Scene", "line",
-                    {"line", "slab", "oscillator", "friction bed", "rack", "random"},
-                    "line: from the parts in this file; the others are generated from the few "
-                    "entries of a section of their own: Slab, Oscillator, Rack, Random.");
+  in.declare_choice(
+      "Scene", "line",
+      {"line", "slab", "oscillator", "friction bed", "rack", "random", "long bar", "body"},
+      "line: from the parts in this file; the others are generated from the few "
+      "entries of a section of their own: Slab, Oscillator, Rack, Random, Long bar; "
+      "body: a continuum on a mesh of your own, section Body.");
   in.declare_choice("Model", "line", {"line", "continuum", "both"},
                     "line: beams; continuum: a plane or solid body, of scenes that are one; both: "
                     "one after the other, with their quantities side by side.");

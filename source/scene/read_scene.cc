@@ -25,16 +25,25 @@ const std::vector<std::string> settings = {"Mesh",   "Continuum", "Solver",   "T
 
 struct SceneKind {
   std::string name, section;
-  void (*declare)(ParameterReader &);
+  std::function<void(ParameterReader &, const LawLibrary &)> declare;
   void (*build)(const ParameterReader &, const LawLibrary &, Scene &);
 };
 
+/// Without laws to declare.
+auto only(void (*const declare)(ParameterReader &)) {
+  return [declare](ParameterReader &in, const LawLibrary &) { declare(in); };
+}
+
 const std::vector<SceneKind> scene_kinds = {
-    {"slab", "Slab", &generated::declare_slab, &generated::build_slab},
-    {"oscillator", "Oscillator", &generated::declare_oscillator, &generated::build_oscillator},
-    {"friction bed", "Rack", &generated::declare_friction_bed, &generated::build_friction_bed},
-    {"rack", "Rack", &generated::declare_rack, &generated::build_rack},
-    {"random", "Random", &generated::declare_random, &generated::build_random}};
+    {"slab", "Slab", only(&generated::declare_slab), &generated::build_slab},
+    {"oscillator", "Oscillator", only(&generated::declare_oscillator),
+     &generated::build_oscillator},
+    {"friction bed", "Rack", only(&generated::declare_friction_bed),
+     &generated::build_friction_bed},
+    {"rack", "Rack", only(&generated::declare_rack), &generated::build_rack},
+    {"random", "Random", only(&generated::declare_random), &generated::build_random},
+    {"long bar", "Long bar", only(&generated::declare_long_bar), &generated::build_long_bar},
+    {"body", "Body", &generated::declare_body, &generated::build_body}};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -290,17 +299,25 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     read_parts(in, laws, installation_temperature, scene);
   else {
     in.enter(kind->section);
-    kind->declare(in);
+    kind->declare(in, laws);
     in.take();
     kind->build(in, laws, scene);
   }
   in.enter("");
+  if (scene.model != ModelKind::line && !scene.continuum)
+    in.fail("Model", "line for Scene = " + scene_name,
+            "line; slab, long bar and body are continua");
+  if (scene.model != ModelKind::continuum && scene.steps.empty())
+    in.fail("Model", "continuum for Scene = " + scene_name, "continuum");
   parts::parse_monitors(in, scene);
   check_unique_names(in, scene);
   in.enter("Quantities");
   parts::declare_quantities(in);
   in.take();
-  parts::parse_quantities(in, scene);
+  if (scene.model == ModelKind::continuum)
+    parts::parse_continuum_quantities(in, scene);
+  else
+    parts::parse_quantities(in, scene);
   return scene;
 }
 
@@ -354,7 +371,7 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_quantities(in);
   for (const SceneKind &kind : scene_kinds) {
     in.enter(kind.section);
-    kind.declare(in);
+    kind.declare(in, laws);
   }
   in.print(out);
 }

@@ -20,8 +20,8 @@ using LocalMatrix = Eigen::Matrix3d;
 /// A place where a body rests on its foundation: a law on one square metre, and an area.
 struct FoundationPoint {
   unsigned int surface = 0;
-  double weight = 0.;            ///< [m2]
-  double normal_diagonal = 0.;   ///< diagonal of the body's stiffness over the area [Pa/m]
+  double weight = 0.;          ///< [m2]
+  double normal_diagonal = 0.; ///< diagonal of the body's stiffness over the area [Pa/m]
   double shear_diagonal = 0.;
 };
 
@@ -41,14 +41,14 @@ struct FoundationResponse {
 };
 
 /**
- * Friction on the foundation, point by point: the law that a support has, of a friction element from
- * the body to the ground for each square metre. A law with a threshold in closed form is exact
+ * Friction on the foundation, point by point: the law that a support has, of a friction element
+ * from the body to the ground for each square metre. A law with a threshold in closed form is exact
  * contact in the proximal form of ProximalContacts: with a centre (P_c, T_c) and a number rho,
  * P = max(0, kappa_n (P_c/rho + u_n - gap)), T = the point of the disc |T| <= f P nearest to
  * kappa_t (T_c/rho - u_t + ...), 1/kappa = 1/rho + 1/k, whose fixed point does not depend on rho.
  * Any other law, and all of them with the method `newton`, is integrated as it is: return mapping
- * with the consistent tangent. On a surface with a prescribed pressure P is that pressure; a law that
- * is integrated is then solved for the normal strain that gives it.
+ * with the consistent tangent. On a surface with a prescribed pressure P is that pressure; a law
+ * that is integrated is then solved for the normal strain that gives it.
  */
 class FoundationContacts {
 public:

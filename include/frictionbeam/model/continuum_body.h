@@ -39,10 +39,10 @@ LameConstants lame_constants(const ContinuumScene &scene);
  * A body of linear elastic material on continuous Lagrange elements with Gauss-Lobatto nodes, on a
  * mesh that can be refined, in serial or distributed among processes.
  *
- * Friction acts at the nodes: the integral over a surface is taken by the Gauss-Lobatto formula with
- * the nodes of the elements, which has positive weights and is exact to degree 2p-1, so that each
- * node carries traction times area and has a status of its own. Where hanging nodes lie on such a
- * surface (3D), their areas go to the nodes that they hang on.
+ * Friction acts at the nodes: the integral over a surface is taken by the Gauss-Lobatto formula
+ * with the nodes of the elements, which has positive weights and is exact to degree 2p-1, so that
+ * each node carries traction times area and has a status of its own. Where hanging nodes lie on
+ * such a surface (3D), their areas go to the nodes that they hang on.
  */
 template <int dim>
 class ContinuumBody {

@@ -32,18 +32,18 @@ void write_contact_csv(const Scene &scene, const std::vector<ContactRow> &rows,
 /// `continuum.vtu` (with mpirun `continuum.pvtu` and its pieces) of each step's end, with a `.pvd`:
 /// displacement, stress, contact traction.
 template <int dim>
-void write_continuum_vtu(const ContinuumBody<dim> &body,
-                         const std::vector<ContinuumState> &states, const std::string &folder);
+void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<ContinuumState> &states,
+                         const std::string &folder);
 
 /**
  * Value of a quantity; the same on all processes.
  *
- * Axial force at x: what is applied to the body left of x, loads and friction, the latter integrated
- * as the polynomial through the nodes' tractions. Equilibrium of the discrete solution makes it far
- * more accurate than stresses are.
- * Ends of zones: between the last node of the zone and the next one, where the line through the last
- * two nodes' slip (or gap) to the power 2/3 meets zero, since slip and gap go to zero with the
- * distance to the power 3/2 where the traction is continuous.
+ * Axial force at x: what is applied to the body left of x, loads and friction, the latter
+ * integrated as the polynomial through the nodes' tractions. Equilibrium of the discrete solution
+ * makes it far more accurate than stresses are. Ends of zones: between the last node of the zone
+ * and the next one, where the line through the last two nodes' slip (or gap) to the power 2/3 meets
+ * zero, since slip and gap go to zero with the distance to the power 3/2 where the traction is
+ * continuous.
  */
 template <int dim>
 double evaluate_quantity(const ContinuumBody<dim> &body, const ContinuumState &state,

@@ -11,9 +11,9 @@
 
 /**
  * @file
- * The scene as a two- or three-dimensional body of linear elastic material with friction on parts of
- * its boundary, plain data in SI units. Parts of the boundary are called by name: physical curves
- * (2D), surfaces (3D) or points of a mesh, or `x0 x1 y0 y1 z0 z1` for the sides of a box.
+ * The scene as a two- or three-dimensional body of linear elastic material with friction on parts
+ * of its boundary, plain data in SI units. Parts of the boundary are called by name: physical
+ * curves (2D), surfaces (3D) or points of a mesh, or `x0 x1 y0 y1 z0 z1` for the sides of a box.
  */
 namespace frictionbeam {
 
@@ -64,7 +64,7 @@ struct ContinuumQuantity {
     open_end,          ///< x up to which the surface is open from its lower end [m]
     slip_end,          ///< x beyond which it sticks [m]
     sum_normal,        ///< force of the foundation, normal [N]
-    sum_friction       ///< and tangential along t1 [N]
+    sum_friction       ///< and tangential, its size [N]
   };
   std::string name;
   Kind kind = Kind::displacement;
@@ -94,10 +94,10 @@ struct ContinuumScene {
 struct ContinuumSettings {
   enum class Refinement { adaptive, uniform, none } refinement = Refinement::adaptive;
   enum class LinearSolver { automatic, direct, amg } linear_solver = LinearSolver::automatic;
-  unsigned int degree = 2;
-  unsigned int cells = 2;   ///< across the height of a box
-  double tolerance = 1e-3;  ///< relative, of every quantity
-  double fraction = 0.8;    ///< of the squared error estimate that the cells to refine hold
+  unsigned int degree = 3;
+  unsigned int cells = 2;  ///< across the height of a box
+  double tolerance = 1e-3; ///< relative, of every quantity
+  double fraction = 0.8;   ///< of the squared error estimate that the cells to refine hold
   unsigned int max_refinements = 20, max_unknowns = 200000, increments = 1, dimension = 2;
 };
 
