@@ -100,7 +100,7 @@ bool DistributedSystem::solve_by_multigrid(const std::vector<Block> &blocks, con
     if (symmetric)
       SolverCG<ContinuumVector>(control).solve(with_blocks, x, right, multigrid);
     else
-      SolverGMRES<ContinuumVector>(control, SolverGMRES<ContinuumVector>::AdditionalData(100))
+      SolverGMRES<ContinuumVector>(control, SolverGMRES<ContinuumVector>::AdditionalData(100, true))
           .solve(with_blocks, x, right, multigrid);
   } catch (const SolverControl::NoConvergence &failure) {
     // Newton's method makes up for what rounding leaves of a direction.

@@ -80,14 +80,12 @@ double mean_over(const ContinuumBody<dim> &body, const ContinuumState &state,
          Utilities::MPI::sum(area, body.communicator);
 }
 
-/// A rule on the part of a face with x below the given one. On a line it is exact; on a face of a
-/// solid, points of a fine rule are counted or not.
+/// A rule on the part of a face with x below the given one, which cuts it. On a line it is exact; on
+/// a face of a solid, points of a fine rule are counted or not.
 template <int dim>
 Quadrature<dim - 1> rule_below(const double x, const double x_first, const double x_last,
                                const unsigned int degree) {
   const QGauss<dim - 1> rule(degree + 1);
-  if (x >= std::max(x_first, x_last))
-    return rule;
   if (dim == 3)
     return QIterated<dim - 1>(QGauss<1>(2), 64);
   const double s = (x - x_first) / (x_last - x_first); // where the line is cut
@@ -113,7 +111,19 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
       for (unsigned int d = 0; d < dim; ++d)
         traction(body.nodes[i].dofs[d]) += body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
   traction.update_ghost_values();
+  const UpdateFlags flags = update_values | update_JxW_values | update_normal_vectors |
+                            update_quadrature_points;
+  FEFaceValues<dim> whole(body.fe, QGauss<dim - 1>(body.fe.degree + 1), flags);
   double force = 0.;
+  const auto add = [&](const FEFaceValues<dim> &values, const types::boundary_id id) {
+    std::vector<Tensor<1, dim>> friction(values.n_quadrature_points);
+    if (body.surface_of(id) >= 0)
+      values[FEValuesExtractors::Vector(0)].get_function_values(traction, friction);
+    for (const unsigned int q : values.quadrature_point_indices())
+      if (values.quadrature_point(q)[0] <= x)
+        force += (state.factor * body.traction(id, values.normal_vector(q))[0] + friction[q][0]) *
+                 values.JxW(q) * body.thickness();
+  };
   for (const auto &cell : body.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices()) {
@@ -125,21 +135,16 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
         }
         if (!face->at_boundary() || low > x || (low == x && high > x))
           continue;
-        const Quadrature<dim - 1> rule =
-            rule_below<dim>(x, face->vertex(0)[0], face->vertex(1)[0], body.fe.degree);
-        FEFaceValues<dim> values(body.fe, rule,
-                                 update_values | update_JxW_values | update_normal_vectors |
-                                     update_quadrature_points);
-        values.reinit(cell, f);
-        std::vector<Tensor<1, dim>> friction(rule.size());
-        if (body.surface_of(face->boundary_id()) >= 0)
-          values[FEValuesExtractors::Vector(0)].get_function_values(traction, friction);
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          if (values.quadrature_point(q)[0] <= x)
-            force +=
-                (state.factor * body.traction(face->boundary_id(), values.normal_vector(q))[0] +
-                 friction[q][0]) *
-                values.JxW(q) * body.thickness();
+        if (high <= x) {
+          whole.reinit(cell, f);
+          add(whole, face->boundary_id());
+        } else {
+          FEFaceValues<dim> cut(
+              body.fe,
+              rule_below<dim>(x, face->vertex(0)[0], face->vertex(1)[0], body.fe.degree), flags);
+          cut.reinit(cell, f);
+          add(cut, face->boundary_id());
+        }
       }
   return Utilities::MPI::sum(force, body.communicator);
 }
