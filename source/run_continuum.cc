@@ -124,8 +124,8 @@ void AdaptiveRun<dim>::run() {
     changes.push_back(change());
     const std::size_t n = changes.size();
     // Slip zones end where they will: one small change may be chance.
-    reached = n >= 2 && changes[n - 1] <= settings.tolerance &&
-              changes[n - 2] <= 3. * settings.tolerance;
+    reached =
+        n >= 2 && changes[n - 1] <= settings.tolerance && changes[n - 2] <= 3. * settings.tolerance;
   }
   results.status = solution.converged && why.empty() ? RunStatus::converged : RunStatus::failed;
   if (!why.empty())

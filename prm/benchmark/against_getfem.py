@@ -91,6 +91,16 @@ def zone_end(x, size, loose):
     return min(x[n], x[n - 1] + here / fall) if fall > 0 else 0.5 * (x[n - 1] + x[n])
 
 
+def rough_end(x, slip):
+    """The same from the slip well inside the zone, which no oscillation reaches."""
+    falling = np.arange(len(x)) <= np.argmax(slip < 0.02 * slip.max())
+    some = falling & (slip > 0.02 * slip.max()) & (slip < 0.2 * slip.max())
+    if np.count_nonzero(some) < 2:
+        some = falling & (slip > 0.01 * slip.max())
+    slope, offset = np.polyfit(x[some], slip[some] ** (2 / 3), 1)
+    return -offset / slope
+
+
 def surface_dofs(mf, region):
     dofs = mf.basic_dof_on_region(region)
     nodes = mf.basic_dof_nodes()[0, dofs]
@@ -145,7 +155,8 @@ def getfem_slab(X, Y, degree, nu, plane):
     # Multipliers of equal order oscillate at the end of the zone: the best of three readings counts.
     readings = [zone_end(x, slip, loose) for loose in
                 (slip > 1e-7 * slip.max(), slip > 1e-5 * slip.max(), traction > 0.999 * BOUND)]
-    values = {"slip_length": min(readings, key=lambda s: abs(s - SLAB["slip_length"]))}
+    values = {"slip_length": min(readings, key=lambda s: abs(s - SLAB["slip_length"])),
+              "about": rough_end(x, slip)}
     for i, name in enumerate(("N_2", "N_4", "N_6")):
         values[name] = F + gf.asm_generic(mim, 0, "t", 10 + i, model)
     values["u_0_mean"] = gf.asm_generic(mim, 0, "u(1)", LEFT, model) / height
@@ -239,6 +250,31 @@ class Getfem:
         return seconds
 
 
+class GetfemInPasses:
+    """GetFEM on the slab, not told where the slip zone ends: a mesh graded towards the end that the mesh
+    before has found, from a uniform one on."""
+
+    def __init__(self, degree, coarse, fines):
+        self.name = "degree %d, uniform, h = %g, then graded to %s where the zone was found to end" % (
+            degree, coarse, ", ".join("%g" % fine for fine in fines))
+        self.degree, self.coarse, self.fines = degree, coarse, fines
+        self.reference = SLAB
+
+    def run(self):
+        n = int(round(1 / self.coarse))
+        X, Y = np.linspace(0, LENGTH, int(LENGTH) * n + 1), np.linspace(0, 1, n + 1)
+        self.values, self.unknowns, seconds = getfem_slab(X, Y, self.degree, 0.3, "stress")
+        for fine in self.fines:
+            end = self.values["about"]
+            X = graded([(0, True), (2, False), (4, False), (6, False), (8, False), (end, True)], 0.5, fine,
+                       2.0)
+            Y = 1 - graded([(0, True), (1, False)], 0.5, fine, 2.0)[::-1]
+            self.values, self.unknowns, more = getfem_slab(X, Y, self.degree, 0.3, "stress")
+            seconds += more
+        self.error = error(self.values, self.reference)
+        return seconds
+
+
 class Ours:
     """FrictionBeam with the settings of a parameter file and some more."""
 
@@ -274,6 +310,11 @@ def settings_of_getfem(case, quick):
         for cells in ((8, 16, 32) if degree > 1 else (16, 32)):
             result.append(Getfem(case, degree, (1.0 if case == "slab" else SIDE) / cells))
     return result
+
+
+def settings_untold():
+    return [GetfemInPasses(2, 0.25, fines) for fines in
+            ((0.02, 0.005), (0.05, 0.01), (0.02, 0.01, 0.005), (0.05, 0.02, 0.01), (0.05, 0.02, 0.005))]
 
 
 def table(rows):

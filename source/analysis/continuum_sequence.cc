@@ -182,6 +182,7 @@ ContinuumGuess ContinuumSequence<dim>::as_guess() const {
     for (unsigned int a = 0; a < dim; ++a)
       for (unsigned int d = 0; d < dim; ++d)
         guess.traction(body.nodes[i].dofs[d]) += body.nodes[i].frame[a][d] * stress[i][a];
+  body.constraints.distribute(guess.traction); // conforming, so that it can be interpolated
   guess.traction.update_ghost_values();
   return guess;
 }

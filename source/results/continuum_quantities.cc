@@ -10,6 +10,8 @@
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/fe/mapping_q1.h>
 
+#include <Eigen/QR>
+
 #include <cmath>
 
 namespace frictionbeam {
@@ -80,8 +82,8 @@ double mean_over(const ContinuumBody<dim> &body, const ContinuumState &state,
          Utilities::MPI::sum(area, body.communicator);
 }
 
-/// A rule on the part of a face with x below the given one, which cuts it. On a line it is exact; on
-/// a face of a solid, points of a fine rule are counted or not.
+/// A rule on the part of a face with x below the given one, which cuts it. On a line it is exact;
+/// on a face of a solid, points of a fine rule are counted or not.
 template <int dim>
 Quadrature<dim - 1> rule_below(const double x, const double x_first, const double x_last,
                                const unsigned int degree) {
@@ -111,8 +113,8 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
       for (unsigned int d = 0; d < dim; ++d)
         traction(body.nodes[i].dofs[d]) += body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
   traction.update_ghost_values();
-  const UpdateFlags flags = update_values | update_JxW_values | update_normal_vectors |
-                            update_quadrature_points;
+  const UpdateFlags flags =
+      update_values | update_JxW_values | update_normal_vectors | update_quadrature_points;
   FEFaceValues<dim> whole(body.fe, QGauss<dim - 1>(body.fe.degree + 1), flags);
   double force = 0.;
   const auto add = [&](const FEFaceValues<dim> &values, const types::boundary_id id) {
@@ -140,8 +142,8 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
           add(whole, face->boundary_id());
         } else {
           FEFaceValues<dim> cut(
-              body.fe,
-              rule_below<dim>(x, face->vertex(0)[0], face->vertex(1)[0], body.fe.degree), flags);
+              body.fe, rule_below<dim>(x, face->vertex(0)[0], face->vertex(1)[0], body.fe.degree),
+              flags);
           cut.reinit(cell, f);
           add(cut, face->boundary_id());
         }
@@ -150,9 +152,11 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
 }
 
 /// Where the zone of nodes @p in_zone that begins at the lower end ends, with @p size going to zero
-/// there as distance^(3/2).
+/// there as distance^(3/2): where a parabola through its power 2/3 at four nodes meets zero. The
+/// last node of the zone is left out, which feels that the next one does not move.
 template <typename InZone, typename Size>
 double end_of_zone(const std::vector<ContactRow> &rows, const InZone &in_zone, const Size &size) {
+  constexpr unsigned int n_fit = 4;
   std::size_t n = 0;
   while (n < rows.size() && in_zone(rows[n]))
     ++n;
@@ -161,12 +165,24 @@ double end_of_zone(const std::vector<ContactRow> &rows, const InZone &in_zone, c
   if (n == rows.size())
     return rows.back().position[0];
   const double last = rows[n - 1].position[0], next = rows[n].position[0];
-  const double here = std::pow(std::abs(size(rows[n - 1])), 2. / 3.);
-  if (n == 1)
+  if (n < n_fit + 1)
     return 0.5 * (last + next);
-  const double before = std::pow(std::abs(size(rows[n - 2])), 2. / 3.);
-  const double fall = (before - here) / (last - rows[n - 2].position[0]);
-  return fall > 0. ? std::min(next, last + here / fall) : 0.5 * (last + next);
+  const double scale = last - rows[n - 1 - n_fit].position[0];
+  Eigen::Matrix<double, n_fit, 3> powers;
+  Eigen::Matrix<double, n_fit, 1> values;
+  for (unsigned int i = 0; i < n_fit; ++i) {
+    const ContactRow &row = rows[n - 1 - n_fit + i];
+    const double x = (row.position[0] - last) / scale;
+    powers.row(i) << 1., x, x * x;
+    values[i] = std::pow(std::abs(size(row)), 2. / 3.);
+  }
+  const Eigen::Vector3d c = powers.colPivHouseholderQr().solve(values);
+  // Near the last node: 0 = c0 + c1 x + c2 x^2, with c1 < 0.
+  const double discriminant = c[1] * c[1] - 4. * c[0] * c[2];
+  const double root =
+      discriminant >= 0. && c[1] < 0. ? 2. * c[0] / (-c[1] + std::sqrt(discriminant)) : 1e300;
+  const double end = last + scale * root, slack = 2. * (next - last);
+  return end > last - slack && end < next + slack ? end : 0.5 * (last + next);
 }
 
 double of_rows(const std::vector<ContactRow> &all, const ContinuumScene &scene,
