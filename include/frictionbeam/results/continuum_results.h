@@ -40,10 +40,11 @@ void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<Conti
  *
  * Axial force at x: what is applied to the body left of x, loads and friction, the latter
  * integrated as the polynomial through the nodes' tractions. Equilibrium of the discrete solution
- * makes it far more accurate than stresses are. Ends of zones: between the last node of the zone
- * and the next one, where the line through the last two nodes' slip (or gap) to the power 2/3 meets
- * zero, since slip and gap go to zero with the distance to the power 3/2 where the traction is
- * continuous.
+ * makes it far more accurate than stresses are.
+ *
+ * Ends of zones: where a parabola through four nodes' slip (or gap) to the power 2/3 meets zero,
+ * since slip and gap go to zero with the distance to the power 3/2 where the traction is
+ * continuous; halfway to the next node where that makes no sense.
  */
 template <int dim>
 double evaluate_quantity(const ContinuumBody<dim> &body, const ContinuumState &state,
