@@ -2,6 +2,7 @@
 #include "run_case.h"
 
 #include "run_continuum.h"
+#include "solve_to_accuracy.h"
 
 #include <frictionbeam/analysis/load_sequence.h>
 #include <frictionbeam/model/mechanism.h>
@@ -321,9 +322,13 @@ int run_case(const RunOptions &options) {
   scene.output.directory =
       options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
   prepare_folder(scene.output.directory);
-  Results results = scene.model == ModelKind::line        ? run_line(scene, laws)
-                    : scene.model == ModelKind::continuum ? run_continuum(scene, laws)
-                                                          : run_both(scene, laws);
+  const auto solve = [&](Scene &read) {
+    return read.model == ModelKind::line        ? run_line(read, laws)
+           : read.model == ModelKind::continuum ? run_continuum(read, laws)
+                                                : run_both(read, laws);
+  };
+  Results results =
+      scene.accuracy > 0. ? solve_to_accuracy(options, laws, scene, solve) : solve(scene);
   conclude(scene, results, wall);
   return results.status == RunStatus::converged ? 0 : 2;
 }

@@ -130,6 +130,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
   };
   if (!results.quantities.empty())
     add("quantities", "Quantities", quantity_table(results));
+  if (results.accuracy)
+    add("accuracy", "Accuracy", accuracy_section(*results.accuracy));
   if (!frames.empty()) {
     std::string steps = step_table(scene, results, frames);
     if (frames.size() == n_frames_at_most && scene.steps.size() > n_frames_at_most)

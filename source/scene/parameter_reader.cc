@@ -33,7 +33,9 @@ bool keeps_references(const std::string &heading, const std::string &name) {
   const std::vector<std::string> harmless = {"Mesh", "Solver", "Time", "Output", "Quantities"};
   return std::count(harmless.begin(), harmless.end(), heading) > 0 ||
          (heading == "Continuum" && name != "Increments" && name != "Dimension") ||
-         (heading.empty() && (name == "Title" || name == "Monitors"));
+         (name == "Increments" &&
+          heading != "Continuum") || // how the way is cut, not where it leads
+         (heading.empty() && (name == "Title" || name == "Accuracy" || name == "Monitors"));
 }
 
 } // namespace

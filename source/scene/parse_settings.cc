@@ -113,6 +113,11 @@ void declare_global(ParameterReader &in) {
   in.declare_choice("Model", "line", {"line", "continuum", "both"},
                     "line: beams; continuum: a plane or solid body, of scenes that are one; both: "
                     "one after the other, with their quantities side by side.");
+  in.declare_number(
+      "Accuracy", 0., "-", 0., 0.5,
+      "Relative error of the quantities that is good enough: the program chooses increments, time "
+      "step, cells, supports and elements itself, as coarse as its estimates of the error allow, "
+      "and says what it chose; 0: they are as the file says.");
   in.declare_text("Law libraries", "", "paths of .so files, separated by commas",
                   "Shared libraries with laws of your own, from the parameter file's folder or the "
                   "folder the program runs in.");
@@ -129,6 +134,7 @@ void parse_global(const ParameterReader &in, Scene &scene) {
   scene.model = in.text("Model") == "line"        ? ModelKind::line
                 : in.text("Model") == "continuum" ? ModelKind::continuum
                                                   : ModelKind::both;
+  scene.accuracy = in.number("Accuracy");
   scene.free_motions = parse_motions(in, "Free motions");
   if (scene.free_motions == std::array<bool, 6>{})
     in.fail("Free motions", "at least one of ux, uy, uz, rx, ry, rz", "'ux, uz, ry'");

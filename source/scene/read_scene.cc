@@ -307,6 +307,8 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   if (scene.model != ModelKind::line && !scene.continuum)
     in.fail("Model", "line for Scene = " + scene_name,
             "line; slab, long bar and body are continua");
+  if (scene.accuracy > 0. && scene.model == ModelKind::both)
+    in.fail("Accuracy", "Model = line or continuum", "one after the other", in.text("Accuracy"));
   if (scene.model != ModelKind::continuum && scene.steps.empty())
     in.fail("Model", "continuum for Scene = " + scene_name, "continuum");
   parts::parse_monitors(in, scene);
@@ -336,7 +338,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "a\n"
          "# point, local axes, N > 0 in tension ('before P' or 'after P' where they jump, 'pipe "
          "NAME' at\n"
-         "# a branch), N_mean the mean of N before and after; fx fy fz mx my mz [N, N m] at a support, spring "
+         "# a branch), N_mean the mean of N before and after; fx fy fz mx my mz [N, N m] at a "
+         "support, spring "
          "or\n"
          "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
          "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"

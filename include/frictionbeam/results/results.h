@@ -100,6 +100,21 @@ struct Cost {
   double peak_memory_mb = 0.;
 };
 
+/// How an answer came to the Accuracy that was demanded.
+struct AccuracyAccount {
+  struct Run {
+    std::string settings;         ///< as of --set
+    double seconds = 0.;          ///< mesh, set-up, solution
+    std::optional<double> change; ///< of the quantities since the run before, relative
+    bool converged = false;
+  };
+  double demanded = 0., estimate = 0.; ///< relative
+  bool reached = false;
+  std::vector<std::string> chosen;   ///< settings, as of --set
+  std::vector<std::string> left_out; ///< quantities that do not count, and why
+  std::vector<Run> runs;
+};
+
 struct Results {
   std::vector<SupportInfo> supports;
   std::vector<RestraintInfo> restraints;
@@ -114,7 +129,8 @@ struct Results {
   std::vector<Check> certificate;
   std::optional<EnergyAccount> energy; ///< of static steps, all together
   std::vector<std::string> remarks;    ///< warnings to the user
-  std::string method;                  ///< in plain words
+  std::optional<AccuracyAccount> accuracy;
+  std::string method; ///< in plain words
   std::vector<ReportSection> sections;
   RunStatus status = RunStatus::failed;
   Cost cost;

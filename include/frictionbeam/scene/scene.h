@@ -227,6 +227,7 @@ struct Scene {
   std::string input;                  ///< the file's text, as read, for the report
   std::vector<std::string> overrides; ///< the --set options
   std::vector<std::string> remarks;   ///< what the user should know about how the file was read
+  double accuracy = 0.; ///< demanded of the quantities, relative; 0: the file says how finely
 
   std::vector<Material> materials;
   std::vector<Section> sections;
