@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run_case.h"
 
+#include "run_continuum.h"
+#include "solve_to_accuracy.h"
+
 #include <frictionbeam/analysis/load_sequence.h>
 #include <frictionbeam/model/mechanism.h>
+#include <frictionbeam/model/processes.h>
+#include <frictionbeam/results/both_models.h>
 #include <frictionbeam/results/collector.h>
 #include <frictionbeam/results/contact_problem_writer.h>
 #include <frictionbeam/results/csv_writer.h>
@@ -161,17 +166,8 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
   }
 }
 
-} // namespace
-
-int run_case(const RunOptions &options) {
-  const dealii::Timer wall;
-  LawLibrary laws;
-  laws.load_builtin();
-  Scene scene = read_scene(options.parameter_file, options.overrides, laws);
-  scene.output.directory =
-      options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
-  prepare_output_folder(scene.output.directory);
-
+/// Solve the scene as beams, and write everything but summary and report.
+Results run_line(Scene &scene, const LawLibrary &laws) {
   Results results;
   results.units = scene.units;
   dealii::Timer timer;
@@ -275,14 +271,66 @@ int run_case(const RunOptions &options) {
   results.cost.unknowns = space.n_unknowns();
   results.cost.cells = discretization.pipe_cells().size();
   results.cost.contacts = contacts.size();
+  return results;
+}
+
+/// For all processes, by one of them.
+void prepare_folder(const std::string &folder) {
+  if (this_process() == 0)
+    prepare_output_folder(folder);
+  if (n_processes() > 1)
+    MPI_Barrier(MPI_COMM_WORLD);
+}
+
+/// Write summary and report, and say what came out.
+void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   results.cost.peak_memory_mb = peak_memory_mb();
   results.cost.wall_seconds = wall.wall_time();
+  if (this_process() > 0)
+    return;
   write_modes(results, scene.output.directory);
   write_summary(scene, results, scene.output.directory);
   if (scene.output.report)
     write_report(scene, results, scene.output.directory);
   print_summary(scene, results, scene.output.directory);
-  return converged ? 0 : 2;
+}
+
+/// Solve the scene as beams and as a continuum, each into a folder of its own.
+Results run_both(const Scene &scene, const LawLibrary &laws) {
+  Results both;
+  both.status = RunStatus::converged;
+  for (const std::string model : {"line", "continuum"}) {
+    Scene part = scene;
+    part.output.directory = scene.output.directory + "/" + model;
+    prepare_folder(part.output.directory);
+    const dealii::Timer wall;
+    Results results = model == "line" ? run_line(part, laws) : run_continuum(part, laws);
+    conclude(part, results, wall);
+    include_model(both, results, model);
+  }
+  both.sections.push_back({"models", "Line and continuum", side_by_side(both)});
+  return both;
+}
+
+} // namespace
+
+int run_case(const RunOptions &options) {
+  const dealii::Timer wall;
+  LawLibrary laws;
+  laws.load_builtin();
+  Scene scene = read_scene(options.parameter_file, options.overrides, laws);
+  scene.output.directory =
+      options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
+  prepare_folder(scene.output.directory);
+  const auto solve = [&](Scene &read) {
+    return read.model == ModelKind::line        ? run_line(read, laws)
+           : read.model == ModelKind::continuum ? run_continuum(read, laws)
+                                                : run_both(read, laws);
+  };
+  Results results =
+      scene.accuracy > 0. ? solve_to_accuracy(options, laws, scene, solve) : solve(scene);
+  conclude(scene, results, wall);
+  return results.status == RunStatus::converged ? 0 : 2;
 }
 
 } // namespace frictionbeam

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "gmsh_session.h"
+
 #include <frictionbeam/mesh/line_mesh.h>
 
 /// @file The two ways from gmsh to a LineMesh with vertices, pipes and named points; private to the
 /// mesh stage.
 namespace frictionbeam {
-
-/// Keeps gmsh initialized, silent, and without the user's configuration.
-class GmshSession {
-public:
-  GmshSession();
-  ~GmshSession();
-  GmshSession(const GmshSession &) = delete;
-  GmshSession &operator=(const GmshSession &) = delete;
-};
 
 /// Mesh the routes of the scene's pipes.
 LineMesh mesh_routes(const Scene &scene);

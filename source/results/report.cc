@@ -130,6 +130,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
   };
   if (!results.quantities.empty())
     add("quantities", "Quantities", quantity_table(results));
+  if (results.accuracy)
+    add("accuracy", "Accuracy", accuracy_section(*results.accuracy));
   if (!frames.empty()) {
     std::string steps = step_table(scene, results, frames);
     if (frames.size() == n_frames_at_most && scene.steps.size() > n_frames_at_most)
@@ -153,6 +155,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     write_file(folder + "/line.svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
                                          draw_line(scene, results, *frames.back(), scale));
   }
+  for (const ReportSection &section : results.sections)
+    add(section.id, section.title, section.html);
   add("solver", "Solver", solver_tables(results));
   add("input", "Input", input(scene));
   write_file(folder + "/report.html",

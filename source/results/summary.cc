@@ -101,6 +101,29 @@ private:
   bool empty = true;
 };
 
+std::string accuracy_text(const AccuracyAccount &account) {
+  List chosen('[', ']'), left_out('[', ']'), runs('[', ']', "    ");
+  for (const std::string &setting : account.chosen)
+    chosen.add(json(setting));
+  for (const std::string &quantity : account.left_out)
+    left_out.add(json(quantity));
+  for (const AccuracyAccount::Run &run : account.runs)
+    runs.add(List('{', '}')
+                 .add("settings", run.settings)
+                 .add("seconds", run.seconds)
+                 .add("change", run.change)
+                 .add(json("converged") + (run.converged ? ": true" : ": false"))
+                 .str());
+  return List('{', '}', "  ")
+      .add("demanded", account.demanded)
+      .add("estimate", account.estimate)
+      .add(json("reached") + (account.reached ? ": true" : ": false"))
+      .add_list("chosen", chosen)
+      .add_list("left_out", left_out)
+      .add_list("runs", runs)
+      .str();
+}
+
 } // namespace
 
 std::string program_version() { return FRICTIONBEAM_VERSION; }
@@ -176,6 +199,8 @@ void write_summary(const Scene &scene, const Results &results, const std::string
   if (results.energy)
     member("energy", energy.str());
   member("cost", costs.str());
+  if (results.accuracy)
+    member("accuracy", accuracy_text(*results.accuracy));
   member("method", json(results.method));
   member("steps", steps.str());
   member("remarks", remarks.str());

@@ -32,7 +32,10 @@ bool same_value(const std::string &a, const std::string &b) {
 bool keeps_references(const std::string &heading, const std::string &name) {
   const std::vector<std::string> harmless = {"Mesh", "Solver", "Time", "Output", "Quantities"};
   return std::count(harmless.begin(), harmless.end(), heading) > 0 ||
-         (heading.empty() && (name == "Title" || name == "Monitors"));
+         (heading == "Continuum" && name != "Increments" && name != "Dimension") ||
+         (name == "Increments" &&
+          heading != "Continuum") || // how the way is cut, not where it leads
+         (heading.empty() && (name == "Title" || name == "Accuracy" || name == "Monitors"));
 }
 
 } // namespace

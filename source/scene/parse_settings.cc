@@ -104,10 +104,20 @@ void declare_global(ParameterReader &in) {
                   "is force s2/length and stress force/length2 unless they are named. Words: " +
                       UnitSystem::known_words() + ".");
   in.declare_text("Title", "", "any text", "Of the report.");
-  in.declare_choice("Scene", "line",
-                    {"line", "slab", "oscillator", "friction bed", "rack", "random"},
-                    "line: from the parts in this file; the others are generated from the few "
-                    "entries of a section of their own: Slab, Oscillator, Rack, Random.");
+  in.declare_choice(
+      "Scene", "line",
+      {"line", "slab", "oscillator", "friction bed", "rack", "random", "long bar", "body"},
+      "line: from the parts in this file; the others are generated from the few "
+      "entries of a section of their own: Slab, Oscillator, Rack, Random, Long bar; "
+      "body: a continuum on a mesh of your own, section Body.");
+  in.declare_choice("Model", "line", {"line", "continuum", "both"},
+                    "line: beams; continuum: a plane or solid body, of scenes that are one; both: "
+                    "one after the other, with their quantities side by side.");
+  in.declare_number(
+      "Accuracy", 0., "-", 0., 0.5,
+      "Relative error of the quantities that is good enough: the program chooses increments, time "
+      "step, cells, supports and elements itself, as coarse as its estimates of the error allow, "
+      "and says what it chose; 0: they are as the file says.");
   in.declare_text("Law libraries", "", "paths of .so files, separated by commas",
                   "Shared libraries with laws of your own, from the parameter file's folder or the "
                   "folder the program runs in.");
@@ -121,6 +131,10 @@ void declare_global(ParameterReader &in) {
 
 void parse_global(const ParameterReader &in, Scene &scene) {
   scene.title = in.text("Title");
+  scene.model = in.text("Model") == "line"        ? ModelKind::line
+                : in.text("Model") == "continuum" ? ModelKind::continuum
+                                                  : ModelKind::both;
+  scene.accuracy = in.number("Accuracy");
   scene.free_motions = parse_motions(in, "Free motions");
   if (scene.free_motions == std::array<bool, 6>{})
     in.fail("Free motions", "at least one of ux, uy, uz, rx, ry, rz", "'ux, uz, ry'");

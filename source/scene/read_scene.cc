@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "continuum_parts.h"
 #include "generated.h"
 #include "parts.h"
 
@@ -19,21 +20,30 @@ namespace {
 const std::vector<std::string> part_kinds = {"Material", "Section", "Point",    "Pipe",
                                              "Support",  "Spring",  "Mass",     "Load",
                                              "Step",     "Initial", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",  "Solver",   "Time",      "Output",
-                                           "Modes", "Response", "Quantities"};
+const std::vector<std::string> settings = {"Mesh",   "Continuum", "Solver",   "Time",
+                                           "Output", "Modes",     "Response", "Quantities"};
 
 struct SceneKind {
   std::string name, section;
-  void (*declare)(ParameterReader &);
+  std::function<void(ParameterReader &, const LawLibrary &)> declare;
   void (*build)(const ParameterReader &, const LawLibrary &, Scene &);
 };
 
+/// Without laws to declare.
+auto only(void (*const declare)(ParameterReader &)) {
+  return [declare](ParameterReader &in, const LawLibrary &) { declare(in); };
+}
+
 const std::vector<SceneKind> scene_kinds = {
-    {"slab", "Slab", &generated::declare_slab, &generated::build_slab},
-    {"oscillator", "Oscillator", &generated::declare_oscillator, &generated::build_oscillator},
-    {"friction bed", "Rack", &generated::declare_friction_bed, &generated::build_friction_bed},
-    {"rack", "Rack", &generated::declare_rack, &generated::build_rack},
-    {"random", "Random", &generated::declare_random, &generated::build_random}};
+    {"slab", "Slab", only(&generated::declare_slab), &generated::build_slab},
+    {"oscillator", "Oscillator", only(&generated::declare_oscillator),
+     &generated::build_oscillator},
+    {"friction bed", "Rack", only(&generated::declare_friction_bed),
+     &generated::build_friction_bed},
+    {"rack", "Rack", only(&generated::declare_rack), &generated::build_rack},
+    {"random", "Random", only(&generated::declare_random), &generated::build_random},
+    {"long bar", "Long bar", only(&generated::declare_long_bar), &generated::build_long_bar},
+    {"body", "Body", &generated::declare_body, &generated::build_body}};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -201,6 +211,7 @@ void read_settings(ParameterReader &in, Scene &scene) {
   using Parse = void (*)(const ParameterReader &, Scene &);
   const std::vector<std::tuple<std::string, Declare, Parse>> sections = {
       {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
+      {"Continuum", &parts::declare_continuum, &parts::parse_continuum},
       {"Solver", &parts::declare_solver, &parts::parse_solver},
       {"Time", &parts::declare_time, &parts::parse_time},
       {"Output", &parts::declare_output, &parts::parse_output},
@@ -288,17 +299,27 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     read_parts(in, laws, installation_temperature, scene);
   else {
     in.enter(kind->section);
-    kind->declare(in);
+    kind->declare(in, laws);
     in.take();
     kind->build(in, laws, scene);
   }
   in.enter("");
+  if (scene.model != ModelKind::line && !scene.continuum)
+    in.fail("Model", "line for Scene = " + scene_name,
+            "line; slab, long bar and body are continua");
+  if (scene.accuracy > 0. && scene.model == ModelKind::both)
+    in.fail("Accuracy", "Model = line or continuum", "one after the other", in.text("Accuracy"));
+  if (scene.model != ModelKind::continuum && scene.steps.empty())
+    in.fail("Model", "continuum for Scene = " + scene_name, "continuum");
   parts::parse_monitors(in, scene);
   check_unique_names(in, scene);
   in.enter("Quantities");
   parts::declare_quantities(in);
   in.take();
-  parts::parse_quantities(in, scene);
+  if (scene.model == ModelKind::continuum)
+    parts::parse_continuum_quantities(in, scene);
+  else
+    parts::parse_quantities(in, scene);
   return scene;
 }
 
@@ -317,7 +338,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "a\n"
          "# point, local axes, N > 0 in tension ('before P' or 'after P' where they jump, 'pipe "
          "NAME' at\n"
-         "# a branch), N_mean the mean of N before and after; fx fy fz mx my mz [N, N m] at a support, spring "
+         "# a branch), N_mean the mean of N before and after; fx fy fz mx my mz [N, N m] at a "
+         "support, spring "
          "or\n"
          "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
          "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"
@@ -336,6 +358,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   Scene scene;
   in.enter("Mesh");
   parts::declare_mesh(in);
+  in.enter("Continuum");
+  parts::declare_continuum(in);
   in.enter("Solver");
   parts::declare_solver(in);
   in.enter("Time");
@@ -350,7 +374,7 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_quantities(in);
   for (const SceneKind &kind : scene_kinds) {
     in.enter(kind.section);
-    kind.declare(in);
+    kind.declare(in, laws);
   }
   in.print(out);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "continuum_parts.h"
 #include "generated.h"
 #include "slab_line.h"
 
@@ -157,6 +158,9 @@ void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
     scene.steps.push_back(step("pull", -1.));
     scene.steps.push_back(step("push_again", 1.));
   }
+
+  if (scene.model != ModelKind::line)
+    build_slab_continuum(in, laws, scene);
 
   // With the squeeze, N + EA eps is the force in bars without it: pushed by F - EA eps, and pulled
   // at the far end by EA eps, which slides there alone if the interface is rigid.

@@ -27,4 +27,7 @@ std::string reaction_tables(const Scene &scene, const Results &results,
 /// What the solver did, how far the result can be trusted and what it cost.
 std::string solver_tables(const Results &results);
 
+/// What the program chose for the accuracy that was demanded, and its runs.
+std::string accuracy_section(const AccuracyAccount &account);
+
 } // namespace frictionbeam

@@ -86,6 +86,11 @@ struct Check {
   double value = 0.;
 };
 
+/// A section of the report besides those that every report has.
+struct ReportSection {
+  std::string id, title, html;
+};
+
 enum class RunStatus { converged, failed, no_equilibrium };
 
 struct Cost {
@@ -93,6 +98,21 @@ struct Cost {
   std::size_t unknowns = 0, cells = 0, contacts = 0;
   std::size_t steps = 0, iterations = 0, factorizations = 0;
   double peak_memory_mb = 0.;
+};
+
+/// How an answer came to the Accuracy that was demanded.
+struct AccuracyAccount {
+  struct Run {
+    std::string settings;         ///< as of --set
+    double seconds = 0.;          ///< mesh, set-up, solution
+    std::optional<double> change; ///< of the quantities since the run before, relative
+    bool converged = false;
+  };
+  double demanded = 0., estimate = 0.; ///< relative
+  bool reached = false;
+  std::vector<std::string> chosen;   ///< settings, as of --set
+  std::vector<std::string> left_out; ///< quantities that do not count, and why
+  std::vector<Run> runs;
 };
 
 struct Results {
@@ -109,7 +129,9 @@ struct Results {
   std::vector<Check> certificate;
   std::optional<EnergyAccount> energy; ///< of static steps, all together
   std::vector<std::string> remarks;    ///< warnings to the user
-  std::string method;                  ///< in plain words
+  std::optional<AccuracyAccount> accuracy;
+  std::string method; ///< in plain words
+  std::vector<ReportSection> sections;
   RunStatus status = RunStatus::failed;
   Cost cost;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <frictionbeam/law.h>
+#include <frictionbeam/scene/continuum_scene.h>
 #include <frictionbeam/scene/modal.h>
 #include <frictionbeam/scene/units.h>
 
@@ -217,12 +218,16 @@ struct OutputSettings {
   bool contact_problems = false; ///< FCLIB files of every static increment
 };
 
+/// Which model of the scene is solved.
+enum class ModelKind { line, continuum, both };
+
 struct Scene {
   std::string name; ///< of the parameter file, without folder and ending
   std::string title;
   std::string input;                  ///< the file's text, as read, for the report
   std::vector<std::string> overrides; ///< the --set options
   std::vector<std::string> remarks;   ///< what the user should know about how the file was read
+  double accuracy = 0.; ///< demanded of the quantities, relative; 0: the file says how finely
 
   std::vector<Material> materials;
   std::vector<Section> sections;
@@ -246,6 +251,10 @@ struct Scene {
   SpectrumSettings response;
   std::vector<Combination> combinations;
 
+  ModelKind model = ModelKind::line;
+  std::optional<ContinuumScene> continuum; ///< of a scene that has one, unless model is line
+
+  ContinuumSettings continuum_settings;
   MeshSettings mesh;
   SolverSettings solver;
   TimeSettings time;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/results/results.h>
+
+namespace frictionbeam::accuracy {
+
+/// How far two answers are apart.
+struct Difference {
+  double value = 0.; ///< the largest
+  std::string worst; ///< quantity that has it
+};
+
+/**
+ * Largest difference of the quantities that the scene names, each relative to its value in @p fine,
+ * or to a hundredth of the largest with the same unit if that is more. Where it asks for max_error,
+ * the motion of that point is compared at all instants of @p coarse. Numbers of supports (n_stick,
+ * n_slip, n_open) do not count.
+ */
+Difference difference(const Scene &scene, const Results &coarse, const Results &fine);
+
+/// Names of the quantities that do not count, and why, for the user.
+std::vector<std::string> left_out(const Scene &scene);
+
+} // namespace frictionbeam::accuracy

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "refinable.h"
+
+#include <frictionbeam/results/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam::accuracy {
+
+namespace {
+
+std::string whole(const unsigned int number) { return std::to_string(number); }
+
+Refinable entry(const std::string &name, const std::string &path, const unsigned int coarsest) {
+  return {name,
+          [=](const unsigned int level) {
+            return std::vector<std::string>{path + " = " + whole(coarsest << level)};
+          },
+          false};
+}
+
+/// Shortest straight run of a route [m].
+double shortest_run(const Scene &scene) {
+  double shortest = 0.;
+  for (const Pipe &pipe : scene.pipes)
+    for (std::size_t i = 1; i < pipe.route.size(); ++i) {
+      const double length = pipe.route[i].position.distance(pipe.route[i - 1].position);
+      shortest = shortest == 0. ? length : std::min(shortest, length);
+    }
+  return shortest > 0. ? shortest : 1.;
+}
+
+Refinable increments_of(const Scene &scene, const std::string &section) {
+  std::vector<std::string> paths;
+  if (!section.empty())
+    paths.push_back(section + "/Increments");
+  else
+    for (const LoadStep &step : scene.steps)
+      if (!step.transient)
+        paths.push_back("Step " + step.name + "/Increments");
+  return {"increments of static steps",
+          [=](const unsigned int level) {
+            std::vector<std::string> settings;
+            for (const std::string &path : paths)
+              settings.push_back(path + " = " + whole(1u << level));
+            return settings;
+          },
+          true};
+}
+
+Refinable time_step_of(const Scene &scene) {
+  double shortest = 0.;
+  for (const LoadStep &step : scene.steps)
+    if (step.transient)
+      shortest = shortest == 0. ? step.duration : std::min(shortest, step.duration);
+  return {"time step",
+          [=](const unsigned int level) {
+            return std::vector<std::string>{"Time/Step = " +
+                                            exact_number(shortest / (64. * (1u << level)))};
+          },
+          false};
+}
+
+} // namespace
+
+std::vector<Refinable> refinables(const Scene &scene, const std::string &scene_kind) {
+  std::vector<Refinable> list;
+  const bool has_transient = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                         [](const LoadStep &step) { return step.transient; }),
+             has_static = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                      [](const LoadStep &step) { return !step.transient; }),
+             has_bed =
+                 std::any_of(scene.supports.begin(), scene.supports.end(),
+                             [](const FrictionSupport &one) { return one.placement.continuous; });
+  const std::string section = scene_kind == "slab"                                   ? "Slab"
+                              : scene_kind == "rack" || scene_kind == "friction bed" ? "Rack"
+                                                                                     : "";
+  if (has_static && !scene.supports.empty() && scene_kind != "random")
+    list.push_back(increments_of(scene, section));
+  if (has_transient)
+    list.push_back(time_step_of(scene));
+  if ((has_bed || has_transient) && !scene.pipes.empty() && scene.mesh.file.empty()) {
+    const double run = shortest_run(scene);
+    list.push_back({"length of cells",
+                    [=](const unsigned int level) {
+                      return std::vector<std::string>{"Mesh/Cell length = " +
+                                                      exact_number(run / (1u << level))};
+                    },
+                    false});
+  }
+  if (scene_kind == "slab")
+    list.push_back(entry("elements of the slab", "Slab/Elements", 8));
+  if (scene_kind == "friction bed")
+    list.push_back(entry("supports that stand for the bed", "Rack/Supports", 5));
+  return list;
+}
+
+std::vector<std::string> exact_settings(const Scene &scene) {
+  for (const Pipe &pipe : scene.pipes)
+    for (const RoutePoint &point : pipe.route)
+      if (point.bend_radius > 0. && scene.mesh.file.empty())
+        return {"Mesh/Bends = arcs"};
+  return {};
+}
+
+} // namespace frictionbeam::accuracy

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/scene/scene.h>
+
+#include <functional>
+
+namespace frictionbeam::accuracy {
+
+/// One thing that can be made finer: from level to level twice as fine.
+struct Refinable {
+  std::string name;                                                           ///< for the user
+  std::function<std::vector<std::string>(const unsigned int level)> settings; ///< as of --set
+  bool one_difference_is_enough = false; ///< a coarse level may be exact, as one increment is
+};
+
+/**
+ * What of a line scene the program may choose, in the order of choice: increments of static steps
+ * with friction, time step, cell length where beds or masses are spread over cells, supports and
+ * elements of generated scenes. Empty: the answer depends on none.
+ */
+std::vector<Refinable> refinables(const Scene &scene, const std::string &scene_kind);
+
+/// Settings that cost nothing and are exact: bends as arcs.
+std::vector<std::string> exact_settings(const Scene &scene);
+
+} // namespace frictionbeam::accuracy

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/analysis/continuum_estimate.h>
+
+#include <deal.II/distributed/solution_transfer.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/numerics/solution_transfer.h>
+
+#include <algorithm>
+#include <map>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// The estimate above which cells hold the fraction of the sum together.
+template <int dim>
+double threshold(const ContinuumBody<dim> &body, const dealii::Vector<float> &estimate,
+                 const double fraction) {
+  std::vector<float> own;
+  for (const auto &cell : body.triangulation->active_cell_iterators())
+    if (cell->is_locally_owned())
+      own.push_back(estimate[cell->active_cell_index()]);
+  std::vector<float> all;
+  for (const auto &part : Utilities::MPI::all_gather(body.communicator, own))
+    all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end(), std::greater<float>());
+  double sum = 0.;
+  for (const float e : all)
+    sum += e;
+  double held = 0.;
+  for (const float e : all)
+    if ((held += e) >= fraction * sum)
+      return e * (1. - 1e-4); // equal but for rounding: all of them
+  return 0.;
+}
+
+/// Flag cells on a surface whose nodes are of different status.
+template <int dim>
+void flag_fronts(const ContinuumBody<dim> &body, const ContinuumState &state) {
+  ContinuumVector status;
+  body.reinit(status);
+  for (unsigned int i = 0; i < body.nodes.size(); ++i)
+    status(body.nodes[i].dofs[0]) = 1. + static_cast<int>(state.contacts.status[i]);
+  status.update_ghost_values();
+  std::vector<types::global_dof_index> dofs(body.fe.n_dofs_per_cell());
+  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned() || !cell->at_boundary())
+      continue;
+    cell->get_dof_indices(dofs);
+    for (const unsigned int f : cell->face_indices()) {
+      if (!cell->face(f)->at_boundary() || body.surface_of(cell->face(f)->boundary_id()) < 0)
+        continue;
+      double low = 1e300, high = 0.;
+      for (unsigned int i = 0; i < body.fe.n_dofs_per_face(f); ++i) {
+        const unsigned int k = body.fe.face_to_cell_index(i, f);
+        const double value = body.fe.system_to_component_index(k).first == 0 ? status(dofs[k]) : 0.;
+        if (value > 0.) {
+          low = std::min(low, value);
+          high = std::max(high, value);
+        }
+      }
+      if (high > low)
+        cell->set_refine_flag();
+    }
+  }
+}
+
+} // namespace
+
+template <int dim>
+void refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate, const double fraction,
+            const ContinuumState &state, ContinuumGuess &guess) {
+  const double least = fraction < 1. ? threshold(body, estimate, fraction) : -1.;
+  for (const auto &cell : body.triangulation->active_cell_iterators())
+    if (cell->is_locally_owned() && estimate[cell->active_cell_index()] >= least)
+      cell->set_refine_flag();
+  flag_fronts(body, state);
+
+  const std::vector<const ContinuumVector *> fields = {&guess.displacement, &guess.traction};
+  ContinuumGuess finer;
+  const auto new_mesh = [&]() {
+    body.triangulation->execute_coarsening_and_refinement();
+    body.distribute();
+    body.reinit(finer.displacement);
+    body.reinit(finer.traction);
+  };
+  if (body.is_parallel) {
+    parallel::distributed::SolutionTransfer<dim, ContinuumVector> transfer(body.dof_handler);
+    body.triangulation->prepare_coarsening_and_refinement();
+    transfer.prepare_for_coarsening_and_refinement(fields);
+    new_mesh();
+    std::vector<ContinuumVector *> results = {&finer.displacement, &finer.traction};
+    transfer.interpolate(results);
+  } else {
+    SolutionTransfer<dim, ContinuumVector> transfer(body.dof_handler);
+    body.triangulation->prepare_coarsening_and_refinement();
+    const std::vector<ContinuumVector> old = {guess.displacement, guess.traction};
+    transfer.prepare_for_coarsening_and_refinement(old);
+    new_mesh();
+    std::vector<ContinuumVector> results = {finer.displacement, finer.traction};
+    transfer.interpolate(old, results);
+    finer.displacement = results[0];
+    finer.traction = results[1];
+  }
+  guess = finer;
+}
+
+template void refine<2>(ContinuumBody<2> &, const dealii::Vector<float> &, const double,
+                        const ContinuumState &, ContinuumGuess &);
+template void refine<3>(ContinuumBody<3> &, const dealii::Vector<float> &, const double,
+                        const ContinuumState &, ContinuumGuess &);
+
+} // namespace frictionbeam

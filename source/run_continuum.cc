@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "run_continuum.h"
+
+#include <frictionbeam/analysis/continuum_estimate.h>
+#include <frictionbeam/results/continuum_results.h>
+#include <frictionbeam/results/text.h>
+
+#include <deal.II/base/timer.h>
+
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// The solution on one mesh, with what is asked of it.
+template <int dim>
+struct Solution {
+  std::unique_ptr<ContinuumSequence<dim>> sequence;
+  bool converged = false;
+  std::vector<ContactRow> rows;
+  ContinuumLevel level;
+};
+
+template <int dim>
+class AdaptiveRun {
+public:
+  AdaptiveRun(const Scene &scene, const LawLibrary &laws, Results &results)
+      : scene(scene), laws(laws), results(results), mesh(build_continuum_mesh<dim>(scene)),
+        body(scene, mesh) {
+    results.cost.mesh_seconds = wall.wall_time();
+  }
+
+  void run();
+
+private:
+  Solution<dim> solve(const ContinuumGuess *guess);
+  /// Largest change of a quantity since the mesh before, relative.
+  double change() const;
+  void finish(const Solution<dim> &solution);
+
+  const Scene &scene;
+  const LawLibrary &laws;
+  Results &results;
+  const Timer wall;
+  const ContinuumMesh<dim> mesh;
+  ContinuumBody<dim> body;
+  std::vector<ContinuumLevel> levels;
+  dealii::Vector<float> estimate;
+};
+
+template <int dim>
+Solution<dim> AdaptiveRun<dim>::solve(const ContinuumGuess *guess) {
+  Solution<dim> solution;
+  solution.sequence = std::make_unique<ContinuumSequence<dim>>(body, laws);
+  ContinuumSequence<dim> &sequence = *solution.sequence;
+  solution.converged = sequence.run(guess);
+  std::vector<ContactRow> last_rows;
+  for (const ContinuumState &state : sequence.ends()) {
+    last_rows = contact_rows(body, sequence.contacts(), state);
+    solution.rows.insert(solution.rows.end(), last_rows.begin(), last_rows.end());
+  }
+  const ContinuumState &last = sequence.ends().back();
+  ContinuumLevel &level = solution.level;
+  for (const ContinuumQuantity &quantity : body.continuum.quantities)
+    level.quantities.push_back(evaluate_quantity(body, last, last_rows, quantity));
+  level.cells = body.triangulation->n_global_active_cells();
+  level.unknowns = body.dof_handler.n_dofs();
+  level.contacts =
+      Utilities::MPI::sum(static_cast<unsigned int>(body.nodes.size()), body.communicator);
+  for (const StepReport &report : sequence.reports()) {
+    level.iterations += report.iterations;
+    results.cost.iterations += report.iterations;
+    results.cost.factorizations += report.factorizations;
+  }
+  estimate = estimate_error(body, last, sequence.as_guess().traction);
+  double sum = 0.;
+  for (const auto &cell : body.triangulation->active_cell_iterators())
+    if (cell->is_locally_owned())
+      sum += estimate[cell->active_cell_index()];
+  sum = Utilities::MPI::sum(sum, body.communicator);
+  double stored = 0.;
+  for (const StepReport &report : sequence.reports())
+    stored += report.energy.stored;
+  level.estimate = stored > 0. ? std::sqrt(sum / (2. * stored)) : 0.;
+  level.seconds = wall.wall_time();
+  return solution;
+}
+
+template <int dim>
+double AdaptiveRun<dim>::change() const {
+  double largest = 0.;
+  const auto &now = levels.back().quantities, &before = levels[levels.size() - 2].quantities;
+  for (unsigned int i = 0; i < now.size(); ++i)
+    if (now[i] != before[i])
+      largest = std::max(largest, std::abs(now[i] - before[i]) / std::abs(now[i]));
+  return largest;
+}
+
+template <int dim>
+void AdaptiveRun<dim>::run() {
+  using Refinement = ContinuumSettings::Refinement;
+  const ContinuumSettings &settings = scene.continuum_settings;
+  body.distribute();
+  Solution<dim> solution = solve(nullptr);
+  levels.push_back(solution.level);
+  std::vector<double> changes;
+  bool reached = settings.refinement == Refinement::none;
+  std::string why;
+  while (solution.converged && !reached) {
+    if (levels.size() > settings.max_refinements)
+      why = "Max refinements = " + std::to_string(settings.max_refinements);
+    else if (levels.back().unknowns > settings.max_unknowns)
+      why = "Max unknowns = " + std::to_string(settings.max_unknowns);
+    if (!why.empty())
+      break;
+    ContinuumGuess guess = solution.sequence->as_guess();
+    refine(body, estimate, settings.refinement == Refinement::uniform ? 1. : settings.fraction,
+           solution.sequence->ends().back(), guess);
+    solution = solve(&guess);
+    levels.push_back(solution.level);
+    changes.push_back(change());
+    const std::size_t n = changes.size();
+    // Slip zones end where they will: one small change may be chance.
+    reached =
+        n >= 2 && changes[n - 1] <= settings.tolerance && changes[n - 2] <= 3. * settings.tolerance;
+  }
+  results.status = solution.converged && why.empty() ? RunStatus::converged : RunStatus::failed;
+  if (!why.empty())
+    results.remarks.push_back("The refinement stopped at Continuum/" + why +
+                              " before the quantities were known to Continuum/Tolerance = " +
+                              rounded_number(settings.tolerance, 3) +
+                              ": the last refinement changed one by " +
+                              (changes.empty() ? "?" : rounded_number(changes.back(), 2)) + ".");
+  finish(solution);
+  if (!changes.empty())
+    results.certificate.push_back({"refinement", "-",
+                                   "largest change of a quantity by the last refinement, relative",
+                                   changes.back()});
+}
+
+template <int dim>
+void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
+  results.cost.solve_seconds = wall.wall_time() - results.cost.mesh_seconds;
+  const ContinuumSequence<dim> &sequence = *solution.sequence;
+  results.steps = sequence.reports();
+  for (StepReport &step : results.steps)
+    results.cost.steps += step.increments;
+  results.certify(scene);
+  results.cost.unknowns = levels.back().unknowns;
+  results.cost.cells = levels.back().cells;
+  results.cost.contacts = levels.back().contacts;
+  results.method = std::string(scene.solver.method == SolverSettings::Method::exact
+                                   ? "exact: rigid contact and Coulomb friction by a semismooth "
+                                     "Newton method"
+                                   : "newton: consistent tangent of the return mapping") +
+                   ", elements of degree " + std::to_string(body.fe.degree) + ", " +
+                   (body.is_parallel ? "Trilinos" : "contacts condensed");
+  for (unsigned int i = 0; i < body.continuum.quantities.size(); ++i) {
+    const ContinuumQuantity &quantity = body.continuum.quantities[i];
+    QuantityResult result{quantity.name,      unit_of(quantity),
+                          quantity.source,    levels.back().quantities[i],
+                          quantity.reference, {}};
+    if (quantity.reference) {
+      const double difference = std::abs(result.value - *quantity.reference);
+      result.error =
+          *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
+    }
+    results.quantities.push_back(result);
+  }
+  const std::string &folder = scene.output.directory;
+  if (scene.output.vtu)
+    write_continuum_vtu(body, sequence.ends(), folder);
+  if (this_process(body.communicator) > 0)
+    return;
+  write_contact_csv(scene, solution.rows, folder);
+  write_convergence_csv(scene, levels, folder);
+  if (scene.output.report) {
+    results.sections.push_back({"refinement", "Refinement", convergence_table(scene, levels)});
+    results.sections.push_back({"contact", "Contact", contact_charts(scene, solution.rows)});
+  }
+}
+
+} // namespace
+
+Results run_continuum(const Scene &scene, const LawLibrary &laws) {
+  Results results;
+  results.units = scene.units;
+  if (scene.continuum->dimension == 2)
+    AdaptiveRun<2>(scene, laws, results).run();
+  else
+    AdaptiveRun<3>(scene, laws, results).run();
+  return results;
+}
+
+} // namespace frictionbeam
