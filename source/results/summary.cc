@@ -128,6 +128,11 @@ void write_summary(const Scene &scene, const Results &results, const std::string
         .add("stored", results.energy->stored)
         .add("dissipated", results.energy->dissipated)
         .add("gaps", results.energy->gaps)
+        .add("kinetic", results.energy->kinetic)
+        .add("damping", results.energy->damping)
+        .add("impact", results.energy->impact)
+        .add("left_over", results.energy->left_over())
+        .add("at_hand", results.energy->at_hand)
         .add("missed_friction", results.energy->missed_friction)
         .add("imbalance", results.energy->imbalance());
 
@@ -177,6 +182,7 @@ void write_summary(const Scene &scene, const Results &results, const std::string
     member("energy", energy.str());
   member("cost", costs.str());
   member("method", json(results.method));
+  member("integrator", json(results.integrator));
   member("steps", steps.str());
   member("remarks", remarks.str());
   write_file(folder + "/summary.json", text + "\n}\n");

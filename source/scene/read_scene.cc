@@ -19,8 +19,8 @@ namespace {
 const std::vector<std::string> part_kinds = {"Material", "Section", "Point",    "Pipe",
                                              "Support",  "Spring",  "Mass",     "Load",
                                              "Step",     "Initial", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",  "Solver",   "Time",      "Output",
-                                           "Modes", "Response", "Quantities"};
+const std::vector<std::string> settings = {"Mesh",  "Solver",   "Time",  "Output",
+                                           "Modes", "Response", "Exact", "Quantities"};
 
 struct SceneKind {
   std::string name, section;
@@ -295,6 +295,10 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   in.enter("");
   parts::parse_monitors(in, scene);
   check_unique_names(in, scene);
+  in.enter("Exact");
+  parts::declare_exact(in);
+  in.take();
+  parts::parse_exact(in, scene);
   in.enter("Quantities");
   parts::declare_quantities(in);
   in.take();
@@ -325,7 +329,13 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "# part; frequency N [Hz] of mode N; max_error [m, or relative] in scenes with an exact "
          "solution. |what| is its "
          "absolute value.\n"
-         "# Without a step, the last one is meant; without a time, the end of the step.\n";
+         "# Without a step, the last one is meant; without a time, the end of the step. vx vy vz\n"
+         "# [m/s] wx wy wz [rad/s] are velocities; wear [J] at a support: integral of fn |slip "
+         "rate|;\n"
+         "# impulse [N s]: of fn, impacts included. Over an interval of time:\n"
+         "#   set <name> = max what at where, from T1, to T2        or min, mean, integral, "
+         "change, rate\n"
+         "#   set <name> = time_of slip at SUPPORT, from T1         or stick, open, closed\n";
   const ParameterFile empty;
   ParameterReader in(empty);
   parts::declare_global(in);
@@ -342,6 +352,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_time(in);
   in.enter("Output");
   parts::declare_output(in);
+  in.enter("Exact");
+  parts::declare_exact(in);
   in.enter("Modes");
   parts::declare_modes(in);
   in.enter("Response");
