@@ -210,6 +210,8 @@ void EventIntegrator::change(const Event &event, const double x, const double le
     if (!contact.rigid_shear)
       state.plastic = displacement[i].tail<2>() - force[i].tail<2>() / contact.shear_stiffness;
   }
+  if (event.kind == Kind::closing && !state.is_closed()) // it bounces
+    to.events.push_back({present, i, ContactStatus::closed});
   to.events.push_back({present, i, state.status});
   motion.state_changed();
 }
