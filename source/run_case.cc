@@ -260,10 +260,21 @@ Results run_line(Scene &scene, const LawLibrary &laws) {
   case SolverSettings::Method::exact:
     results.method = "exact: Signorini and Coulomb by a proximal-point semismooth Newton method";
   }
+  results.integrator = sequence.integrator_name();
+  if (!results.integrator.empty())
+    results.method += "; transient steps by " + results.integrator;
   for (const StepReport &step : results.steps) {
     results.cost.iterations += step.iterations;
     results.cost.factorizations += step.factorizations;
     results.cost.steps += step.increments;
+  }
+  for (const StepReport &step : results.steps) {
+    const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
+    if (step.energy.at_hand > 0. && gained > 1e-3 * step.energy.at_hand)
+      results.remarks.push_back("Step " + step.step + ": the integrator has gained " +
+                                rounded_number(100. * gained / step.energy.at_hand, 2) +
+                                " % of the largest energy in motion, at contacts. Take a shorter "
+                                "time step, moreau_jean or event.");
   }
   if (const std::string remark = several_equilibria(results); !remark.empty())
     results.remarks.push_back(remark);

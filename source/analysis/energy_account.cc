@@ -6,8 +6,13 @@
 
 namespace frictionbeam {
 
+double EnergyAccount::left_over() const {
+  return external - stored - kinetic - dissipated - gaps - damping - impact;
+}
+
 double EnergyAccount::imbalance() const {
-  return turnover > 0. ? std::abs(external - stored - dissipated - gaps) / turnover : 0.;
+  const double scale = at_hand > 0. ? at_hand : turnover;
+  return scale > 0. ? std::abs(left_over()) / scale : 0.;
 }
 
 EnergyAccount &EnergyAccount::operator+=(const EnergyAccount &other) {
@@ -15,6 +20,10 @@ EnergyAccount &EnergyAccount::operator+=(const EnergyAccount &other) {
   stored += other.stored;
   dissipated += other.dissipated;
   gaps += other.gaps;
+  kinetic += other.kinetic;
+  damping += other.damping;
+  impact += other.impact;
+  at_hand = std::max(at_hand, other.at_hand);
   missed_friction += other.missed_friction;
   turnover += other.turnover;
   return *this;
@@ -69,6 +78,52 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
     share.external =
         contact.weight * (before.contact_stress[i] + after.contact_stress[i]).dot(imposed) / 2.;
     share.turnover = std::abs(share.stored) + std::abs(share.dissipated) + std::abs(share.gaps);
+    account += share;
+  }
+  return account;
+}
+
+EnergyAccount account_motion(const Model &model, const LineState &before, const LineState &after,
+                             const Vector &loads_before, const Vector &loads_after,
+                             const std::vector<ContactWork> &work) {
+  EnergyAccount account;
+  const Vector motion = after.unknowns - before.unknowns,
+               momentum_change = model.linear.mass() * (after.velocity - before.velocity);
+  account.external = (loads_before + loads_after).dot(motion) / 2.;
+  account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
+  account.kinetic = (before.velocity + after.velocity).dot(momentum_change) / 2.;
+  if (model.linear.damping().nonZeros() > 0)
+    account.damping = (before.velocity + after.velocity).dot(model.linear.damping() * motion) / 2.;
+  account.at_hand = (after.velocity.dot(model.linear.mass() * after.velocity) +
+                     after.unknowns.dot(model.linear.stiffness() * after.unknowns)) /
+                    2.;
+  account.turnover =
+      std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Contact::Strains change = after.contacts.strain[i] - before.contacts.strain[i];
+    Contact::Strains mean = (before.contact_stress[i] + after.contact_stress[i]) / 2.;
+    EnergyAccount share;
+    if (i < work.size()) {
+      mean = work[i].mean_stress;
+      for (int e = 0; e < n_support_strains; ++e) {
+        const double s0 = before.contact_stress[i][e], s1 = after.contact_stress[i][e],
+                     rigidity = work[i].rigidity[e];
+        const double stored = std::isfinite(rigidity) && rigidity > 0.
+                                  ? contact.weight * (s1 * s1 - s0 * s0) / (2. * rigidity)
+                                  : 0.;
+        share.stored += stored;
+        const double lost = contact.weight * mean[e] * change[e] - stored;
+        (e > 0 ? share.dissipated : std::isfinite(rigidity) ? share.gaps : share.impact) += lost;
+      }
+    } else
+      account_contact(contact, i, before, after, share);
+    Contact::Strains imposed = change;
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      imposed -= motion[contact.unknowns[j]] * contact.B_reduced.col(j);
+    share.external = contact.weight * mean.dot(imposed);
+    share.turnover = std::abs(share.stored) + std::abs(share.dissipated) + std::abs(share.gaps) +
+                     std::abs(share.impact);
     account += share;
   }
   return account;

@@ -28,7 +28,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,
                                      ContactResponse &response) {
   EquilibriumResult result;
-  proximal.begin(committed);
+  proximal.begin(committed, problem.overrides);
   const Residual residual(problem, contacts, space, {});
   const auto centre_before = proximal.centre;
   const Vector unknowns_before = unknowns;

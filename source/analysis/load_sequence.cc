@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/analysis/load_sequence.h>
 
-#include <frictionbeam/analysis/line_factorization.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,54 +16,66 @@ LoadSequence::LoadSequence(const Model &model)
     : model(model),
       statics(make_equilibrium_solver(model.scene.solver, model.scene.solver.method, model.contacts,
                                       model.space, model.linear.stiffness())),
-      dynamics(make_equilibrium_solver(
-          model.scene.solver,
-          model.scene.solver.method == SolverSettings::Method::elastic
-              ? SolverSettings::Method::elastic
-              : SolverSettings::Method::newton, // exact contact is for statics
-          model.contacts, model.space, model.linear.stiffness())) {}
+      course(model), declared(model.scene.loads.size(), 0.) {}
 
-EquilibriumProblem LoadSequence::problem(const SparseMatrix &matrix, const Factors &factors) const {
-  EquilibriumProblem result{matrix, model.contacts.platen_forces(),
-                            Vector::Zero(model.space.n_dofs())};
-  for (unsigned int l = 0; l < factors.size(); ++l)
-    if (factors[l] != 0.) {
-      result.right_hand_side += factors[l] * model.linear.forces(l);
-      for (const auto &[dof, value] : model.linear.imposed(l))
-        result.imposed[dof] += factors[l] * value;
+void LoadSequence::set_initial_motion() {
+  const VertexDofs &dofs = model.discretization.vertex_dofs();
+  for (const InitialCondition &initial : model.scene.initial) {
+    std::vector<unsigned int> vertices;
+    for (const std::string &point : initial.points)
+      vertices.push_back(model.mesh.points.at(point));
+    for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
+      if (std::count(initial.pipes.begin(), initial.pipes.end(), model.scene.pipes[p].name) > 0)
+        vertices.insert(vertices.end(), model.mesh.pipes[p].vertices.begin(),
+                        model.mesh.pipes[p].vertices.end());
+    const auto at = [&](Motion motion, const unsigned int vertex) {
+      if (initial.about.empty())
+        return motion;
+      const Vector3 arm =
+          model.mesh.vertices[vertex] - model.mesh.vertices[model.mesh.points.at(initial.about)];
+      const Vector3 turned = cross_product_3d(Vector3({motion[3], motion[4], motion[5]}), arm);
+      for (unsigned int d = 0; d < 3; ++d)
+        motion[d] += turned[d];
+      return motion;
+    };
+    for (const unsigned int vertex : vertices) {
+      const Motion displacement = at(initial.displacement, vertex),
+                   velocity = at(initial.velocity, vertex);
+      for (unsigned int c = 0; c < 6; ++c)
+        if (const auto dof = dofs.index(vertex, c); dof != numbers::invalid_dof_index)
+          for (const auto &term : model.space.terms(dof)) {
+            current.unknowns[term.unknown] = displacement[c];
+            current.velocity[term.unknown] = velocity[c];
+          }
     }
-  return result;
+  }
 }
 
 void LoadSequence::initialize() {
   const unsigned int n = model.space.n_unknowns();
-  current.unknowns = current.velocity = current.acceleration = Vector::Zero(n);
-  current.load_factors.assign(model.scene.loads.size(), 0.);
-  for (const InitialCondition &initial : model.scene.initial) {
-    const unsigned int vertex = model.mesh.points.at(initial.point);
-    for (unsigned int c = 0; c < 6; ++c) {
-      const auto dof = model.discretization.vertex_dofs().index(vertex, c);
-      if (dof != numbers::invalid_dof_index)
-        for (const auto &term : model.space.terms(dof)) {
-          current.unknowns[term.unknown] = initial.displacement[c];
-          current.velocity[term.unknown] = initial.velocity[c];
-        }
-    }
-  }
-  model.space.expand(current.unknowns, current.dofs);
+  current.unknowns = current.velocity = current.acceleration = current.auxiliary = Vector::Zero(n);
+  current.load_factors = declared;
+  set_initial_motion();
+  const auto expand = [&]() {
+    model.space.expand(current.unknowns, current.dofs);
+    model.contacts.add_ground_motion(0., current.dofs);
+  };
+  expand();
   current.contacts = model.contacts.initial_state(current.dofs);
   model.contacts.place_platens(current.unknowns);
-  model.space.expand(current.unknowns, current.dofs);
+  expand();
   model.contacts.evaluate(current.dofs, current.contacts, 0., 0., LawTangent::none, response);
-  commit(current.load_factors, 0.);
+  commit(declared, 0.);
 }
 
 void LoadSequence::commit(const Factors &factors, const double time) {
-  std::swap(current.contacts, response.state);
-  current.contact_stress = response.stress;
-  current.contact_status = response.status;
-  current.load_factors = factors;
+  response.state.wear = current.contacts.wear;
+  response.state.impulse = current.contacts.impulse;
+  const LineState before = current;
   current.time = time;
+  declared = factors;
+  current.load_factors = course.factors(time);
+  commit_contacts(response, before, current);
 }
 
 bool LoadSequence::run(const Observer &observer, const Observer &each) {
@@ -75,15 +85,15 @@ bool LoadSequence::run(const Observer &observer, const Observer &each) {
   if (each_increment)
     each_increment({0, 0, 0}, current);
   for (unsigned int step = 0; step < model.scene.steps.size(); ++step) {
-    const LoadStep &declared = model.scene.steps[step];
+    const LoadStep &declared_step = model.scene.steps[step];
     StepReport report;
-    report.step = declared.name;
+    report.step = declared_step.name;
     step_reports.push_back(report);
     Factors target(model.scene.loads.size(), 0.);
-    for (const auto &[load, factor] : declared.loads)
+    for (const auto &[load, factor] : declared_step.loads)
       target[load] += factor;
-    step_reports.back().converged = declared.transient ? run_transient(step, target, observer)
-                                                       : run_static(step, target, observer);
+    step_reports.back().converged = declared_step.transient ? run_transient(step, target, observer)
+                                                            : run_static(step, target, observer);
     if (!step_reports.back().converged)
       return false;
   }
@@ -92,76 +102,131 @@ bool LoadSequence::run(const Observer &observer, const Observer &each) {
 
 bool LoadSequence::run_static(const unsigned int step, const Factors &target,
                               const Observer &observer) {
-  const LoadStep &declared = model.scene.steps[step];
-  const Factors from = current.load_factors;
+  const LoadStep &declared_step = model.scene.steps[step];
+  const Factors from = declared;
   const double start = current.time;
   current.velocity.setZero();
   current.acceleration.setZero();
-  for (unsigned int i = 1; i <= declared.n_increments; ++i) {
-    const double part = static_cast<double>(i) / declared.n_increments;
+  current.auxiliary.setZero();
+  course.begin_step(from, target, start, declared_step.duration);
+  for (unsigned int i = 1; i <= declared_step.n_increments; ++i) {
+    const double part = static_cast<double>(i) / declared_step.n_increments;
     Factors to(target.size());
     for (unsigned int l = 0; l < to.size(); ++l)
-      to[l] = i == declared.n_increments ? target[l] : from[l] + part * (target[l] - from[l]);
-    if (!advance(Factors(current.load_factors), to, start + part * declared.duration, false, 0))
+      to[l] = i == declared_step.n_increments ? target[l] : from[l] + part * (target[l] - from[l]);
+    if (!advance(Factors(declared), to, start + part * declared_step.duration, 0))
       return false;
-    observer({step, i, declared.n_increments}, current);
+    observer({step, i, declared_step.n_increments}, current);
   }
   if (model.contacts.size() <= most_contacts_for_uniqueness)
     step_reports.back().several_equilibria = statics->beyond_uniqueness(current.contact_status);
   return true;
 }
 
+std::vector<double> LoadSequence::instants(const double start, const double end) const {
+  const double step = longest_step;
+  const unsigned int n = std::max(1., std::ceil((end - start) / step - 1e-9));
+  std::vector<double> result;
+  for (unsigned int i = 1; i <= n; ++i)
+    result.push_back(i == n ? end : start + (end - start) * i / n);
+  if (!integrator->is_exact())
+    return result;
+  for (const Quantity &quantity : model.scene.quantities)
+    if (quantity.time && *quantity.time > start && *quantity.time < end)
+      result.push_back(*quantity.time);
+  std::sort(result.begin(), result.end());
+  const double least = 1e-9 * step;
+  std::vector<double> apart;
+  for (const double instant : result) // of two that are next to one, the later
+    if (!apart.empty() && instant - apart.back() < least)
+      apart.back() = instant;
+    else
+      apart.push_back(instant);
+  return apart;
+}
+
 bool LoadSequence::run_transient(const unsigned int step, const Factors &target,
                                  const Observer &observer) {
-  const LoadStep &declared = model.scene.steps[step];
-  const unsigned int n = std::max(1., std::ceil(declared.duration / model.scene.time.step - 1e-9));
-  const Factors from = current.load_factors;
-  const double start = current.time;
-  const auto factors_at = [&](const double time) {
-    const double part = declared.ramp > 0. ? std::min(1., (time - start) / declared.ramp) : 1.;
-    Factors factors(target.size());
-    for (unsigned int l = 0; l < factors.size(); ++l)
-      factors[l] = part == 1. ? target[l] : from[l] + part * (target[l] - from[l]);
-    return factors;
-  };
-  current.load_factors = factors_at(start);
-  start_motion();
-  for (unsigned int i = 1; i <= n; ++i) {
-    const double time = start + declared.duration * i / n;
-    if (!advance(Factors(current.load_factors), factors_at(time), time, true, 0))
+  const LoadStep &declared_step = model.scene.steps[step];
+  if (!integrator)
+    integrator = make_time_integrator(model);
+  longest_step = frictionbeam::time_step(model);
+  const double start = current.time, end = start + declared_step.duration;
+  course.begin_step(declared, target, start, declared_step.ramp);
+  declared = course.declared(start);
+  current.load_factors = course.factors(start);
+  integrator->start(current, course);
+  const std::vector<double> times = instants(start, end);
+  time_step = integrator->is_exact() ? longest_step : times.front() - start;
+  unsigned int increment = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto observe = [&]() {
+      ++increment;
+      const bool last = current.time == end;
+      const std::size_t left = times.size() - i;
+      observer({step, increment, last ? increment : increment + static_cast<unsigned int>(left)},
+               current);
+    };
+    if (!move_to(times[i], observe))
       return false;
-    observer({step, i, n}, current);
+  }
+  step_reports.back().remark = integrator->remark();
+  return true;
+}
+
+bool LoadSequence::move_to(const double time, const std::function<void()> &after_each) {
+  const double tolerance = model.scene.time.tolerance, longest = longest_step,
+               least = longest / std::pow(2., model.scene.solver.max_halvings);
+  StepReport &report = step_reports.back();
+  while (current.time < time) {
+    const double left = time - current.time;
+    const double step = left <= 1.5 * time_step ? left : time_step;
+    const double goal = step == left ? time : current.time + step;
+    const bool taken = take_time_step(goal);
+    if (!taken && report.no_equilibrium)
+      return false;
+    if (!taken && step <= least * (1. + 1e-9)) {
+      report.remark = "stopped at time " + std::to_string(current.time) + ": " + report.remark +
+                      ", also with a time step of " + std::to_string(step) + " s";
+      return false;
+    }
+    if (!taken) {
+      ++report.halvings;
+      time_step = step / 2.;
+      continue;
+    }
+    current = next;
+    ++report.increments;
+    if (each_increment)
+      each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
+                     current);
+    after_each();
+    if (time_step < longest && (tolerance == 0. || last_error < 0.1 * tolerance))
+      time_step = std::min(longest, 2. * time_step);
   }
   return true;
 }
 
-/// Accelerations that are in equilibrium with the forces at the start of a motion.
-void LoadSequence::start_motion() {
-  const EquilibriumProblem start = problem(model.linear.stiffness(), current.load_factors);
-  Vector forces = start.right_hand_side - model.linear.stiffness() * current.unknowns;
-  model.contacts.evaluate(current.dofs, current.contacts, current.time, 0., LawTangent::none,
-                          response);
-  Vector contact_forces = Vector::Zero(forces.size());
-  model.contacts.add_forces(response, contact_forces);
-  forces -= contact_forces;
-  SparseMatrix mass = model.linear.mass();
-  for (int i = 0; i < mass.rows(); ++i)
-    if (mass.coeff(i, i) == 0.) { // a platen, a node without mass: moves with its forces balanced
-      mass.coeffRef(i, i) = 1.;
-      forces[i] = 0.;
-    }
-  LineFactorization factors;
-  factors.analyze(mass);
-  const bool regular = factors.factorize(mass);
-  AssertThrow(regular, ExcMessage("The mass matrix is singular."));
-  current.acceleration = factors.solve(forces);
+bool LoadSequence::take_time_step(const double time) {
+  const TimeStep step = integrator->advance(current, course, time, next);
+  if (!report(step.result))
+    return false;
+  const double tolerance = model.scene.time.tolerance,
+               least = longest_step / std::pow(2., model.scene.solver.max_halvings);
+  last_error = step.error;
+  if (tolerance > 0. && step.error > tolerance && !integrator->is_exact() &&
+      time - current.time > least * (1. + 1e-9))
+    return false;
+  declared = course.declared(next.time);
+  step_reports.back().energy += step.energy;
+  return true;
 }
 
 bool LoadSequence::advance(const Factors &from, const Factors &to, const double time,
-                           const bool transient, const unsigned int halvings) {
+                           const unsigned int halvings) {
   StepReport &report = step_reports.back();
   const double start = current.time;
-  if (solve_increment(to, time, transient)) {
+  if (solve_increment(to, time)) {
     ++report.increments;
     if (each_increment)
       each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
@@ -181,8 +246,8 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
   Factors middle(to.size());
   for (unsigned int l = 0; l < to.size(); ++l)
     middle[l] = (from[l] + to[l]) / 2.;
-  return advance(from, middle, (start + time) / 2., transient, halvings + 1) &&
-         advance(middle, to, time, transient, halvings + 1);
+  return advance(from, middle, (start + time) / 2., halvings + 1) &&
+         advance(middle, to, time, halvings + 1);
 }
 
 bool LoadSequence::report(const EquilibriumResult &result) {
@@ -200,18 +265,14 @@ bool LoadSequence::report(const EquilibriumResult &result) {
   return true;
 }
 
-bool LoadSequence::solve_increment(const Factors &factors, const double time,
-                                   const bool transient) {
-  if (transient)
-    return solve_newmark(problem(effective, factors), time) && (commit(factors, time), true);
-
-  EquilibriumProblem increment = problem(model.linear.stiffness(), factors);
+bool LoadSequence::solve_increment(const Factors &factors, const double time) {
+  const Factors full = course.factors(time);
+  EquilibriumProblem increment{model.linear.stiffness(), course.forces(full), course.imposed(time)};
   increment.time = time;
   trial = current.unknowns;
   if (!report(statics->solve(increment, current.contacts, trial, response)))
     return false;
-  const Vector loads_before =
-      problem(model.linear.stiffness(), current.load_factors).right_hand_side;
+  const Vector loads_before = course.forces(current.load_factors);
   LineState before = current;
   current.unknowns = trial;
   model.space.expand(current.unknowns, current.dofs);
@@ -219,34 +280,6 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time,
   commit(factors, time);
   step_reports.back().energy +=
       account_increment(model, before, current, loads_before, increment.right_hand_side);
-  return true;
-}
-
-/// Newmark's method: M a + K q + contact forces = f at the end of the time step, with
-/// q = q0 + dt v0 + dt^2 ((1/2 - beta) a0 + beta a), v = v0 + dt ((1 - gamma) a0 + gamma a).
-bool LoadSequence::solve_newmark(const EquilibriumProblem &forces, const double time) {
-  const double dt = time - current.time;
-  const double beta = model.scene.time.beta, gamma = model.scene.time.gamma;
-  if (std::abs(dt - effective_step) > 1e-9 * dt) {
-    effective = model.linear.stiffness() + 1. / (beta * dt * dt) * model.linear.mass();
-    effective_step = dt;
-    dynamics->matrix_changed();
-  }
-  const Vector predicted =
-      current.unknowns + dt * current.velocity + dt * dt * (0.5 - beta) * current.acceleration;
-  EquilibriumProblem increment = forces;
-  increment.right_hand_side += model.linear.mass() * predicted / (beta * dt * dt);
-  increment.time = time;
-  increment.time_increment = dt;
-  trial = current.unknowns;
-  if (!report(dynamics->solve(increment, current.contacts, trial, response)))
-    return false;
-  const Vector acceleration = (trial - predicted) / (beta * dt * dt);
-  current.velocity += dt * ((1. - gamma) * current.acceleration + gamma * acceleration);
-  current.acceleration = acceleration;
-  current.unknowns = trial;
-  model.space.expand(current.unknowns, current.dofs);
-  current.dofs += increment.imposed;
   return true;
 }
 

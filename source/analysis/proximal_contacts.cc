@@ -66,20 +66,30 @@ ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix 
   }
 }
 
-void ProximalContacts::begin(const ContactState &committed) {
+void ProximalContacts::begin(const ContactState &committed,
+                             const ContactOverrides *const overrides) {
+  friction_scale.assign(list.size(), 1.);
+  gap.resize(list.size());
+  for (unsigned int i = 0; i < list.size(); ++i)
+    gap[i] = list[i].law.gap;
+  if (overrides != nullptr) {
+    friction_scale = overrides->friction_scale;
+    gap = overrides->gap;
+  }
   for (unsigned int i = 0; i < list.size(); ++i)
     if (list[i].is_exact)
-      friction[i] = committed.internal[contacts[i].state_offset + list[i].law.was_slipping] != 0.
-                        ? list[i].law.dynamic_friction
-                        : list[i].law.static_friction;
+      friction[i] = friction_scale[i] *
+                    (committed.internal[contacts[i].state_offset + list[i].law.was_slipping] != 0.
+                         ? list[i].law.dynamic_friction
+                         : list[i].law.static_friction);
 }
 
 bool ProximalContacts::let_slipping_go(const ContactResponse &response) {
   bool changed = false;
   for (unsigned int i = 0; i < list.size(); ++i)
     if (list[i].is_exact && response.status[i] == ContactStatus::slip &&
-        friction[i] > list[i].law.dynamic_friction) {
-      friction[i] = list[i].law.dynamic_friction;
+        friction[i] > friction_scale[i] * list[i].law.dynamic_friction) {
+      friction[i] = friction_scale[i] * list[i].law.dynamic_friction;
       changed = true;
     }
   return changed;
@@ -118,7 +128,7 @@ void ProximalContacts::evaluate_exact(const unsigned int i, const ContactState &
   const double rho_n = stiffness_factor * exact.normal_diagonal,
                rho_t = stiffness_factor * exact.shear_diagonal;
   const double kappa_n = in_series(law.axial_rigidity / l, rho_n);
-  const double P = kappa_n * (-centre[i][0] / rho_n - (l * strain[0] + law.gap));
+  const double P = kappa_n * (-centre[i][0] / rho_n - (l * strain[0] + gap[i]));
   if (P < 0.) { // a contact that just touches counts as closed: it may have to carry
     new_state[law.slip_y] = strain[1];
     new_state[law.slip_z] = strain[2];
@@ -220,7 +230,7 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
     const double *const old_state = committed.internal.data() + contact.state_offset;
     const double P = -stress[0], f = friction[i];
     const double T[2] = {stress[1], stress[2]};
-    const double gap = l * strain[0] + exact.law.gap + P * l / exact.law.axial_rigidity;
+    const double gap = l * strain[0] + this->gap[i] + P * l / exact.law.axial_rigidity;
     const double slip[2] = {
         l * (strain[1] - old_state[exact.law.slip_y] - T[0] / exact.law.shear_rigidity_y),
         l * (strain[2] - old_state[exact.law.slip_z] - T[1] / exact.law.shear_rigidity_z)};
@@ -247,8 +257,7 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
     const double friction_force = std::hypot(T[0], T[1]), path = std::hypot(slip[0], slip[1]);
     result.cone_violation =
         std::max(result.cone_violation, (friction_force - radius) / std::max(P, 1e-12 * largest));
-    if (P > 0. && path > 1e4 * rounding &&
-        std::min(friction_force, rho_t * path) > 1e-4 * scale) {
+    if (P > 0. && path > 1e4 * rounding && std::min(friction_force, rho_t * path) > 1e-4 * scale) {
       const double cross = slip[0] * T[1] - slip[1] * T[0], dot = slip[0] * T[0] + slip[1] * T[1];
       result.slip_angle = std::max(result.slip_angle, std::abs(std::atan2(cross, dot)));
     }

@@ -97,6 +97,11 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
         support.share * mesh.supports[support_cell.support][support_cell.site].tributary;
     contact.weight = share * contact.length;
     contact.platen_force = share * support.normal_force;
+    contact.restitution = support.restitution;
+    for (unsigned int d = 0; d < 3; ++d)
+      if (support.ground_motion[d].is_given())
+        moving.emplace_back(discretization.vertex_dofs().index(contact.vertices[1], d),
+                            &support.ground_motion[d]);
     contact.state_offset = n_internal;
     n_internal += contact.law->n_internal_variables;
 
@@ -154,6 +159,13 @@ void Contacts::prepare(ContactResponse &response) const {
   response.state.strain.resize(n);
   response.state.touch.resize(n);
   response.state.dissipated.resize(n);
+  response.state.wear.resize(n);
+  response.state.impulse.resize(n);
+}
+
+void Contacts::add_ground_motion(const double time, Vector &imposed) const {
+  for (const auto &[dof, course] : moving)
+    imposed[dof] += (*course)(time);
 }
 
 void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
@@ -226,6 +238,7 @@ ContactState Contacts::initial_state(const Vector &all_dofs) const {
   state.internal.assign(n_internal + 1, 0.);
   state.strain.resize(list.size());
   state.dissipated.assign(list.size(), 0.);
+  state.wear = state.impulse = state.dissipated;
   for (unsigned int i = 0; i < list.size(); ++i)
     state.strain[i] = list[i].strain(all_dofs);
   state.touch = state.strain;

@@ -86,7 +86,7 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   profile.GJ = G * section.torsion_constant;
   profile.EI = E * section.inertia / bend_flexibility(pipe, section, bend_radius);
   profile.mass = material.density * section.area + section.added_mass;
-  profile.rotary_inertia = material.density * section.inertia;
+  profile.rotary_inertia = section.rotary_inertia ? material.density * section.inertia : 0.;
   profile.expansion = material.expansion;
   profile.pressure_strain = section.bore_area() * (1. - 2. * material.poissons_ratio) / profile.EA;
   if (arc_centre) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/model/linear_part.h>
 
+#include <frictionbeam/model/modal_damping.h>
 #include <frictionbeam/model/pipe_element.h>
 #include <frictionbeam/scene/user_error.h>
 
@@ -109,13 +110,43 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
     M = K;
   add_pipes(scene, discretization, space, with_mass);
   add_springs(scene, mesh, discretization, space);
-  if (with_mass)
+  if (with_mass) {
     for (const PointMass &mass : scene.masses)
       for (const std::string &point : mass.points) {
         const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), {mesh.points.at(point)});
         add_local(mass.mass * Eigen::Matrix3d::Identity(), {dofs.begin(), dofs.begin() + 3}, space,
                   M);
       }
+    make_damping(scene, mesh, discretization, space);
+  }
+}
+
+void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
+                              const Discretization &discretization, const ReducedSpace &space) {
+  C.resize(K.rows(), K.cols());
+  const TimeSettings &time = scene.time;
+  if (time.mass_damping != 0. || time.stiffness_damping != 0.)
+    C = time.mass_damping * M + time.stiffness_damping * K;
+  if (time.modal_damping != 0.)
+    C = C + modal_damping(K, M, time.modal_damping);
+  SparseMatrix dashpots = K;
+  std::fill(dashpots.valuePtr(), dashpots.valuePtr() + dashpots.nonZeros(), 0.);
+  bool any = false;
+  for (const Spring &spring : scene.springs)
+    for (unsigned int c = 0; c < 6; ++c)
+      if (spring.damping[c] != 0.) {
+        std::vector<types::global_dof_index> dofs = {
+            discretization.vertex_dofs().index(mesh.points.at(spring.point), c)};
+        if (!spring.other.empty())
+          dofs.push_back(discretization.vertex_dofs().index(mesh.points.at(spring.other), c));
+        Eigen::Matrix2d local;
+        local << 1., -1., -1., 1.;
+        local *= spring.damping[c];
+        add_local(local, dofs, space, dashpots);
+        any = true;
+      }
+  if (any)
+    C = C + dashpots;
 }
 
 void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,

@@ -29,6 +29,8 @@ void Results::certify(const Scene &scene) {
   }
   if (account.turnover == 0.)
     return;
+  if (account.at_hand > 0.)
+    imbalance = account.imbalance();
   certificate.push_back({"energy", "-", "imbalance of the account below", imbalance});
   energy = account;
 }

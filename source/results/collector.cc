@@ -11,6 +11,7 @@ namespace frictionbeam {
 namespace {
 
 const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
+const std::vector<std::string> velocities = {"vx", "vy", "vz", "wx", "wy", "wz"};
 const std::vector<std::string> forces = {"fx", "fy", "fz", "mx", "my", "mz"};
 const std::vector<std::string> section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"};
 
@@ -27,7 +28,9 @@ double support_value(const SupportState &support, const std::string &what) {
          : what == "gap"   ? support.gap
          : what == "slip1" ? support.slip1
          : what == "slip2" ? support.slip2
-                           : support.work_friction;
+         : what == "wear"  ? support.wear
+         : what == "work"  ? support.work_friction
+                           : support.impulse;
 }
 
 double sum_over_supports(const std::vector<SupportState> &supports, const std::string &what) {
@@ -55,10 +58,29 @@ std::string unit_of(const std::string &what) {
     return "N";
   if (what == "gap" || what == "slip1" || what == "slip2" || what == "max_error")
     return "m";
+  if (const int velocity = place(velocities, what); velocity >= 0)
+    return velocity < 3 ? "m/s" : "rad/s";
+  if (what == "impulse")
+    return "N s";
   if (what == "frequency")
     return "Hz";
-  return what == "work" ? "J" : "-";
+  return what == "work" || what == "wear" ? "J" : "-";
 }
+
+namespace {
+
+std::string unit_of(const Quantity &quantity) {
+  const std::string unit = frictionbeam::unit_of(quantity.what);
+  if (quantity.over == Quantity::Over::time_of)
+    return "s";
+  if (quantity.over == Quantity::Over::integral)
+    return unit == "-" ? "s" : unit + " s";
+  if (quantity.over == Quantity::Over::rate)
+    return unit == "J" ? "W" : unit == "N s" ? "N" : unit + "/s";
+  return unit;
+}
+
+} // namespace
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
     : model(model), results(results), sink(std::move(sink)),
@@ -101,6 +123,8 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
   double value = 0.;
   if (const int c = place(motions, what); c >= 0)
     value = builder.motion(state, quantity.where)[c];
+  else if (const int c = place(velocities, what); c >= 0)
+    value = builder.velocity(state, quantity.where)[c];
   else if (const int c = place(forces, what); c >= 0)
     value = force_at(quantity, state, c);
   else if (const int c = place(section_forces, what); c >= 0)
@@ -113,7 +137,7 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
     bool found = false;
     for (unsigned int i = 0; i < results.supports.size() && !found; ++i)
       if (results.supports[i].name == quantity.where) {
-        value = support_value(current_frame(state).supports[i], what);
+        value = support_value(builder.support_state(state, i), what);
         found = true;
       }
     if (!found)
@@ -223,7 +247,11 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
 
   for (unsigned int i = 0; i < pending.size(); ++i) {
     const Quantity &quantity = model.scene.quantities[i];
-    if (quantity.time) {
+    if (quantity.over == Quantity::Over::time_of)
+      find_change(quantity, state, pending[i]);
+    else if (quantity.over != Quantity::Over::end)
+      follow(quantity, state, pending[i]);
+    else if (quantity.time) {
       if (pending[i].value)
         continue;
       const double rounding = 1e-9 * std::max(1e-300, std::abs(*quantity.time));
@@ -278,7 +306,7 @@ void Collector::finish(const LineState &state) {
     }
     const bool relative =
         quantity.what == "max_error" && model.scene.exact && model.scene.exact->largest > 0.;
-    const std::string unit = relative ? "-" : unit_of(quantity.what);
+    const std::string unit = relative ? "-" : unit_of(quantity);
     QuantityResult result{
         quantity.name,      quantity.unit.empty() ? model.scene.units.name(unit) : quantity.unit,
         quantity.source,    *pending[i].value / model.scene.units.factor(unit),

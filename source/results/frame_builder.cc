@@ -73,6 +73,17 @@ Motion FrameBuilder::motion(const LineState &state, const std::string &point) co
   return result;
 }
 
+Motion FrameBuilder::velocity(const LineState &state, const std::string &point) const {
+  Motion result{};
+  for (unsigned int c = 0; c < 6; ++c) {
+    const auto dof = model.discretization.vertex_dofs().index(model.mesh.points.at(point), c);
+    if (dof != numbers::invalid_dof_index)
+      for (const auto &term : model.space.terms(dof))
+        result[c] += term.weight * state.velocity[term.unknown];
+  }
+  return result;
+}
+
 Vector3 FrameBuilder::support_force(const LineState &state, const unsigned int i) const {
   const Contact &contact = model.contacts[i];
   const Contact::Strains stress = contact.weight / contact.length * state.contact_stress[i];
@@ -101,6 +112,8 @@ SupportState FrameBuilder::support_state(const LineState &state, const unsigned 
   result.ft1 = share * stress[2];
   result.ft2 = share * stress[1];
   result.work_friction = state.contacts.dissipated[i];
+  result.wear = state.contacts.wear[i];
+  result.impulse = state.contacts.impulse[i];
   FrictionThreshold law{};
   law.shear_rigidity_y = law.shear_rigidity_z = std::numeric_limits<double>::infinity();
   if (contact.law->threshold != nullptr)

@@ -264,12 +264,14 @@ std::string energy_table(const Results &results) {
   const auto joule = [](const double value) { return optional_number(value, 4) + " J"; };
   return "<h3>Energy</h3>\n" +
          HtmlTable()
-             .text("static steps", {"work of loads and imposed motions", "stored", "dissipated",
-                                    "along gaps that open or close", "imbalance",
-                                    "friction work missed by the steps"})
-             .right("", {joule(energy.external), joule(energy.stored), joule(energy.dissipated),
-                         joule(energy.gaps),
-                         joule(energy.external - energy.stored - energy.dissipated - energy.gaps),
+             .text("all steps",
+                   {"work of loads and imposed motions", "kinetic", "stored",
+                    "dissipated by friction", "by damping", "by impact",
+                    "along gaps that open or close", "left over", "largest at hand in motion",
+                    "friction work missed by static steps"})
+             .right("", {joule(energy.external), joule(energy.kinetic), joule(energy.stored),
+                         joule(energy.dissipated), joule(energy.damping), joule(energy.impact),
+                         joule(energy.gaps), joule(energy.left_over()), joule(energy.at_hand),
                          joule(energy.missed_friction)})
              .str();
 }

@@ -151,6 +151,11 @@ void write_summary(const Scene &scene, const Results &results, const std::string
         .add("stored", results.energy->stored)
         .add("dissipated", results.energy->dissipated)
         .add("gaps", results.energy->gaps)
+        .add("kinetic", results.energy->kinetic)
+        .add("damping", results.energy->damping)
+        .add("impact", results.energy->impact)
+        .add("left_over", results.energy->left_over())
+        .add("at_hand", results.energy->at_hand)
         .add("missed_friction", results.energy->missed_friction)
         .add("imbalance", results.energy->imbalance());
 
@@ -202,6 +207,7 @@ void write_summary(const Scene &scene, const Results &results, const std::string
   if (results.accuracy)
     member("accuracy", accuracy_text(*results.accuracy));
   member("method", json(results.method));
+  member("integrator", json(results.integrator));
   member("steps", steps.str());
   member("remarks", remarks.str());
   write_file(folder + "/summary.json", text + "\n}\n");

@@ -7,11 +7,17 @@ namespace frictionbeam::parts {
 
 void declare_load(ParameterReader &in) {
   in.declare_choice("Kind", "weight",
-                    {"weight", "temperature", "pressure", "force", "line force", "displacement"},
+                    {"weight", "temperature", "pressure", "force", "line force", "displacement",
+                     "ground acceleration"},
                     "weight: of pipes, contents and masses; temperature: of operation; pressure: "
                     "inside, its thrust; force: at points; line force: per length of pipe; "
-                    "displacement: imposed at points.");
-  in.declare_text("Acceleration", "0 0 -9.81", "x y z [m/s2]", "Of weight.");
+                    "displacement: imposed at points; ground acceleration: of all supports "
+                    "together, motions are then relative to the ground.");
+  in.declare_text("Acceleration", "0 0 -9.81", "x y z [m/s2]",
+                  "Of weight; of the ground for ground acceleration.");
+  in.declare_text("History", "", time_function_form,
+                  "Factor on the load, of the run's time; 0 before a table's beginning, its last "
+                  "value after its end. Empty: 1.");
   in.declare_number("Temperature", 20., "degC", -273.15, 1e300,
                     "Of operation; the pipe expands by its difference from 'Installation "
                     "temperature'.");
@@ -71,7 +77,7 @@ Load::AtPoint parse_displacement(const ParameterReader &in, const std::string &t
 /// Entries of one kind of load are refused for another.
 void check_kind(const ParameterReader &in, const std::string &kind) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> entries = {
-      {"Acceleration", {"weight"}},
+      {"Acceleration", {"weight", "ground acceleration"}},
       {"Temperature", {"temperature"}},
       {"Pressure", {"pressure"}},
       {"Pipes", {"temperature", "pressure", "line force"}},
@@ -95,9 +101,15 @@ void parse_load(const ParameterReader &in, const std::string &name,
   load.pipes = in.list("Pipes");
   for (const std::string &pipe : load.pipes)
     in.find("Pipes", pipe, names(scene.pipes), "pipe");
-  if (kind == "weight") {
-    load.kind = Load::Kind::weight;
+  load.history = parse_time_function(in, "History", in.text("History"));
+  if (kind == "weight" || kind == "ground acceleration") {
+    load.kind = Load::Kind::weight; // the inertia of what the ground carries along acts like one
     load.vector = in.vector("Acceleration", "m/s2");
+    if (kind == "ground acceleration") {
+      if (!in.given("Acceleration"))
+        in.fail("Acceleration", "the direction and scale of the ground's motion", "'1 0 0'");
+      load.vector *= -1.;
+    }
   } else if (kind == "temperature") {
     load.kind = Load::Kind::temperature;
     if (!in.given("Temperature"))

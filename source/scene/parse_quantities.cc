@@ -7,13 +7,17 @@ namespace frictionbeam::parts {
 
 namespace {
 
-const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"},
+const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz",
+                                          "vx", "vy", "vz", "wx", "wy", "wz"},
                                reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
                                section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"},
-                               contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work"},
-                               modal = {"frequency"},
+                               contact = {"fn",    "ft1",  "ft2",  "gap",    "slip1",
+                                          "slip2", "work", "wear", "impulse"},
+                               changes = {"stick", "slip", "open", "closed"}, modal = {"frequency"},
                                sums = {"sum_normal", "sum_friction", "n_stick",
-                                       "n_slip",     "n_open",       "max_error"};
+                                       "n_slip",     "n_open",       "max_error"},
+                               over = {"max",    "min",  "mean",   "integral",
+                                       "change", "rate", "time_of"};
 
 bool contains(const std::vector<std::string> &list, const std::string &item) {
   return std::count(list.begin(), list.end(), item) > 0;
@@ -50,13 +54,13 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
   else if (contains(reactions, what)) {
     if (!contains(holders, where) && !is_repeated(where, holders) && scene.mesh.file.empty())
       in.find(entry, where, point_names(scene) + holders, "point, support or spring");
-  } else if (contains(contact, what)) {
+  } else if (contains(contact, what) || contains(changes, what)) {
     if (!is_repeated(where, supports))
       in.find(entry, where, supports, "friction support");
   } else if (what == "max_error") {
     if (!scene.exact)
       in.fail(entry, "max_error in scenes with an exact solution",
-              "Scene = oscillator, or slab with Sequence = cycle");
+              "a section Exact, Scene = oscillator, or slab with Sequence = cycle");
   } else if (!where.empty())
     in.find(entry, where, supports, "friction support");
 }
@@ -65,8 +69,8 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
                             const std::string &read) {
   in.fail(entry,
           "what at where, step NAME, time T; scale F; unit U; reference R; source TEXT (all but "
-          "'what' may "
-          "be left out; |what| is its absolute value)",
+          "'what' may be left out; |what| is its absolute value), or max, min, mean, integral, "
+          "change or rate and then what at where, from T, to T, or time_of slip at SUPPORT, from T",
           "'ux at P1, step heat; reference 0.012; source hand calculation'", "'" + read + "'");
 }
 
@@ -77,20 +81,39 @@ double number_of(const ParameterReader &in, const std::string &entry, const std:
   return value;
 }
 
-/// `[|]what[|] [at where][, step NAME][, time T]`
+/// max, min, mean, integral, change, rate, time_of
+void parse_over(const std::string &word, Quantity &quantity) {
+  using Over = Quantity::Over;
+  quantity.over = word == "max"        ? Over::maximum
+                  : word == "min"      ? Over::minimum
+                  : word == "mean"     ? Over::mean
+                  : word == "integral" ? Over::integral
+                  : word == "change"   ? Over::change
+                  : word == "rate"     ? Over::rate
+                                       : Over::time_of;
+}
+
+/// `[over] [|]what[|] [at where][, step NAME][, time T][, from T][, to T]`
 void parse_definition(const ParameterReader &in, const std::string &text, const Scene &scene,
                       Quantity &quantity) {
   for (const std::string &piece : split(text, ',')) {
-    const std::vector<std::string> words = split(piece, ' ');
+    std::vector<std::string> words = split(piece, ' ');
     if (words.empty())
       fail_form(in, quantity.name, text);
     if (quantity.what.empty()) {
+      if (contains(over, words[0]) && words.size() > 1) {
+        parse_over(words[0], quantity);
+        words.erase(words.begin());
+      }
       std::string what = words[0];
       quantity.absolute = what.size() > 2 && what.front() == '|' && what.back() == '|';
       if (quantity.absolute)
         what = what.substr(1, what.size() - 2);
       quantity.what = what;
-      in.find(quantity.name, what, motions + reactions + section_forces + contact + modal + sums,
+      in.find(quantity.name, what,
+              quantity.over == Quantity::Over::time_of
+                  ? changes
+                  : motions + reactions + section_forces + contact + modal + sums,
               "quantity");
       using Side = Quantity::Side;
       if (words.size() == 3 && words[1] == "at")
@@ -111,6 +134,9 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
       in.find(quantity.name, words[1], names(scene.pipes), "pipe");
     } else if (words.size() == 2 && words[0] == "time")
       quantity.time = number_of(in, quantity.name, words[1]);
+    else if (words.size() == 2 && quantity.over != Quantity::Over::end &&
+             (words[0] == "from" || words[0] == "to"))
+      (words[0] == "from" ? quantity.from : quantity.to) = number_of(in, quantity.name, words[1]);
     else
       fail_form(in, quantity.name, piece);
   }

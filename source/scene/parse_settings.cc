@@ -38,8 +38,8 @@ void declare_solver(ParameterReader &in) {
   in.declare_choice(
       "Method", "exact", {"elastic", "newton", "exact"},
       "exact: Signorini's condition and Coulomb's law without a stiffness to choose, in "
-      "static steps (transient ones take newton); elastic: the elastic stiffness kept, residual "
-      "forces sent back, as TEDEL did; "
+      "static steps (transient ones by Time/Integrator); elastic: the elastic stiffness kept, "
+      "residual forces sent back, as TEDEL did; "
       "newton: consistent tangent, line search, increments halved where needed.");
   in.declare_number("Tolerance", 1e-10, "-", positive, 1.,
                     "Of the residual, relative to the largest force.");
@@ -64,19 +64,83 @@ void parse_solver(const ParameterReader &in, Scene &scene) {
 }
 
 void declare_time(ParameterReader &in) {
-  in.declare_choice("Integrator", "newmark", {"newmark"}, "Of transient steps.");
-  in.declare_number("Step", 0.01, "s", positive, 1e300, "Of the integrator.");
+  in.declare_choice(
+      "Integrator", "moreau_jean",
+      {"newmark", "generalized_alpha", "moreau_jean", "nonsmooth_alpha", "event"},
+      "Of transient steps. newmark, generalized_alpha: with the return mapping of the friction "
+      "elements, order 2; moreau_jean, nonsmooth_alpha: rigid contact and friction exact, as "
+      "impulses on velocities, with elements of finite stiffness as above; event: exact from one "
+      "change of a contact's state to the next, with any step.");
+  in.declare_number("Step", 0., "s", 0., 1e300,
+                    "Of the integrator; of event: between instants of output. 0: 0.7 of the time "
+                    "that a wave along the pipe needs for the shortest cell; without pipes a "
+                    "fortieth of the shortest period of a mass on its springs.");
+  in.declare_number("Tolerance", 0., "m", 0., 1e300,
+                    "Error of displacements allowed in one step, which is then halved or doubled; "
+                    "0: all steps are equal.");
   in.declare_number("Output interval", 0., "s", 0., 1e300,
                     "Of what is written of a transient step; 0: every time step.");
   in.declare_number("Beta", 0.25, "-", 0., 0.5, "Of Newmark; 0.25 is the average acceleration.");
   in.declare_number("Gamma", 0.5, "-", 0., 1., "Of Newmark; above 0.5 it damps.");
+  in.declare_number("Spectral radius", -1., "-", -1., 1.,
+                    "Of the alpha schemes, for infinitely fast motions, 0 to 1; 1: no numerical "
+                    "damping. -1: 0.8 of generalized_alpha, 1 of nonsmooth_alpha, which gains "
+                    "energy in impacts below 1.");
+  in.declare_number("Theta", 0.5, "-", 0.5, 1., "Of moreau_jean; above 0.5 it damps.");
+  in.declare_number("Mass damping", 0., "1/s", 0., 1e300, "Rayleigh's alpha: C = alpha M.");
+  in.declare_number("Stiffness damping", 0., "s", 0., 1e300,
+                    "Rayleigh's beta: C = beta K, K without the friction elements.");
+  in.declare_number("Modal damping", 0., "-", 0., 1.,
+                    "Ratio to critical, of every mode of the line without its friction elements; "
+                    "rigid motions are not damped.");
 }
 
 void parse_time(const ParameterReader &in, Scene &scene) {
+  using Integrator = TimeSettings::Integrator;
+  const std::string integrator = in.text("Integrator");
+  scene.time.integrator = integrator == "newmark"             ? Integrator::newmark
+                          : integrator == "generalized_alpha" ? Integrator::generalized_alpha
+                          : integrator == "moreau_jean"       ? Integrator::moreau_jean
+                          : integrator == "nonsmooth_alpha"   ? Integrator::nonsmooth_alpha
+                                                              : Integrator::event;
+  scene.time.tolerance = in.number("Tolerance");
+  scene.time.spectral_radius = in.number("Spectral radius");
+  if (scene.time.spectral_radius < 0. && scene.time.spectral_radius != -1.)
+    in.fail("Spectral radius", "0 to 1, or -1 for the integrator's own", "'0.8'");
+  if (scene.time.spectral_radius < 0.)
+    scene.time.spectral_radius = scene.time.integrator == Integrator::generalized_alpha ? 0.8 : 1.;
+  scene.time.theta = in.number("Theta");
+  scene.time.mass_damping = in.number("Mass damping");
+  scene.time.stiffness_damping = in.number("Stiffness damping");
+  scene.time.modal_damping = in.number("Modal damping");
   scene.time.step = in.number("Step");
   scene.time.output_interval = in.number("Output interval");
   scene.time.beta = in.number("Beta");
   scene.time.gamma = in.number("Gamma");
+}
+
+void declare_exact(ParameterReader &in) {
+  in.declare_text("At", "", "name of a point", "Whose motion is known exactly.");
+  in.declare_text("Motion", "ux", "ux, uy, uz, rx, ry or rz", "Which motion.");
+  in.declare_text("History", "", time_function_form,
+                  "Its course [m, rad], for the quantity max_error: the largest error at the ends "
+                  "of the steps.");
+  in.declare_number("Scale", 0., "m", 0., 1e300,
+                    "Errors are relative to this; 0: they are in metres.");
+}
+
+void parse_exact(const ParameterReader &in, Scene &scene) {
+  const std::string point = in.text("At");
+  if (point.empty())
+    return;
+  check_point(in, "At", point, scene);
+  const unsigned int motion = motion_index(in.text("Motion"));
+  if (motion == 6)
+    in.fail("Motion", "one of ux, uy, uz, rx, ry, rz", "'uz'");
+  const TimeFunction history = parse_time_function(in, "History", in.text("History"));
+  if (!history.is_given())
+    in.fail("History", time_function_form, "'cos(t)'");
+  scene.exact = ExactHistory{point, motion, history.course, in.number("Scale")};
 }
 
 void declare_output(ParameterReader &in) {

@@ -25,6 +25,9 @@ void declare_spring(ParameterReader &in) {
   in.declare_text("To", "", "name of a point", "Its other end; empty: the ground.");
   in.declare_text("Stiffness", "0 0 0", "kx ky kz [N/m], or with three more about x y z [N m/rad]",
                   "In global axes, none of them negative.");
+  in.declare_text("Damping", "0 0 0",
+                  "cx cy cz [N s/m], or with three more about x y z [N m s/rad]",
+                  "Of a dashpot beside the spring, in transient steps.");
 }
 
 void parse_spring(const ParameterReader &in, const std::string &name, Scene &scene) {
@@ -38,7 +41,13 @@ void parse_spring(const ParameterReader &in, const std::string &name, Scene &sce
   if (spring.point == spring.other)
     in.fail("To", "another point than At", "a second point, or nothing for the ground");
   spring.stiffness = parse_motion(in, "Stiffness", false, {{"N/m", "N m/rad"}});
+  spring.damping = parse_motion(in, "Damping", false, {{"N s/m", "N m s/rad"}});
+  for (const double c : spring.damping)
+    if (c < 0.)
+      in.fail("Damping", "numbers >= 0", "a positive damping");
   double sum = 0.;
+  for (const double c : spring.damping)
+    sum += c;
   for (const double k : spring.stiffness) {
     if (k < 0.)
       in.fail("Stiffness", "numbers >= 0", "a positive stiffness");
@@ -68,6 +77,11 @@ void parse_mass(const ParameterReader &in, const std::string &name, Scene &scene
 
 void declare_initial(ParameterReader &in) {
   in.declare_text("At", "", "names of points, separated by commas", "Which points start so.");
+  in.declare_text("Pipes", "", "names of pipes, separated by commas",
+                  "All of whose nodes start so.");
+  in.declare_text("About", "", "name of a point",
+                  "Displacement and velocity are those of a rigid body at this point; empty: of "
+                  "each node.");
   in.declare_text("Displacement", "0 0 0", "ux uy uz [m], or with rx ry rz [degrees]",
                   "At the start of a transient analysis.");
   in.declare_text("Velocity", "0 0 0", "vx vy vz [m/s], or with three more [degrees/s]",
@@ -75,14 +89,21 @@ void declare_initial(ParameterReader &in) {
 }
 
 void parse_initial(const ParameterReader &in, Scene &scene) {
-  const std::vector<std::string> points = in.list("At");
-  if (points.empty())
-    in.fail("At", "at least one point", "the name of a point");
-  for (const std::string &point : points) {
+  InitialCondition initial;
+  initial.points = in.list("At");
+  initial.pipes = in.list("Pipes");
+  if (initial.points.empty() && initial.pipes.empty())
+    in.fail("At", "at least one point here, or a pipe in Pipes", "the name of a point");
+  for (const std::string &point : initial.points)
     check_point(in, "At", point, scene);
-    scene.initial.push_back({point, parse_motion(in, "Displacement", true, {{"m", "rad"}}),
-                             parse_motion(in, "Velocity", true, {{"m/s", "rad/s"}})});
-  }
+  for (const std::string &pipe : initial.pipes)
+    in.find("Pipes", pipe, names(scene.pipes), "pipe");
+  initial.about = in.text("About");
+  if (!initial.about.empty())
+    check_point(in, "About", initial.about, scene);
+  initial.displacement = parse_motion(in, "Displacement", true, {{"m", "rad"}});
+  initial.velocity = parse_motion(in, "Velocity", true, {{"m/s", "rad/s"}});
+  scene.initial.push_back(initial);
 }
 
 } // namespace frictionbeam::parts

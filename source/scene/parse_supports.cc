@@ -10,8 +10,9 @@ namespace {
 const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
 const std::vector<std::string> kinds = {"anchor",    "restraint", "guide",
                                         "line stop", "rest",      "friction"};
-const std::vector<std::string> element_entries = {"Law",     "Normal",       "Length", "Rotations",
-                                                  "Torsion", "Normal force", "Ground"};
+const std::vector<std::string> element_entries = {"Law",       "Normal",      "Length",
+                                                  "Rotations", "Torsion",     "Normal force",
+                                                  "Ground",    "Restitution", "Ground motion"};
 
 bool is_restraint(const std::string &kind) { return kind == "anchor" || kind == "restraint"; }
 bool is_pair(const std::string &kind) { return kind == "guide" || kind == "line stop"; }
@@ -79,6 +80,12 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
                     "Of a platen that is pressed onto the pipe; 0: the ground stands still.");
   in.declare_text("Ground", "", "name of a point of another pipe",
                   "What the support stands on; empty: the ground.");
+  in.declare_number("Restitution", 0., "-", 0., 1.,
+                    "Newton's coefficient of an impact on a rigid contact, in transient steps: "
+                    "relative velocity after over the one before.");
+  in.declare_text("Ground motion", "", "x; y; z, each " + std::string(time_function_form),
+                  "Displacement of the ground in global axes [m] at the run's time: a belt, one "
+                  "support's motion in an earthquake, a gap that changes. Empty: it stands still.");
   if (const LawDescription *const law = law_of(in, laws))
     for (int i = 0; i < law->n_parameters; ++i) {
       const LawParameter &p = law->parameters[i];
@@ -216,6 +223,17 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
       in.fail("Normal force", "either a platen with a normal force or a ground that is a pipe",
               "removing 'Ground' or 'Normal force'");
   }
+  support.restitution = in.number("Restitution");
+  if (const std::string motion = in.text("Ground motion"); !motion.empty()) {
+    const std::vector<std::string> courses = split(motion, ';');
+    if (courses.size() != 3)
+      in.fail("Ground motion", "three courses in time, x; y; z", "'0.1*t; 0; 0'");
+    for (unsigned int d = 0; d < 3; ++d)
+      support.ground_motion[d] = parse_time_function(in, "Ground motion", courses[d]);
+    if (!support.ground.empty())
+      in.fail("Ground motion", "either a ground that moves or one that is a pipe",
+              "removing 'Ground'");
+  }
   if (!is_pair(kind)) {
     support.normal = parse_normal(in);
     scene.supports.push_back(support);
@@ -225,7 +243,8 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
   // A guide or line stop without gap, friction and a stiffness of its own holds exactly.
   support.normal.kind = kind == "guide" ? Direction::Kind::across : Direction::Kind::along;
   bool exact = law.name == std::string("coulomb") && support.ground.empty() &&
-               !in.given("Length") && !in.flag("Torsion");
+               !in.given("Length") && !in.flag("Torsion") && !support.ground_moves() &&
+               !in.given("Restitution");
   for (unsigned int i = 0; i < own_entries.size(); ++i)
     if (own_entries[i] == "Gap" || own_entries[i] == "Friction coefficient")
       exact = exact && support.parameters[i] == 0.;

@@ -44,6 +44,8 @@ void declare_solver(ParameterReader &in);
 void parse_solver(const ParameterReader &in, Scene &scene);
 void declare_time(ParameterReader &in);
 void parse_time(const ParameterReader &in, Scene &scene);
+void declare_exact(ParameterReader &in);
+void parse_exact(const ParameterReader &in, Scene &scene);
 void declare_output(ParameterReader &in);
 void parse_output(const ParameterReader &in, Scene &scene);
 

@@ -20,8 +20,8 @@ namespace {
 const std::vector<std::string> part_kinds = {"Material", "Section", "Point",    "Pipe",
                                              "Support",  "Spring",  "Mass",     "Load",
                                              "Step",     "Initial", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",   "Continuum", "Solver",   "Time",
-                                           "Output", "Modes",     "Response", "Quantities"};
+const std::vector<std::string> settings = {"Mesh",  "Continuum", "Solver", "Time",      "Output",
+                                           "Modes", "Response",  "Exact",  "Quantities"};
 
 struct SceneKind {
   std::string name, section;
@@ -313,6 +313,10 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     in.fail("Model", "continuum for Scene = " + scene_name, "continuum");
   parts::parse_monitors(in, scene);
   check_unique_names(in, scene);
+  in.enter("Exact");
+  parts::declare_exact(in);
+  in.take();
+  parts::parse_exact(in, scene);
   in.enter("Quantities");
   parts::declare_quantities(in);
   in.take();
@@ -347,7 +351,13 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "# part; frequency N [Hz] of mode N; max_error [m, or relative] in scenes with an exact "
          "solution. |what| is its "
          "absolute value.\n"
-         "# Without a step, the last one is meant; without a time, the end of the step.\n";
+         "# Without a step, the last one is meant; without a time, the end of the step. vx vy vz\n"
+         "# [m/s] wx wy wz [rad/s] are velocities; wear [J] at a support: integral of fn |slip "
+         "rate|;\n"
+         "# impulse [N s]: of fn, impacts included. Over an interval of time:\n"
+         "#   set <name> = max what at where, from T1, to T2        or min, mean, integral, "
+         "change, rate\n"
+         "#   set <name> = time_of slip at SUPPORT, from T1         or stick, open, closed\n";
   const ParameterFile empty;
   ParameterReader in(empty);
   parts::declare_global(in);
@@ -366,6 +376,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_time(in);
   in.enter("Output");
   parts::declare_output(in);
+  in.enter("Exact");
+  parts::declare_exact(in);
   in.enter("Modes");
   parts::declare_modes(in);
   in.enter("Response");

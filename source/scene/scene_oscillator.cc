@@ -134,7 +134,7 @@ void build_oscillator(const ParameterReader &in, const LawLibrary &laws, Scene &
   FrictionSupport slider = coulomb_support(laws, "slider", friction, k2, k2, F / friction);
   slider.placement.points = {"mass"};
   scene.supports = {slider};
-  scene.initial = {{"mass", {{x0, 0., 0., 0., 0., 0.}}, {{v0, 0., 0., 0., 0., 0.}}}};
+  scene.initial = {{{"mass"}, {}, {{x0, 0., 0., 0., 0., 0.}}, {{v0, 0., 0., 0., 0., 0.}}, ""}};
   LoadStep step;
   step.name = "swing";
   step.transient = true;

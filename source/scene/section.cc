@@ -40,6 +40,7 @@ void declare_section(ParameterReader &in) {
                   "flexibility.");
   in.declare_number("Added mass", 0., "kg/m", 0., 1e300,
                     "Contents, insulation and what else moves with the pipe.");
+  in.declare_flag("Rotary inertia", true, "Of the metal, in the mass of transient steps.");
 }
 
 void parse_section(const ParameterReader &in, const std::string &name, Scene &scene) {
@@ -90,6 +91,7 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
   else if (shear != "none")
     section.shear_area *= in.si("m2");
   section.added_mass = in.number("Added mass");
+  section.rotary_inertia = in.flag("Rotary inertia");
   scene.sections.push_back(section);
 }
 

@@ -18,7 +18,9 @@ using program::Run;
 /// Further runs of a case, beside the one without options.
 const std::map<std::string, std::vector<std::string>> variants = {
     {"slab", {"Slab/GS = 1e2", "Slab/GS = 1e4", "Slab/GS = 1e9"}},
-    {"oscillator", {"Time/Step = 0.00625", "Time/Step = 0.1"}},
+    {"oscillator",
+     {"Time/Integrator = newmark", "Time/Integrator = generalized_alpha",
+      "Time/Integrator = moreau_jean", "Time/Integrator = nonsmooth_alpha"}},
     {"rack_closed_form",
      {"Rack/Length ratio = 0.45", "Rack/Length ratio = 0.8", "Rack/Length ratio = 1.4"}}};
 

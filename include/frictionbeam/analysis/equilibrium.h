@@ -17,6 +17,7 @@ struct EquilibriumProblem {
   Vector right_hand_side;
   Vector imposed; ///< on all degrees of freedom
   double time = 0., time_increment = 0.;
+  const ContactOverrides *overrides = nullptr; ///< of exact contacts
 };
 
 struct EquilibriumResult {

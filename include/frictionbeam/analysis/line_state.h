@@ -8,6 +8,13 @@
 
 namespace frictionbeam {
 
+/// A contact changes its state.
+struct ContactEvent {
+  double time = 0.;
+  unsigned int contact = 0;
+  ContactStatus status = ContactStatus::none; ///< from then on
+};
+
 /// The line at one instant: everything needed to go on from there and to report it.
 struct LineState {
   Vector unknowns;               ///< free unknowns q
@@ -18,6 +25,8 @@ struct LineState {
   std::vector<ContactStatus> contact_status;
   std::vector<double> load_factors; ///< beside Scene::loads
   double time = 0.;
+  Vector auxiliary;                 ///< of the time integrator
+  std::vector<ContactEvent> events; ///< of the last increment
 };
 
 /// The stages before the analysis, together.

@@ -3,14 +3,16 @@
 
 #include <frictionbeam/analysis/equilibrium.h>
 #include <frictionbeam/analysis/step_report.h>
+#include <frictionbeam/analysis/time_integrator.h>
 
 #include <functional>
 
 namespace frictionbeam {
 
 /**
- * Runs the declared sequence of load steps: static increments and transient time steps (Newmark),
- * each solved by EquilibriumSolver and cut in two, again and again, where it does not converge.
+ * Runs the declared sequence of load steps: static increments, each solved by EquilibriumSolver,
+ * and transient time steps of a TimeIntegrator, cut in two, again and again, where they do not
+ * converge.
  */
 class LoadSequence {
 public:
@@ -29,6 +31,8 @@ public:
   bool run(const Observer &observer, const Observer &each = {});
 
   const LineState &state() const { return current; }
+  /// Of the transient steps, in plain words; empty if there was none.
+  std::string integrator_name() const { return integrator ? integrator->name() : ""; }
   const std::vector<StepReport> &reports() const { return step_reports; }
 
 private:
@@ -37,21 +41,27 @@ private:
   void initialize();
   bool run_static(const unsigned int step, const Factors &target, const Observer &observer);
   bool run_transient(const unsigned int step, const Factors &target, const Observer &observer);
-  /// Go to the factors and time given, in one increment or in halves of it.
-  bool advance(const Factors &from, const Factors &to, const double time, const bool transient,
+  /// Go to the declared factors and time given, in one static increment or in halves of it.
+  bool advance(const Factors &from, const Factors &to, const double time,
                const unsigned int halvings);
-  bool solve_increment(const Factors &factors, const double time, const bool transient);
-  bool solve_newmark(const EquilibriumProblem &forces, const double time);
+  bool solve_increment(const Factors &factors, const double time);
+  void set_initial_motion();
   void commit(const Factors &factors, const double time);
-  /// Forces of the loads on the unknowns, and the motions they impose.
-  EquilibriumProblem problem(const SparseMatrix &matrix, const Factors &factors) const;
-  void start_motion();
+  /// Instants at which a transient step is observed, ascending.
+  std::vector<double> instants(const double start, const double end) const;
+  /// Go to @p time in time steps no longer than the one at present, which may change on the way.
+  bool move_to(const double time, const std::function<void()> &after_each);
+  /// One time step. @return whether it was taken; if not, a shorter one may be.
+  bool take_time_step(const double time);
 
   /// Add what a solve did to the report. @return whether it converged.
   bool report(const EquilibriumResult &result);
 
   const Model &model;
-  const std::unique_ptr<EquilibriumSolver> statics, dynamics;
+  const std::unique_ptr<EquilibriumSolver> statics;
+  std::unique_ptr<TimeIntegrator> integrator; ///< null before the first transient step
+  LoadCourse course;
+  Factors declared; ///< factors without the loads' histories
   LineState current;
   std::vector<StepReport> step_reports;
   Observer each_increment;
@@ -59,8 +69,9 @@ private:
   // of the increment being solved
   Vector trial;
   ContactResponse response;
-  SparseMatrix effective;     ///< stiffness + mass/(beta dt^2)
-  double effective_step = 0.; ///< dt it was made for; 0: the stiffness
+  LineState next;
+  double time_step = 0., longest_step = 0.; ///< at present, and never more [s]
+  double last_error = 0.;                   ///< of the last time step [m]
 };
 
 } // namespace frictionbeam

@@ -5,6 +5,13 @@
 
 namespace frictionbeam {
 
+/// What of the contacts differs from their laws in an increment: on velocities instead of
+/// displacements in nonsmooth time steps.
+struct ContactOverrides {
+  std::vector<double> gap;            ///< [m]; far for contacts that do not take part
+  std::vector<double> friction_scale; ///< on the coefficient
+};
+
 /// How far the contacts are from Signorini's condition and Coulomb's law, each on its own scale.
 struct ContactCheck {
   /// Largest natural-map residual |r - P(r - rho u)| / max(|r|, rho |u|, 1e-12 of the largest
@@ -12,8 +19,8 @@ struct ContactCheck {
   double natural_map = 0.;
   double penetration = 0.;    ///< largest, rigid part [m]
   double cone_violation = 0.; ///< largest (|T| - f N) / max(N, 1e-12 of the largest force)
-  /// Largest angle between slip and friction force, where slip is above rounding and both, rho |slip|
-  /// and |T|, are above 1e-4 of the contact's scale [rad].
+  /// Largest angle between slip and friction force, where slip is above rounding and both, rho
+  /// |slip| and |T|, are above 1e-4 of the contact's scale [rad].
   double slip_angle = 0.;
   double least_dissipation = 0.; ///< of one contact in the increment, at most 0 [J]
 
@@ -46,7 +53,7 @@ public:
   ProximalContacts(const Contacts &contacts, const SparseMatrix &stiffness);
 
   /// Begin an increment: friction coefficients by what slipped before.
-  void begin(const ContactState &committed);
+  void begin(const ContactState &committed, const ContactOverrides *const overrides = nullptr);
   /// Contacts that began to slip obey their dynamic coefficient. @return whether any changed.
   bool let_slipping_go(const ContactResponse &response);
 
@@ -95,7 +102,8 @@ private:
 
   const Contacts &contacts;
   std::vector<Exact> list;
-  std::vector<double> friction; ///< coefficient in force in this increment
+  std::vector<double> friction;            ///< coefficient in force in this increment
+  std::vector<double> friction_scale, gap; ///< of this increment
 };
 
 } // namespace frictionbeam

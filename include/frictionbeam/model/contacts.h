@@ -29,6 +29,7 @@ struct Contact {
   std::vector<int> vertex_unknowns;                           ///< all free ones of the two vertices
   Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B_reduced; ///< strains of those
   double platen_force = 0.; ///< pressed on the ground node [N]
+  double restitution = 0.;
   unsigned int state_offset = 0, support = 0, site = 0;
 
   Strains strain(const Vector &all_dofs) const;
@@ -40,6 +41,8 @@ struct ContactState {
   std::vector<Contact::Strains> strain;
   std::vector<Contact::Strains> touch; ///< strain at which the contact began
   std::vector<double> dissipated;      ///< [J]
+  std::vector<double> wear;            ///< integral of normal force times sliding velocity [J]
+  std::vector<double> impulse;         ///< of the normal force, impacts included [N s]
 };
 
 /// What one evaluation of all contacts gives.
@@ -76,6 +79,9 @@ public:
   void add_forces(const ContactResponse &response, Vector &forces) const;
   /// matrix += weight B^T D B; the pattern has the entries (add_pattern()).
   void add_tangent(const ContactResponse &response, SparseMatrix &matrix) const;
+  /// imposed += motion of the ground at @p time, on all degrees of freedom.
+  void add_ground_motion(const double time, Vector &imposed) const;
+  bool ground_moves() const { return !moving.empty(); }
 
   /// Forces of platens on the unknowns, present from the start.
   const Vector &platen_forces() const { return preload; }
@@ -87,6 +93,7 @@ public:
 private:
   std::vector<Contact> list;
   unsigned int n_internal = 0;
+  std::vector<std::pair<unsigned int, const TimeFunction *>> moving; ///< degrees of freedom
   Vector preload;
   std::vector<std::pair<int, double>> platen_positions; ///< unknown, its value in equilibrium
 };

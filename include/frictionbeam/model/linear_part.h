@@ -18,6 +18,8 @@ public:
   const SparseMatrix &stiffness() const { return K; }
   /// Same pattern; empty if not asked for.
   const SparseMatrix &mass() const { return M; }
+  /// Viscous damping; without entries if there is none or no mass was asked for.
+  const SparseMatrix &damping() const { return C; }
 
   /// Forces of load @p l on the unknowns, those of its imposed motions included.
   const Vector &forces(const unsigned int l) const { return load_forces[l]; }
@@ -39,8 +41,10 @@ private:
                  const ReducedSpace &space, const bool with_mass);
   void add_springs(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
                    const ReducedSpace &space);
+  void make_damping(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+                    const ReducedSpace &space);
 
-  SparseMatrix K, M;
+  SparseMatrix K, M, C;
   std::vector<Vector> load_forces;
   std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;
   std::vector<std::map<unsigned int, Motion>> nodal_loads;

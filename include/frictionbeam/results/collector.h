@@ -32,8 +32,15 @@ public:
 private:
   struct Pending {
     std::optional<double> value;
-    double previous = 0.;
+    double previous = 0., since = 0.; ///< value before, and the time that it belongs to
+    double sum = 0., duration = 0.;   ///< integrals over time
+    double at_start = 0.;
+    bool begun = false;
   };
+
+  /// Follow a quantity over an interval of time.
+  void follow(const Quantity &quantity, const LineState &state, Pending &pending);
+  void find_change(const Quantity &quantity, const LineState &state, Pending &pending) const;
 
   double evaluate(const Quantity &quantity, const LineState &state);
   /// The quantity in a frame alone, for cases that have no state of the line.

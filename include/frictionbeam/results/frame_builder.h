@@ -23,6 +23,12 @@ public:
   /// Motion of a named point in global axes.
   Motion motion(const LineState &state, const std::string &point) const;
 
+  /// Velocity of a named point in global axes, that of imposed motions left out.
+  Motion velocity(const LineState &state, const std::string &point) const;
+
+  /// State of friction element @p i.
+  SupportState support_state(const LineState &state, const unsigned int i) const;
+
   /// Force of restraints and imposed motions on a vertex, of the frame made last.
   const Motion &reaction(const unsigned int vertex) const { return vertex_forces[vertex]; }
   /// Force of friction element @p i on its pipe in global axes [N].
@@ -41,7 +47,6 @@ private:
                const PipeElement::Vector12 &motions, const CellLoad &load,
                std::vector<Station> &line) const;
   void add_vertex_forces(const LineState &state);
-  SupportState support_state(const LineState &state, const unsigned int i) const;
 
   const Model &model;
   const bool both_sides;

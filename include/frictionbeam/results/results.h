@@ -27,6 +27,8 @@ struct SupportState {
   double gap = 0.;                    ///< [m], >= 0 open
   double slip1 = 0., slip2 = 0.;      ///< of the pipe on the ground since contact began [m]
   double work_friction = 0.;          ///< dissipated so far [J]
+  double wear = 0.;    ///< integral of fn times the sliding velocity so far, transient steps [J]
+  double impulse = 0.; ///< of fn so far, transient steps, impacts included [N s]
 };
 
 /// A restraint or spring in place; its forces on the pipe in global axes are in Frame::reactions.
@@ -127,10 +129,11 @@ struct Results {
   UnitSystem units;                   ///< in which the writers show everything
   std::vector<StepReport> steps;
   std::vector<Check> certificate;
-  std::optional<EnergyAccount> energy; ///< of static steps, all together
+  std::optional<EnergyAccount> energy; ///< of all steps together
   std::vector<std::string> remarks;    ///< warnings to the user
   std::optional<AccuracyAccount> accuracy;
-  std::string method; ///< in plain words
+  std::string method;     ///< in plain words
+  std::string integrator; ///< of transient steps, likewise; empty if there is none
   std::vector<ReportSection> sections;
   RunStatus status = RunStatus::failed;
   Cost cost;

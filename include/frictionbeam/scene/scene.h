@@ -4,6 +4,7 @@
 #include <frictionbeam/law.h>
 #include <frictionbeam/scene/continuum_scene.h>
 #include <frictionbeam/scene/modal.h>
+#include <frictionbeam/scene/time_function.h>
 #include <frictionbeam/scene/units.h>
 
 #include <deal.II/base/point.h>
@@ -44,6 +45,7 @@ struct Section {
   double outer_radius = 0.;     ///< [m]; 0 where the section is given by its figures
   double wall = 0.;             ///< [m]; 0 likewise
   double added_mass = 0.;       ///< contents, insulation [kg/m]
+  bool rotary_inertia = true;   ///< of the metal, in the mass
 
   double bore_area() const; ///< [m2]; 0 where the wall is not known
 };
@@ -107,6 +109,13 @@ struct FrictionSupport {
   double normal_force = 0.; ///< of a platen that is pressed on [N], for a whole element (per metre
                             ///< for a bed); 0: the ground is fixed
   std::string ground;       ///< named point of another pipe to stand on; empty: the ground
+  double restitution = 0.;  ///< Newton's, of an impact on a rigid contact: 0 to 1
+  std::array<TimeFunction, 3> ground_motion; ///< of the ground, global axes [m]; not given: 0
+
+  bool ground_moves() const {
+    return ground_motion[0].is_given() || ground_motion[1].is_given() ||
+           ground_motion[2].is_given();
+  }
 };
 
 /// Motions held exactly: anchor, guide, line stop, any set of fixed motions.
@@ -122,6 +131,7 @@ struct Spring {
   std::string name;
   std::string point, other; ///< other empty: the ground
   Motion stiffness{};       ///< [N/m] (3), [N m/rad] (3)
+  Motion damping{};         ///< [N s/m] (3), [N m s/rad] (3)
 };
 
 struct PointMass {
@@ -144,6 +154,7 @@ struct Load {
   double value = 0.;              ///< temperature: rise above installation [K]; pressure [Pa]
   std::vector<std::string> pipes; ///< temperature, pressure, line_force: empty means all
   std::vector<AtPoint> at;        ///< force, displacement
+  TimeFunction history;           ///< by which it is multiplied
 };
 
 /// One step of the declared load sequence: all loads active at its end, with factors; they change
@@ -158,8 +169,10 @@ struct LoadStep {
 };
 
 struct InitialCondition {
-  std::string point;
+  std::vector<std::string> points, pipes; ///< pipes: all their nodes
   Motion displacement{}, velocity{};
+  /// Named point: displacement and velocity are those of a rigid body there; empty: of each node.
+  std::string about;
 };
 
 /// A number that the user asks for.
@@ -168,6 +181,9 @@ struct Quantity {
   std::string what; ///< ux .. rz, fx .. mz, N .. Mz, fn, ft1, ft2, gap, slip1, slip2, work,
                     ///< frequency, sum_normal, sum_friction, n_stick, n_slip, n_open, max_error
   bool absolute = false;
+  /// Over an interval of time: change and rate are between its ends, and the change per time.
+  enum class Over { end, maximum, minimum, mean, integral, change, rate, time_of } over = Over::end;
+  double from = 0., to = 1e300; ///< interval of time [s], if not `end`
   std::string where; ///< named point, or name of a support or restraint; number of a mode
   enum class Side { any, before, after } side = Side::any; ///< of a point, for N .. Mz
   std::string pipe;           ///< on which the point is meant, for N .. Mz; empty: the first
@@ -204,10 +220,21 @@ struct SolverSettings {
 };
 
 struct TimeSettings {
-  enum class Integrator { newmark } integrator = Integrator::newmark;
-  double step = 0.01;          ///< [s]
-  double output_interval = 0.; ///< [s]; 0: every step
-  double beta = 0.25, gamma = 0.5;
+  enum class Integrator {
+    newmark,
+    generalized_alpha,
+    moreau_jean,
+    nonsmooth_alpha,
+    event
+  } integrator = Integrator::moreau_jean;
+  double step = 0.;                ///< [s]; 0: by the mesh
+  double output_interval = 0.;     ///< [s]; 0: every step
+  double tolerance = 0.;           ///< of displacements in one step [m]; 0: fixed steps
+  double beta = 0.25, gamma = 0.5; ///< newmark
+  double spectral_radius = 1.;     ///< at infinity, of the alpha schemes
+  double theta = 0.5;              ///< moreau_jean
+  double mass_damping = 0., stiffness_damping = 0.; ///< C = mass [1/s] M + stiffness [s] K
+  double modal_damping = 0.; ///< of the line's own modes; rigid ones have none
 };
 
 struct OutputSettings {

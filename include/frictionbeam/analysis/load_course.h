@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/analysis/line_state.h>
+
+namespace frictionbeam {
+
+/**
+ * The loads of one step of the sequence in time: declared factors that go evenly from their values
+ * before to those of the step, times each load's own history, and the motion of the ground.
+ */
+class LoadCourse {
+public:
+  using Factors = std::vector<double>;
+
+  explicit LoadCourse(const Model &model);
+
+  /// The step: declared factors before and at its end, and the time in which they change [s].
+  void begin_step(const Factors &before, const Factors &after, const double start,
+                  const double ramp);
+
+  Factors declared(const double time) const;
+  /// With the loads' histories.
+  Factors factors(const double time) const;
+  /// On the unknowns, platens' forces included.
+  Vector forces(const double time) const;
+  Vector forces(const Factors &factors) const;
+  /// Motions of all degrees of freedom that loads and the ground impose.
+  Vector imposed(const double time) const;
+
+  /// The first instant after @p time at which something may jump or bend; infinity if none.
+  double next_break(const double time) const;
+
+private:
+  const Model &model;
+  Factors from, to;
+  double start = 0., ramp = 0.;
+};
+
+} // namespace frictionbeam

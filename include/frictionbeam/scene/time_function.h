@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace frictionbeam {
+
+/**
+ * A number that depends on time: an expression in t or a table, linear between its instants. What
+ * is not given is the constant 1.
+ */
+struct TimeFunction {
+  std::string text;                           ///< as given; empty: the constant
+  std::function<double(const double)> course; ///< null: the constant
+  std::vector<double> breaks; ///< ascending instants at which it or its derivative may jump [s]
+
+  bool is_given() const { return static_cast<bool>(course); }
+  double operator()(const double time) const { return course ? course(time) : 1.; }
+};
+
+class ParameterReader;
+
+/// The form of such an entry, in words.
+extern const char *const time_function_form;
+
+/**
+ * "sin(2*pi*t)", "table 0 0, 0.1 1, 0.1 0" (an instant twice is a jump), or "file NAME" with two
+ * columns, from the parameter file's folder. Zero before a table's beginning and its last value
+ * after its end.
+ * @throws UserError
+ */
+TimeFunction parse_time_function(const ParameterReader &in, const std::string &entry,
+                                 const std::string &text);
+
+} // namespace frictionbeam

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "event_integrator.h"
+
+#include <frictionbeam/analysis/local_contact_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr unsigned int steps_handed_over = 40;
+constexpr double at_rest = 1e-12; ///< of the fastest velocity so far
+
+} // namespace
+
+EventIntegrator::EventIntegrator(const Model &model)
+    : model(model), line(model), motion(line), fallback(model), output_step(time_step(model)) {}
+
+std::string EventIntegrator::remark() const {
+  std::string text = std::to_string(n_events) + " events";
+  if (n_handed_over > 0)
+    text += "; " + reason + ", first at " + std::to_string(first_handed_over) +
+            " s: handed over to moreau_jean " + std::to_string(n_handed_over) + " times, for " +
+            std::to_string(time_handed_over) + " s in all";
+  return text;
+}
+
+void EventIntegrator::start(LineState &state, const LoadCourse &loads) {
+  state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
+  read_states(state, loads);
+}
+
+void EventIntegrator::read_states(const LineState &state, const LoadCourse &loads) {
+  present = state.time;
+  unknowns = state.unknowns;
+  velocity = state.velocity;
+  states.assign(line.contacts.size(), EventState());
+  displacement.resize(states.size());
+  force.resize(states.size());
+  const double after = 1e-6 * output_step;
+  Vector ground = line.ground_displacement(loads.imposed(present)),
+         ground_later =
+             line.ground_moves ? line.ground_displacement(loads.imposed(present + after)) : ground;
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    EventState &now = states[i];
+    const Eigen::Vector3d e = ground.segment<3>(3 * i);
+    displacement[i] = contact.displacement(unknowns) + e;
+    force[i] = contact.share * state.contact_stress[i].head<3>();
+    const double gap = displacement[i][0] + contact.law.gap;
+    now.status = state.contact_status[i];
+    if (contact.normal == EventContact::Normal::platen && !now.is_closed())
+      now.status = ContactStatus::stick;
+    if (contact.normal == EventContact::Normal::elastic)
+      now.status = gap < 0. ? ContactStatus::stick : ContactStatus::open;
+    if (contact.normal == EventContact::Normal::rigid)
+      now.offset = now.is_closed() ? gap : std::min(gap, 0.);
+    if (now.is_closed() && !contact.has_friction)
+      now.status = ContactStatus::closed;
+    const double *const internal = state.contacts.internal.data() + contact.contact->state_offset;
+    now.plastic << contact.contact->length * internal[contact.law.slip_y],
+        contact.contact->length * internal[contact.law.slip_z];
+    const Eigen::Vector3d own = contact.displacement(velocity),
+                          of_ground = (ground_later.segment<3>(3 * i) - e) / after,
+                          rate = own + of_ground;
+    fastest = std::max({fastest, own.norm(), of_ground.norm()});
+    if (now.is_closed() && contact.has_friction) {
+      now.status = ContactStatus::stick;
+      if (contact.rigid_shear)
+        set_sliding(i, rate.tail<2>());
+    }
+  }
+  motion.state_changed();
+}
+
+/// A rigid friction contact slips, or sticks if it is at rest.
+void EventIntegrator::set_sliding(const unsigned int i, const Eigen::Vector2d &rate) {
+  const bool slides = rate.norm() > std::max(at_rest, line.ground_moves ? 1e-6 : 0.) * fastest;
+  states[i].status = slides ? ContactStatus::slip : ContactStatus::stick;
+  if (slides)
+    states[i].direction = rate / rate.norm();
+}
+
+double EventIntegrator::kinetic_energy() const {
+  return velocity.dot(model.linear.mass() * velocity) / 2.;
+}
+
+double EventIntegrator::stored_energy() const {
+  double energy = unknowns.dot(model.linear.stiffness() * unknowns) / 2.;
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    if (!states[i].is_closed())
+      continue;
+    if (contact.normal == EventContact::Normal::elastic)
+      energy += force[i][0] * force[i][0] / (2. * contact.normal_stiffness);
+    if (!contact.rigid_shear)
+      energy += force[i].tail<2>().squaredNorm() / (2. * contact.shear_stiffness);
+  }
+  return energy;
+}
+
+void EventIntegrator::go(const double x, const double length, LineState &to,
+                         EnergyAccount &energy) {
+  const double before = kinetic_energy(), stored_before = stored_energy();
+  for (int l = 0; l < motion.factors.cols(); ++l)
+    if (!motion.factors.col(l).isZero(0.)) {
+      const Polynomial power = motion.v.transpose() * model.linear.forces(l);
+      energy.external += length * integral_of_product(motion.factors.col(l), power, x);
+    }
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    const Eigen::MatrixXd &g = motion.g[i], &r = motion.r[i];
+    if (states[i].is_closed()) {
+      for (int d = 0; d < 3; ++d) {
+        if (d == 0 && contact.normal == EventContact::Normal::platen)
+          energy.external -=
+              integral_of_product(TaylorMotion::row(r, 0), derivative(TaylorMotion::row(g, 0)), x);
+        else if (line.ground_moves)
+          energy.external += integral_of_product(TaylorMotion::row(r, d),
+                                                 derivative(motion.ground.col(3 * i + d)), x);
+      }
+      const Polynomial N = -TaylorMotion::row(r, 0);
+      to.contacts.impulse[i] += length * integral_of_product(N, Polynomial::Ones(1), x);
+      if (states[i].status == ContactStatus::slip) {
+        const Eigen::Vector2d s = states[i].direction;
+        Polynomial path = s[0] * TaylorMotion::row(g, 1) + s[1] * TaylorMotion::row(g, 2);
+        if (!contact.rigid_shear)
+          path -= contact.law.dynamic_friction / contact.shear_stiffness * N;
+        const double wear = integral_of_product(N, derivative(path), x);
+        to.contacts.wear[i] += wear;
+        to.contacts.dissipated[i] += contact.law.dynamic_friction * wear;
+        energy.dissipated += contact.law.dynamic_friction * wear;
+      }
+    }
+    displacement[i] = TaylorMotion::at(g, x);
+    force[i] = TaylorMotion::at(r, x);
+  }
+  if (line.damped) { // Gauss' rule of order 6 on pieces: the motion is smooth
+    constexpr int n_pieces = 24;
+    const std::array<std::pair<double, double>, 3> gauss = {
+        {{0.5 - std::sqrt(0.15), 5. / 18.}, {0.5, 4. / 9.}, {0.5 + std::sqrt(0.15), 5. / 18.}}};
+    for (int k = 0; k < n_pieces; ++k)
+      for (const auto &[place, weight] : gauss) {
+        const Vector now = TaylorMotion::at(motion.v, x * (k + place) / n_pieces);
+        energy.damping += length * x / n_pieces * weight * now.dot(model.linear.damping() * now);
+      }
+  }
+  unknowns = TaylorMotion::at(motion.q, x);
+  velocity = TaylorMotion::at(motion.v, x);
+  present += x * length;
+  const double kinetic = kinetic_energy(), stored = stored_energy();
+  energy.kinetic += kinetic - before;
+  energy.stored += stored - stored_before;
+  energy.at_hand = std::max(energy.at_hand, kinetic + stored);
+  energy.turnover += std::abs(kinetic - before) + std::abs(stored - stored_before);
+}
+
+void EventIntegrator::change(const Event &event, const double x, const double length, LineState &to,
+                             EnergyAccount &energy) {
+  const unsigned int i = event.contact;
+  const EventContact &contact = line.contacts[i];
+  EventState &state = states[i];
+  displacement[i] = TaylorMotion::at(motion.g[i], x);
+  force[i] = TaylorMotion::at(motion.r[i], x);
+  const auto rate = [&](const unsigned int j) {
+    Eigen::Vector3d result;
+    for (int d = 0; d < 3; ++d)
+      result[d] = value(derivative(TaylorMotion::row(motion.g[j], d)), x) / length;
+    return result;
+  };
+  const ContactStatus resting = contact.has_friction ? ContactStatus::stick : ContactStatus::closed;
+  switch (event.kind) {
+  case Kind::closing:
+    if (contact.normal == EventContact::Normal::rigid) {
+      Vector ground_velocity = Vector::Zero(3 * states.size());
+      if (line.ground_moves)
+        for (int c = 0; c < ground_velocity.size(); ++c)
+          ground_velocity[c] = value(derivative(motion.ground.col(c)), x) / length;
+      impact(i, ground_velocity, energy, to);
+    } else {
+      state.status = resting;
+      state.plastic = displacement[i].tail<2>();
+      if (contact.has_friction && contact.rigid_shear)
+        set_sliding(i, rate(i).tail<2>());
+    }
+    break;
+  case Kind::opening:
+    state.status = ContactStatus::open;
+    force[i].setZero();
+    break;
+  case Kind::slipping: {
+    const Eigen::Vector2d T = force[i].tail<2>(), u = rate(i).tail<2>();
+    const double f = contact.law.dynamic_friction, N = -force[i][0];
+    const bool has_force = T.norm() > 1e-9 * contact.law.static_friction * std::abs(N) && N > 0.;
+    state.direction = has_force       ? T / T.norm()
+                      : u.norm() > 0. ? u / u.norm()
+                                      : Eigen::Vector2d(1., 0.);
+    const double stored = stored_energy();
+    force[i].tail<2>() = f * N * state.direction;
+    energy.stored += stored_energy() - stored;
+    energy.dissipated += stored - stored_energy(); // where the dynamic coefficient is lower
+    to.contacts.dissipated[i] += stored - stored_energy();
+    state.status = ContactStatus::slip;
+    break;
+  }
+  default:
+    state.status = ContactStatus::stick;
+    if (!contact.rigid_shear)
+      state.plastic = displacement[i].tail<2>() - force[i].tail<2>() / contact.shear_stiffness;
+  }
+  if (event.kind == Kind::closing && !state.is_closed()) // it bounces
+    to.events.push_back({present, i, ContactStatus::closed});
+  to.events.push_back({present, i, state.status});
+  motion.state_changed();
+}
+
+void EventIntegrator::impact(const unsigned int i, const Vector &ground_velocity,
+                             EnergyAccount &energy, LineState &to) {
+  std::vector<unsigned int> taking_part;
+  for (unsigned int j = 0; j < states.size(); ++j)
+    if (j == i || (states[j].is_closed() && line.contacts[j].normal == EventContact::Normal::rigid))
+      taking_part.push_back(j);
+  const unsigned int n = taking_part.size();
+  const auto velocities = [&]() {
+    Vector u(3 * n);
+    for (unsigned int k = 0; k < n; ++k)
+      u.segment<3>(3 * k) = line.contacts[taking_part[k]].displacement(velocity) +
+                            ground_velocity.segment<3>(3 * taking_part[k]);
+    return u;
+  };
+  Vector u = velocities();
+  fastest = std::max(fastest, u.lpNorm<Eigen::Infinity>());
+  const auto place = std::find(taking_part.begin(), taking_part.end(), i) - taking_part.begin();
+  const double approach = u[3 * place];
+  if (approach < -at_rest * fastest) {
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(velocity.size(), 3 * n);
+    for (unsigned int k = 0; k < n; ++k)
+      for (int d = 0; d < 3; ++d) {
+        Vector unit = Vector::Zero(velocity.size());
+        line.add_contact_force(taking_part[k], -Eigen::Vector3d::Unit(d), unit);
+        columns.col(3 * k + d) = line.accelerate(unit);
+      }
+    LocalContactProblem problem;
+    Eigen::MatrixXd W(3 * n, 3 * n);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int c = 0; c < 3 * n; ++c)
+        W.block<3, 1>(3 * k, c) = line.contacts[taking_part[k]].displacement(columns.col(c));
+    W = ((W + W.transpose()) / 2.).eval();
+    problem.q = u;
+    problem.friction.resize(n);
+    for (unsigned int k = 0; k < n; ++k) {
+      const EventContact &contact = line.contacts[taking_part[k]];
+      problem.q[3 * k] += contact.contact->restitution * std::min(u[3 * k], 0.);
+      problem.friction[k] = contact.rigid_shear ? contact.law.dynamic_friction : 0.;
+      for (int d = 0; d < 3; ++d)
+        if (!contact.moves[d]) { // a direction that cannot move takes no part
+          W.row(3 * k + d).setZero();
+          W.col(3 * k + d).setZero();
+          W(3 * k + d, 3 * k + d) = 1.;
+          problem.q[3 * k + d] = 0.;
+        }
+    }
+    Vector impulses = Vector::Zero(3 * n);
+    if (n == 1 && problem.friction[0] == 0.)
+      impulses[0] = std::max(0., -problem.q[0] / W(0, 0));
+    else {
+      problem.W = W.sparseView();
+      impulses = solve_local_contact(problem, 1e-12).reactions;
+    }
+    const double before = kinetic_energy();
+    velocity += columns * impulses;
+    energy.kinetic += kinetic_energy() - before;
+    energy.impact += before - kinetic_energy();
+    for (unsigned int k = 0; k < n; ++k)
+      to.contacts.impulse[taking_part[k]] += impulses[3 * k];
+    u = velocities();
+  }
+  for (unsigned int k = 0; k < n; ++k) {
+    const unsigned int j = taking_part[k];
+    const EventContact &contact = line.contacts[j];
+    if (u[3 * k] > std::max(at_rest * fastest, -1e-12 * approach)) {
+      states[j].status = ContactStatus::open;
+      force[j].setZero();
+      continue;
+    }
+    if (!states[j].is_closed())
+      states[j].offset = displacement[j][0] + contact.law.gap;
+    states[j].status = ContactStatus::closed;
+    if (contact.has_friction && contact.rigid_shear)
+      set_sliding(j, u.segment<2>(3 * k + 1));
+    else if (contact.has_friction) {
+      states[j].status = ContactStatus::stick;
+      if (j == i)
+        states[j].plastic = displacement[j].tail<2>();
+    }
+  }
+}
+
+TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads, const double time,
+                                  LineState &to) {
+  TimeStep step;
+  step.result.converged = true;
+  to = from;
+  to.events.clear();
+  bool changed = false;
+  unsigned int at_once = 0;
+  while (present < time) {
+    const double longest = std::min(time, loads.next_break(present)) - present;
+    const double length = motion.compute(loads, present, longest, unknowns, velocity, states);
+    ++step.result.iterations;
+    const Event event = next_event();
+    if (changed && event.x > 0.)
+      break; // the new state holds
+    const bool curved = slips_along_a_curve();
+    const bool busy =
+        event.x <= 1. && (++at_once, events_accumulate(present + event.x * length, output_step));
+    if (curved || busy || at_once > 20 + 10 * states.size()) {
+      reason = curved ? "slip along a curve" : "events accumulate";
+      write(loads, to);
+      LineState middle = to;
+      TimeStep rest = hand_over(middle, loads, time, to);
+      rest.energy += step.energy;
+      rest.result.iterations += step.result.iterations;
+      return rest;
+    }
+    const double x = std::min(event.x, 1.);
+    if (x > 0.) {
+      const bool reaches = x == 1. && length == longest;
+      const double goal = present + longest;
+      go(x, length, to, step.energy);
+      if (reaches)
+        present = goal;
+    }
+    if (event.x <= 1.) {
+      change(event, x, length, to, step.energy);
+      ++n_events;
+      changed = true;
+    }
+  }
+  write(loads, to);
+  return step;
+}
+
+TimeStep EventIntegrator::hand_over(const LineState &from, const LoadCourse &loads,
+                                    const double time, LineState &to) {
+  if (n_handed_over == 0)
+    first_handed_over = from.time;
+  ++n_handed_over;
+  time_handed_over += time - from.time;
+  recent.clear();
+  TimeStep all;
+  LineState now = from;
+  fallback.start(now, loads);
+  for (unsigned int k = 1; k <= steps_handed_over; ++k) {
+    const double goal =
+        k == steps_handed_over ? time : from.time + (time - from.time) * k / steps_handed_over;
+    if (goal <= now.time)
+      continue;
+    const std::vector<ContactEvent> events = now.events;
+    TimeStep step = fallback.advance(now, loads, goal, to);
+    all.result = step.result;
+    if (!step.result.converged)
+      return all;
+    to.events.insert(to.events.begin(), events.begin(), events.end());
+    all.energy += step.energy;
+    now = to;
+  }
+  read_states(to, loads);
+  return all;
+}
+
+} // namespace frictionbeam

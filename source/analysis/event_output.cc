@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "event_integrator.h"
+
+namespace frictionbeam {
+
+void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {
+  to.time = present;
+  to.unknowns = unknowns;
+  to.velocity = velocity;
+  to.load_factors = loads.factors(present);
+  const Vector imposed = loads.imposed(present);
+  model.space.expand(to.unknowns, to.dofs);
+  to.dofs += imposed;
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    if (contact.platen_unknown >= 0) { // the platen follows the pipe
+      const double compressed =
+          contact.contact->platen_force /
+          (contact.share * contact.law.axial_rigidity / contact.contact->length);
+      const double apart = contact.contact->length * contact.contact->strain(to.dofs)[0];
+      to.unknowns[contact.platen_unknown] =
+          unknowns[contact.platen_unknown] -
+          (apart + contact.law.gap + compressed) / contact.platen_weight;
+    }
+  }
+  model.space.expand(to.unknowns, to.dofs);
+  to.dofs += imposed;
+  Vector left = loads.forces(present);
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    const double l = contact.contact->length;
+    const Contact::Strains strain = contact.contact->strain(to.dofs);
+    to.contacts.strain[i] = strain;
+    to.contact_status[i] = states[i].status;
+    Contact::Strains stress = Contact::Strains::Zero();
+    if (states[i].is_closed())
+      stress.head<3>() = force[i] / contact.share;
+    else
+      to.contacts.touch[i] = strain;
+    to.contact_stress[i] = stress;
+    double *const internal = to.contacts.internal.data() + contact.contact->state_offset;
+    const bool elastic = states[i].is_closed() && contact.has_friction && !contact.rigid_shear;
+    internal[contact.law.slip_y] =
+        strain[1] - (elastic ? force[i][1] / contact.shear_stiffness / l : 0.);
+    internal[contact.law.slip_z] =
+        strain[2] - (elastic ? force[i][2] / contact.shear_stiffness / l : 0.);
+    internal[contact.law.was_slipping] = states[i].status == ContactStatus::slip ? 1. : 0.;
+    line.add_contact_force(i, contact.share * stress.head<3>(), left);
+  }
+  Vector all = to.unknowns;
+  to.acceleration = line.accelerate(line.forces_left(left, all, velocity));
+}
+
+} // namespace frictionbeam

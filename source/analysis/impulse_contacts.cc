@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "impulse_contacts.h"
+
+#include <cmath>
+#include <limits>
+
+namespace frictionbeam {
+
+namespace {
+constexpr double far = 1e30; // [m]
+constexpr double infinity = std::numeric_limits<double>::infinity();
+} // namespace
+
+ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model.contacts.size()) {
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    Kind &kind = kinds[i];
+    kind.is_exact = contact.law->threshold != nullptr;
+    if (!kind.is_exact)
+      continue;
+    contact.law->threshold(contact.parameters->data(), kind.law);
+    kind.rigid_normal = std::isinf(kind.law.axial_rigidity) && contact.platen_force == 0.;
+    kind.rigid_shear = std::isinf(kind.law.shear_rigidity_y);
+  }
+}
+
+void ImpulseContacts::set_matrix(const SparseMatrix &matrix) {
+  solver = std::make_unique<ExactSolver>(model.scene.solver, model.contacts, model.space, matrix);
+}
+
+Contact::Strains ImpulseContacts::part(const unsigned int i, const Contact::Strains &stress,
+                                       const bool rigid) const {
+  Contact::Strains result = Contact::Strains::Zero();
+  if (kinds[i].rigid_normal == rigid)
+    result[0] = stress[0];
+  if (kinds[i].rigid_shear == rigid)
+    result.segment<2>(1) = stress.segment<2>(1);
+  if (!rigid)
+    result[3] = stress[3];
+  return result;
+}
+
+Vector ImpulseContacts::elastic_forces(const LineState &state) const {
+  Vector forces = Vector::Zero(model.space.n_unknowns());
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Contact::Strains stress = contact.weight * part(i, state.contact_stress[i], false);
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      forces[contact.unknowns[j]] += contact.B_reduced.col(j).dot(stress);
+  }
+  return forces;
+}
+
+EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const LineState &from,
+                                         const Vector &imposed_before, const Relation &relation,
+                                         Vector &unknowns, ContactResponse &response) {
+  const double step = problem.time_increment;
+  const Vector ground_velocity = (problem.imposed - imposed_before) / step;
+  Vector base_dofs, velocity_dofs;
+  model.space.expand(relation.base, base_dofs);
+  base_dofs += problem.imposed - relation.reach * ground_velocity;
+  model.space.expand(from.velocity, velocity_dofs);
+  velocity_dofs += ground_velocity;
+
+  shifted = from.contacts;
+  overrides.gap.assign(kinds.size(), 0.);
+  overrides.friction_scale.assign(kinds.size(), 1.);
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Kind &kind = kinds[i];
+    if (!kind.is_exact)
+      continue;
+    const Contact &contact = model.contacts[i];
+    const double l = contact.length;
+    overrides.gap[i] = kind.law.gap;
+    const Contact::Strains base = contact.strain(base_dofs);
+    if (kind.rigid_normal) {
+      const double approach = l * contact.strain(velocity_dofs)[0],
+                   gap = l * from.contacts.strain[i][0] + kind.law.gap;
+      const bool takes_part = gap + step / 2. * approach <= 1e-12 * l;
+      overrides.gap[i] =
+          takes_part ? -l * base[0] + relation.reach * contact.restitution * std::min(approach, 0.)
+                     : far;
+    }
+    if (kind.rigid_shear) {
+      shifted.internal[contact.state_offset + kind.law.slip_y] = base[1];
+      shifted.internal[contact.state_offset + kind.law.slip_z] = base[2];
+    }
+    if (kind.rigid_normal != kind.rigid_shear)
+      overrides.friction_scale[i] = kind.rigid_normal ? relation.share : 1. / relation.share;
+  }
+  problem.overrides = &overrides;
+  const EquilibriumResult result = solver->solve(problem, shifted, unknowns, response);
+  if (!result.converged)
+    return result;
+
+  rigid_impulses = Vector::Zero(unknowns.size());
+  contact_work.assign(kinds.size(), {Contact::Strains::Zero(), Contact::Strains::Zero()});
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Kind &kind = kinds[i];
+    const Contact::Strains rigid = relation.share * part(i, response.stress[i], true),
+                           elastic = part(i, response.stress[i], false);
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      rigid_impulses[contact.unknowns[j]] -=
+          step * contact.weight * contact.B_reduced.col(j).dot(rigid);
+    response.stress[i] = rigid + elastic;
+    contact_work[i].mean_stress = rigid + (elastic + part(i, from.contact_stress[i], false)) / 2.;
+    if (kind.is_exact)
+      contact_work[i].rigidity << (contact.platen_force != 0. ? infinity : kind.law.axial_rigidity),
+          kind.law.shear_rigidity_y, kind.law.shear_rigidity_z, kind.law.torsional_rigidity;
+  }
+  return result;
+}
+
+void ImpulseContacts::add_histories(const LineState &from, const double step, LineState &to) const {
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const double normal = contact.weight / contact.length * -contact_work[i].mean_stress[0];
+    to.contacts.impulse[i] = from.contacts.impulse[i] + step * normal;
+    to.contacts.wear[i] = from.contacts.wear[i];
+    if (!kinds[i].is_exact)
+      continue;
+    const FrictionThreshold &law = kinds[i].law;
+    const Contact::Strains change = to.contacts.strain[i] - from.contacts.strain[i],
+                           force_change = part(i, to.contact_stress[i], false) -
+                                          part(i, from.contact_stress[i], false);
+    const double slip_y = change[1] - force_change[1] / law.shear_rigidity_y,
+                 slip_z = change[2] - force_change[2] / law.shear_rigidity_z;
+    const Contact::Strains &mean = contact_work[i].mean_stress;
+    to.contacts.dissipated[i] =
+        from.contacts.dissipated[i] + contact.weight * (mean[1] * slip_y + mean[2] * slip_z);
+    if (to.contact_status[i] != ContactStatus::stick)
+      to.contacts.wear[i] += normal * contact.length * std::hypot(slip_y, slip_z);
+  }
+}
+
+} // namespace frictionbeam

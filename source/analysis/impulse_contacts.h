@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "exact_solver.h"
+
+#include <frictionbeam/analysis/time_integrator.h>
+
+namespace frictionbeam {
+
+/**
+ * Rigid contact and friction in a time step, as impulses on velocities, by the solver of static
+ * contact (ExactSolver).
+ *
+ * A step whose displacements and velocities at its end hang together by q = base + reach v is a
+ * static problem A q = b + H^T r in the displacements. What is rigid in a contact that takes part
+ * (its gap, with half a step's motion, is closed) obeys Newton's law of impact and Coulomb's law of
+ * friction on v:
+ *   0 <= u_N + e u_N(before) perp P_N >= 0,   |P_T| <= f P_N,  against u_T,
+ * which is the law of a static contact with another gap and another position of its slip. Elements
+ * of finite stiffness, and normal forces of platens, keep their laws on displacements. P is the
+ * impulse, share times the step times r.
+ */
+class ImpulseContacts {
+public:
+  explicit ImpulseContacts(const Model &model);
+
+  /// The matrix A of the following steps.
+  void set_matrix(const SparseMatrix &matrix);
+
+  struct Relation {
+    Vector base;       ///< of the unknowns
+    double reach = 0.; ///< [s]
+    double share = 0.; ///< of r that acts on average over the step
+  };
+  /**
+   * Solve. @param problem with matrix, right hand side, imposed motions, times
+   * @param imposed_before motions imposed at the start of the step
+   * @param unknowns in: a first guess
+   */
+  EquilibriumResult solve(EquilibriumProblem &problem, const LineState &from,
+                          const Vector &imposed_before, const Relation &relation, Vector &unknowns,
+                          ContactResponse &response);
+
+  /// Impulses of the rigid parts, H^T P, on the unknowns, of the last solution.
+  const Vector &impulses() const { return rigid_impulses; }
+  /// Forces on the unknowns of the elastic parts at a state.
+  Vector elastic_forces(const LineState &state) const;
+  /// Mean forces of the last step, for the energy account.
+  const std::vector<ContactWork> &work() const { return contact_work; }
+  /// Add the energy, wear and impulse of the step to the contacts' histories.
+  void add_histories(const LineState &from, const double step, LineState &to) const;
+
+private:
+  struct Kind {
+    bool is_exact = false, rigid_normal = false, rigid_shear = false;
+    FrictionThreshold law{};
+  };
+  /// Part of the stress that comes from rigid or from elastic parts.
+  Contact::Strains part(const unsigned int i, const Contact::Strains &stress,
+                        const bool rigid) const;
+
+  const Model &model;
+  std::vector<Kind> kinds;
+  std::unique_ptr<ExactSolver> solver;
+  ContactOverrides overrides;
+  ContactState shifted;
+  Vector rigid_impulses;
+  std::vector<ContactWork> contact_work;
+};
+
+} // namespace frictionbeam

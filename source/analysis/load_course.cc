@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/analysis/load_course.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace frictionbeam {
+
+LoadCourse::LoadCourse(const Model &model)
+    : model(model), from(model.scene.loads.size(), 0.), to(from) {}
+
+void LoadCourse::begin_step(const Factors &before, const Factors &after, const double start_time,
+                            const double ramp_time) {
+  from = before;
+  to = after;
+  start = start_time;
+  ramp = ramp_time;
+}
+
+LoadCourse::Factors LoadCourse::declared(const double time) const {
+  const double part = ramp > 0. ? std::clamp((time - start) / ramp, 0., 1.) : 1.;
+  Factors result = to;
+  if (part < 1.)
+    for (unsigned int l = 0; l < result.size(); ++l)
+      result[l] = from[l] + part * (to[l] - from[l]);
+  return result;
+}
+
+LoadCourse::Factors LoadCourse::factors(const double time) const {
+  Factors result = declared(time);
+  for (unsigned int l = 0; l < result.size(); ++l)
+    if (result[l] != 0.)
+      result[l] *= model.scene.loads[l].history(time);
+  return result;
+}
+
+Vector LoadCourse::forces(const Factors &factors) const {
+  Vector result = model.contacts.platen_forces();
+  for (unsigned int l = 0; l < factors.size(); ++l)
+    if (factors[l] != 0.)
+      result += factors[l] * model.linear.forces(l);
+  return result;
+}
+
+Vector LoadCourse::forces(const double time) const { return forces(factors(time)); }
+
+Vector LoadCourse::imposed(const double time) const {
+  Vector result = Vector::Zero(model.space.n_dofs());
+  const Factors now = factors(time);
+  for (unsigned int l = 0; l < now.size(); ++l)
+    if (now[l] != 0.)
+      for (const auto &[dof, value] : model.linear.imposed(l))
+        result[dof] += now[l] * value;
+  model.contacts.add_ground_motion(time, result);
+  return result;
+}
+
+double LoadCourse::next_break(const double time) const {
+  double next = std::numeric_limits<double>::infinity();
+  const auto include = [&](const double instant) {
+    if (instant > time)
+      next = std::min(next, instant);
+  };
+  if (ramp > 0.)
+    include(start + ramp);
+  const auto include_all = [&](const TimeFunction &function) {
+    const auto after = std::upper_bound(function.breaks.begin(), function.breaks.end(), time);
+    if (after != function.breaks.end())
+      include(*after);
+  };
+  for (unsigned int l = 0; l < to.size(); ++l)
+    if (to[l] != 0. || from[l] != 0.)
+      include_all(model.scene.loads[l].history);
+  for (const FrictionSupport &support : model.scene.supports)
+    for (const TimeFunction &motion : support.ground_motion)
+      include_all(motion);
+  return next;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "taylor_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+constexpr int order = 30;
+constexpr double rounding = 1e-17;
+} // namespace
+
+Vector TaylorMotion::at(const Eigen::MatrixXd &m, const double x) {
+  Vector result = Vector::Zero(m.rows());
+  for (Eigen::Index k = m.cols(); k-- > 0;)
+    result = x * result + m.col(k);
+  return result;
+}
+
+void TaylorMotion::make_rows(const std::vector<EventState> &states) {
+  rows_are_current = true;
+  rows.clear();
+  const int n = model.has_mass.size();
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = model.contacts[i];
+    if (!states[i].is_closed())
+      continue;
+    if (contact.normal == EventContact::Normal::rigid && contact.moves[0])
+      rows.push_back({i, 0});
+    if (contact.has_friction && contact.rigid_shear && states[i].status == ContactStatus::stick)
+      for (int d = 1; d < 3; ++d)
+        if (contact.moves[d])
+          rows.push_back({i, d});
+  }
+  columns = Eigen::MatrixXd::Zero(n, rows.size());
+  accelerations = columns;
+  for (unsigned int k = 0; k < rows.size(); ++k) {
+    const EventState &state = states[rows[k].contact];
+    const EventContact &contact = model.contacts[rows[k].contact];
+    Eigen::Vector3d unit = Eigen::Vector3d::Zero();
+    unit[rows[k].component] = 1.;
+    if (rows[k].component == 0 && state.status == ContactStatus::slip)
+      unit.tail<2>() = -contact.law.dynamic_friction * state.direction;
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      columns(contact.unknowns[j], k) = contact.G.col(j).dot(unit);
+    accelerations.col(k) = model.accelerate(columns.col(k));
+  }
+  Eigen::MatrixXd W(rows.size(), rows.size());
+  for (unsigned int k = 0; k < rows.size(); ++k)
+    for (unsigned int l = 0; l < rows.size(); ++l)
+      W(k, l) =
+          model.contacts[rows[k].contact].displacement(accelerations.col(l))[rows[k].component];
+  if (!rows.empty())
+    delassus.compute(W);
+}
+
+bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
+                                     const double length) {
+  // A jump at the end belongs to the next piece.
+  const double last = std::nextafter(loads.next_break(time), time);
+  bool smooth = true;
+  const auto powers = [&](const std::function<Vector(const double)> &function) {
+    return interpolate([&](const double t) { return function(std::min(t, last)); }, time, length,
+                       smooth);
+  };
+  factors = powers([&](const double t) {
+    const LoadCourse::Factors f = loads.factors(t);
+    return Vector(Eigen::Map<const Vector>(f.data(), f.size()));
+  });
+  if (model.ground_moves)
+    ground = powers([&](const double t) { return model.ground_displacement(loads.imposed(t)); });
+  else
+    ground = Eigen::MatrixXd::Zero(1, 3 * model.contacts.size());
+  return smooth;
+}
+
+void TaylorMotion::expand_series(const double length, const std::vector<EventState> &states) {
+  const LinearPart &linear = model.model.linear;
+  const int n = model.has_mass.size();
+  const auto ground_at = [&](const int i, const int k) {
+    return k < ground.rows() ? Eigen::Vector3d(ground.row(k).segment<3>(3 * i).transpose())
+                             : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  };
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    g[i].setZero(3, order + 1);
+    r[i].setZero(3, order + 1);
+  }
+  for (int k = 0; k <= order; ++k) {
+    Vector forces = Vector::Zero(n);
+    if (k < factors.rows())
+      for (int l = 0; l < factors.cols(); ++l)
+        if (factors(k, l) != 0.)
+          forces += factors(k, l) * linear.forces(l);
+    Vector unknowns = q.col(k);
+    forces = model.forces_left(forces, unknowns, v.col(k));
+    q.col(k) = unknowns;
+    for (unsigned int i = 0; i < states.size(); ++i) {
+      const EventContact &contact = model.contacts[i];
+      const EventState &state = states[i];
+      g[i].col(k) = contact.displacement(unknowns) + ground_at(i, k);
+      if (!state.is_closed())
+        continue;
+      Eigen::Vector3d known = Eigen::Vector3d::Zero();
+      if (contact.normal == EventContact::Normal::platen)
+        known[0] = k == 0 ? -contact.contact->platen_force : 0.;
+      else if (contact.normal == EventContact::Normal::elastic)
+        known[0] = contact.normal_stiffness * (g[i](0, k) + (k == 0 ? contact.law.gap : 0.));
+      if (state.status == ContactStatus::slip)
+        known.tail<2>() = -contact.law.dynamic_friction * known[0] * state.direction;
+      else if (state.status == ContactStatus::stick && !contact.rigid_shear) {
+        Eigen::Vector2d elastic = g[i].col(k).tail<2>();
+        if (k == 0)
+          elastic -= state.plastic;
+        known.tail<2>() = contact.shear_stiffness * elastic;
+      }
+      r[i].col(k) = known;
+      model.add_contact_force(i, known, forces);
+    }
+    Vector acceleration = model.accelerate(forces);
+    if (!rows.empty()) {
+      Vector right(rows.size());
+      for (unsigned int j = 0; j < rows.size(); ++j) {
+        const int i = rows[j].contact, c = rows[j].component;
+        right[j] = model.contacts[i].displacement(acceleration)[c] +
+                   (k + 1.) * (k + 2.) / (length * length) * ground_at(i, k + 2)[c];
+      }
+      const Vector multipliers = delassus.solve(right);
+      acceleration -= accelerations * multipliers;
+      for (unsigned int j = 0; j < rows.size(); ++j) {
+        const EventState &state = states[rows[j].contact];
+        Eigen::MatrixXd &force = r[rows[j].contact];
+        force(rows[j].component, k) += multipliers[j];
+        if (rows[j].component == 0 && state.status == ContactStatus::slip)
+          force.col(k).tail<2>() -= model.contacts[rows[j].contact].law.dynamic_friction *
+                                    multipliers[j] * state.direction;
+      }
+    }
+    if (k == order)
+      break;
+    v.col(k + 1) = length / (k + 1.) * acceleration;
+    q.col(k + 1) = length / (k + 1.) * v.col(k);
+  }
+  for (int u = 0; u < n; ++u)
+    if (!model.has_mass[u])
+      for (int k = 0; k < order; ++k)
+        v(u, k) = (k + 1.) / length * q(u, k + 1);
+}
+
+double TaylorMotion::valid_part() const {
+  double part = 1.;
+  for (const Eigen::MatrixXd *const m : {&q, &v}) {
+    double scale = 0.;
+    for (int k = 0; k <= order; ++k)
+      scale = std::max(scale, m->col(k).lpNorm<Eigen::Infinity>());
+    if (!std::isfinite(scale))
+      return 0.;
+    // The largest term counts at the length that is left.
+    for (unsigned int pass = 0; pass < 30; ++pass) {
+      double largest = 0., power = 1.;
+      for (int k = 0; k <= order; ++k, power *= part)
+        largest = std::max(largest, power * m->col(k).lpNorm<Eigen::Infinity>());
+      double allowed = part;
+      for (const int k : {order - 1, order})
+        if (const double term = m->col(k).lpNorm<Eigen::Infinity>(); term > 0.)
+          allowed = std::min(allowed, std::pow(rounding * largest / term, 1. / k));
+      if (allowed >= 0.999 * part)
+        break;
+      part = allowed;
+    }
+  }
+  return part;
+}
+
+void TaylorMotion::shorten_all(const double x) {
+  const auto shorten_columns = [x](Eigen::MatrixXd &m) {
+    double power = 1.;
+    for (int k = 0; k < m.cols(); ++k, power *= x)
+      m.col(k) *= power;
+  };
+  shorten_columns(q);
+  shorten_columns(v);
+  for (Eigen::MatrixXd &m : g)
+    shorten_columns(m);
+  for (Eigen::MatrixXd &m : r)
+    shorten_columns(m);
+  for (Eigen::MatrixXd *const m : {&factors, &ground}) {
+    double power = 1.;
+    for (int k = 0; k < m->rows(); ++k, power *= x)
+      m->row(k) *= power;
+  }
+}
+
+double TaylorMotion::compute(const LoadCourse &loads, const double time, const double longest,
+                             const Vector &unknowns, const Vector &velocity,
+                             const std::vector<EventState> &states) {
+  if (!rows_are_current)
+    make_rows(states);
+  g.resize(states.size());
+  r.resize(states.size());
+  const int n = unknowns.size();
+  double length = guess > 0. ? std::min(longest, guess) : longest;
+  const double least = 1e-9 * longest;
+  for (;;) {
+    if (!interpolate_loads(loads, time, length) && length > least) {
+      length /= 2.;
+      continue;
+    }
+    q.setZero(n, order + 1);
+    v.setZero(n, order + 1);
+    q.col(0) = unknowns;
+    v.col(0) = velocity;
+    for (int u = 0; u < n; ++u)
+      if (!model.has_mass[u])
+        q(u, 0) = v(u, 0) = 0.;
+    expand_series(length, states);
+    const double part = valid_part();
+    if (part < 1e-3) { // far off: the high orders may have no digit left
+      length /= part > 0. ? 100. : 1e4;
+      continue;
+    }
+    if (part < 1.) {
+      shorten_all(part);
+      length *= part;
+    }
+    guess = part < 1. ? 1.05 * length : std::max(guess, 1.5 * length);
+    return length;
+  }
+}
+
+} // namespace frictionbeam

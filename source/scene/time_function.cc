@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/scene/time_function.h>
+
+#include <frictionbeam/scene/parameter_reader.h>
+
+#include <deal.II/base/function_parser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+namespace frictionbeam {
+
+const char *const time_function_form =
+    "an expression in t [s], 'table t value, t value, ...', or 'file NAME' with two columns";
+
+namespace {
+
+using Table = std::vector<std::pair<double, double>>;
+
+double interpolate(const Table &table, const double time) {
+  const auto after = std::upper_bound(
+      table.begin(), table.end(), time,
+      [](const double t, const std::pair<double, double> &row) { return t < row.first; });
+  if (after == table.begin())
+    return 0.;
+  const auto before = after - 1;
+  if (after == table.end())
+    return before->second;
+  const double part = (time - before->first) / (after->first - before->first);
+  return before->second + part * (after->second - before->second);
+}
+
+TimeFunction from_table(const ParameterReader &in, const std::string &entry, const Table &table) {
+  if (table.empty())
+    in.fail(entry, "at least one instant with its value", "'table 0 0, 1 1'");
+  TimeFunction function;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (i > 0 && table[i].first < table[i - 1].first)
+      in.fail(entry, "instants in ascending order", "sorting the table",
+              "t = " + to_text(table[i].first) + " after t = " + to_text(table[i - 1].first));
+    if (function.breaks.empty() || table[i].first > function.breaks.back())
+      function.breaks.push_back(table[i].first);
+  }
+  const auto shared = std::make_shared<const Table>(table);
+  function.course = [shared](const double time) { return interpolate(*shared, time); };
+  return function;
+}
+
+TimeFunction from_file(const ParameterReader &in, const std::string &entry,
+                       const std::string &name) {
+  namespace fs = std::filesystem;
+  const fs::path beside = fs::path(in.file().name()).parent_path() / name;
+  std::ifstream file(fs::exists(beside) ? beside : fs::path(name));
+  if (!file)
+    in.fail(
+        entry, "a file that can be read, from the parameter file's folder or the working folder",
+        "the path from " + fs::absolute(in.file().name()).parent_path().string(), "'" + name + "'");
+  Table table;
+  for (std::string line; std::getline(file, line);) {
+    for (char &c : line)
+      c = c == ',' || c == ';' || c == '\t' || c == '\r' ? ' ' : c;
+    const std::vector<std::string> words = split(line.substr(0, line.find('#')), ' ');
+    double time, value;
+    if (words.empty())
+      continue;
+    if (words.size() != 2 || !to_number(words[0], time) || !to_number(words[1], value))
+      in.fail(entry, "a file with two numbers in each line, time and value", "correcting this line",
+              "'" + line + "' in " + name);
+    table.emplace_back(time, value);
+  }
+  return from_table(in, entry, table);
+}
+
+} // namespace
+
+TimeFunction parse_time_function(const ParameterReader &in, const std::string &entry,
+                                 const std::string &text) {
+  TimeFunction function;
+  if (text.empty())
+    return function;
+  const std::vector<std::string> words = split(text, ' ');
+  if (words[0] == "file" && words.size() == 2)
+    function = from_file(in, entry, words[1]);
+  else if (words[0] == "table") {
+    Table table;
+    for (const std::string &row : split(text.substr(text.find("table") + 5), ',')) {
+      const std::vector<std::string> pair = split(row, ' ');
+      double time, value;
+      if (pair.size() != 2 || !to_number(pair[0], time) || !to_number(pair[1], value))
+        in.fail(entry, time_function_form, "'table 0 0, 0.1 1'", "'" + row + "'");
+      table.emplace_back(time, value);
+    }
+    function = from_table(in, entry, table);
+  } else {
+    const auto parser = std::make_shared<dealii::FunctionParser<1>>(1);
+    try {
+      parser->initialize("t", text, {{"pi", 3.14159265358979323846}});
+      parser->value(dealii::Point<1>(0.));
+    } catch (const dealii::ExceptionBase &) {
+      in.fail(entry, time_function_form, "a formula such as '0.1*sin(2*pi*5*t)'", "'" + text + "'");
+    }
+    function.course = [parser](const double time) { return parser->value(dealii::Point<1>(time)); };
+  }
+  function.text = text;
+  return function;
+}
+
+} // namespace frictionbeam
