@@ -26,7 +26,7 @@ LoadSequence::LoadSequence(const Model &model)
           model.contacts, model.space, model.linear.stiffness())) {}
 
 EquilibriumProblem LoadSequence::problem(const SparseMatrix &matrix, const Factors &factors) const {
-  EquilibriumProblem result{matrix, model.contacts.platen_forces(),
+  EquilibriumProblem result{matrix, model.contacts.platen_forces() + model.linear.preload(),
                             Vector::Zero(model.space.n_dofs())};
   for (unsigned int l = 0; l < factors.size(); ++l)
     if (factors[l] != 0.) {

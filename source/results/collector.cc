@@ -62,7 +62,8 @@ std::string unit_of(const std::string &what) {
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
     : model(model), results(results), sink(std::move(sink)),
-      builder(model, !model.scene.combinations.empty() || !model.scene.spectra.empty()),
+      builder(model, !model.scene.combinations.empty() || !model.scene.spectra.empty() ||
+                         !model.scene.stress.code.empty()),
       pending(model.scene.quantities.size()) {
   results.supports = builder.support_infos();
   results.restraints = builder.restraint_infos();

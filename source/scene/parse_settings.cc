@@ -113,6 +113,9 @@ void declare_global(ParameterReader &in) {
                   "folder the program runs in.");
   in.declare_text("Free motions", "ux, uy, uz, rx, ry, rz", "motions out of ux, uy, uz, rx, ry, rz",
                   "Of all points; the others are held, as out of the plane of a plane scene.");
+  in.declare_text("Friction multipliers", "", "numbers >= 0 separated by commas",
+                  "A study: the case is solved again with all friction coefficients times each of "
+                  "these, and the worst of all is shown for every support.");
   in.declare_text("Monitors", "", "names of points, separated by commas",
                   "Points whose motion is recorded at every increment.");
   in.declare_number("Installation temperature", 20., "degC", -273.15, 1e300,
@@ -122,6 +125,11 @@ void declare_global(ParameterReader &in) {
 void parse_global(const ParameterReader &in, Scene &scene) {
   scene.title = in.text("Title");
   scene.free_motions = parse_motions(in, "Free motions");
+  for (const double multiplier : in.numbers("Friction multipliers")) {
+    if (multiplier < 0.)
+      in.fail("Friction multipliers", "numbers >= 0", "'0, 0.75, 1, 1.25'");
+    scene.friction_multipliers.push_back(multiplier);
+  }
   if (scene.free_motions == std::array<bool, 6>{})
     in.fail("Free motions", "at least one of ux, uy, uz, rx, ry, rz", "'ux, uz, ry'");
 }

@@ -16,11 +16,11 @@ namespace frictionbeam {
 namespace {
 
 /// Kinds of parts, in the order in which they are read: each may refer to those before it.
-const std::vector<std::string> part_kinds = {"Material", "Section", "Point",    "Pipe",
-                                             "Support",  "Spring",  "Mass",     "Load",
-                                             "Step",     "Initial", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",  "Solver",   "Time",      "Output",
-                                           "Modes", "Response", "Quantities"};
+const std::vector<std::string> part_kinds = {
+    "Material", "Section", "Point", "Pipe",    "Support", "Spring", "Mass",     "Joint",
+    "Tee",      "Load",    "Step",  "Initial", "Hanger",  "Nozzle", "Spectrum", "Combination"};
+const std::vector<std::string> settings = {"Mesh",  "Solver",   "Time",   "Output",
+                                           "Modes", "Response", "Stress", "Quantities"};
 
 struct SceneKind {
   std::string name, section;
@@ -42,57 +42,53 @@ std::string name_of(const std::string &heading) {
   return blank == std::string::npos ? "" : heading.substr(blank + 1);
 }
 
+struct SimplePart {
+  std::string kind;
+  void (*declare)(ParameterReader &);
+  void (*parse)(const ParameterReader &, const std::string &, Scene &);
+};
+
+/// Parts that need nothing but their section.
+const std::vector<SimplePart> simple_parts = {
+    {"Material", &parts::declare_material, &parts::parse_material},
+    {"Section", &parts::declare_section, &parts::parse_section},
+    {"Point", &parts::declare_point, &parts::parse_point},
+    {"Pipe", &parts::declare_pipe, &parts::parse_pipe},
+    {"Spring", &parts::declare_spring, &parts::parse_spring},
+    {"Mass", &parts::declare_mass, &parts::parse_mass},
+    {"Joint", &parts::declare_joint, &parts::parse_joint},
+    {"Tee", &parts::declare_tee, &parts::parse_tee},
+    {"Step", &parts::declare_step, &parts::parse_step},
+    {"Hanger", &parts::declare_hanger, &parts::parse_hanger},
+    {"Nozzle", &parts::declare_nozzle, &parts::parse_nozzle},
+    {"Spectrum", &parts::declare_spectrum, &parts::parse_spectrum},
+    {"Combination", &parts::declare_combination, &parts::parse_combination}};
+
+const SimplePart *simple_part(const std::string &kind) {
+  const auto found = std::find_if(simple_parts.begin(), simple_parts.end(),
+                                  [&](const SimplePart &part) { return part.kind == kind; });
+  return found == simple_parts.end() ? nullptr : &*found;
+}
+
 void declare_part(ParameterReader &in, const LawLibrary &laws, const std::string &kind) {
-  if (kind == "Material")
-    parts::declare_material(in);
-  else if (kind == "Section")
-    parts::declare_section(in);
-  else if (kind == "Point")
-    parts::declare_point(in);
-  else if (kind == "Pipe")
-    parts::declare_pipe(in);
+  if (const SimplePart *const part = simple_part(kind))
+    part->declare(in);
   else if (kind == "Support")
     parts::declare_support(in, laws);
-  else if (kind == "Spring")
-    parts::declare_spring(in);
-  else if (kind == "Mass")
-    parts::declare_mass(in);
   else if (kind == "Load")
     parts::declare_load(in);
-  else if (kind == "Step")
-    parts::declare_step(in);
-  else if (kind == "Spectrum")
-    parts::declare_spectrum(in);
-  else if (kind == "Combination")
-    parts::declare_combination(in);
   else
     parts::declare_initial(in);
 }
 
 void parse_part(const ParameterReader &in, const LawLibrary &laws, const std::string &kind,
                 const std::string &name, const double installation_temperature, Scene &scene) {
-  if (kind == "Material")
-    parts::parse_material(in, name, scene);
-  else if (kind == "Section")
-    parts::parse_section(in, name, scene);
-  else if (kind == "Point")
-    parts::parse_point(in, name, scene);
-  else if (kind == "Pipe")
-    parts::parse_pipe(in, name, scene);
+  if (const SimplePart *const part = simple_part(kind))
+    part->parse(in, name, scene);
   else if (kind == "Support")
     parts::parse_support(in, laws, name, scene);
-  else if (kind == "Spring")
-    parts::parse_spring(in, name, scene);
-  else if (kind == "Mass")
-    parts::parse_mass(in, name, scene);
   else if (kind == "Load")
     parts::parse_load(in, name, installation_temperature, scene);
-  else if (kind == "Step")
-    parts::parse_step(in, name, scene);
-  else if (kind == "Spectrum")
-    parts::parse_spectrum(in, name, scene);
-  else if (kind == "Combination")
-    parts::parse_combination(in, name, scene);
   else
     parts::parse_initial(in, scene);
 }
@@ -227,6 +223,10 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
       }
   in.enter("Modes");
   parts::check_modes(in, scene);
+  in.enter("Stress");
+  parts::declare_stress(in);
+  in.take();
+  parts::parse_stress(in, scene);
   in.enter("");
   if (scene.pipes.empty() && scene.points.empty())
     in.fail_section("no pipe and no point", "at least one part 'Pipe <name>' or 'Point <name>'",
@@ -235,6 +235,7 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
     in.fail_section("an empty load sequence: no part 'Step <name>'",
                     "at least one 'Step <name>', taken in the order of the file",
                     "subsection Step cold, with 'set Loads = <names of loads>'");
+  parts::check_hangers(in, scene);
 }
 
 } // namespace
@@ -346,6 +347,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_modes(in);
   in.enter("Response");
   parts::declare_response(in);
+  in.enter("Stress");
+  parts::declare_stress(in);
   in.enter("Quantities");
   parts::declare_quantities(in);
   for (const SceneKind &kind : scene_kinds) {

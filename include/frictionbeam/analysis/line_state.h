@@ -18,6 +18,7 @@ struct LineState {
   std::vector<ContactStatus> contact_status;
   std::vector<double> load_factors; ///< beside Scene::loads
   double time = 0.;
+  bool with_preload = true; ///< false in vibrations: springs answer to the motion alone
 };
 
 /// The stages before the analysis, together.
