@@ -8,6 +8,7 @@
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/text.h>
 #include <frictionbeam/scene/read_scene.h>
+#include <frictionbeam/scene/user_error.h>
 
 #include <algorithm>
 #include <iostream>
@@ -115,12 +116,9 @@ void list_steps(const Scene &scene) {
 
 } // namespace
 
-int check_case_file(const RunOptions &options) {
-  LawLibrary laws;
-  laws.load_builtin();
-  Scene scene = read_scene(options.parameter_file, options.overrides, laws);
-  scene.output.directory =
-      options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
+namespace {
+
+void check(const RunOptions &options, const LawLibrary &laws, Scene &scene) {
   const LineMesh mesh = build_line_mesh(scene);
   const Discretization discretization(scene, mesh, laws);
   const ReducedSpace space(scene, mesh, discretization);
@@ -168,6 +166,21 @@ int check_case_file(const RunOptions &options) {
     write_file(picture, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
                             draw_line(scene, results, frame, 1.));
     std::cout << "The line is drawn in " << picture << ". Nothing was solved.\n";
+  }
+}
+
+} // namespace
+
+int check_case_file(const RunOptions &options) {
+  LawLibrary laws;
+  laws.load_builtin();
+  Scene scene = read_scene(options.parameter_file, options.overrides, laws);
+  scene.output.directory =
+      options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
+  try {
+    check(options, laws, scene);
+  } catch (const UserError &error) {
+    throw UserError(with_place(scene, error.what()));
   }
   return 0;
 }

@@ -97,9 +97,15 @@ int run_case(const RunOptions &options) {
   scene.output.directory =
       options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
   prepare_output_folder(scene.output.directory);
-  size_hangers(scene, laws);
-  const Scene as_read = scene;
-  Results results = solve_scene(scene, laws);
+  Scene as_read;
+  Results results;
+  try {
+    size_hangers(scene, laws);
+    as_read = scene;
+    results = solve_scene(scene, laws);
+  } catch (const UserError &error) {
+    throw UserError(with_place(scene, error.what()));
+  }
   study_friction(as_read, laws, results);
   results.cost.wall_seconds = wall.wall_time();
   write_modes(results, scene.output.directory);

@@ -211,12 +211,12 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
   if (converged)
     add_derived_cases(model, modal_state, scene, collector, results);
-  collector.finish(sequence.state());
   results.stresses = evaluate_stresses(scene, mesh, results,
                                        [&](const std::string &step, const unsigned int pipe) {
                                          return pressure_in(scene, step, pipe);
                                        });
   results.nozzles = evaluate_nozzles(scene, results);
+  collector.finish(sequence.state());
   csv->finish();
   if (vtu) {
     vtu->append_modes();

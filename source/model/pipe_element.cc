@@ -39,6 +39,10 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
     for (unsigned int i = 0; i < 12; ++i)
       strains[q][i] = bend ? arc_strain(*values, *bend, values->get_quadrature().point(q)[0], i, q)
                            : generalized_strain(*values, axes, i, q);
+  const CellJoints *const joints = discretization.joints(cell);
+  jointed = joints != nullptr;
+  if (jointed)
+    add_joints(*joints);
 }
 
 void PipeElement::add_joints(const CellJoints &joints) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/results/collector.h>
+#include <frictionbeam/results/stresses.h>
 
 #include <frictionbeam/scene/user_error.h>
 
@@ -13,6 +14,10 @@ namespace {
 const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
 const std::vector<std::string> forces = {"fx", "fy", "fz", "mx", "my", "mz"};
 const std::vector<std::string> section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"};
+
+/// What is known only when everything else is: see finish().
+const std::vector<std::string> of_the_end = {"frequency", "flexibility", "sif_in",     "sif_out",
+                                             "SL",        "SE",          "utilization"};
 
 /// Place in a list of words, or -1.
 int place(const std::vector<std::string> &words, const std::string &word) {
@@ -57,6 +62,8 @@ std::string unit_of(const std::string &what) {
     return "m";
   if (what == "frequency")
     return "Hz";
+  if (what == "SL" || what == "SE")
+    return "Pa";
   return what == "work" ? "J" : "-";
 }
 
@@ -191,7 +198,8 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
 
 void Collector::observe_case(const std::string &name, const Frame &made) {
   for (unsigned int i = 0; i < pending.size(); ++i)
-    if (model.scene.quantities[i].step == name && model.scene.quantities[i].what != "frequency")
+    if (model.scene.quantities[i].step == name &&
+        place(of_the_end, model.scene.quantities[i].what) < 0)
       pending[i].value = evaluate(model.scene.quantities[i], made);
   sink(made);
   results.frames.push_back(made);
@@ -239,7 +247,7 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
         pending[i].value =
             part == 1. ? now : pending[i].previous + part * (now - pending[i].previous);
       }
-    } else if (last && quantity.what != "frequency" &&
+    } else if (last && place(of_the_end, quantity.what) < 0 &&
                (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
       pending[i].value = evaluate(quantity, state);
   }
@@ -273,6 +281,9 @@ void Collector::finish(const LineState &state) {
     if (quantity.what == "frequency")
       if (const std::size_t mode = std::stoul(quantity.where); mode <= results.modes.size())
         pending[i].value = quantity.scale * results.modes[mode - 1].frequency;
+    if (place(of_the_end, quantity.what) > 0)
+      if (const auto value = stress_quantity(quantity, model.mesh, results))
+        pending[i].value = quantity.scale * *value;
     if (!pending[i].value) {
       results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
       continue;

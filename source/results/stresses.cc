@@ -124,6 +124,20 @@ private:
   const std::vector<TeeSite> tees;
 };
 
+/// Factors of every station, for who asks.
+void add_factors(const StressEvaluation &evaluation, StressCase &result) {
+  for (const Station &station : result.frame.line) {
+    const StressPoint point = evaluation.point(station);
+    const StressCode::Factors i = evaluation.code->intensification(point);
+    const double k = point.part == StressPoint::Part::bend
+                         ? b31_3_bend(point.diameter, point.wall, point.bend_radius,
+                                      point.youngs_modulus, point.stiffening_pressure)
+                               .k
+                         : 1.;
+    result.factors.push_back({{k, i.in_plane, i.out_of_plane}});
+  }
+}
+
 void find_worst(StressCase &result) {
   for (unsigned int i = 0; i < result.stress.size(); ++i)
     if (result.stress[i] / result.allowed[i] >
@@ -164,7 +178,7 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
     if (frame == nullptr)
       return;
     StressCase result;
-    result.name = step;
+    result.name = result.step = step;
     result.kind = occasional ? "occasional" : "sustained";
     result.frame = *frame;
     for (const Station &station : frame->line) {
@@ -189,6 +203,7 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
     AssertDimension(before->line.size(), after->line.size());
     StressCase result;
     result.name = from + " to " + to;
+    result.step = to;
     result.kind = "expansion";
     result.frame = *after;
     for (unsigned int i = 0; i < after->line.size(); ++i) {
@@ -206,9 +221,35 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
     find_worst(result);
     cases.push_back(std::move(result));
   }
-  for (StressCase &result : cases)
+  for (StressCase &result : cases) {
     result.code = code.name();
+    add_factors(evaluation, result);
+  }
   return cases;
+}
+
+std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
+                                      const Results &results) {
+  const std::string &what = quantity.what;
+  std::optional<double> largest;
+  for (const StressCase &one : results.stresses) {
+    const bool range = one.kind == "expansion";
+    if ((what == "SL" && range) || (what == "SE" && !range) ||
+        (!quantity.step.empty() && quantity.step != one.step))
+      continue;
+    for (unsigned int i = 0; i < one.stress.size(); ++i) {
+      if (!quantity.where.empty() &&
+          one.frame.line[i].position.distance(mesh.vertices[mesh.points.at(quantity.where)]) > 1e-9)
+        continue;
+      const double value = what == "flexibility"   ? one.factors[i][0]
+                           : what == "sif_in"      ? one.factors[i][1]
+                           : what == "sif_out"     ? one.factors[i][2]
+                           : what == "utilization" ? one.stress[i] / one.allowed[i]
+                                                   : one.stress[i];
+      largest = std::max(largest.value_or(0.), value);
+    }
+  }
+  return largest;
 }
 
 std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &results) {

@@ -12,6 +12,8 @@ const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"},
                                section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"},
                                contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work"},
                                modal = {"frequency"},
+                               stresses = {"flexibility", "sif_in", "sif_out",
+                                           "SL",          "SE",     "utilization"},
                                sums = {"sum_normal", "sum_friction", "n_stick",
                                        "n_slip",     "n_open",       "max_error"};
 
@@ -43,6 +45,13 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
     if (!to_number(where, number) || number < 1. || number > scene.modal.n_modes)
       in.fail(entry, "frequency N, with N from 1 to the Number of modes in section Modes",
               "'frequency 1'", "'" + where + "'");
+    return;
+  }
+  if (contains(stresses, what)) {
+    if (scene.stress.code.empty())
+      in.fail(entry, what + " where section Stress has a Code", "set Code = B31.3 there");
+    if (!where.empty() || what != "utilization")
+      check_point(in, entry, where, scene);
     return;
   }
   if (contains(motions, what) || contains(section_forces, what))
@@ -90,8 +99,8 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
       if (quantity.absolute)
         what = what.substr(1, what.size() - 2);
       quantity.what = what;
-      in.find(quantity.name, what, motions + reactions + section_forces + contact + modal + sums,
-              "quantity");
+      in.find(quantity.name, what,
+              motions + reactions + section_forces + contact + modal + stresses + sums, "quantity");
       using Side = Quantity::Side;
       if (words.size() == 3 && words[1] == "at")
         quantity.where = words[2];

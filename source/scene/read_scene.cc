@@ -6,6 +6,7 @@
 #include <frictionbeam/scene/user_error.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -266,6 +267,9 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   scene.name = std::filesystem::path(file).stem().string();
   scene.input = text.text();
   scene.overrides = overrides;
+  for (const ParameterFile::Section &section : text.sections())
+    if (!section.heading.empty())
+      scene.origins.emplace_back(section.heading, section.origin);
   in.enter("");
   if (const auto units = UnitSystem::parse(in.text("Units")))
     scene.units = *units;
@@ -303,6 +307,30 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   return scene;
 }
 
+std::string with_place(const Scene &scene, const std::string &message) {
+  std::string small = message;
+  std::transform(small.begin(), small.end(), small.begin(),
+                 [](const unsigned char c) { return std::tolower(c); });
+  for (const auto &[heading, origin] : scene.origins) {
+    const auto blank = heading.find(' ');
+    if (blank == std::string::npos)
+      continue;
+    std::string kind = heading.substr(0, blank);
+    kind[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(kind[0])));
+    const std::string name = heading.substr(blank + 1);
+    for (const std::string &form : {kind + " '" + name + "'", kind + " " + name}) {
+      // The name as it is written, the kind with a small or large first letter.
+      const auto at = message.find(form.substr(1));
+      const auto end = at == std::string::npos ? at : at + form.size() - 1;
+      const bool whole = at != std::string::npos && at > 0 && small[at - 1] == form[0] &&
+                         (end == message.size() || std::isalnum(message[end]) == 0);
+      if (whole)
+        return origin + ": " + message;
+    }
+  }
+  return message;
+}
+
 void print_parameters(std::ostream &out, const LawLibrary &laws) {
   out << "# All entries of a parameter file, with their defaults. A file holds any number of "
          "parts\n"
@@ -323,7 +351,9 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
          "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"
          "# sum_normal sum_friction [N] n_stick n_slip n_open of all friction supports or of one\n"
-         "# part; frequency N [Hz] of mode N; max_error [m, or relative] in scenes with an exact "
+         "# part; frequency N [Hz] of mode N;\n"
+         "# of a stress code, flexibility sif_in sif_out at a point, SL SE [Pa] at a point, "
+         "utilization; max_error [m, or relative] in scenes with an exact "
          "solution. |what| is its "
          "absolute value.\n"
          "# Without a step, the last one is meant; without a time, the end of the step.\n";

@@ -74,8 +74,10 @@ struct ModeResult {
 struct StressCase {
   std::string name, kind, code; ///< kind: sustained, expansion, occasional
   Frame frame;
-  std::vector<double> stress, allowed; ///< [Pa]
-  unsigned int worst = 0;              ///< the station of largest stress over allowed
+  std::vector<double> stress, allowed;        ///< [Pa]
+  std::vector<std::array<double, 3>> factors; ///< flexibility, intensification in and out of plane
+  std::string step;                           ///< that it is of; of a range, the later one
+  unsigned int worst = 0;                     ///< the station of largest stress over allowed
 };
 
 /// How much of the allowed loads of an anchor or nozzle one step uses.

@@ -21,6 +21,11 @@ double pressure_in(const Scene &scene, const std::string &step, const unsigned i
 /// Largest force over allowed force of every nozzle limit in every finished step.
 std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &results);
 
+/// A quantity of the stress code: flexibility, sif_in, sif_out at a point, SL and SE at a point in
+/// a step, utilization of all or of one step; empty if there is none.
+std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
+                                      const Results &results);
+
 /// As HTML; empty if there are none.
 std::string stress_section(const Scene &scene, const Results &results);
 std::string nozzle_section(const Results &results);

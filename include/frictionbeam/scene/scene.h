@@ -246,6 +246,8 @@ struct Scene {
   std::string input;                  ///< the file's text, as read, for the report
   std::vector<std::string> overrides; ///< the --set options
   std::vector<std::string> remarks;   ///< what the user should know about how the file was read
+  /// Headings of the file's parts and where they stand ("case.prm:12").
+  std::vector<std::pair<std::string, std::string>> origins;
 
   std::vector<Material> materials;
   std::vector<Section> sections;
@@ -280,5 +282,9 @@ struct Scene {
   TimeSettings time;
   OutputSettings output;
 };
+
+/// A message about a scene that came after it was read, with the place of the part that it names in
+/// front: "case.prm:12: Support rest ...". Unchanged if it names none.
+std::string with_place(const Scene &scene, const std::string &message);
 
 } // namespace frictionbeam
