@@ -16,6 +16,7 @@
 #include <deal.II/base/timer.h>
 
 #include <iostream>
+#include <set>
 
 namespace frictionbeam {
 
@@ -60,6 +61,15 @@ Scene with_friction(Scene scene, const LawLibrary &laws, const double multiplier
 /// Solve the scene again for each multiplier of friction, each into a folder of its own.
 void study_friction(const Scene &scene, const LawLibrary &laws, Results &results) {
   FrictionStudy &study = results.friction_study;
+  std::set<std::string> other_laws;
+  for (const FrictionSupport &support : scene.supports)
+    if (support.law != "coulomb")
+      other_laws.insert(support.law);
+  for (const std::string &law :
+       scene.friction_multipliers.empty() ? std::set<std::string>{} : other_laws)
+    results.remarks.push_back("The study multiplies parameters called 'Friction coefficient' and "
+                              "'Dynamic friction coefficient'; the law '" +
+                              law + "' is left as it is unless it has them.");
   for (const SupportInfo &support : results.supports)
     study.names.push_back(support.name);
   for (const RestraintInfo &restraint : results.restraints)

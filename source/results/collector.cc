@@ -74,6 +74,8 @@ Collector::Collector(const Model &model, Results &results, FrameSink sink)
       pending(model.scene.quantities.size()) {
   results.supports = builder.support_infos();
   results.restraints = builder.restraint_infos();
+  for (const auto &[name, vertex] : model.mesh.points)
+    results.points.emplace_back(name, model.mesh.vertices[vertex]);
   for (const std::string &point : model.scene.monitors)
     results.histories.push_back({point, {}, {}});
 }

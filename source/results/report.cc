@@ -150,6 +150,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("supports", "Supports", support_tables(scene, results, frames));
     if (!results.restraints.empty())
       add("reactions", "Reactions", reaction_tables(scene, results, frames));
+    if (!results.points.empty())
+      add("displacements", "Displacements", displacement_tables(scene, results, frames));
     if (!results.stresses.empty())
       add("stresses", "Stresses", stress_section(scene, results));
     if (!results.nozzles.empty())

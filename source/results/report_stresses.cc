@@ -16,17 +16,10 @@ namespace {
 constexpr std::size_t n_pictures_at_most = 6;
 
 /// The name of the point that a station stands on, or nothing.
-std::string point_name(const Scene &scene, const Station &station) {
-  const auto is_there = [&](const Point3 &p) {
-    return p.distance(station.position) < 1e-6 * (1. + station.position.norm());
-  };
-  for (const NamedPoint &point : scene.points)
-    if (is_there(point.position))
-      return point.name;
-  for (const Pipe &pipe : scene.pipes)
-    for (const RoutePoint &point : pipe.route)
-      if (!point.name.empty() && is_there(point.position))
-        return point.name;
+std::string point_name(const Results &results, const Station &station) {
+  for (const auto &[name, position] : results.points)
+    if (position.distance(station.position) < 1e-6 * (1. + station.position.norm()))
+      return name;
   return "";
 }
 
@@ -47,7 +40,7 @@ std::string stress_section(const Scene &scene, const Results &results) {
     names.push_back(one.name);
     kinds.push_back(one.kind);
     pipes.push_back(scene.pipes[station.pipe].name);
-    points.push_back(point_name(scene, station));
+    points.push_back(point_name(results, station));
     s.push_back(station.s);
     stress.push_back(one.stress[one.worst]);
     allowed.push_back(one.allowed[one.worst]);

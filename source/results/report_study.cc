@@ -88,6 +88,38 @@ std::string restraint_summary(const Scene &scene, const Results &results) {
                    "from; the worst line is the first.");
 }
 
+std::string displacement_tables(const Scene &scene, const Results &results,
+                                const std::vector<const Frame *> &frames) {
+  std::vector<std::pair<std::string, std::string>> panels;
+  for (const Frame *const frame : frames) {
+    std::vector<std::string> names;
+    std::array<std::vector<double>, 6> motions;
+    std::array<double, 2> largest{};
+    for (const auto &[name, position] : results.points) {
+      const Point3 &place = position;
+      const auto station =
+          std::find_if(frame->line.begin(), frame->line.end(), [&](const Station &s) {
+            return s.node && s.position.distance(place) < 1e-9 * (1. + place.norm());
+          });
+      if (station == frame->line.end() || names.size() == n_rows_at_most)
+        continue;
+      names.push_back(name);
+      for (unsigned int c = 0; c < 6; ++c) {
+        motions[c].push_back(station->displacement[c]);
+        largest[c / 3] = std::max(largest[c / 3], std::abs(station->displacement[c]));
+      }
+    }
+    const char *const titles[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
+    HtmlTable table(results.units);
+    table.text("point", names);
+    for (unsigned int c = 0; c < 6; ++c)
+      table.numbers(titles[c], c < 3 ? "m" : "rad", motions[c], largest[c / 3]);
+    panels.emplace_back(step_name(scene, *frame), table.str());
+  }
+  return html_tabs("displacements-of", panels) +
+         html_note("Of the named points, in global axes; line.csv has every station.");
+}
+
 std::vector<double> largest_forces(const Results &results) {
   std::vector<double> largest(results.supports.size() + results.restraints.size(), 0.);
   for (const Frame &frame : results.frames) {

@@ -9,7 +9,11 @@ namespace frictionbeam {
 /// largest first, as HTML.
 std::string restraint_summary(const Scene &scene, const Results &results);
 
-/// Largest force of each support over all steps, @p largest by name; the names come in the order of
+/// Displacements and rotations of the named points on pipes, a tab for each of at most six frames.
+std::string displacement_tables(const Scene &scene, const Results &results,
+                                const std::vector<const Frame *> &frames);
+
+/// Largest force of each support over all steps [N]; they come in the order of
 /// Results::supports, then Results::restraints.
 std::vector<double> largest_forces(const Results &results);
 

@@ -127,6 +127,7 @@ struct Cost {
 struct Results {
   std::vector<SupportInfo> supports;
   std::vector<RestraintInfo> restraints;
+  std::vector<std::pair<std::string, Point3>> points; ///< with a name, by name
   std::vector<Frame> frames; ///< ends of steps, and output instants in between
   std::vector<History> histories;
   std::vector<QuantityResult> quantities;
