@@ -201,10 +201,13 @@ LineMesh mesh_routes(const Scene &scene) {
       piece.n_cells = cells_of_piece(scene.mesh, *segment, piece.length);
       if (scene.pipes[p].end_section)
         piece.n_cells = std::max(piece.n_cells, cells_of_reducer);
-      if (scene.mesh.arcs && piece.length > smallest_arc * segment->radius &&
-          segment->radius > 0.) {
-        piece.n_cells = 1;
-        piece.arc_centre = segment->centre;
+      if (scene.mesh.arcs && segment->radius > 0.) {
+        const double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length;
+        const int n = std::max(1, static_cast<int>(std::ceil(piece.length / longest - 1e-9)));
+        if (piece.length > n * smallest_arc * segment->radius) {
+          piece.n_cells = n;
+          piece.arc_centre = segment->centre;
+        }
       }
       const int first = gmsh_point(segment->point(begin - segment->start));
       const int last = gmsh_point(segment->point(end - segment->start));

@@ -10,8 +10,9 @@ void declare_mesh(ParameterReader &in) {
   in.declare_text("File", "", "path of a .geo or .msh file, from the parameter file's folder",
                   "A mesh of your own: its physical curves are the pipes, its physical points the "
                   "points. Empty: the routes are meshed.");
-  in.declare_number("Cell length", 0., "m", 0., 1e300,
-                    "Longest cell of a straight run; 0: one cell from point to point.");
+  in.declare_number(
+      "Cell length", 0., "m", 0., 1e300,
+      "Longest cell of a straight run, and of an arc; 0: one cell from point to point.");
   in.declare_choice("Bends", "straight pieces", {"straight pieces", "arcs"},
                     "Of routes. straight pieces: cut into cells; arcs: one exact curved element "
                     "between two points of a bend.");
