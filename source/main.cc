@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "chart_command.h"
+#include "check_command.h"
+#include "compare_command.h"
 #include "contact_command.h"
 #include "run_case.h"
 
@@ -21,6 +23,9 @@ const char *const usage =
     "frictionbeam CASE.prm [options]     solve a piping line on friction supports\n"
     "  --set \"Section/Entry = value\"     change an entry of the file; may be repeated\n"
     "  --output-directory FOLDER         where results go (default: output/CASE)\n"
+    "frictionbeam check CASE.prm          draw the model and say what was understood; solve "
+    "nothing\n"
+    "frictionbeam compare FOLDER FOLDER   what changes between the results of two runs, and where\n"
     "frictionbeam contact FILE.hdf5      solve a friction-contact problem in the format of FCLIB\n"
     "frictionbeam chart LIST.prm             run a list of configurations, draw error against "
     "time\n"
@@ -89,6 +94,13 @@ int main(int argc, char **argv) {
       return solve_contact_command(argc, argv);
     if (argc > 1 && std::string(argv[1]) == "chart")
       return frictionbeam::chart_command(std::vector<std::string>(argv + 2, argv + argc));
+    if (argc > 1 && std::string(argv[1]) == "compare") {
+      if (argc != 4)
+        throw frictionbeam::UserError("'frictionbeam compare' takes two folders with results: "
+                                      "frictionbeam compare output/a output/b");
+      return frictionbeam::compare_runs(argv[2], argv[3]);
+    }
+    const bool check = argc > 1 && std::string(argv[1]) == "check";
     // A process by itself needs no MPI, nor the daemon, network interface and common folder that
     // Open MPI wants: programs that start at the same time would get in each other's way there.
     std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
@@ -96,7 +108,9 @@ int main(int argc, char **argv) {
       mpi.emplace(argc, argv, 1);
     dealii::MultithreadInfo::set_thread_limit(1); // a line is too small to share out
     frictionbeam::RunOptions options;
-    return read_command_line(argc, argv, options) ? run_case(options) : 0;
+    if (!read_command_line(argc - (check ? 1 : 0), argv + (check ? 1 : 0), options))
+      return 0;
+    return check ? check_case_file(options) : run_case(options);
   } catch (const frictionbeam::UserError &error) {
     std::cerr << error.what() << '\n';
     return 1;

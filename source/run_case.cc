@@ -1,96 +1,37 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run_case.h"
-
 #include "run_continuum.h"
+#include "size_hangers.h"
+#include "solve_scene.h"
 #include "solve_to_accuracy.h"
 
-#include <frictionbeam/analysis/load_sequence.h>
-#include <frictionbeam/model/mechanism.h>
 #include <frictionbeam/model/processes.h>
 #include <frictionbeam/results/both_models.h>
-#include <frictionbeam/results/collector.h>
-#include <frictionbeam/results/contact_problem_writer.h>
-#include <frictionbeam/results/csv_writer.h>
-#include <frictionbeam/results/derived_cases.h>
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
 #include <frictionbeam/results/report_modes.h>
+#include <frictionbeam/results/report_study.h>
+#include <frictionbeam/results/stresses.h>
 #include <frictionbeam/results/summary.h>
 #include <frictionbeam/results/text.h>
-#include <frictionbeam/results/vtu_writer.h>
 #include <frictionbeam/scene/read_scene.h>
+#include <frictionbeam/scene/user_error.h>
 
 #include <deal.II/base/timer.h>
 
 #include <sys/resource.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <iostream>
-#include <map>
-#include <memory>
 #include <set>
 
 namespace frictionbeam {
 
 namespace {
 
-/// A line that is written over on a terminal; nothing in a log.
-class ProgressLine {
-public:
-  explicit ProgressLine(const Scene &scene) : scene(scene), on_terminal(isatty(STDERR_FILENO)) {}
-  ~ProgressLine() {
-    if (shown)
-      std::cerr << "\r\033[K";
-  }
-
-  void show(const LoadSequence::Progress &progress) {
-    if (!on_terminal || progress.n_increments == 0)
-      return;
-    shown = true;
-    std::cerr << "\r\033[K" << scene.steps[progress.step].name << ' ' << progress.increment << '/'
-              << progress.n_increments << std::flush;
-  }
-
-private:
-  const Scene &scene;
-  const bool on_terminal;
-  bool shown = false;
-};
-
 double peak_memory_mb() {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss / 1024.;
-}
-
-/// Which supports' states may not be the only ones, in a sentence; empty if none is known.
-std::string several_equilibria(const Results &results) {
-  std::map<unsigned int, BeyondUniqueness> worst;
-  std::string steps, supports;
-  for (const StepReport &step : results.steps) {
-    if (!step.several_equilibria.empty())
-      steps += (steps.empty() ? "" : ", ") + step.step;
-    for (const BeyondUniqueness &beyond : step.several_equilibria)
-      if (const auto [entry, is_new] = worst.try_emplace(beyond.contact, beyond);
-          !is_new && beyond.limit < entry->second.limit)
-        entry->second = beyond;
-  }
-  if (worst.empty())
-    return "";
-  constexpr std::size_t most_named = 5;
-  std::size_t n = 0;
-  for (const auto &[contact, beyond] : worst)
-    if (++n <= most_named)
-      supports += (supports.empty() ? "" : ", ") + results.supports[contact].name +
-                  " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
-                  rounded_number(beyond.limit, 3) + ")";
-  if (n > most_named)
-    supports += " and " + std::to_string(n - most_named) + " more";
-  return "Several equilibria are possible at the end of " + steps +
-         ", since friction exceeds the limit K_tt/|K_tn| up to which a support's state is "
-         "unique: " +
-         supports + ". The answer is the one reached along the declared load sequence.";
 }
 
 void print_summary(const Scene &scene, const Results &results, const std::string &folder) {
@@ -115,173 +56,76 @@ void print_summary(const Scene &scene, const Results &results, const std::string
   std::cout << "Results are in " << folder << ", the report is report.html\n";
 }
 
-/// Whether the end of this step says which supports hold when the line vibrates.
-bool wants_modes_after(const Scene &scene, const unsigned int step) {
-  return scene.modal.n_modes > 0 &&
-         (scene.modal.step.empty() ? !scene.steps[step].transient
-                                   : scene.steps[step].name == scene.modal.step);
+/// The scene with all friction coefficients multiplied.
+Scene with_friction(Scene scene, const LawLibrary &laws, const double multiplier) {
+  for (FrictionSupport &support : scene.supports) {
+    const LawDescription &law = laws.find(support.law);
+    for (int i = 0; i < law.n_parameters; ++i) {
+      const std::string name = law.parameters[i].name;
+      double &value = support.parameters[i];
+      if ((name == "Friction coefficient" || name == "Dynamic friction coefficient") && value > 0.)
+        value *= multiplier;
+    }
+  }
+  return scene;
 }
 
-/// Modes, spectra and combinations; their names become steps of the scene, for the writers.
-void add_derived_cases(const Model &model, const std::optional<LineState> &modal_state,
-                       Scene &scene, Collector &collector, Results &results) {
-  const unsigned int n_steps = scene.steps.size();
-  std::optional<Frame> response;
-  if (modal_state) {
-    const ModalAnalysis analysis(model, *modal_state, scene.modal);
-    add_modes(model, analysis, results);
-    if (!scene.spectra.empty()) {
-      response = spectrum_response(model, analysis);
-      results.remarks.push_back(
-          "Friction is off in the modes and in the response to the spectra: a closed support holds "
-          "along its normal only. The method is linear and cannot do otherwise; a transient step "
-          "has friction.");
-    } else if (model.contacts.size() > 0)
-      results.remarks.push_back(
-          std::string("In the modes, closed supports hold along their normals") +
-          (scene.modal.friction_holds ? ", and those that stick sideways too; slipping ones do not."
-                                      : " only: friction is off."));
-  }
-  for (const std::string &name : derived_case_names(scene)) {
-    LoadStep step;
-    step.name = name;
-    scene.steps.push_back(step);
-  }
-  unsigned int next = n_steps;
-  if (response) {
-    response->step = next++;
-    collector.observe_case("spectrum", *response);
-  }
-  for (const Combination &combination : scene.combinations) {
-    std::vector<const Frame *> frames;
-    for (const auto &part : combination.cases)
-      for (const Frame &frame : results.frames)
-        if (frame.end_of_step && step_name(scene, frame) == part.first)
-          frames.push_back(&frame);
-    if (frames.size() != combination.cases.size())
-      continue; // a transient step may have been left out
-    Frame frame = combine(combination, frames);
-    frame.step = next++;
-    collector.observe_case(combination.name, frame);
+/// Solve the scene again for each multiplier of friction, each into a folder of its own.
+void study_friction(const Scene &scene, const LawLibrary &laws, Results &results) {
+  FrictionStudy &study = results.friction_study;
+  std::set<std::string> other_laws;
+  for (const FrictionSupport &support : scene.supports)
+    if (support.law != "coulomb")
+      other_laws.insert(support.law);
+  for (const std::string &law :
+       scene.friction_multipliers.empty() ? std::set<std::string>{} : other_laws)
+    results.remarks.push_back("The study multiplies parameters called 'Friction coefficient' and "
+                              "'Dynamic friction coefficient'; the law '" +
+                              law + "' is left as it is unless it has them.");
+  for (const SupportInfo &support : results.supports)
+    study.names.push_back(support.name);
+  for (const RestraintInfo &restraint : results.restraints)
+    study.names.push_back(restraint.name);
+  for (const double multiplier : scene.friction_multipliers) {
+    Scene variant = with_friction(scene, laws, multiplier);
+    variant.output.directory += "/friction_" + rounded_number(multiplier);
+    variant.output.vtu = false;
+    prepare_output_folder(variant.output.directory);
+    Results other;
+    const dealii::Timer wall;
+    try {
+      other = solve_scene(variant, laws);
+    } catch (const UserError &error) { // without friction, something may move freely
+      results.remarks.push_back("With friction times " + rounded_number(multiplier) +
+                                " there is no run: " + error.what());
+      continue;
+    }
+    other.cost.peak_memory_mb = peak_memory_mb();
+    other.cost.wall_seconds = wall.wall_time();
+    write_summary(variant, other, variant.output.directory);
+    if (other.status != RunStatus::converged)
+      results.remarks.push_back("With friction times " + rounded_number(multiplier) +
+                                " the run is not converged: its row of the study is what it "
+                                "reached.");
+    study.multipliers.push_back(multiplier);
+    study.largest.push_back(largest_forces(other));
   }
 }
 
 /// Solve the scene as beams, and write everything but summary and report.
 Results run_line(Scene &scene, const LawLibrary &laws) {
+  Scene as_read;
   Results results;
-  results.units = scene.units;
-  dealii::Timer timer;
-  const LineMesh mesh = build_line_mesh(scene);
-  results.cost.mesh_seconds = timer.wall_time();
-
-  timer.restart();
-  const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
-                                     [](const LoadStep &step) { return step.transient; });
-  const Discretization discretization(scene, mesh, laws);
-  const ReducedSpace space(scene, mesh, discretization);
-  const Contacts contacts(scene, mesh, discretization, space, laws);
-  if (!transient)
-    for (const std::string &warning :
-         check_mechanisms(scene, mesh, discretization, space, contacts))
-      results.remarks.push_back(warning);
-  std::set<std::string> without_threshold;
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    if (contacts[i].law->threshold == nullptr)
-      without_threshold.insert(contacts[i].law->name);
-  if (scene.solver.method == SolverSettings::Method::exact)
-    for (const std::string &law : without_threshold)
-      results.remarks.push_back("The law '" + law +
-                                "' has no threshold in closed form: the exact "
-                                "method evaluates it as it is, by Newton's method.");
-  const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
-  const Model model{scene, mesh, discretization, space, contacts, linear};
-  LoadSequence sequence(model);
-  results.cost.setup_seconds = timer.wall_time();
-
-  std::unique_ptr<CsvWriter> csv;
-  std::unique_ptr<VtuWriter> vtu;
-  Collector collector(model, results, [&](const Frame &frame) {
-    const Frame shown = scene.units.is_si() ? frame : in_units(scene.units, frame);
-    csv->append(shown);
-    if (vtu)
-      vtu->append(shown);
-  });
-  csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory);
-  if (scene.output.vtu)
-    vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
-  std::unique_ptr<ContactProblemWriter> contact_problems;
-  if (scene.output.contact_problems)
-    contact_problems = std::make_unique<ContactProblemWriter>(model, results);
-
-  timer.restart();
-  dealii::Timer output_timer;
-  output_timer.reset();
-  bool converged;
-  std::optional<LineState> modal_state; // at the end of the step that modes start from
-  {
-    ProgressLine progress_line(scene);
-    converged = sequence.run(
-        [&](const LoadSequence::Progress &progress, const LineState &state) {
-          output_timer.start();
-          progress_line.show(progress);
-          collector.observe(progress.step, progress.increment, progress.n_increments, state);
-          if (progress.increment == progress.n_increments &&
-              wants_modes_after(scene, progress.step))
-            modal_state = state;
-          output_timer.stop();
-        },
-        [&](const LoadSequence::Progress &progress, const LineState &state) {
-          output_timer.start();
-          if (contact_problems)
-            contact_problems->observe(progress, state);
-          output_timer.stop();
-        });
+  try {
+    size_hangers(scene, laws);
+    as_read = scene;
+    results = solve_scene(scene, laws);
+  } catch (const UserError &error) {
+    throw UserError(with_place(scene, error.what()));
   }
-  results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
-  if (converged)
-    add_derived_cases(model, modal_state, scene, collector, results);
-  collector.finish(sequence.state());
-  csv->finish();
-  if (vtu) {
-    vtu->append_modes();
-    vtu->finish();
-  }
-  results.steps = sequence.reports();
-  results.status = converged                                  ? RunStatus::converged
-                   : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
-                                                              : RunStatus::failed;
-  switch (scene.solver.method) {
-  case SolverSettings::Method::elastic:
-    results.method = "elastic: elastic stiffness kept, residual forces sent back";
-    break;
-  case SolverSettings::Method::newton:
-    results.method = "newton: consistent tangent of the return mapping, line search";
-    break;
-  case SolverSettings::Method::exact:
-    results.method = "exact: Signorini and Coulomb by a proximal-point semismooth Newton method";
-  }
-  results.integrator = sequence.integrator_name();
-  if (!results.integrator.empty())
-    results.method += "; transient steps by " + results.integrator;
-  for (const StepReport &step : results.steps) {
-    results.cost.iterations += step.iterations;
-    results.cost.factorizations += step.factorizations;
-    results.cost.steps += step.increments;
-  }
-  for (const StepReport &step : results.steps) {
-    const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
-    if (step.energy.at_hand > 0. && gained > 1e-3 * step.energy.at_hand)
-      results.remarks.push_back("Step " + step.step + ": the integrator has gained " +
-                                rounded_number(100. * gained / step.energy.at_hand, 2) +
-                                " % of the largest energy in motion, at contacts. Take a shorter "
-                                "time step, moreau_jean or event.");
-  }
-  if (const std::string remark = several_equilibria(results); !remark.empty())
-    results.remarks.push_back(remark);
-  results.certify(scene);
-  results.cost.unknowns = space.n_unknowns();
-  results.cost.cells = discretization.pipe_cells().size();
-  results.cost.contacts = contacts.size();
+  study_friction(as_read, laws, results);
+  write_stresses(scene, results, scene.output.directory);
+  write_friction_study(results, scene.output.directory);
   return results;
 }
 

@@ -26,13 +26,28 @@ Vector Residual::operator()(const Vector &unknowns, const LawTangent tangent,
   space.expand(unknowns, dofs);
   dofs += problem.imposed;
   evaluate(dofs, tangent, response);
-  return with_stress(unknowns, response);
+  return with_stress(unknowns, Vector(), response);
 }
 
-Vector Residual::with_stress(const Vector &unknowns, const ContactResponse &response) const {
+Vector Residual::with_stress(const Vector &unknowns, const Vector &low,
+                             const ContactResponse &response) const {
   Vector forces = Vector::Zero(unknowns.size());
   contacts.add_forces(response, forces);
-  return problem.right_hand_side - problem.matrix * unknowns - forces;
+  if (low.size() == 0)
+    return problem.right_hand_side - problem.matrix * unknowns - forces;
+  return unbalanced_forces(problem, unknowns, low) - forces;
+}
+
+Vector unbalanced_forces(const EquilibriumProblem &problem, const Vector &unknowns,
+                         const Vector &low) {
+  Vector forces(unknowns.size());
+  for (int i = 0; i < problem.matrix.outerSize(); ++i) {
+    long double sum = problem.right_hand_side[i];
+    for (SparseMatrix::InnerIterator entry(problem.matrix, i); entry; ++entry)
+      sum -= entry.value() * (static_cast<long double>(unknowns[entry.col()]) + low[entry.col()]);
+    forces[i] = static_cast<double>(sum);
+  }
+  return forces;
 }
 
 double Residual::largest_force(const ContactResponse &response) const {

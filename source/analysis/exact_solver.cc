@@ -2,6 +2,7 @@
 #include "exact_solver.h"
 
 #include <algorithm>
+#include <random>
 
 namespace frictionbeam {
 
@@ -15,6 +16,7 @@ constexpr double first_proximal = 1e-3, largest_factor = 100., first_growth = 10
                  least_growth = 2., retreat = 30.;
 constexpr unsigned int most_outer = 60, most_failures = 20, most_to_finish = 15;
 constexpr unsigned int most_refinements = 5;
+constexpr unsigned int most_restarts = 30;
 
 } // namespace
 
@@ -33,14 +35,19 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
   const auto centre_before = proximal.centre;
   const Vector unknowns_before = unknowns;
   Vector dofs;
+  // A line may deflect so far that its stiffness times a rounding error of the unknowns is a force:
+  // what rounding takes from them is kept until the increment is judged.
+  Vector low = Vector::Zero(unknowns.size());
   for (unsigned int pass = 0; pass <= most_refinements; ++pass) {
     space.expand(unknowns, dofs);
     dofs += problem.imposed;
-    const Vector forces = problem.right_hand_side - problem.matrix * unknowns;
+    const Vector forces = unbalanced_forces(problem, unknowns, low);
     newton.begin(forces, problem.right_hand_side.lpNorm<Eigen::Infinity>(), dofs, committed,
                  problem.time, problem.time_increment);
     Vector x = Vector::Zero(line.n_kept());
-    const Outcome outcome = solve_contacts(x, response, result);
+    Outcome outcome = solve_contacts(x, response, result);
+    if (outcome == Outcome::stalled)
+      outcome = solve_from_elsewhere(x, response, result);
     if (outcome != Outcome::solved) {
       result.no_equilibrium = outcome == Outcome::slides_away;
       if (result.no_equilibrium)
@@ -48,8 +55,10 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                         "line slides away";
       break;
     }
-    unknowns += line.expand(x, forces);
-    const Vector left = residual.with_stress(unknowns, response);
+    const Vector before = unknowns, change = low + line.expand(x, forces);
+    unknowns += change;
+    low = change - (unknowns - before);
+    const Vector left = residual.with_stress(unknowns, low, response);
     const double size = left.lpNorm<Eigen::Infinity>(), largest = residual.largest_force(response);
     result.residual = largest > 0. ? size / largest : size;
     if (size <= residual.tolerance(settings.tolerance, diagonal, unknowns, response)) {
@@ -88,6 +97,29 @@ ExactSolver::Outcome ExactSolver::solve_contacts(Vector &x, ContactResponse &res
     proximal.centre = centre_before;
   }
   return solve_by_proximal_steps(x, response, result);
+}
+
+ExactSolver::Outcome ExactSolver::solve_from_elsewhere(Vector &x, ContactResponse &response,
+                                                       EquilibriumResult &result) {
+  const std::vector<double> coefficients = proximal.friction_coefficients();
+  const auto centre = proximal.centre;
+  std::minstd_rand random; // always the same sequence: equal inputs give equal results
+  std::uniform_real_distribution<double> portion(0., 1.), multiple(0., 2.);
+  Outcome outcome = Outcome::stalled;
+  for (unsigned int k = 0; k < most_restarts && outcome == Outcome::stalled; ++k) {
+    for (unsigned int i = 0; i < centre.size(); ++i)
+      proximal.centre[i] = multiple(random) * centre[i];
+    std::vector<double> reduced = coefficients;
+    const double share = portion(random);
+    for (double &friction : reduced)
+      friction *= share;
+    x.setZero();
+    proximal.set_friction_coefficients(reduced);
+    solve_contacts(x, response, result);
+    proximal.set_friction_coefficients(coefficients);
+    outcome = solve_contacts(x, response, result);
+  }
+  return outcome;
 }
 
 ExactSolver::Outcome ExactSolver::solve_by_proximal_steps(Vector &x, ContactResponse &response,

@@ -35,6 +35,9 @@ private:
 
   /// From the displacements that newton began with.
   Outcome solve_contacts(Vector &x, ContactResponse &response, EquilibriumResult &result);
+  /// Both again, from scattered contact forces and by way of less friction: far above the limit of
+  /// uniqueness, states that are near in time need not be near each other.
+  Outcome solve_from_elsewhere(Vector &x, ContactResponse &response, EquilibriumResult &result);
   Outcome solve_by_proximal_steps(Vector &x, ContactResponse &response, EquilibriumResult &result);
 
   const SolverSettings &settings;

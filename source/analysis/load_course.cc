@@ -35,7 +35,7 @@ LoadCourse::Factors LoadCourse::factors(const double time) const {
 }
 
 Vector LoadCourse::forces(const Factors &factors) const {
-  Vector result = model.contacts.platen_forces();
+  Vector result = model.contacts.platen_forces() + model.linear.preload();
   for (unsigned int l = 0; l < factors.size(); ++l)
     if (factors[l] != 0.)
       result += factors[l] * model.linear.forces(l);

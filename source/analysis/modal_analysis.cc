@@ -107,6 +107,27 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
           D(r, c) = 0.;
   }
   contacts.add_tangent(held, K);
+  snubber_stiffness = rigid * stiffest;
+  for_each_snubber([&](const std::string &, const unsigned int vertex, const Tensor<1, 6> &h) {
+    const VertexDofs &at = model.discretization.vertex_dofs();
+    for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int j = 0; j < 6; ++j)
+        if (h[i] != 0. && h[j] != 0.)
+          for (const auto &row : model.space.terms(at.index(vertex, i)))
+            for (const auto &column : model.space.terms(at.index(vertex, j)))
+              add_to(K, row.unknown, column.unknown,
+                     snubber_stiffness * h[i] * h[j] * row.weight * column.weight);
+  });
+}
+
+void ModalAnalysis::for_each_snubber(
+    const std::function<void(const std::string &, const unsigned int, const Tensor<1, 6> &)>
+        &function) const {
+  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
+    if (model.scene.restraints[i].dynamic_only)
+      for (const Site &site : model.mesh.restraints[i])
+        for (const Tensor<1, 6> &direction : held_directions(model.scene.restraints[i], site))
+          function(model.scene.restraints[i].name, site.vertex, direction);
 }
 
 void ModalAnalysis::solve_dense(const unsigned int n) {
@@ -227,6 +248,13 @@ Vector ModalAnalysis::support_motion(const unsigned int d,
     if (moves(spring.name) && spring.other.empty())
       for (const auto &term : model.space.terms(at.index(model.mesh.points.at(spring.point), d)))
         forces[term.unknown] += term.weight * spring.stiffness[d];
+  for_each_snubber([&](const std::string &name, const unsigned int vertex, const Tensor<1, 6> &h) {
+    if (moves(name))
+      for (unsigned int c = 0; c < 6; ++c)
+        if (h[c] != 0.)
+          for (const auto &term : model.space.terms(at.index(vertex, c)))
+            forces[term.unknown] += term.weight * snubber_stiffness * h[c] * h[d];
+  });
   return C * factors.solve(forces) + dofs;
 }
 
@@ -242,6 +270,7 @@ double ModalAnalysis::total_mass(const unsigned int d) const {
 LineState ModalAnalysis::displaced(const Vector &unknowns) const {
   LineState state = start;
   state.unknowns = unknowns;
+  state.with_preload = false;
   model.space.expand(unknowns, state.dofs);
   state.load_factors.assign(state.load_factors.size(), 0.);
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {

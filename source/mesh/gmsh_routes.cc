@@ -148,8 +148,11 @@ struct Piece {
   double start, length, bend_radius;
   int n_cells;
   std::optional<Point3> arc_centre; ///< of an arc in one cell
+  Vector3 bend_axis;
 };
 
+/// A reducer's section changes from cell to cell.
+constexpr int cells_of_reducer = 10;
 /// A bend of a smaller angle than this [rad] is as well a straight cell.
 constexpr double smallest_arc = 0.02;
 
@@ -192,12 +195,19 @@ LineMesh mesh_routes(const Scene &scene) {
       while (begin >= segment->start + segment->length - tolerance &&
              segment + 1 != paths[p].segments().end())
         ++segment;
-      Piece piece{0, begin, end - begin, segment->radius, 0, {}};
+      Piece piece{0, begin, end - begin, segment->radius, 0, {}, {}};
+      if (segment->radius > 0.)
+        piece.bend_axis = cross_product_3d(segment->first_tangent, segment->inward);
       piece.n_cells = cells_of_piece(scene.mesh, *segment, piece.length);
-      if (scene.mesh.arcs && piece.length > smallest_arc * segment->radius &&
-          segment->radius > 0.) {
-        piece.n_cells = 1;
-        piece.arc_centre = segment->centre;
+      if (scene.pipes[p].end_section)
+        piece.n_cells = std::max(piece.n_cells, cells_of_reducer);
+      if (scene.mesh.arcs && segment->radius > 0.) {
+        const double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length;
+        const int n = std::max(1, static_cast<int>(std::ceil(piece.length / longest - 1e-9)));
+        if (piece.length > n * smallest_arc * segment->radius) {
+          piece.n_cells = n;
+          piece.arc_centre = segment->centre;
+        }
       }
       const int first = gmsh_point(segment->point(begin - segment->start));
       const int last = gmsh_point(segment->point(end - segment->start));
@@ -250,6 +260,8 @@ LineMesh mesh_routes(const Scene &scene) {
                     ExcMessage("gmsh did not list the cells of a curve in its direction."));
         pipe.vertices.push_back(vertex_of(nodes[0][2 * i + 1]));
         pipe.s.push_back(piece.start + (i + 1) * piece.length / piece.n_cells);
+        if (piece.bend_radius > 0.)
+          pipe.bend_axis[pipe.bend_radius.size()] = piece.bend_axis;
         if (piece.arc_centre)
           pipe.arc_centre[pipe.bend_radius.size()] = *piece.arc_centre;
         pipe.bend_radius.push_back(piece.bend_radius);

@@ -12,7 +12,8 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-double bend_flexibility(const Pipe &pipe, const Section &section, const double bend_radius) {
+double bend_flexibility(const Pipe &pipe, const Section &section, const Material &material,
+                        const double bend_radius) {
   if (bend_radius == 0. || pipe.bend_flexibility.rule == BendFlexibility::Rule::none)
     return 1.;
   if (pipe.bend_flexibility.rule == BendFlexibility::Rule::given)
@@ -24,7 +25,12 @@ double bend_flexibility(const Pipe &pipe, const Section &section, const double b
                     section.name +
                     "', which is given by its area and inertia. Give them, a number, or none.");
   const double r = section.outer_radius - section.wall / 2.;
-  return std::max(1., 1.65 * r * r / (section.wall * bend_radius));
+  const double t = section.wall, R = bend_radius, h = t * R / (r * r);
+  if (pipe.bend_flexibility.rule == BendFlexibility::Rule::von_karman)
+    return (10. + 12. * h * h) / (1. + 12. * h * h);
+  const double stiffening = 1. + 6. * pipe.bend_flexibility.pressure / material.youngs_modulus *
+                                     std::pow(r / t, 7. / 3.) * std::cbrt(R / r);
+  return std::max(1., 1.65 / h / stiffening);
 }
 
 Vector3 resolve(const Direction &direction, const Vector3 &tangent, const std::string &part) {
@@ -76,6 +82,9 @@ std::pair<FE_FrictionBeam::Rotations, bool> element_option(const FrictionSupport
   }
 }
 
+/// How many times stiffer than its section a valve or flange is.
+constexpr double rigid_part = 1000.;
+
 Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
                      const double bend_radius, const std::optional<Point3> &arc_centre,
                      const LawDescription &law) {
@@ -84,11 +93,17 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   profile.EA = E * section.area;
   profile.GA = G * section.shear_area;
   profile.GJ = G * section.torsion_constant;
-  profile.EI = E * section.inertia / bend_flexibility(pipe, section, bend_radius);
+  profile.EI = E * section.inertia / bend_flexibility(pipe, section, material, bend_radius);
   profile.mass = material.density * section.area + section.added_mass;
+  profile.wind_diameter = 2. * (section.outer_radius + section.insulation);
   profile.rotary_inertia = section.rotary_inertia ? material.density * section.inertia : 0.;
-  profile.expansion = material.expansion;
+  profile.material = material;
   profile.pressure_strain = section.bore_area() * (1. - 2. * material.poissons_ratio) / profile.EA;
+  if (pipe.rigid) {
+    for (double *rigidity : {&profile.EA, &profile.GA, &profile.GJ, &profile.EI})
+      *rigidity *= rigid_part;
+    profile.pressure_strain /= rigid_part;
+  }
   if (arc_centre) {
     // The Bourdon effect: pressure straightens a bend (MEL 10-66, eq. 3-29).
     const double r = section.outer_radius - section.wall / 2., nu = material.poissons_ratio;
@@ -100,6 +115,16 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   }
   profile.tangent = section_tangent(law, profile);
   return profile;
+}
+
+/// Of a reducer, the section in the middle of a cell; of another pipe, its own.
+Section section_of(const Scene &scene, const Pipe &pipe, const MeshedPipe &meshed,
+                   const unsigned int cell) {
+  const Section &begin = scene.sections[pipe.section];
+  if (!pipe.end_section)
+    return begin;
+  return between(begin, scene.sections[*pipe.end_section],
+                 (meshed.s[cell] + meshed.s[cell + 1]) / (2. * meshed.s.back()));
 }
 
 } // namespace
@@ -158,6 +183,7 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
     cell->set_active_fe_index(fe_index[origin.index]);
   }
   dofs.distribute_dofs(fe);
+  add_joints(scene, mesh);
   dofs_at_vertex = std::make_unique<const VertexDofs>(dofs);
 }
 
@@ -183,13 +209,16 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
       const auto arc = meshed.arc_centre.find(i);
       const bool is_arc = arc != meshed.arc_centre.end();
       unsigned int id = sections.size();
-      if (!is_arc)
+      if (!is_arc && !pipe.end_section)
         id = known.try_emplace({p, meshed.bend_radius[i]}, id).first->second;
       if (id == sections.size())
-        sections.push_back(make_profile(pipe, scene.sections[pipe.section],
+        sections.push_back(make_profile(pipe, section_of(scene, pipe, meshed, i),
                                         scene.materials[pipe.material], meshed.bend_radius[i],
                                         is_arc ? std::optional<Point3>(arc->second) : std::nullopt,
                                         law));
+      if (id + 1 == sections.size() && pipe.total_mass)
+        sections[id].mass =
+            *pipe.total_mass / meshed.s.back() + scene.sections[pipe.section].added_mass;
       cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, id});
       fe_index.push_back(is_arc ? 1 : 0);
       pipes.push_back({p, i, false});

@@ -17,7 +17,8 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile) {
+CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile,
+                   const Vector3 &chord) {
   CellLoad result;
   if (!load.pipes.empty() && std::count(load.pipes.begin(), load.pipes.end(), pipe) == 0)
     return result;
@@ -29,12 +30,20 @@ CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &pro
     result.line_force = load.vector;
     break;
   case Load::Kind::temperature:
-    result.axial_strain = profile.expansion * load.value;
+    result.axial_strain =
+        profile.material.thermal_strain(load.installation, load.installation + load.value);
     break;
   case Load::Kind::pressure:
     result.axial_strain = profile.pressure_strain * load.value;
     result.curvature = profile.pressure_curvature * load.value;
+    result.pressure = load.value;
     break;
+  case Load::Kind::wind: {
+    const double q = load.vector.norm();
+    const Vector3 t = chord / chord.norm(), across = (load.vector - (load.vector * t) * t) / q;
+    result.line_force = q * profile.wind_diameter * across.norm() * across;
+    break;
+  }
   case Load::Kind::force:
   case Load::Kind::displacement:
     break;
@@ -281,14 +290,16 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
 
     const auto line = element.unit_line_loads();
     const PipeElement::Vector12 strain = element.unit_axial_strain(),
-                                curvature = element.unit_curvature();
+                                curvature = element.unit_curvature(),
+                                thrust = element.unit_thrust();
     for (unsigned int l = 0; l < scene.loads.size(); ++l) {
-      const CellLoad load = cell_load(scene.loads[l], pipe, element.profile());
-      if (load.axial_strain == 0. && load.line_force.norm() == 0.)
+      const CellLoad load =
+          cell_load(scene.loads[l], pipe, element.profile(), cell->vertex(1) - cell->vertex(0));
+      if (load.axial_strain == 0. && load.line_force.norm() == 0. && load.pressure == 0.)
         continue;
       const PipeElement::Vector12 forces =
           line * Eigen::Vector3d(load.line_force[0], load.line_force[1], load.line_force[2]) +
-          load.axial_strain * strain + load.curvature * curvature;
+          load.axial_strain * strain + load.curvature * curvature + load.pressure * thrust;
       for (unsigned int i = 0; i < 12; ++i)
         for (const auto &term : space.terms(dofs[i]))
           load_forces[l][term.unknown] += term.weight * forces[i];
@@ -306,6 +317,10 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
 void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
                              const Discretization &discretization, const ReducedSpace &space) {
   const VertexDofs &vertex_dofs = discretization.vertex_dofs();
+  spring_preload = Vector::Zero(space.n_unknowns());
+  for (const Spring &spring : scene.springs)
+    for (const auto &term : space.terms(vertex_dofs.index(mesh.points.at(spring.point), 2)))
+      spring_preload[term.unknown] += term.weight * spring.preload;
   for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c) {
       if (spring.stiffness[c] == 0.)

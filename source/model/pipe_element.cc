@@ -3,6 +3,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 
 namespace frictionbeam {
@@ -37,9 +39,35 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
     for (unsigned int i = 0; i < 12; ++i)
       strains[q][i] = bend ? arc_strain(*values, *bend, values->get_quadrature().point(q)[0], i, q)
                            : generalized_strain(*values, axes, i, q);
+  const CellJoints *const joints = discretization.joints(cell);
+  jointed = joints != nullptr;
+  if (jointed)
+    add_joints(*joints);
+}
+
+void PipeElement::add_joints(const CellJoints &joints) {
+  Matrix12 F = Matrix12::Zero();
+  for (unsigned int end = 0; end < 2; ++end)
+    for (unsigned int i = 0; i < 6; ++i) {
+      pushed[6 * end + i] = joints.thrust[end][i];
+      for (unsigned int j = 0; j < 6; ++j)
+        F(6 * end + i, 6 * end + j) = joints.flexibility[end][i][j];
+    }
+  beyond = (Matrix12::Identity() + F * plain_stiffness()).inverse();
 }
 
 PipeElement::Matrix12 PipeElement::stiffness() const {
+  return jointed ? Matrix12(plain_stiffness() * beyond) : plain_stiffness();
+}
+
+PipeElement::Vector12 PipeElement::unit_thrust() const {
+  if (!jointed)
+    return Vector12::Zero();
+  // The ends stand at beyond (u + pushed): forces K beyond pushed are missing for u = 0.
+  return -plain_stiffness() * beyond * pushed;
+}
+
+PipeElement::Matrix12 PipeElement::plain_stiffness() const {
   Matrix12 result = Matrix12::Zero();
   for (unsigned int q = 0; q < strains.size(); ++q) {
     Eigen::Matrix<double, 6, 12> B;
@@ -58,6 +86,8 @@ Eigen::Matrix<double, 12, 3> PipeElement::unit_line_loads() const {
     for (unsigned int i = 0; i < 12; ++i)
       for (unsigned int d = 0; d < 3; ++d)
         result(i, d) += values->shape_value_component(i, q, d) * stretch * values->JxW(q);
+  if (jointed)
+    return beyond.transpose() * result;
   return result;
 }
 
@@ -66,6 +96,8 @@ PipeElement::Vector12 PipeElement::unit_axial_strain() const {
   for (unsigned int q = 0; q < strains.size(); ++q)
     for (unsigned int i = 0; i < 12; ++i)
       result[i] += strains[q][i][0] * section->EA * stretch * values->JxW(q);
+  if (jointed)
+    return beyond.transpose() * result;
   return result;
 }
 
@@ -79,6 +111,8 @@ PipeElement::Vector12 PipeElement::unit_curvature() const {
                      (strains[q][i][4] * (axes.y * bend->axis()) +
                       strains[q][i][5] * (axes.z * bend->axis()));
     }
+  if (jointed)
+    return beyond.transpose() * result;
   return result;
 }
 
@@ -110,6 +144,8 @@ PipeElement::Matrix12 PipeElement::mass(const Discretization::Cell &cell) {
       }
     }
   }
+  if (jointed)
+    return beyond.transpose() * result * beyond;
   return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/results/collector.h>
+#include <frictionbeam/results/stresses.h>
 
 #include <frictionbeam/scene/user_error.h>
 
@@ -14,6 +15,10 @@ const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
 const std::vector<std::string> velocities = {"vx", "vy", "vz", "wx", "wy", "wz"};
 const std::vector<std::string> forces = {"fx", "fy", "fz", "mx", "my", "mz"};
 const std::vector<std::string> section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"};
+
+/// What is known only when everything else is: see finish().
+const std::vector<std::string> of_the_end = {"frequency", "flexibility", "sif_in",     "sif_out",
+                                             "SL",        "SE",          "utilization"};
 
 /// Place in a list of words, or -1.
 int place(const std::vector<std::string> &words, const std::string &word) {
@@ -64,6 +69,8 @@ std::string unit_of(const std::string &what) {
     return "N s";
   if (what == "frequency")
     return "Hz";
+  if (what == "SL" || what == "SE")
+    return "Pa";
   return what == "work" || what == "wear" ? "J" : "-";
 }
 
@@ -84,10 +91,13 @@ std::string unit_of(const Quantity &quantity) {
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
     : model(model), results(results), sink(std::move(sink)),
-      builder(model, !model.scene.combinations.empty() || !model.scene.spectra.empty()),
+      builder(model, !model.scene.combinations.empty() || !model.scene.spectra.empty() ||
+                         !model.scene.stress.code.empty()),
       pending(model.scene.quantities.size()) {
   results.supports = builder.support_infos();
   results.restraints = builder.restraint_infos();
+  for (const auto &[name, vertex] : model.mesh.points)
+    results.points.emplace_back(name, model.mesh.vertices[vertex]);
   for (const std::string &point : model.scene.monitors)
     results.histories.push_back({point, {}, {}});
 }
@@ -214,7 +224,8 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
 
 void Collector::observe_case(const std::string &name, const Frame &made) {
   for (unsigned int i = 0; i < pending.size(); ++i)
-    if (model.scene.quantities[i].step == name && model.scene.quantities[i].what != "frequency")
+    if (model.scene.quantities[i].step == name &&
+        place(of_the_end, model.scene.quantities[i].what) < 0)
       pending[i].value = evaluate(model.scene.quantities[i], made);
   sink(made);
   results.frames.push_back(made);
@@ -266,7 +277,7 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
         pending[i].value =
             part == 1. ? now : pending[i].previous + part * (now - pending[i].previous);
       }
-    } else if (last && quantity.what != "frequency" &&
+    } else if (last && place(of_the_end, quantity.what) < 0 &&
                (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
       pending[i].value = evaluate(quantity, state);
   }
@@ -300,6 +311,9 @@ void Collector::finish(const LineState &state) {
     if (quantity.what == "frequency")
       if (const std::size_t mode = std::stoul(quantity.where); mode <= results.modes.size())
         pending[i].value = quantity.scale * results.modes[mode - 1].frequency;
+    if (place(of_the_end, quantity.what) > 0)
+      if (const auto value = stress_quantity(quantity, model.mesh, results))
+        pending[i].value = quantity.scale * *value;
     if (!pending[i].value) {
       results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
       continue;

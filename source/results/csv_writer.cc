@@ -82,7 +82,10 @@ void CsvWriter::finish() {
     const History &history = results.histories[h];
     for (; n_written[h] < history.time.size(); ++n_written[h]) {
       std::string row = exact_number(history.time[n_written[h]]);
-      add_numbers(row, history.displacement[n_written[h]]);
+      Motion motion = history.displacement[n_written[h]];
+      for (unsigned int d = 0; d < 3; ++d)
+        motion[d] /= scene.units.factor("m");
+      add_numbers(row, motion);
       histories[h]->stream() << row << '\n';
     }
     histories[h]->flush();

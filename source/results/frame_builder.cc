@@ -59,7 +59,7 @@ std::vector<RestraintInfo> FrameBuilder::restraint_infos() const {
            model.mesh.vertices[model.mesh.restraints[i][site].vertex]});
   for (const Spring &spring : model.scene.springs)
     infos.push_back(
-        {spring.name, "spring", model.mesh.vertices[model.mesh.points.at(spring.point)]});
+        {spring.name, spring.kind, model.mesh.vertices[model.mesh.points.at(spring.point)]});
   return infos;
 }
 
@@ -99,6 +99,8 @@ Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) 
   }
   for (unsigned int c = 0; c < 6; ++c)
     force[c] *= -spring.stiffness[c];
+  if (state.with_preload)
+    force[2] += spring.preload;
   return force;
 }
 
@@ -179,14 +181,16 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
   PipeElement::Vector12 u;
   for (unsigned int i = 0; i < 12; ++i)
     u[i] = state.dofs[dofs[i]];
-  const CellLoad load = load_on(state, pipe_cell, profile);
+  const CellLoad load = load_on(state, pipe_cell, profile, cell->vertex(1) - cell->vertex(0));
   const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
   const PipeElement::Vector12 ends =
       element.stiffness() * u - element.unit_line_loads() * line_force -
-      load.axial_strain * element.unit_axial_strain() - load.curvature * element.unit_curvature();
+      load.axial_strain * element.unit_axial_strain() - load.curvature * element.unit_curvature() -
+      load.pressure * element.unit_thrust();
   for (const unsigned int v : {0u, 1u})
     for (unsigned int c = 0; c < 6; ++c)
       vertex_forces[cell->vertex_index(v)][c] += ends[6 * v + c];
+  u = element.inside(u); // beyond joints
   if (element.arc())
     return add_arc(pipe_cell, ends, u, load, line);
 
@@ -207,6 +211,7 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
     const Vector3 F = force - x * load.line_force;
     const Vector3 M = moment - cross_product_3d(axes.x, x * force - x * x / 2. * load.line_force);
     result.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    place(pipe_cell, axes, result);
     return result;
   };
   const auto at_node = [&](const double x, const unsigned int first) {
@@ -244,17 +249,28 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
   line.push_back(at_node(length, 6 - start));
 }
 
-CellLoad FrameBuilder::load_on(const LineState &state, const PipeCell &cell,
-                               const Profile &profile) const {
+CellLoad FrameBuilder::load_on(const LineState &state, const PipeCell &cell, const Profile &profile,
+                               const Vector3 &chord) const {
   CellLoad load;
   for (unsigned int l = 0; l < state.load_factors.size(); ++l) {
     const CellLoad one =
-        cell_load(model.scene.loads[l], model.scene.pipes[cell.pipe].name, profile);
+        cell_load(model.scene.loads[l], model.scene.pipes[cell.pipe].name, profile, chord);
     load.line_force += state.load_factors[l] * one.line_force;
     load.axial_strain += state.load_factors[l] * one.axial_strain;
     load.curvature += state.load_factors[l] * one.curvature;
+    load.pressure += state.load_factors[l] * one.pressure;
   }
   return load;
+}
+
+void FrameBuilder::place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const {
+  const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
+  station.y = axes.y;
+  station.z = axes.z;
+  station.part = station.s / meshed.s.back();
+  station.bend_radius = meshed.bend_radius[pipe_cell.position];
+  if (const auto axis = meshed.bend_axis.find(pipe_cell.position); axis != meshed.bend_axis.end())
+    station.bend_axis = axis->second;
 }
 
 /// Where the forces jump (a support, a point load), a node appears with both sides.
@@ -308,6 +324,7 @@ void FrameBuilder::add_arc(const PipeCell &pipe_cell, const PipeElement::Vector1
       M *= -1.;
     }
     station.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    place(pipe_cell, axes, station);
     if (i == 0)
       begin_cell(station, line);
     else

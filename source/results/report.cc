@@ -6,7 +6,9 @@
 #include <frictionbeam/results/report.h>
 #include <frictionbeam/results/report_charts.h>
 #include <frictionbeam/results/report_modes.h>
+#include <frictionbeam/results/report_study.h>
 #include <frictionbeam/results/report_tables.h>
+#include <frictionbeam/results/stresses.h>
 #include <frictionbeam/results/summary.h>
 #include <frictionbeam/results/text.h>
 
@@ -150,6 +152,16 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("supports", "Supports", support_tables(scene, results, frames));
     if (!results.restraints.empty())
       add("reactions", "Reactions", reaction_tables(scene, results, frames));
+    if (!results.points.empty())
+      add("displacements", "Displacements", displacement_tables(scene, results, frames));
+    if (!results.stresses.empty())
+      add("stresses", "Stresses", stress_section(scene, results));
+    if (!results.nozzles.empty())
+      add("nozzles", "Allowable loads", nozzle_section(results));
+    if (!results.friction_study.multipliers.empty())
+      add("friction", "Friction study", friction_study_section(results));
+    if (!results.supports.empty() || !results.restraints.empty())
+      add("restraints", "Restraint summary", restraint_summary(scene, results));
     if (!results.modes.empty())
       add("modes", "Modes", mode_section(scene, results));
     write_file(folder + "/line.svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +

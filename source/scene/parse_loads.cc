@@ -8,11 +8,12 @@ namespace frictionbeam::parts {
 void declare_load(ParameterReader &in) {
   in.declare_choice("Kind", "weight",
                     {"weight", "temperature", "pressure", "force", "line force", "displacement",
-                     "ground acceleration"},
+                     "ground acceleration", "wind"},
                     "weight: of pipes, contents and masses; temperature: of operation; pressure: "
                     "inside, its thrust; force: at points; line force: per length of pipe; "
                     "displacement: imposed at points; ground acceleration: of all supports "
-                    "together, motions are then relative to the ground.");
+                    "together, motions are then relative to the ground; wind: on the pipe's outer "
+                    "diameter.");
   in.declare_text("Acceleration", "0 0 -9.81", "x y z [m/s2]",
                   "Of weight; of the ground for ground acceleration.");
   in.declare_text("History", "", time_function_form,
@@ -22,8 +23,13 @@ void declare_load(ParameterReader &in) {
                     "Of operation; the pipe expands by its difference from 'Installation "
                     "temperature'.");
   in.declare_number("Pressure", 0., "Pa", -1e300, 1e300, "Inside, above the one outside.");
+  in.declare_text(
+      "Wind", "0 0 0", "x y z [Pa]",
+      "Dynamic pressure of the wind, rho v^2/2, in its direction. A pipe feels the part "
+      "across it: q C D |w| w, w that part of the unit vector.");
+  in.declare_number("Shape factor", 0.7, "-", 0., 10., "C of wind; 0.7 is usual for cylinders.");
   in.declare_text("Pipes", "", "names of pipes, separated by commas",
-                  "Of temperature, pressure and line force; empty: all.");
+                  "Of temperature, pressure, line force and wind; empty: all.");
   in.declare_text("Forces", "", "point fx fy fz [N], or with mx my mz [N m]; more after ';'",
                   "Of force, in global axes.");
   in.declare_text("Force per length", "0 0 0", "x y z [N/m]", "Of line force, in global axes.");
@@ -80,7 +86,9 @@ void check_kind(const ParameterReader &in, const std::string &kind) {
       {"Acceleration", {"weight", "ground acceleration"}},
       {"Temperature", {"temperature"}},
       {"Pressure", {"pressure"}},
-      {"Pipes", {"temperature", "pressure", "line force"}},
+      {"Wind", {"wind"}},
+      {"Shape factor", {"wind"}},
+      {"Pipes", {"temperature", "pressure", "line force", "wind"}},
       {"Forces", {"force"}},
       {"Force per length", {"line force"}},
       {"Displacements", {"displacement"}}};
@@ -115,9 +123,15 @@ void parse_load(const ParameterReader &in, const std::string &name,
     if (!in.given("Temperature"))
       in.fail("Temperature", "the operating temperature [degC]", "set Temperature = 120");
     load.value = in.number("Temperature") - installation_temperature;
+    load.installation = installation_temperature;
   } else if (kind == "pressure") {
     load.kind = Load::Kind::pressure;
     load.value = in.number("Pressure");
+  } else if (kind == "wind") {
+    load.kind = Load::Kind::wind;
+    load.vector = in.number("Shape factor") * in.vector("Wind", "Pa");
+    if (load.vector.norm() == 0.)
+      in.fail("Wind", "a vector that is not zero, the dynamic pressure", "'500 0 0'");
   } else if (kind == "line force") {
     load.kind = Load::Kind::line_force;
     load.vector = in.vector("Force per length", "N/m");

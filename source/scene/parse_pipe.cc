@@ -23,18 +23,6 @@ void check_point(const ParameterReader &in, const std::string &entry, const std:
     in.find(entry, name, point_names(scene), "point");
 }
 
-void declare_material(ParameterReader &in) {
-  in.declare_number("Young's modulus", 2e11, "Pa", positive, 1e300, "Of the pipe's metal.");
-  in.declare_number("Poisson's ratio", 0.3, "-", -1., 0.5, "Of the pipe's metal.");
-  in.declare_number("Density", 7850., "kg/m3", 0., 1e300, "Of the pipe's metal.");
-  in.declare_number("Expansion", 1.2e-5, "1/K", -1., 1., "Coefficient of thermal expansion.");
-}
-
-void parse_material(const ParameterReader &in, const std::string &name, Scene &scene) {
-  scene.materials.push_back({name, in.number("Young's modulus"), in.number("Poisson's ratio"),
-                             in.number("Density"), in.number("Expansion")});
-}
-
 void declare_point(ParameterReader &in) {
   in.declare_text("Position", "0 0 0", "x y z [m]",
                   "Of a named point on a pipe, or free in space for springs, masses and supports "
@@ -58,9 +46,20 @@ void declare_pipe(ParameterReader &in) {
       "corner stands for the middle of the bend. Empty: the physical curve of this pipe's name in "
       "Mesh/File.");
   in.declare_text(
-      "Bend flexibility", "code", "code, none, or a number >= 1 [-]",
+      "Bend flexibility", "code", "code, von Karman, none, or a number >= 1 [-]",
       "How many times more flexible than a straight pipe a bend is. code: k = 1.65/h, at "
-      "least 1, h = t R/r^2 (ASME B31.3, appendix D).");
+      "least 1, h = t R/r^2 (ASME B31.3, appendix D); von Karman: (10 + 12 h^2)/(1 + 12 h^2).");
+  in.declare_number(
+      "Stiffening pressure", 0., "Pa", 0., 1e300,
+      "Inside, makes bends stiffer: k and the stress intensification factors of B31.3 "
+      "are divided as its appendix D says.");
+  in.declare_text("End section", "", "name of a section",
+                  "Of a reducer: diameter and wall go evenly from Section to this one.");
+  in.declare_flag("Rigid", false, "A valve, a flange: 1000 times as stiff as its section.");
+  in.declare_number(
+      "Mass", -1., "kg", -1., 1e300,
+      "Of the pipe's own, of a valve, instead of its metal's; contents and insulation "
+      "come on top. -1: by density.");
   in.declare_number("Bend radius", 0., "m", 0., 1e300,
                     "Of a pipe from Mesh/File that is a bend; 0: it is straight.");
 }
@@ -203,6 +202,12 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
       pipe.route.push_back(parse_route_point(in, point, scene, pipe));
   if (!pipe.route.empty() || scene.mesh.file.empty())
     check_route(in, pipe.route);
+  if (!in.text("End section").empty())
+    pipe.end_section =
+        in.find("End section", in.text("End section"), names(scene.sections), "section");
+  pipe.rigid = in.flag("Rigid");
+  if (in.number("Mass") >= 0.)
+    pipe.total_mass = in.number("Mass");
   pipe.bend_radius = in.number("Bend radius");
   if (pipe.bend_radius > 0. && !pipe.route.empty())
     in.fail("Bend radius", "a radius here for pipes from Mesh/File only",
@@ -211,20 +216,22 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
   const std::string flexibility = in.text("Bend flexibility");
   using Rule = BendFlexibility::Rule;
   BendFlexibility &bend = pipe.bend_flexibility;
+  bend.pressure = in.number("Stiffening pressure");
   if (flexibility == "none")
     bend.rule = Rule::none;
-  else if (flexibility == "code") {
-    bend.rule = Rule::code;
+  else if (flexibility == "code" || flexibility == "von Karman") {
+    bend.rule = flexibility == "code" ? Rule::code : Rule::von_karman;
     const bool bends = pipe.bend_radius > 0. ||
                        std::any_of(pipe.route.begin(), pipe.route.end(),
                                    [](const RoutePoint &p) { return p.bend_radius > 0.; });
     if (bends && scene.sections[pipe.section].wall == 0.)
-      in.fail("Bend flexibility", "code where the section gives 'Outer diameter' and 'Wall'",
+      in.fail("Bend flexibility",
+              flexibility + " where the section gives 'Outer diameter' and 'Wall'",
               "none, a number, or a section with diameter and wall", "code");
   } else {
     bend.rule = Rule::given;
     if (!to_number(flexibility, bend.factor) || bend.factor < 1.)
-      in.fail("Bend flexibility", "code, none, or a number >= 1", "code");
+      in.fail("Bend flexibility", "code, von Karman, none, or a number >= 1", "code");
   }
   scene.pipes.push_back(pipe);
 }

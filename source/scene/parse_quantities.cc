@@ -7,17 +7,15 @@ namespace frictionbeam::parts {
 
 namespace {
 
-const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz",
-                                          "vx", "vy", "vz", "wx", "wy", "wz"},
-                               reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
-                               section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"},
-                               contact = {"fn",    "ft1",  "ft2",  "gap",    "slip1",
-                                          "slip2", "work", "wear", "impulse"},
-                               changes = {"stick", "slip", "open", "closed"}, modal = {"frequency"},
-                               sums = {"sum_normal", "sum_friction", "n_stick",
-                                       "n_slip",     "n_open",       "max_error"},
-                               over = {"max",    "min",  "mean",   "integral",
-                                       "change", "rate", "time_of"};
+const std::vector<std::string>
+    motions = {"ux", "uy", "uz", "rx", "ry", "rz", "vx", "vy", "vz", "wx", "wy", "wz"},
+    reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
+    section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"},
+    contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work", "wear", "impulse"},
+    changes = {"stick", "slip", "open", "closed"}, modal = {"frequency"},
+    stresses = {"flexibility", "sif_in", "sif_out", "SL", "SE", "utilization"},
+    sums = {"sum_normal", "sum_friction", "n_stick", "n_slip", "n_open", "max_error"},
+    over = {"max", "min", "mean", "integral", "change", "rate", "time_of"};
 
 bool contains(const std::vector<std::string> &list, const std::string &item) {
   return std::count(list.begin(), list.end(), item) > 0;
@@ -47,6 +45,13 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
     if (!to_number(where, number) || number < 1. || number > scene.modal.n_modes)
       in.fail(entry, "frequency N, with N from 1 to the Number of modes in section Modes",
               "'frequency 1'", "'" + where + "'");
+    return;
+  }
+  if (contains(stresses, what)) {
+    if (scene.stress.code.empty())
+      in.fail(entry, what + " where section Stress has a Code", "set Code = B31.3 there");
+    if (!where.empty() || what != "utilization")
+      check_point(in, entry, where, scene);
     return;
   }
   if (contains(motions, what) || contains(section_forces, what))
@@ -113,7 +118,7 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
       in.find(quantity.name, what,
               quantity.over == Quantity::Over::time_of
                   ? changes
-                  : motions + reactions + section_forces + contact + modal + sums,
+                  : motions + reactions + section_forces + contact + modal + stresses + sums,
               "quantity");
       using Side = Quantity::Side;
       if (words.size() == 3 && words[1] == "at")

@@ -10,8 +10,9 @@ void declare_mesh(ParameterReader &in) {
   in.declare_text("File", "", "path of a .geo or .msh file, from the parameter file's folder",
                   "A mesh of your own: its physical curves are the pipes, its physical points the "
                   "points. Empty: the routes are meshed.");
-  in.declare_number("Cell length", 0., "m", 0., 1e300,
-                    "Longest cell of a straight run; 0: one cell from point to point.");
+  in.declare_number(
+      "Cell length", 0., "m", 0., 1e300,
+      "Longest cell of a straight run, and of an arc; 0: one cell from point to point.");
   in.declare_choice("Bends", "straight pieces", {"straight pieces", "arcs"},
                     "Of routes. straight pieces: cut into cells; arcs: one exact curved element "
                     "between two points of a bend.");
@@ -187,6 +188,9 @@ void declare_global(ParameterReader &in) {
                   "folder the program runs in.");
   in.declare_text("Free motions", "ux, uy, uz, rx, ry, rz", "motions out of ux, uy, uz, rx, ry, rz",
                   "Of all points; the others are held, as out of the plane of a plane scene.");
+  in.declare_text("Friction multipliers", "", "numbers >= 0 separated by commas",
+                  "A study: the case is solved again with all friction coefficients times each of "
+                  "these, and the worst of all is shown for every support.");
   in.declare_text("Monitors", "", "names of points, separated by commas",
                   "Points whose motion is recorded at every increment.");
   in.declare_number("Installation temperature", 20., "degC", -273.15, 1e300,
@@ -200,6 +204,11 @@ void parse_global(const ParameterReader &in, Scene &scene) {
                                                   : ModelKind::both;
   scene.accuracy = in.number("Accuracy");
   scene.free_motions = parse_motions(in, "Free motions");
+  for (const double multiplier : in.numbers("Friction multipliers")) {
+    if (multiplier < 0.)
+      in.fail("Friction multipliers", "numbers >= 0", "'0, 0.75, 1, 1.25'");
+    scene.friction_multipliers.push_back(multiplier);
+  }
   if (scene.free_motions == std::array<bool, 6>{})
     in.fail("Free motions", "at least one of ux, uy, uz, rx, ry, rz", "'ux, uz, ry'");
 }

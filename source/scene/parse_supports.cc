@@ -8,14 +8,26 @@ namespace frictionbeam::parts {
 namespace {
 
 const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
-const std::vector<std::string> kinds = {"anchor",    "restraint", "guide",
-                                        "line stop", "rest",      "friction"};
+const std::vector<std::string> kinds = {"anchor", "restraint", "guide",    "line stop", "stop",
+                                        "rest",   "rod",       "friction", "snubber"};
+/// Friction coefficients in use for sliding pairs; a design takes its supplier's.
+const std::vector<std::pair<std::string, double>> pads = {
+    {"steel", 0.3}, {"ptfe", 0.1}, {"graphite", 0.15}, {"concrete", 0.5}, {"roller", 0.03}};
 const std::vector<std::string> element_entries = {"Law",       "Normal",      "Length",
                                                   "Rotations", "Torsion",     "Normal force",
                                                   "Ground",    "Restitution", "Ground motion"};
 
 bool is_restraint(const std::string &kind) { return kind == "anchor" || kind == "restraint"; }
-bool is_pair(const std::string &kind) { return kind == "guide" || kind == "line stop"; }
+bool is_pair(const std::string &kind) {
+  return kind == "guide" || kind == "line stop" || kind == "stop";
+}
+
+double friction_of(const std::string &pad, const double otherwise) {
+  for (const auto &[name, friction] : pads)
+    if (pad == name)
+      return friction;
+  return otherwise;
+}
 
 /// The law of this section before it is declared, or null if there is none of that name.
 const LawDescription *law_of(const ParameterReader &in, const LawLibrary &laws) {
@@ -47,9 +59,11 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_choice(
       "Kind", "rest", kinds,
       "anchor: all six motions held; restraint: those in Fixed; guide: no motion "
-      "sideways (horizontal, across the pipe); line stop: none along the pipe; rest: "
-      "stands under the pipe, lifts off, slides with friction; friction: as rest, with "
-      "any normal.");
+      "sideways (horizontal, across the pipe); line stop: none along the pipe; stop: none "
+      "along Normal, either way; rest: stands under the pipe, lifts off, slides with friction; "
+      "rod: carries the pipe from above without friction, goes slack when it rises; friction: "
+      "as rest, with any normal; snubber: nothing in static steps, holds along Normal in "
+      "vibrations.");
   in.declare_text("At", "", "names of points, separated by commas", "Where the support stands.");
   in.declare_text("Pipe", "", "name of a pipe", "Repeated along this pipe, instead of At.");
   in.declare_number("Every", 0., "m", 0., 1e300,
@@ -86,11 +100,20 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text("Ground motion", "", "x; y; z, each " + std::string(time_function_form),
                   "Displacement of the ground in global axes [m] at the run's time: a belt, one "
                   "support's motion in an earthquake, a gap that changes. Empty: it stands still.");
+  std::vector<std::string> pad_names = {"none"};
+  for (const auto &pad : pads)
+    pad_names.push_back(pad.first);
+  in.declare_choice(
+      "Pad", "none", pad_names,
+      "What steel slides on, which gives 'Friction coefficient' a default: steel 0.3, "
+      "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03.");
   if (const LawDescription *const law = law_of(in, laws))
     for (int i = 0; i < law->n_parameters; ++i) {
       const LawParameter &p = law->parameters[i];
-      const bool frictionless = is_pair(kind) && std::string(p.name) == "Friction coefficient";
-      in.declare_number(p.name, frictionless ? 0. : p.default_value, p.unit, p.minimum, p.maximum,
+      double value = p.default_value;
+      if (std::string(p.name) == "Friction coefficient")
+        value = friction_of(in.raw("Pad", "none"), is_pair(kind) || kind == "rod" ? 0. : value);
+      in.declare_number(p.name, value, p.unit, p.minimum, p.maximum,
                         "Law " + std::string(law->name) + ": " + p.meaning + ".");
     }
   else
@@ -187,6 +210,7 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
            "a friction element's entries for guide, line stop, rest and "
            "friction");
     refuse(in, own_entries, kind, "a law's entries for guide, line stop, rest and friction");
+    refuse(in, {"Pad"}, kind, "a pad under rest, guide, stop and friction");
     Restraint restraint;
     restraint.name = name;
     restraint.kind = kind;
@@ -198,8 +222,25 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     return;
   }
   refuse(in, {"Fixed"}, kind, "Fixed for anchor and restraint");
-  if (is_pair(kind))
-    refuse(in, {"Normal", "Normal force"}, kind, "Normal and Normal force for rest and friction");
+  if (kind == "guide" || kind == "line stop")
+    refuse(in, {"Normal"}, kind, "Normal for stop, rest, friction and snubber");
+  if (is_pair(kind) || kind == "rod")
+    refuse(in, {"Normal force"}, kind, "Normal force for rest and friction");
+  if (kind == "rod")
+    refuse(in, {"Normal"}, kind, "Normal for stop, rest, friction and snubber; a rod is vertical");
+  if (kind == "snubber") {
+    refuse(in, {"Law", "Length", "Rotations", "Torsion", "Normal force", "Ground"}, kind,
+           "a friction element's entries for guide, stop, rest, rod and friction");
+    refuse(in, own_entries, kind, "a law's entries for guide, stop, rest, rod and friction");
+    Restraint snubber;
+    snubber.name = name;
+    snubber.kind = kind;
+    snubber.placement = placement;
+    snubber.translations.push_back(parse_normal(in));
+    snubber.dynamic_only = true;
+    scene.restraints.push_back(snubber);
+    return;
+  }
 
   FrictionSupport support;
   support.name = name;
@@ -240,8 +281,11 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     return;
   }
 
-  // A guide or line stop without gap, friction and a stiffness of its own holds exactly.
-  support.normal.kind = kind == "guide" ? Direction::Kind::across : Direction::Kind::along;
+  // A guide or stop without gap, friction and a stiffness of its own holds exactly.
+  if (kind == "stop")
+    support.normal = parse_normal(in);
+  else
+    support.normal.kind = kind == "guide" ? Direction::Kind::across : Direction::Kind::along;
   bool exact = law.name == std::string("coulomb") && support.ground.empty() &&
                !in.given("Length") && !in.flag("Torsion") && !support.ground_moves() &&
                !in.given("Restitution");

@@ -5,6 +5,8 @@
 #include <frictionbeam/scene/parameter_reader.h>
 #include <frictionbeam/scene/scene.h>
 
+#include <cmath>
+
 /**
  * @file
  * The parts of a parameter file, each with the entries it declares and the data it becomes. All
@@ -49,6 +51,20 @@ void parse_exact(const ParameterReader &in, Scene &scene);
 void declare_output(ParameterReader &in);
 void parse_output(const ParameterReader &in, Scene &scene);
 
+void declare_joint(ParameterReader &in);
+void parse_joint(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_tee(ParameterReader &in);
+void parse_tee(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_hanger(ParameterReader &in);
+void parse_hanger(const ParameterReader &in, const std::string &name, Scene &scene);
+/// What of the hangers depends on steps.
+void check_hangers(const ParameterReader &in, Scene &scene);
+void declare_nozzle(ParameterReader &in);
+void parse_nozzle(const ParameterReader &in, const std::string &name, Scene &scene);
+void declare_stress(ParameterReader &in);
+/// After the steps and combinations.
+void parse_stress(const ParameterReader &in, Scene &scene);
+
 void declare_modes(ParameterReader &in);
 void parse_modes(const ParameterReader &in, Scene &scene);
 /// What of the modes depends on steps and spectra, in section Modes.
@@ -71,6 +87,9 @@ void parse_monitors(const ParameterReader &in, Scene &scene);
 /// Entries have names of the user's own: one is declared for each that the section has.
 void declare_quantities(ParameterReader &in);
 void parse_quantities(const ParameterReader &in, Scene &scene);
+
+/// Path of the file that an entry names. @throws UserError if there is none.
+std::string existing_file(const ParameterReader &in, const std::string &entry);
 
 /// Names in Scene, for references between parts.
 template <typename Part>

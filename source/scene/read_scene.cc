@@ -7,6 +7,7 @@
 #include <frictionbeam/scene/user_error.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -17,11 +18,11 @@ namespace frictionbeam {
 namespace {
 
 /// Kinds of parts, in the order in which they are read: each may refer to those before it.
-const std::vector<std::string> part_kinds = {"Material", "Section", "Point",    "Pipe",
-                                             "Support",  "Spring",  "Mass",     "Load",
-                                             "Step",     "Initial", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",  "Continuum", "Solver", "Time",      "Output",
-                                           "Modes", "Response",  "Exact",  "Quantities"};
+const std::vector<std::string> part_kinds = {
+    "Material", "Section", "Point", "Pipe",    "Support", "Spring", "Mass",     "Joint",
+    "Tee",      "Load",    "Step",  "Initial", "Hanger",  "Nozzle", "Spectrum", "Combination"};
+const std::vector<std::string> settings = {"Mesh",  "Continuum", "Solver", "Time",  "Output",
+                                           "Modes", "Response",  "Stress", "Exact", "Quantities"};
 
 struct SceneKind {
   std::string name, section;
@@ -52,57 +53,53 @@ std::string name_of(const std::string &heading) {
   return blank == std::string::npos ? "" : heading.substr(blank + 1);
 }
 
+struct SimplePart {
+  std::string kind;
+  void (*declare)(ParameterReader &);
+  void (*parse)(const ParameterReader &, const std::string &, Scene &);
+};
+
+/// Parts that need nothing but their section.
+const std::vector<SimplePart> simple_parts = {
+    {"Material", &parts::declare_material, &parts::parse_material},
+    {"Section", &parts::declare_section, &parts::parse_section},
+    {"Point", &parts::declare_point, &parts::parse_point},
+    {"Pipe", &parts::declare_pipe, &parts::parse_pipe},
+    {"Spring", &parts::declare_spring, &parts::parse_spring},
+    {"Mass", &parts::declare_mass, &parts::parse_mass},
+    {"Joint", &parts::declare_joint, &parts::parse_joint},
+    {"Tee", &parts::declare_tee, &parts::parse_tee},
+    {"Step", &parts::declare_step, &parts::parse_step},
+    {"Hanger", &parts::declare_hanger, &parts::parse_hanger},
+    {"Nozzle", &parts::declare_nozzle, &parts::parse_nozzle},
+    {"Spectrum", &parts::declare_spectrum, &parts::parse_spectrum},
+    {"Combination", &parts::declare_combination, &parts::parse_combination}};
+
+const SimplePart *simple_part(const std::string &kind) {
+  const auto found = std::find_if(simple_parts.begin(), simple_parts.end(),
+                                  [&](const SimplePart &part) { return part.kind == kind; });
+  return found == simple_parts.end() ? nullptr : &*found;
+}
+
 void declare_part(ParameterReader &in, const LawLibrary &laws, const std::string &kind) {
-  if (kind == "Material")
-    parts::declare_material(in);
-  else if (kind == "Section")
-    parts::declare_section(in);
-  else if (kind == "Point")
-    parts::declare_point(in);
-  else if (kind == "Pipe")
-    parts::declare_pipe(in);
+  if (const SimplePart *const part = simple_part(kind))
+    part->declare(in);
   else if (kind == "Support")
     parts::declare_support(in, laws);
-  else if (kind == "Spring")
-    parts::declare_spring(in);
-  else if (kind == "Mass")
-    parts::declare_mass(in);
   else if (kind == "Load")
     parts::declare_load(in);
-  else if (kind == "Step")
-    parts::declare_step(in);
-  else if (kind == "Spectrum")
-    parts::declare_spectrum(in);
-  else if (kind == "Combination")
-    parts::declare_combination(in);
   else
     parts::declare_initial(in);
 }
 
 void parse_part(const ParameterReader &in, const LawLibrary &laws, const std::string &kind,
                 const std::string &name, const double installation_temperature, Scene &scene) {
-  if (kind == "Material")
-    parts::parse_material(in, name, scene);
-  else if (kind == "Section")
-    parts::parse_section(in, name, scene);
-  else if (kind == "Point")
-    parts::parse_point(in, name, scene);
-  else if (kind == "Pipe")
-    parts::parse_pipe(in, name, scene);
+  if (const SimplePart *const part = simple_part(kind))
+    part->parse(in, name, scene);
   else if (kind == "Support")
     parts::parse_support(in, laws, name, scene);
-  else if (kind == "Spring")
-    parts::parse_spring(in, name, scene);
-  else if (kind == "Mass")
-    parts::parse_mass(in, name, scene);
   else if (kind == "Load")
     parts::parse_load(in, name, installation_temperature, scene);
-  else if (kind == "Step")
-    parts::parse_step(in, name, scene);
-  else if (kind == "Spectrum")
-    parts::parse_spectrum(in, name, scene);
-  else if (kind == "Combination")
-    parts::parse_combination(in, name, scene);
   else
     parts::parse_initial(in, scene);
 }
@@ -238,6 +235,10 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
       }
   in.enter("Modes");
   parts::check_modes(in, scene);
+  in.enter("Stress");
+  parts::declare_stress(in);
+  in.take();
+  parts::parse_stress(in, scene);
   in.enter("");
   if (scene.pipes.empty() && scene.points.empty())
     in.fail_section("no pipe and no point", "at least one part 'Pipe <name>' or 'Point <name>'",
@@ -246,6 +247,7 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
     in.fail_section("an empty load sequence: no part 'Step <name>'",
                     "at least one 'Step <name>', taken in the order of the file",
                     "subsection Step cold, with 'set Loads = <names of loads>'");
+  parts::check_hangers(in, scene);
 }
 
 } // namespace
@@ -276,6 +278,9 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   scene.name = std::filesystem::path(file).stem().string();
   scene.input = text.text();
   scene.overrides = overrides;
+  for (const ParameterFile::Section &section : text.sections())
+    if (!section.heading.empty())
+      scene.origins.emplace_back(section.heading, section.origin);
   in.enter("");
   if (const auto units = UnitSystem::parse(in.text("Units")))
     scene.units = *units;
@@ -327,6 +332,30 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   return scene;
 }
 
+std::string with_place(const Scene &scene, const std::string &message) {
+  std::string small = message;
+  std::transform(small.begin(), small.end(), small.begin(),
+                 [](const unsigned char c) { return std::tolower(c); });
+  for (const auto &[heading, origin] : scene.origins) {
+    const auto blank = heading.find(' ');
+    if (blank == std::string::npos)
+      continue;
+    std::string kind = heading.substr(0, blank);
+    kind[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(kind[0])));
+    const std::string name = heading.substr(blank + 1);
+    for (const std::string &form : {kind + " '" + name + "'", kind + " " + name}) {
+      // The name as it is written, the kind with a small or large first letter.
+      const auto at = message.find(form.substr(1));
+      const auto end = at == std::string::npos ? at : at + form.size() - 1;
+      const bool whole = at != std::string::npos && at > 0 && small[at - 1] == form[0] &&
+                         (end == message.size() || std::isalnum(message[end]) == 0);
+      if (whole)
+        return origin + ": " + message;
+    }
+  }
+  return message;
+}
+
 void print_parameters(std::ostream &out, const LawLibrary &laws) {
   out << "# All entries of a parameter file, with their defaults. A file holds any number of "
          "parts\n"
@@ -348,7 +377,9 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
          "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
          "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"
          "# sum_normal sum_friction [N] n_stick n_slip n_open of all friction supports or of one\n"
-         "# part; frequency N [Hz] of mode N; max_error [m, or relative] in scenes with an exact "
+         "# part; frequency N [Hz] of mode N;\n"
+         "# of a stress code, flexibility sif_in sif_out at a point, SL SE [Pa] at a point, "
+         "utilization; max_error [m, or relative] in scenes with an exact "
          "solution. |what| is its "
          "absolute value.\n"
          "# Without a step, the last one is meant; without a time, the end of the step. vx vy vz\n"
@@ -382,6 +413,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_modes(in);
   in.enter("Response");
   parts::declare_response(in);
+  in.enter("Stress");
+  parts::declare_stress(in);
   in.enter("Quantities");
   parts::declare_quantities(in);
   for (const SceneKind &kind : scene_kinds) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "parts.h"
+#include "pipe_library.h"
 
 #include <cmath>
 
@@ -23,9 +24,38 @@ double Section::bore_area() const {
   return wall > 0. ? pi * r * r : 0.;
 }
 
+Section between(const Section &begin, const Section &end, const double part) {
+  const auto mix = [&](const double a, const double b) { return a + part * (b - a); };
+  Section section = begin;
+  section.added_mass = mix(begin.added_mass, end.added_mass);
+  section.insulation = mix(begin.insulation, end.insulation);
+  section.outer_radius = mix(begin.outer_radius, end.outer_radius);
+  section.wall = mix(begin.wall, end.wall);
+  if (begin.wall > 0. && end.wall > 0.) {
+    const double D = 2. * section.outer_radius, t = section.wall, d = D - 2. * t;
+    section.area = pi * (D - t) * t;
+    section.inertia = pi / 64. * (D * D * D * D - d * d * d * d);
+    section.torsion_constant = 2. * section.inertia;
+    section.shear_area = begin.shear_area / begin.area * section.area;
+    return section;
+  }
+  section.area = mix(begin.area, end.area);
+  section.inertia = mix(begin.inertia, end.inertia);
+  section.torsion_constant = mix(begin.torsion_constant, end.torsion_constant);
+  section.shear_area = mix(begin.shear_area, end.shear_area);
+  return section;
+}
+
 namespace parts {
 
 void declare_section(ParameterReader &in) {
+  in.declare_text("Size", "", "NPS or DN and a number, or a name in Size table",
+                  "Standard pipe of ASME B36.10M, such as 'NPS 6' or 'DN 150', instead of diameter "
+                  "and wall.");
+  in.declare_text("Schedule", "40", "5 to 160, STD, XS, XXS, or as in Size table", "Of Size.");
+  in.declare_text("Size table", "", "path of a text file, from the parameter file's folder",
+                  "Of your own sizes: rows 'size, schedule, outer diameter, wall', names without "
+                  "blanks, in the units of this file.");
   in.declare_number("Outer diameter", 0., "m", 0., 1e300,
                     "Of the pipe; 0: the section is given by its figures below.");
   in.declare_number("Wall", 0., "m", 0., 1e300,
@@ -41,12 +71,32 @@ void declare_section(ParameterReader &in) {
   in.declare_number("Added mass", 0., "kg/m", 0., 1e300,
                     "Contents, insulation and what else moves with the pipe.");
   in.declare_flag("Rotary inertia", true, "Of the metal, in the mass of transient steps.");
+  in.declare_number("Contents", 0., "kg/m3", 0., 1e300, "Density of what fills the pipe.");
+  in.declare_number("Insulation", 0., "m", 0., 1e300, "Thickness.");
+  in.declare_number("Insulation density", 0., "kg/m3", 0., 1e300, "With its cladding.");
 }
 
 void parse_section(const ParameterReader &in, const std::string &name, Scene &scene) {
   Section section;
   section.name = name;
-  const double D = in.number("Outer diameter"), t = in.number("Wall");
+  double D = in.number("Outer diameter"), t = in.number("Wall");
+  if (const std::string size = in.text("Size"); !size.empty()) {
+    for (const char *entry : {"Outer diameter", "Wall"})
+      if (in.given(entry))
+        in.fail(entry, "either a Size or diameter and wall", "removing one of the two");
+    const bool own = !in.text("Size table").empty();
+    const std::optional<PipeSize> found =
+        own ? find_pipe_size(existing_file(in, "Size table"), size, in.text("Schedule"), in.si("m"))
+            : find_pipe_size(size, in.text("Schedule"));
+    if (!found)
+      in.fail("Size",
+              own ? "a size and schedule in the file of Size table" : known_pipe_sizes(size),
+              own ? "a row '" + size + ", " + in.text("Schedule") + ", ...' there" : "'NPS 6'",
+              "'" + size + "', schedule " + in.text("Schedule"));
+    D = found->outer_diameter;
+    t = found->wall;
+  } else if (in.given("Schedule") || in.given("Size table"))
+    in.fail("Size", "a size beside 'Schedule' or 'Size table'", "'NPS 6'");
   if (D > 0.) {
     if (t == 0.)
       in.fail("Wall", "a number > 0 [m], needed beside 'Outer diameter'",
@@ -90,8 +140,14 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
     in.fail("Shear area", "half, cowper, none, or a number > 0 [m2]", "half");
   else if (shear != "none")
     section.shear_area *= in.si("m2");
-  section.added_mass = in.number("Added mass");
   section.rotary_inertia = in.flag("Rotary inertia");
+  section.insulation = in.number("Insulation");
+  if (D == 0. && (in.given("Contents") || in.given("Insulation")))
+    in.fail_section("contents or insulation of a section without diameter",
+                    "these beside 'Outer diameter' and 'Wall', or 'Size'", "'Added mass'");
+  section.added_mass =
+      in.number("Added mass") + in.number("Contents") * section.bore_area() +
+      in.number("Insulation density") * pi * section.insulation * (D + section.insulation);
   scene.sections.push_back(section);
 }
 

@@ -59,6 +59,10 @@ std::unique_ptr<EquilibriumSolver> make_equilibrium_solver(const SolverSettings 
                                                            const ReducedSpace &space,
                                                            const SparseMatrix &stiffness);
 
+/// f - K q without the contacts' forces, in extended precision, where q = unknowns + low.
+Vector unbalanced_forces(const EquilibriumProblem &problem, const Vector &unknowns,
+                         const Vector &low);
+
 /**
  * Residual forces of a problem, and when they count as zero: below the tolerance times the largest
  * force, or below the rounding error of the forces themselves where that is larger, but never above
@@ -76,7 +80,9 @@ public:
   Vector operator()(const Vector &unknowns, const LawTangent tangent, ContactResponse &response);
 
   /// The same at the stresses that the response has.
-  Vector with_stress(const Vector &unknowns, const ContactResponse &response) const;
+  /// @param low what rounding took from the unknowns; may be empty.
+  Vector with_stress(const Vector &unknowns, const Vector &low,
+                     const ContactResponse &response) const;
 
   double largest_force(const ContactResponse &response) const;
   /// @param diagonal of the tangent, for the rounding error of A q

@@ -5,6 +5,8 @@
 #include <frictionbeam/analysis/line_state.h>
 #include <frictionbeam/model/full_matrices.h>
 
+#include <functional>
+
 namespace frictionbeam {
 
 /// One eigenfrequency with its shape.
@@ -50,6 +52,8 @@ public:
 
 private:
   void hold_contacts(const LineState &state, const bool friction);
+  void for_each_snubber(const std::function<void(const std::string &, const unsigned int,
+                                                 const dealii::Tensor<1, 6> &)> &function) const;
   void solve_dense(const unsigned int n);
   bool solve_sparse(const unsigned int n, const unsigned int n_vectors);
   unsigned int count_below(const double eigenvalue) const;
@@ -59,10 +63,11 @@ private:
   const LineState &start;
   const FullMatrices matrices;
   Eigen::SparseMatrix<double> M;
-  SparseMatrix K;            ///< with the contacts that hold
-  ContactResponse held;      ///< its tangents are the contacts' stiffness
-  LineFactorization shifted; ///< of K + shift M
-  LineFactorization factors; ///< of K
+  SparseMatrix K;                ///< with the contacts that hold
+  ContactResponse held;          ///< its tangents are the contacts' stiffness
+  LineFactorization shifted;     ///< of K + shift M
+  LineFactorization factors;     ///< of K
+  double snubber_stiffness = 0.; ///< [N/m]
   std::vector<Mode> found;
   std::string how;
 };

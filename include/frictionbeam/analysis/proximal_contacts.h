@@ -84,6 +84,8 @@ public:
   bool is_exact(const unsigned int i) const { return list[i].is_exact; }
   /// In force in this increment.
   double friction_coefficient(const unsigned int i) const { return friction[i]; }
+  const std::vector<double> &friction_coefficients() const { return friction; }
+  void set_friction_coefficients(const std::vector<double> &values) { friction = values; }
   /// k_d of the contact, along its normal and across [N/m].
   Eigen::Vector2d diagonal_stiffness(const unsigned int i) const {
     const double share = contacts[i].weight / contacts[i].length;

@@ -14,6 +14,8 @@ struct MeshedPipe {
   std::vector<double> bend_radius; ///< of each cell between two vertices; 0: straight
   /// Centre of a cell that is an arc as a whole, by the cell's place in the pipe.
   std::map<unsigned int, Point3> arc_centre;
+  /// Unit normal of a bend's plane, first tangent x inward, by the cell's place in the pipe.
+  std::map<unsigned int, Vector3> bend_axis;
 
   /// Unit tangent of the pipe at either end of a cell, in its direction.
   Vector3 tangent(const std::vector<Point3> &points, const unsigned int cell,

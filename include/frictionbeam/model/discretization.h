@@ -18,13 +18,20 @@ struct Profile {
   double EA = 0., GA = 0., GJ = 0., EI = 0.; ///< [N, N, N m2, N m2]; EI divided by a bend's factor
   double mass = 0.;                          ///< [kg/m], with contents
   double rotary_inertia = 0.;                ///< about a diameter [kg m]
-  double expansion = 0.;                     ///< [1/K]
+  Material material;                         ///< for its expansion
+  double wind_diameter = 0.;                 ///< outer, with insulation [m]
   double pressure_strain = 0.;               ///< axial strain of a closed pipe per pressure [1/Pa]
   double pressure_curvature = 0.;            ///< of an arc about its axis [1/(m Pa)]
   dealii::Table<2, double> tangent;          ///< of the section law, 6 x 6
   std::optional<Point3> arc_centre;          ///< of a cell that is an arc
 
   ArcData arc() const { return {*arc_centre, EA, GA, GJ, EI}; }
+};
+
+/// Joints at the two ends of a pipe cell, in the order of its deal.II vertices.
+struct CellJoints {
+  dealii::Tensor<2, 6> flexibility[2]; ///< relative motion per force and moment, global axes
+  dealii::Tensor<1, 6> thrust[2];      ///< free relative motion per pressure [1/Pa]
 };
 
 /// A cell of a pipe.
@@ -70,6 +77,12 @@ public:
   /// The exact arc of a pipe cell in the direction of its deal.II cell, if it is one.
   std::optional<ArcBeam> arc(const Cell &cell) const;
 
+  /// Joints of a pipe cell; null if it has none.
+  const CellJoints *joints(const Cell &cell) const {
+    const auto found = cell_joints.find(cell->active_cell_index());
+    return found == cell_joints.end() ? nullptr : &found->second;
+  }
+
   /// What the active cell is.
   const CellInfo &info(const Cell &cell) const { return infos[cell->active_cell_index()]; }
   /// The active cell of a pipe cell, and of a friction element.
@@ -80,6 +93,7 @@ private:
   Cell at(const unsigned int author_index) const;
   void add_profiles(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws);
   void add_supports(const Scene &scene, const LineMesh &mesh);
+  void add_joints(const Scene &scene, const LineMesh &mesh);
   void add_carriers(const Scene &scene, const LineMesh &mesh);
   unsigned int element_index(const FrictionSupport &support, const bool reversed) const;
 
@@ -95,15 +109,17 @@ private:
   std::vector<unsigned int> fe_index; ///< of each author's cell
   std::vector<PipeCell> pipes;
   std::vector<SupportCell> supports;
-  unsigned int first_option = 1;              ///< fe before it: pipes
-  std::vector<CellInfo> infos;                ///< by active cell index
-  std::vector<unsigned int> cell_level_index; ///< of each author's cell
+  unsigned int first_option = 1;                  ///< fe before it: pipes
+  std::map<unsigned int, CellJoints> cell_joints; ///< by active cell index
+  std::vector<CellInfo> infos;                    ///< by active cell index
+  std::vector<unsigned int> cell_level_index;     ///< of each author's cell
   std::vector<std::pair<FE_FrictionBeam::Rotations, bool>>
       options; ///< of the friction elements in fe
 };
 
 /// Stiffness of a straight pipe over that of the bend, by the pipe's rule.
-double bend_flexibility(const Pipe &pipe, const Section &section, const double bend_radius);
+double bend_flexibility(const Pipe &pipe, const Section &section, const Material &material,
+                        const double bend_radius);
 
 /// A direction of the scene at a place of the line, as a unit vector.
 /// @throws UserError naming @p part if it follows the pipe and there is none.

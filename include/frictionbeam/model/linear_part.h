@@ -23,6 +23,8 @@ public:
 
   /// Forces of load @p l on the unknowns, those of its imposed motions included.
   const Vector &forces(const unsigned int l) const { return load_forces[l]; }
+  /// Forces that are there from the start, of springs and hangers.
+  const Vector &preload() const { return spring_preload; }
   /// Motions that load @p l imposes on all degrees of freedom, as (dof, value) pairs.
   const std::vector<std::pair<unsigned int, double>> &imposed(const unsigned int l) const {
     return imposed_motions[l];
@@ -45,6 +47,7 @@ private:
                     const ReducedSpace &space);
 
   SparseMatrix K, M, C;
+  Vector spring_preload;
   std::vector<Vector> load_forces;
   std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;
   std::vector<std::map<unsigned int, Motion>> nodal_loads;
@@ -55,7 +58,10 @@ struct CellLoad {
   Vector3 line_force;
   double axial_strain = 0.;
   double curvature = 0.; ///< about an arc's axis [1/m]
+  double pressure = 0.;  ///< that pushes the sides of its joints apart [Pa]
 };
-CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile);
+/// @param chord of the cell, for wind
+CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile,
+                   const Vector3 &chord);
 
 } // namespace frictionbeam

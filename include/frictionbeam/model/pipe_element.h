@@ -11,6 +11,10 @@ namespace frictionbeam {
 /**
  * Matrices and vectors of one pipe cell, integrated through FEValues. Degrees of freedom stand in
  * the order of deal.II's cell: 6 at vertex 0, 6 at vertex 1, global axes. Straight cells and arcs.
+ *
+ * Joints of flexibility F at the ends stand in series with the cell: if the nodes move by u, its
+ * ends move by (1 + F K)^-1 u, so that K becomes K (1 + F K)^-1 and loads are carried by the
+ * transposed.
  */
 class PipeElement {
 public:
@@ -30,6 +34,12 @@ public:
   Vector12 unit_axial_strain() const;
   /// Nodal forces that a unit change of curvature about an arc's axis, if it were free, would need.
   Vector12 unit_curvature() const;
+  /// Nodal forces that a unit pressure in the cell's joints, if they were free, would need.
+  Vector12 unit_thrust() const;
+  /// Motions of the cell's ends beyond its joints, if the nodes have these.
+  Vector12 inside(const Vector12 &nodes) const {
+    return jointed ? Vector12(beyond * nodes) : nodes;
+  }
   /// Consistent mass with rotary inertia, exact with four Gauss points (twelve for an arc).
   Matrix12 mass(const Discretization::Cell &cell);
 
@@ -42,7 +52,13 @@ private:
   dealii::FEValues<1, 3> straight_values, straight_mass_values;
   std::unique_ptr<dealii::FEValues<1, 3>> arc_values; ///< if the line has arcs
   dealii::FEValues<1, 3> *values = nullptr;           ///< of the cell
+  Matrix12 plain_stiffness() const;                   ///< without joints
+  void add_joints(const CellJoints &joints);
+
   const Profile *section = nullptr;
+  bool jointed = false;
+  Matrix12 beyond; ///< (1 + F K)^-1, F the flexibility of joints
+  Vector12 pushed; ///< free motion of the cell's ends per pressure
   std::optional<ArcBeam> bend;
   double stretch = 1.;                                    ///< length over chord
   std::vector<std::array<GeneralizedStrain, 12>> strains; ///< by quadrature point, function

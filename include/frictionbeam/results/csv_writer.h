@@ -19,7 +19,7 @@ namespace frictionbeam {
  * of the steps only, since its rows carry no time;
  * - `history_POINT.csv`: time, ux, uy, uz, rx, ry, rz, for each monitored point.
  *
- * SI units and radians; each number is the shortest text that reads back as the same number. Names
+ * In the units of the scene, radians; each number is the shortest text that reads back as the same number. Names
  * are quoted where RFC 4180 asks for it; lines end with a line feed. A character of a point's name
  * that is no letter, digit, dot or minus is _ in the name of its file.
  *

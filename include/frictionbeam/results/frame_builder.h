@@ -40,7 +40,10 @@ private:
   void add_pipe(const LineState &state, const unsigned int pipe, std::vector<Station> &line);
   void add_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
   /// Sum of a state's loads on a pipe cell.
-  CellLoad load_on(const LineState &state, const PipeCell &cell, const Profile &profile) const;
+  CellLoad load_on(const LineState &state, const PipeCell &cell, const Profile &profile,
+                   const Vector3 &chord) const;
+  /// What a station knows of the pipe there, with its local axes.
+  void place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const;
   void begin_cell(const Station &first, std::vector<Station> &line) const;
   /// Stations of an arc; its end forces and motions stand in the order of the deal.II cell.
   void add_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,

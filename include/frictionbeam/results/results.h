@@ -45,6 +45,10 @@ struct Station {
   Motion displacement{}; ///< global axes [m, rad]
   Motion force{};        ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
   bool node = true;
+  Vector3 y, z;            ///< local axes of the section forces
+  double part = 0.;        ///< s over the pipe's length
+  double bend_radius = 0.; ///< [m]; 0: not in a bend
+  Vector3 bend_axis;       ///< of a bend: unit normal of its plane
 };
 
 /// The state at one instant. Neighbouring stations of one pipe are joined by the pipe; a pipe's
@@ -66,6 +70,31 @@ struct ModeResult {
   std::array<double, 3> effective_mass{}; ///< [kg]
   double residual = 0.;                   ///< |K q - w^2 M q| / (w^2 |M q|)
   Frame shape;
+};
+
+/// Stresses of one case by a stress code, at each station of its frame.
+struct StressCase {
+  std::string name, kind, code; ///< kind: sustained, expansion, occasional
+  Frame frame;
+  std::vector<double> stress, allowed;        ///< [Pa]
+  std::vector<std::array<double, 3>> factors; ///< flexibility, intensification in and out of plane
+  std::string step;                           ///< that it is of; of a range, the later one
+  unsigned int worst = 0;                     ///< the station of largest stress over allowed
+};
+
+/// How much of the allowed loads of an anchor or nozzle one step uses.
+struct NozzleUse {
+  std::string name, support, step;
+  Motion force{};
+  std::array<double, 6> allowed{};
+  double utilization = 0.;
+};
+
+/// Largest force of one support or restraint over all steps, for each multiplier of friction.
+struct FrictionStudy {
+  std::vector<double> multipliers;
+  std::vector<std::string> names;           ///< of supports and restraints
+  std::vector<std::vector<double>> largest; ///< by multiplier, by name [N]
 };
 
 /// Motion of a monitored point at every increment.
@@ -120,10 +149,14 @@ struct AccuracyAccount {
 struct Results {
   std::vector<SupportInfo> supports;
   std::vector<RestraintInfo> restraints;
+  std::vector<std::pair<std::string, Point3>> points; ///< with a name, by name
   std::vector<Frame> frames; ///< ends of steps, and output instants in between
   std::vector<History> histories;
   std::vector<QuantityResult> quantities;
   std::vector<ModeResult> modes;
+  std::vector<StressCase> stresses;
+  std::vector<NozzleUse> nozzles;
+  FrictionStudy friction_study;
   std::array<double, 3> total_mass{}; ///< that modes could move [kg]
   std::string modal_method;           ///< in plain words
   UnitSystem units;                   ///< in which the writers show everything

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <frictionbeam/law.h>
+#include <frictionbeam/scene/components.h>
 #include <frictionbeam/scene/continuum_scene.h>
 #include <frictionbeam/scene/modal.h>
 #include <frictionbeam/scene/time_function.h>
@@ -32,8 +33,15 @@ struct Material {
   std::string name;
   double youngs_modulus = 0.; ///< [Pa]
   double poissons_ratio = 0.;
-  double density = 0.;   ///< [kg/m3]
-  double expansion = 0.; ///< [1/K]
+  double density = 0.;                            ///< [kg/m3]
+  double expansion = 0.;                          ///< [1/K]
+  std::vector<MaterialPoint> table;               ///< rising in temperature; empty: the same at all
+  double allowable_cold = 0., allowable_hot = 0.; ///< Sc and Sh of a stress code [Pa]
+
+  /// Free strain from one temperature to another [degC].
+  double thermal_strain(const double from, const double to) const;
+  /// At a temperature [degC] of the table, modulus and mean expansion from 20 degC.
+  MaterialPoint at(const double temperature) const;
 };
 
 struct Section {
@@ -46,9 +54,14 @@ struct Section {
   double wall = 0.;             ///< [m]; 0 likewise
   double added_mass = 0.;       ///< contents, insulation [kg/m]
   bool rotary_inertia = true;   ///< of the metal, in the mass
+  double insulation = 0.;       ///< thickness [m]
 
   double bore_area() const; ///< [m2]; 0 where the wall is not known
 };
+
+/// The section of a reducer, @p part of its way from @p begin to @p end: diameter and wall change
+/// evenly.
+Section between(const Section &begin, const Section &end, const double part);
 
 struct RoutePoint {
   std::string name; ///< may be empty
@@ -58,8 +71,10 @@ struct RoutePoint {
 
 /// How much more flexible than a straight pipe a bend is.
 struct BendFlexibility {
-  enum class Rule { none, code, given } rule = Rule::code; ///< code: k = 1.65/h >= 1, h = t R/r^2
-  double factor = 1.;                                      ///< if given
+  /// code: k = 1.65/h >= 1, h = t R/r^2; von_karman: (10 + 12 h^2)/(1 + 12 h^2)
+  enum class Rule { none, code, von_karman, given } rule = Rule::code;
+  double factor = 1.;   ///< if given
+  double pressure = 0.; ///< that stiffens the bend [Pa], for code
 };
 
 struct Pipe {
@@ -68,6 +83,9 @@ struct Pipe {
   std::vector<RoutePoint> route; ///< empty if the pipe is the curve of this name in Mesh/File
   BendFlexibility bend_flexibility;
   double bend_radius = 0.; ///< of a pipe from a file that is a bend [m]; 0: straight
+  std::optional<unsigned int> end_section; ///< of a reducer, whose section changes evenly to it
+  bool rigid = false;                      ///< a valve, a flange: 1000 times as stiff
+  std::optional<double> total_mass;        ///< of the pipe itself [kg], instead of its metal's
 };
 
 /// A point with a name that is no corner of a route: on a pipe, or free in space.
@@ -124,14 +142,17 @@ struct Restraint {
   Placement placement;
   std::array<bool, 6> fixed{};         ///< global axes
   std::vector<Direction> translations; ///< further directions held
+  bool dynamic_only = false;           ///< a snubber: nothing in statics, held in vibrations
 };
 
 /// Linear spring in global axes, to the ground or between two points.
 struct Spring {
   std::string name;
-  std::string point, other; ///< other empty: the ground
-  Motion stiffness{};       ///< [N/m] (3), [N m/rad] (3)
-  Motion damping{};         ///< [N s/m] (3), [N m s/rad] (3)
+  std::string point, other;    ///< other empty: the ground
+  Motion stiffness{};          ///< [N/m] (3), [N m/rad] (3)
+  Motion damping{};            ///< [N s/m] (3), [N m s/rad] (3)
+  double preload = 0.;         ///< upward force on its point at no displacement [N]
+  std::string kind = "spring"; ///< as the user called it
 };
 
 struct PointMass {
@@ -141,7 +162,7 @@ struct PointMass {
 };
 
 struct Load {
-  enum class Kind { weight, temperature, pressure, force, line_force, displacement };
+  enum class Kind { weight, temperature, pressure, force, line_force, displacement, wind };
   struct AtPoint {
     std::string point;
     Motion value{};              ///< force and moment, or displacement and rotation
@@ -150,8 +171,10 @@ struct Load {
 
   std::string name;
   Kind kind = Kind::weight;
-  Vector3 vector;                 ///< weight: acceleration [m/s2]; line_force: [N/m]
+  Vector3 vector;                 ///< weight: acceleration [m/s2]; line_force: [N/m]; wind:
+                                  ///< dynamic pressure times shape factor, its way [Pa]
   double value = 0.;              ///< temperature: rise above installation [K]; pressure [Pa]
+  double installation = 20.;      ///< temperature: where the rise begins [degC]
   std::vector<std::string> pipes; ///< temperature, pressure, line_force: empty means all
   std::vector<AtPoint> at;        ///< force, displacement
   TimeFunction history;           ///< by which it is multiplied
@@ -255,6 +278,8 @@ struct Scene {
   std::vector<std::string> overrides; ///< the --set options
   std::vector<std::string> remarks;   ///< what the user should know about how the file was read
   double accuracy = 0.; ///< demanded of the quantities, relative; 0: the file says how finely
+  /// Headings of the file's parts and where they stand ("case.prm:12").
+  std::vector<std::pair<std::string, std::string>> origins;
 
   std::vector<Material> materials;
   std::vector<Section> sections;
@@ -264,6 +289,12 @@ struct Scene {
   std::vector<Restraint> restraints;
   std::vector<Spring> springs;
   std::vector<PointMass> masses;
+  std::vector<Joint> joints;
+  std::vector<Tee> tees;
+  std::vector<Hanger> hangers;
+  std::vector<NozzleLimit> nozzles;
+  StressSettings stress;
+  std::vector<double> friction_multipliers; ///< of a study; empty: the friction as it is
   std::vector<Load> loads;
   std::vector<LoadStep> steps;
   std::vector<InitialCondition> initial;
@@ -287,5 +318,9 @@ struct Scene {
   TimeSettings time;
   OutputSettings output;
 };
+
+/// A message about a scene that came after it was read, with the place of the part that it names in
+/// front: "case.prm:12: Support rest ...". Unchanged if it names none.
+std::string with_place(const Scene &scene, const std::string &message);
 
 } // namespace frictionbeam

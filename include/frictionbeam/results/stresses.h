@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/mesh/line_mesh.h>
+#include <frictionbeam/results/results.h>
+
+namespace frictionbeam {
+
+/**
+ * Stresses of the cases that section Stress names, at every station of their frames. All these
+ * frames must have been built with both sides of each node.
+ * @param pressure inside a pipe in a step
+ */
+std::vector<StressCase>
+evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &results,
+                  const std::function<double(const std::string &, const unsigned int)> &pressure);
+
+/// Largest pressure of a step's loads in a pipe [Pa]; of a combination, of its cases.
+double pressure_in(const Scene &scene, const std::string &step, const unsigned int pipe);
+
+/// Largest force over allowed force of every nozzle limit in every finished step.
+std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &results);
+
+/// A quantity of the stress code: flexibility, sif_in, sif_out at a point, SL and SE at a point in
+/// a step, utilization of all or of one step; empty if there is none.
+std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
+                                      const Results &results);
+
+/// As HTML; empty if there are none.
+std::string stress_section(const Scene &scene, const Results &results);
+std::string nozzle_section(const Results &results);
+
+/// Write stresses.csv and nozzles.csv, where there are any, in the units of the results.
+void write_stresses(const Scene &scene, const Results &results, const std::string &folder);
+
+} // namespace frictionbeam

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "solve_scene.h"
+
+#include <frictionbeam/analysis/load_sequence.h>
+#include <frictionbeam/model/mechanism.h>
+#include <frictionbeam/results/collector.h>
+#include <frictionbeam/results/contact_problem_writer.h>
+#include <frictionbeam/results/csv_writer.h>
+#include <frictionbeam/results/derived_cases.h>
+#include <frictionbeam/results/stresses.h>
+#include <frictionbeam/results/text.h>
+#include <frictionbeam/results/vtu_writer.h>
+
+#include <deal.II/base/timer.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace frictionbeam {
+
+namespace {
+
+/// A line that is written over on a terminal; nothing in a log.
+class ProgressLine {
+public:
+  explicit ProgressLine(const Scene &scene) : scene(scene), on_terminal(isatty(STDERR_FILENO)) {}
+  ~ProgressLine() {
+    if (shown)
+      std::cerr << "\r\033[K";
+  }
+
+  void show(const LoadSequence::Progress &progress) {
+    if (!on_terminal || progress.n_increments == 0)
+      return;
+    shown = true;
+    std::cerr << "\r\033[K" << scene.steps[progress.step].name << ' ' << progress.increment << '/'
+              << progress.n_increments << std::flush;
+  }
+
+private:
+  const Scene &scene;
+  const bool on_terminal;
+  bool shown = false;
+};
+
+/// Which supports' states may not be the only ones, in a sentence; empty if none is known.
+std::string several_equilibria(const Results &results) {
+  std::map<unsigned int, BeyondUniqueness> worst;
+  std::string steps, supports;
+  for (const StepReport &step : results.steps) {
+    if (!step.several_equilibria.empty())
+      steps += (steps.empty() ? "" : ", ") + step.step;
+    for (const BeyondUniqueness &beyond : step.several_equilibria)
+      if (const auto [entry, is_new] = worst.try_emplace(beyond.contact, beyond);
+          !is_new && beyond.limit < entry->second.limit)
+        entry->second = beyond;
+  }
+  if (worst.empty())
+    return "";
+  constexpr std::size_t most_named = 5;
+  std::size_t n = 0;
+  for (const auto &[contact, beyond] : worst)
+    if (++n <= most_named)
+      supports += (supports.empty() ? "" : ", ") + results.supports[contact].name +
+                  " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
+                  rounded_number(beyond.limit, 3) + ")";
+  if (n > most_named)
+    supports += " and " + std::to_string(n - most_named) + " more";
+  return "Several equilibria are possible at the end of " + steps +
+         ", since friction exceeds the limit K_tt/|K_tn| up to which a support's state is "
+         "unique: " +
+         supports + ". The answer is the one reached along the declared load sequence.";
+}
+
+/// Whether the end of this step says which supports hold when the line vibrates.
+bool wants_modes_after(const Scene &scene, const unsigned int step) {
+  return scene.modal.n_modes > 0 &&
+         (scene.modal.step.empty() ? !scene.steps[step].transient
+                                   : scene.steps[step].name == scene.modal.step);
+}
+
+/// Modes, spectra and combinations; their names become steps of the scene, for the writers.
+void add_derived_cases(const Model &model, const std::optional<LineState> &modal_state,
+                       Scene &scene, Collector &collector, Results &results) {
+  const unsigned int n_steps = scene.steps.size();
+  std::optional<Frame> response;
+  if (modal_state) {
+    const ModalAnalysis analysis(model, *modal_state, scene.modal);
+    add_modes(model, analysis, results);
+    if (!scene.spectra.empty()) {
+      response = spectrum_response(model, analysis);
+      results.remarks.push_back(
+          "Friction is off in the modes and in the response to the spectra: a closed support holds "
+          "along its normal only. The method is linear and cannot do otherwise; a transient step "
+          "has friction.");
+    } else if (model.contacts.size() > 0)
+      results.remarks.push_back(
+          std::string("In the modes, closed supports hold along their normals") +
+          (scene.modal.friction_holds ? ", and those that stick sideways too; slipping ones do not."
+                                      : " only: friction is off."));
+  }
+  for (const std::string &name : derived_case_names(scene)) {
+    LoadStep step;
+    step.name = name;
+    scene.steps.push_back(step);
+  }
+  unsigned int next = n_steps;
+  if (response) {
+    response->step = next++;
+    collector.observe_case("spectrum", *response);
+  }
+  for (const Combination &combination : scene.combinations) {
+    std::vector<const Frame *> frames;
+    for (const auto &part : combination.cases)
+      for (const Frame &frame : results.frames)
+        if (frame.end_of_step && step_name(scene, frame) == part.first)
+          frames.push_back(&frame);
+    if (frames.size() != combination.cases.size())
+      continue; // a transient step may have been left out
+    Frame frame = combine(combination, frames);
+    frame.step = next++;
+    collector.observe_case(combination.name, frame);
+  }
+}
+
+} // namespace
+
+Results solve_scene(Scene &scene, const LawLibrary &laws) {
+  const dealii::Timer wall;
+  Results results;
+  results.units = scene.units;
+  dealii::Timer timer;
+  const LineMesh mesh = build_line_mesh(scene);
+  results.cost.mesh_seconds = timer.wall_time();
+
+  timer.restart();
+  const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                     [](const LoadStep &step) { return step.transient; });
+  const Discretization discretization(scene, mesh, laws);
+  const ReducedSpace space(scene, mesh, discretization);
+  const Contacts contacts(scene, mesh, discretization, space, laws);
+  if (!transient)
+    for (const std::string &warning :
+         check_mechanisms(scene, mesh, discretization, space, contacts))
+      results.remarks.push_back(warning);
+  std::set<std::string> without_threshold;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (contacts[i].law->threshold == nullptr)
+      without_threshold.insert(contacts[i].law->name);
+  if (scene.solver.method == SolverSettings::Method::exact)
+    for (const std::string &law : without_threshold)
+      results.remarks.push_back("The law '" + law +
+                                "' has no threshold in closed form: the exact "
+                                "method evaluates it as it is, by Newton's method.");
+  if (transient)
+    for (const Restraint &restraint : scene.restraints)
+      if (restraint.dynamic_only)
+        results.remarks.push_back("Snubber " + restraint.name +
+                                  " does nothing in transient steps, so far: it holds in modes and "
+                                  "spectra only.");
+  const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
+  const Model model{scene, mesh, discretization, space, contacts, linear};
+  LoadSequence sequence(model);
+  results.cost.setup_seconds = timer.wall_time();
+
+  std::unique_ptr<CsvWriter> csv;
+  std::unique_ptr<VtuWriter> vtu;
+  Collector collector(model, results, [&](const Frame &frame) {
+    const Frame shown = scene.units.is_si() ? frame : in_units(scene.units, frame);
+    csv->append(shown);
+    if (vtu)
+      vtu->append(shown);
+  });
+  csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory);
+  if (scene.output.vtu)
+    vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
+  std::unique_ptr<ContactProblemWriter> contact_problems;
+  if (scene.output.contact_problems)
+    contact_problems = std::make_unique<ContactProblemWriter>(model, results);
+
+  timer.restart();
+  dealii::Timer output_timer;
+  output_timer.reset();
+  bool converged;
+  std::optional<LineState> modal_state; // at the end of the step that modes start from
+  {
+    ProgressLine progress_line(scene);
+    converged = sequence.run(
+        [&](const LoadSequence::Progress &progress, const LineState &state) {
+          output_timer.start();
+          progress_line.show(progress);
+          collector.observe(progress.step, progress.increment, progress.n_increments, state);
+          if (progress.increment == progress.n_increments &&
+              wants_modes_after(scene, progress.step))
+            modal_state = state;
+          output_timer.stop();
+        },
+        [&](const LoadSequence::Progress &progress, const LineState &state) {
+          output_timer.start();
+          if (contact_problems)
+            contact_problems->observe(progress, state);
+          output_timer.stop();
+        });
+  }
+  results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
+  if (converged)
+    add_derived_cases(model, modal_state, scene, collector, results);
+  results.stresses = evaluate_stresses(scene, mesh, results,
+                                       [&](const std::string &step, const unsigned int pipe) {
+                                         return pressure_in(scene, step, pipe);
+                                       });
+  results.nozzles = evaluate_nozzles(scene, results);
+  collector.finish(sequence.state());
+  csv->finish();
+  if (vtu) {
+    vtu->append_modes();
+    vtu->finish();
+  }
+  results.steps = sequence.reports();
+  results.status = converged                                  ? RunStatus::converged
+                   : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
+                                                              : RunStatus::failed;
+  switch (scene.solver.method) {
+  case SolverSettings::Method::elastic:
+    results.method = "elastic: elastic stiffness kept, residual forces sent back";
+    break;
+  case SolverSettings::Method::newton:
+    results.method = "newton: consistent tangent of the return mapping, line search";
+    break;
+  case SolverSettings::Method::exact:
+    results.method = "exact: Signorini and Coulomb by a proximal-point semismooth Newton method";
+  }
+  results.integrator = sequence.integrator_name();
+  if (!results.integrator.empty())
+    results.method += "; transient steps by " + results.integrator;
+  for (const StepReport &step : results.steps) {
+    results.cost.iterations += step.iterations;
+    results.cost.factorizations += step.factorizations;
+    results.cost.steps += step.increments;
+  }
+  for (const StepReport &step : results.steps) {
+    const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
+    if (step.energy.at_hand > 0. && gained > 1e-3 * step.energy.at_hand)
+      results.remarks.push_back("Step " + step.step + ": the integrator has gained " +
+                                rounded_number(100. * gained / step.energy.at_hand, 2) +
+                                " % of the largest energy in motion, at contacts. Take a shorter "
+                                "time step, moreau_jean or event.");
+  }
+  if (const std::string remark = several_equilibria(results); !remark.empty())
+    results.remarks.push_back(remark);
+  results.certify(scene);
+  results.cost.unknowns = space.n_unknowns();
+  results.cost.cells = discretization.pipe_cells().size();
+  results.cost.contacts = contacts.size();
+  results.cost.wall_seconds = wall.wall_time();
+  return results;
+}
+
+} // namespace frictionbeam
