@@ -17,6 +17,7 @@ that differ in length only, a method that failed on two lengths is not run on lo
 them nonetheless. Standard library only.
 """
 import argparse
+import dataclasses
 import json
 import os
 import platform
@@ -37,6 +38,8 @@ def command_line():
     parser.add_argument("--only", default=",".join(names), help="groups, separated by commas")
     parser.add_argument("--quick", action="store_true", help="a few cases of each group")
     parser.add_argument("--page", action="store_true", help="no runs, only the page")
+    parser.add_argument("--again", action="store_true",
+                        help="only cases that exact has not solved before; the rest is kept")
     parser.add_argument("--all", action="store_true", help="run hopeless long racks as well")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time, but one for speed")
     parser.add_argument("--limit", type=float, default=60., help="seconds a run")
@@ -85,14 +88,30 @@ def run_group(name, arguments, binary):
     cases = (make(arguments.quick, arguments.seeds, arguments.other_seeds) if name == "random"
              else make(arguments.quick))
     begin = time.time()
+    commit = output_of("git", "describe", "--always", "--dirty")
+    file_name = os.path.join(arguments.output, name + ".json")
+    if arguments.again:
+        with open(file_name) as file:
+            result = json.load(file)
+        open_cases = {record["case"] for record in result["records"]
+                      if record["method"] == "exact" and record["outcome"] != "solved"}
+        chosen = [dataclasses.replace(case, methods=("exact",)) for case in cases if case.name in open_cases]
+        anew = {record["case"]: record
+                for record in stability_runs.run_all(name, chosen, binary, arguments)}
+        result["records"] = [anew.get(record["case"], record) if record["method"] == "exact"
+                             else record for record in result["records"]]
+        result["again"] = {"commit": commit, "runs": len(anew)}
+        with open(file_name, "w") as file:
+            json.dump(result, file, indent=0)
+        return
     records = stability_runs.run_all(name, cases, binary, arguments)
     result = {"date": time.strftime("%Y-%m-%d"), "machine": machine(),
               "program": output_of(binary, "--version"),
-              "commit": output_of("git", "describe", "--always", "--dirty"),
+              "commit": commit,
               "limits": {"exact": arguments.exact_limit, "others": arguments.limit},
               "jobs": 1 if name == "speed" else arguments.jobs,
               "minutes": (time.time() - begin) / 60., "records": records}
-    with open(os.path.join(arguments.output, name + ".json"), "w") as file:
+    with open(file_name, "w") as file:
         json.dump(result, file, indent=0)
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "continuum_parts.h"
 #include "generated.h"
+#include "parameter_notes.h"
 #include "parts.h"
 
 #include <frictionbeam/scene/read_scene.h>
@@ -357,38 +358,7 @@ std::string with_place(const Scene &scene, const std::string &message) {
 }
 
 void print_parameters(std::ostream &out, const LawLibrary &laws) {
-  out << "# All entries of a parameter file, with their defaults. A file holds any number of "
-         "parts\n"
-         "# '<Kind> <name>': here stands one of each kind, called 'name'. Steps are taken in the\n"
-         "# order of the file. Units are SI unless an entry says otherwise; angles are in "
-         "degrees.\n"
-         "# Entries of a support's law stand in the support: those of 'coulomb' are shown.\n"
-         "# Files may be included: include <file>. In 'Quantities', entries have names of your "
-         "own:\n"
-         "#   set <name> = what at where, step NAME, time T; scale F; unit U; reference R; source "
-         "TEXT\n"
-         "# what: ux uy uz rx ry rz [m, rad] at a point; N Vy Vz Mx My Mz [N, N m] of the pipe at "
-         "a\n"
-         "# point, local axes, N > 0 in tension ('before P' or 'after P' where they jump, 'pipe "
-         "NAME' at\n"
-         "# a branch), N_mean the mean of N before and after; fx fy fz mx my mz [N, N m] at a "
-         "support, spring "
-         "or\n"
-         "# point: the force of what holds the pipe there on the pipe; fn ft1 ft2 [N] gap slip1\n"
-         "# slip2 [m] work [J] at a friction support (name.1, name.2, ... of a repeated one);\n"
-         "# sum_normal sum_friction [N] n_stick n_slip n_open of all friction supports or of one\n"
-         "# part; frequency N [Hz] of mode N;\n"
-         "# of a stress code, flexibility sif_in sif_out at a point, SL SE [Pa] at a point, "
-         "utilization; max_error [m, or relative] in scenes with an exact "
-         "solution. |what| is its "
-         "absolute value.\n"
-         "# Without a step, the last one is meant; without a time, the end of the step. vx vy vz\n"
-         "# [m/s] wx wy wz [rad/s] are velocities; wear [J] at a support: integral of fn |slip "
-         "rate|;\n"
-         "# impulse [N s]: of fn, impacts included. Over an interval of time:\n"
-         "#   set <name> = max what at where, from T1, to T2        or min, mean, integral, "
-         "change, rate\n"
-         "#   set <name> = time_of slip at SUPPORT, from T1         or stick, open, closed\n";
+  out << parameter_notes;
   const ParameterFile empty;
   ParameterReader in(empty);
   parts::declare_global(in);
