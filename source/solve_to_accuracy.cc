@@ -119,13 +119,12 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       // A difference may be small by chance: it is taken for no less than the one before allows.
       const double expected = known ? last * std::pow(2., -highest_order * jump) : 0.;
       estimate = std::max(d, expected) / (std::pow(2., order * jump) - 1.);
-      const bool enough = known || (list[what].one_difference_is_enough && d <= 0.25 * tolerance);
+      const bool enough = known || d <= 0.25 * tolerance; // else two differences
       known = true;
       last = std::max(d, expected);
       if (jump > 1) // as if it were one level
         last *= (std::pow(2., order) - 1.) / (std::pow(2., order * jump) - 1.);
       if (enough && margin * estimate <= tolerance) {
-        // One increment that two do not better is as good as two.
         account.estimate += estimate;
         return now;
       }
@@ -157,7 +156,7 @@ Results AccuracyControl::run_line() {
     const bool is_last = i + 1 == list.size();
     Trial last = refine(i, is_last ? demanded - account.estimate : 0.2 * demanded);
     // One increment is as good where two change next to nothing.
-    const bool coarse = list[i].one_difference_is_enough && last.level == 1 && !is_last;
+    const bool coarse = list[i].coarsest_may_be_exact && last.level == 1 && !is_last;
     for (const std::string &setting : list[i].settings(coarse ? 0 : last.level))
       chosen.push_back(setting);
     results = std::move(last.results);

@@ -11,7 +11,7 @@ namespace frictionbeam::accuracy {
 struct Refinable {
   std::string name;                                                           ///< for the user
   std::function<std::vector<std::string>(const unsigned int level)> settings; ///< as of --set
-  bool one_difference_is_enough = false; ///< a coarse level may be exact, as one increment is
+  bool coarsest_may_be_exact = false; ///< as one increment is, where friction only grows
 };
 
 /**
