@@ -136,6 +136,8 @@ DisplayUnit display_unit(const std::string &si_unit, const double largest) {
     if (largest >= 1e3)
       return {1e-3, "k" + si_unit};
   }
+  if (si_unit == "Pa" && largest >= 1e5)
+    return {1e-6, "MPa"};
   if (si_unit == "m" || si_unit == "rad") {
     if (largest < 1e-4)
       return {1e6, "\u00b5" + si_unit};
