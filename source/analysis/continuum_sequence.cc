@@ -92,12 +92,12 @@ bool ContinuumSequence<dim>::increment(const double factor, const double time,
   loads *= factor;
   FoundationResponse response;
   const auto centre = foundation.centre;
-  const unsigned int before = system->n_factorizations;
   const ContinuumNewtonResult result =
       newton.solve(loads, committed, time, time_increment, u, response);
   StepReport &report = step_reports.back();
   report.iterations += result.iterations;
-  report.factorizations += system->n_factorizations - before;
+  report.factorizations += system->n_factorizations - n_reported;
+  n_reported = system->n_factorizations;
   if (!result.converged) {
     foundation.centre = centre;
     report.remark = result.remark;

@@ -56,6 +56,7 @@ private:
   const ContinuumVector unit_forces; ///< of the tractions at factor one
   ContinuumVector unknowns;          ///< zero at held and hanging dofs
   double load_factor = 0., now = 0.;
+  unsigned int n_reported = 0; ///< factorizations
   FoundationState committed;
   std::vector<ContinuumState> step_ends;
   std::vector<StepReport> step_reports;
