@@ -130,7 +130,15 @@ def provenance(result):
     return prose(f"{result['date']}, {result['machine']}, {result['program']}, commit "
                  f"{result['commit']}; {result['jobs']} at a time, {result['minutes']:.0f} minutes; "
                  f"runs ended after {limits['exact']:g} s (`exact`), {limits['others']:g} s (the "
-                 "others).")
+                 "others)." + again(result))
+
+
+def again(result):
+    """Which runs are newer than the rest, in a sentence."""
+    if "again" not in result:
+        return ""
+    return (f" {result['again']['runs']} runs of `exact`, which had no answer before, are those of "
+            f"commit {result['again']['commit']}.")
 
 
 def group_section(name, result):

@@ -104,6 +104,8 @@ double EventIntegrator::stored_energy() const {
 void EventIntegrator::go(const double x, const double length, LineState &to,
                          EnergyAccount &energy) {
   const double before = kinetic_energy(), stored_before = stored_energy();
+  energy.external += length * integral_of_product(Polynomial::Ones(1),
+                                                  motion.v.transpose() * model.linear.preload(), x);
   for (int l = 0; l < motion.factors.cols(); ++l)
     if (!motion.factors.col(l).isZero(0.)) {
       const Polynomial power = motion.v.transpose() * model.linear.forces(l);

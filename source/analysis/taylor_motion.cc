@@ -87,7 +87,7 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
     r[i].setZero(3, order + 1);
   }
   for (int k = 0; k <= order; ++k) {
-    Vector forces = Vector::Zero(n);
+    Vector forces = k == 0 ? linear.preload() : Vector(Vector::Zero(n));
     if (k < factors.rows())
       for (int l = 0; l < factors.cols(); ++l)
         if (factors(k, l) != 0.)
