@@ -18,10 +18,9 @@ using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 /// Chebyshev's points of [0, 1], ends included.
 double chebyshev_point(const int i) { return (1. - std::cos(pi * i / interpolation_degree)) / 2.; }
 
-/// From values at those points to coefficients of powers, and to the last Chebyshev coefficients.
+/// From values at those points to Chebyshev coefficients, and from these to coefficients of powers.
 struct Interpolation {
-  Eigen::MatrixXd to_powers;
-  Eigen::MatrixXd to_tail; ///< the last three
+  Eigen::MatrixXd to_chebyshev, to_powers;
 
   Interpolation() {
     const int n = interpolation_degree + 1;
@@ -35,8 +34,8 @@ struct Interpolation {
             std::cos(static_cast<long double>(k) * std::acos(2.L * chebyshev_point(i) - 1.L));
       }
     }
-    to_powers = LongMatrix(vandermonde.fullPivLu().inverse()).cast<double>();
-    to_tail = LongMatrix(chebyshev.fullPivLu().inverse()).bottomRows(3).cast<double>();
+    to_chebyshev = LongMatrix(chebyshev.fullPivLu().inverse()).cast<double>();
+    to_powers = LongMatrix(vandermonde.fullPivLu().solve(chebyshev)).cast<double>();
   }
 };
 
@@ -105,18 +104,16 @@ Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &
   Eigen::MatrixXd values(n, first.size());
   for (int i = 0; i < n; ++i)
     values.row(i) = i == 0 ? first : function(start + chebyshev_point(i) * length);
-  const Eigen::MatrixXd tail = interpolation.to_tail * values;
-  Eigen::MatrixXd powers = interpolation.to_powers * values;
+  Eigen::MatrixXd coefficients = interpolation.to_chebyshev * values;
   for (int c = 0; c < values.cols(); ++c) {
-    const double largest = values.col(c).lpNorm<Eigen::Infinity>(),
-                 change = values.col(c).maxCoeff() - values.col(c).minCoeff();
-    smooth = smooth && tail.col(c).lpNorm<Eigen::Infinity>() <= 2e-14 * largest;
-    if (change <= 1e-15 * largest) { // constant
-      powers.col(c).setZero();
-      powers(0, c) = values(0, c);
-    }
+    const double largest = values.col(c).lpNorm<Eigen::Infinity>();
+    smooth = smooth && coefficients.col(c).tail(3).lpNorm<Eigen::Infinity>() <= 2e-14 * largest;
+    // Rounding errors would be accelerations after two derivatives.
+    for (int k = 1; k < n; ++k)
+      if (std::abs(coefficients(k, c)) <= 4e-15 * largest)
+        coefficients(k, c) = 0.;
   }
-  return powers;
+  return interpolation.to_powers * coefficients;
 }
 
 double first_root(const Polynomial &p, const double rounding) {

@@ -172,7 +172,8 @@ References reference_of(const ChartList &list, const std::vector<Value> &values)
     if (given == list.references.end() && !value.reference)
       continue;
     const double reference = given == list.references.end() ? *value.reference : given->second;
-    largest[value.unit] = std::max(largest[value.unit], std::abs(reference));
+    if (counts(list, value.name))
+      largest[value.unit] = std::max(largest[value.unit], std::abs(reference));
     references.values[value.name] = reference;
   }
   for (const Value &value : values)

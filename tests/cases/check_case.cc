@@ -6,7 +6,7 @@
 //   --exit N, --status WORD    expected instead of 0, converged
 //   --output-directory PATH    instead of a temporary folder
 //   --error NAME TOLERANCE     of one quantity, relative to its reference
-//   --errors TOLERANCE         of all quantities that have a reference
+//   --errors TOLERANCE         of all quantities that have a reference and no --error of their own
 //   --figures TOLERANCE PART   of all whose reference exceeds PART times the largest of that unit
 //   --value NAME BOUND         absolute value of one quantity
 //   --ratio NAME LOW HIGH A B  its value with --set A over the one with --set B
@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 
 namespace {
 
@@ -68,10 +69,10 @@ void check_error(const Quantity &q, const double tolerance) {
          "summary.json says error " + text(*q.error) + " of " + q.name + ", it is " + text(error));
 }
 
-void check_all(const Run &run, const double tolerance) {
+void check_all(const Run &run, const double tolerance, const std::set<std::string> &others) {
   unsigned int n = 0;
   for (const Quantity &q : run.quantities)
-    if (q.reference) {
+    if (q.reference && others.count(q.name) == 0) {
       check_error(q, tolerance);
       ++n;
     }
@@ -124,6 +125,7 @@ void check_case(Words &words) {
   const std::string binary = words.take(), file = words.take();
   std::vector<std::string> options;
   std::vector<std::function<void(const Run &)>> checks;
+  std::set<std::string> with_own_tolerance;
   int exit_status = 0;
   std::string status = "converged", output_directory;
   const auto run_another = [binary](const std::string &other,
@@ -151,9 +153,12 @@ void check_case(Words &words) {
       const std::string name = words.take();
       const double tolerance = words.take_number();
       checks.push_back([=](const Run &run) { check_error(run.quantity(name), tolerance); });
+      with_own_tolerance.insert(name);
     } else if (word == "--errors") {
       const double tolerance = words.take_number();
-      checks.push_back([=](const Run &run) { check_all(run, tolerance); });
+      checks.push_back([=, &with_own_tolerance](const Run &run) {
+        check_all(run, tolerance, with_own_tolerance);
+      });
     } else if (word == "--figures") {
       const double tolerance = words.take_number(), part = words.take_number();
       checks.push_back([=](const Run &run) { check_figures(run, tolerance, part); });

@@ -97,7 +97,7 @@ void test_broken_options() {
   expect(slab, "Slap/GS = 1", {"subsection Slap"});
   expect(line, "Support rest/Friction coefficient = 0.2",
          {"section 'Support rest', which the file does not have", "try:     'Support rests'"});
-  expect(line, "Accuracy = 1e-3", {"entry 'Accuracy'"});
+  expect(line, "Acuracy = 1e-3", {"entry 'Acuracy'", "try:     'Accuracy'"});
 }
 
 /// All parameter files of the project are read without complaint.
