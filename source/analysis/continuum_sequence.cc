@@ -137,12 +137,14 @@ void ContinuumSequence<dim>::account(const ContinuumVector &u, const ContinuumVe
   double pressure_work = 0., gaps = 0., slip_work = 0., missed = 0.;
   for (unsigned int i = 0; i < foundation.size(); ++i) {
     const double w = foundation[i].weight;
-    const LocalVector mean = 0.5 * (committed.stress[i] + contacts.stress[i]);
+    // Everything grows from nothing in the first increment, a prescribed pressure as well.
+    const LocalVector before = first ? LocalVector(LocalVector::Zero()) : committed.stress[i];
+    const LocalVector mean = 0.5 * (before + contacts.stress[i]);
     (foundation.has_pressure(i) ? pressure_work : gaps) +=
         (foundation.has_pressure(i) ? w : -w) * mean[0] * displacement[i][0];
     slip_work -= w * mean.template tail<2>().dot(displacement[i].template tail<2>());
     missed += 0.5 * w *
-              std::abs((contacts.stress[i] - committed.stress[i])
+              std::abs((contacts.stress[i] - before)
                            .template tail<2>()
                            .dot(displacement[i].template tail<2>()));
   }
