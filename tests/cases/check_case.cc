@@ -9,6 +9,7 @@
 //   --errors TOLERANCE         of all quantities that have a reference and no --error of their own
 //   --figures TOLERANCE PART   of all whose reference exceeds PART times the largest of that unit
 //   --value NAME BOUND         absolute value of one quantity
+//   --check NAME BOUND         line of the certificate
 //   --ratio NAME LOW HIGH A B  its value with --set A over the one with --set B
 //   --same-as OTHER TOLERANCE  all quantities as those of another parameter file
 //   --expect TEXT              the program's output has it in it
@@ -167,6 +168,13 @@ void check_case(Words &words) {
       const double bound = words.take_number();
       checks.push_back([=](const Run &run) {
         expect(std::abs(run[name]) <= bound, name + " = " + text(run[name]) + " > " + text(bound));
+      });
+    } else if (word == "--check") {
+      const std::string name = words.take();
+      const double bound = words.take_number();
+      checks.push_back([=](const Run &run) {
+        const double value = run.certificate.at(name);
+        expect(value <= bound, "certificate: " + name + " = " + text(value) + " > " + text(bound));
       });
     } else if (word == "--ratio") {
       const std::string name = words.take();

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -34,6 +35,7 @@ struct Run {
   std::string status;   ///< the rest is from summary.json
   double wall_seconds = 0.;
   std::vector<Quantity> quantities;
+  std::map<std::string, double> certificate;
 
   const Quantity &quantity(const std::string &name) const {
     for (const Quantity &q : quantities)
@@ -86,6 +88,8 @@ inline void read_summary(const std::filesystem::path &folder, Run &run) {
   run.summary = true;
   run.status = tree.get<std::string>("status");
   run.wall_seconds = tree.get<double>("cost.wall_seconds");
+  for (const auto &[key, entry] : tree.get_child("certificate"))
+    run.certificate[key] = std::stod(entry.data());
   for (const auto &[key, entry] : tree.get_child("quantities"))
     run.quantities.push_back(
         {entry.get<std::string>("name"), entry.get<std::string>("unit"),
