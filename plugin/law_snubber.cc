@@ -5,11 +5,12 @@
 #include <cmath>
 
 /**
- * A snubber along the normal: free in slow motion, stiff in fast motion.
+ * A snubber along the normal: nothing in static steps, free in slow motion, stiff in fast motion.
  *
- * While the rate of its length stays below the locking velocity (and its change below the locking
- * acceleration, where one is given) it follows with a drag force against the motion at most. Above,
- * it locks: a spring k from where it locked, with a dead band b on either side, F = k (d - d_lock
+ * With a locking velocity of 0 it locks as soon as time passes. Otherwise, while the rate of its
+ * length stays below the locking velocity (and its change below the locking acceleration, where one
+ * is given) it follows with a drag force against the motion at most. Above, it locks: a spring k
+ * from where it locked, with a dead band b on either side, F = k (d - d_lock
  * -+ b). It lets go when its force has come back to zero and the motion is slow again. It pulls and
  * pushes. The state is that of the end of the increment: order 1 in time at locking.
  */
@@ -20,8 +21,10 @@ using namespace frictionbeam;
 enum Parameter { stiffness, velocity, acceleration, dead_band, drag, n_parameters };
 
 constexpr LawParameter parameters[n_parameters] = {
-    {"Locked stiffness", "N/m", 1e8, 1e-300, 1e300, "k, when it is locked"},
-    {"Locking velocity", "m/s", 1e-3, 0., 1e300, "above which it locks"},
+    {"Locked stiffness", "N/m", 1e10, 1e-300, 1e300,
+     "k, when it is locked; the default is as good as rigid for a pipe"},
+    {"Locking velocity", "m/s", 0., 0., 1e300,
+     "above which it locks; 0: in any motion that takes time"},
     {"Locking acceleration", "m/s2", 0., 0., 1e300,
      "above which it locks too; 0: by velocity alone"},
     {"Dead band", "m", 0., 0., 1e300, "b, play on either side when it is locked"},
@@ -38,7 +41,7 @@ public:
     std::fill(out.stress, out.stress + n_support_strains, 0.);
     if (in.tangent != LawTangent::none)
       std::fill(out.tangent, out.tangent + n_support_strains * n_support_strains, 0.);
-    if (in.tangent == LawTangent::elastic)
+    if (in.tangent == LawTangent::elastic && dt > 0.)
       out.tangent[0] = p[stiffness] * l;
     std::copy(in.old_state, in.old_state + n_states, out.new_state);
     out.new_state[rate_before] = dt > 0. ? rate : 0.;

@@ -157,12 +157,6 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
       results.remarks.push_back("The law '" + law +
                                 "' has no threshold in closed form: the exact "
                                 "method evaluates it as it is, by Newton's method.");
-  if (transient)
-    for (const Restraint &restraint : scene.restraints)
-      if (restraint.dynamic_only)
-        results.remarks.push_back("Snubber " + restraint.name +
-                                  " does nothing in transient steps, so far: it holds in modes and "
-                                  "spectra only.");
   const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
   const Model model{scene, mesh, discretization, space, contacts, linear};
   LoadSequence sequence(model);

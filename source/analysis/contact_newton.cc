@@ -101,9 +101,13 @@ bool ContactNewton::balanced(const Vector &forces, const Vector &x, const Contac
                                     response.stress[i].lpNorm<Eigen::Infinity>());
   const double size = forces.size() > 0 ? forces.lpNorm<Eigen::Infinity>() : 0.;
   result.residual = largest > 0. ? size / largest : size;
-  const double rounding = x.size() > 0 ? 8. * std::numeric_limits<double>::epsilon() *
-                                             diagonal.cwiseProduct(x).lpNorm<Eigen::Infinity>()
-                                       : 0.;
+  double stiffest = x.size() > 0 ? diagonal.cwiseProduct(x).lpNorm<Eigen::Infinity>() : 0.;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (!proximal.is_exact(i)) // its force is as inexact as the displacement that makes it
+      stiffest =
+          std::max(stiffest, contacts[i].weight / contacts[i].length *
+                                 std::abs(response.tangent[i](0, 0) * response.state.strain[i][0]));
+  const double rounding = 8. * std::numeric_limits<double>::epsilon() * stiffest;
   return size <= std::max(settings.tolerance * largest, std::min(rounding, 1e-8 * largest));
 }
 

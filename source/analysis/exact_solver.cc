@@ -16,7 +16,7 @@ constexpr double first_proximal = 1e-3, largest_factor = 100., first_growth = 10
                  least_growth = 2., retreat = 30.;
 constexpr unsigned int most_outer = 60, most_failures = 20, most_to_finish = 15;
 constexpr unsigned int most_refinements = 5;
-constexpr unsigned int most_restarts = 30;
+constexpr unsigned int most_restarts = 30, most_restarts_in_motion = 3;
 
 } // namespace
 
@@ -47,7 +47,9 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     Vector x = Vector::Zero(line.n_kept());
     Outcome outcome = solve_contacts(x, response, result);
     if (outcome == Outcome::stalled)
-      outcome = solve_from_elsewhere(x, response, result);
+      outcome = solve_from_elsewhere(
+          problem.time_increment > 0. ? most_restarts_in_motion : most_restarts, x, response,
+          result); // in motion, a shorter step helps as well
     if (outcome != Outcome::solved) {
       result.no_equilibrium = outcome == Outcome::slides_away;
       if (result.no_equilibrium)
@@ -99,14 +101,15 @@ ExactSolver::Outcome ExactSolver::solve_contacts(Vector &x, ContactResponse &res
   return solve_by_proximal_steps(x, response, result);
 }
 
-ExactSolver::Outcome ExactSolver::solve_from_elsewhere(Vector &x, ContactResponse &response,
+ExactSolver::Outcome ExactSolver::solve_from_elsewhere(const unsigned int most, Vector &x,
+                                                       ContactResponse &response,
                                                        EquilibriumResult &result) {
   const std::vector<double> coefficients = proximal.friction_coefficients();
   const auto centre = proximal.centre;
   std::minstd_rand random; // always the same sequence: equal inputs give equal results
   std::uniform_real_distribution<double> portion(0., 1.), multiple(0., 2.);
   Outcome outcome = Outcome::stalled;
-  for (unsigned int k = 0; k < most_restarts && outcome == Outcome::stalled; ++k) {
+  for (unsigned int k = 0; k < most && outcome == Outcome::stalled; ++k) {
     for (unsigned int i = 0; i < centre.size(); ++i)
       proximal.centre[i] = multiple(random) * centre[i];
     std::vector<double> reduced = coefficients;

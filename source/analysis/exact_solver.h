@@ -37,7 +37,8 @@ private:
   Outcome solve_contacts(Vector &x, ContactResponse &response, EquilibriumResult &result);
   /// Both again, from scattered contact forces and by way of less friction: far above the limit of
   /// uniqueness, states that are near in time need not be near each other.
-  Outcome solve_from_elsewhere(Vector &x, ContactResponse &response, EquilibriumResult &result);
+  Outcome solve_from_elsewhere(const unsigned int most, Vector &x, ContactResponse &response,
+                               EquilibriumResult &result);
   Outcome solve_by_proximal_steps(Vector &x, ContactResponse &response, EquilibriumResult &result);
 
   const SolverSettings &settings;

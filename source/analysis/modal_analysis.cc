@@ -85,15 +85,18 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
     held.state.strain[i] = state.contacts.strain[i];
-    contacts.evaluate_law(i, state.contacts, state.time, 0., LawTangent::elastic, held);
+    // Vibrations take time, which is when a snubber locks.
+    contacts.evaluate_law(i, state.contacts, state.time, 1., LawTangent::elastic, held);
     held.status[i] = state.contact_status[i];
     const bool closed = held.status[i] != ContactStatus::open,
                sticks = closed && friction && held.status[i] == ContactStatus::stick;
     auto &D = held.tangent[i];
-    if (contact.law->threshold != nullptr) {
+    const double rigidity = rigid * stiffest * contact.length * contact.length / contact.weight;
+    if (contact.law->threshold == nullptr)
+      D(0, 0) = std::min(D(0, 0), rigidity);
+    else {
       FrictionThreshold law{};
       contact.law->threshold(contact.parameters->data(), law);
-      const double rigidity = rigid * stiffest * contact.length * contact.length / contact.weight;
       const auto of = [&](const double own) { return std::min(own, rigidity); };
       D.setZero();
       D(0, 0) = of(law.axial_rigidity);
@@ -107,27 +110,6 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
           D(r, c) = 0.;
   }
   contacts.add_tangent(held, K);
-  snubber_stiffness = rigid * stiffest;
-  for_each_snubber([&](const std::string &, const unsigned int vertex, const Tensor<1, 6> &h) {
-    const VertexDofs &at = model.discretization.vertex_dofs();
-    for (unsigned int i = 0; i < 6; ++i)
-      for (unsigned int j = 0; j < 6; ++j)
-        if (h[i] != 0. && h[j] != 0.)
-          for (const auto &row : model.space.terms(at.index(vertex, i)))
-            for (const auto &column : model.space.terms(at.index(vertex, j)))
-              add_to(K, row.unknown, column.unknown,
-                     snubber_stiffness * h[i] * h[j] * row.weight * column.weight);
-  });
-}
-
-void ModalAnalysis::for_each_snubber(
-    const std::function<void(const std::string &, const unsigned int, const Tensor<1, 6> &)>
-        &function) const {
-  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
-    if (model.scene.restraints[i].dynamic_only)
-      for (const Site &site : model.mesh.restraints[i])
-        for (const Tensor<1, 6> &direction : held_directions(model.scene.restraints[i], site))
-          function(model.scene.restraints[i].name, site.vertex, direction);
 }
 
 void ModalAnalysis::solve_dense(const unsigned int n) {
@@ -248,13 +230,6 @@ Vector ModalAnalysis::support_motion(const unsigned int d,
     if (moves(spring.name) && spring.other.empty())
       for (const auto &term : model.space.terms(at.index(model.mesh.points.at(spring.point), d)))
         forces[term.unknown] += term.weight * spring.stiffness[d];
-  for_each_snubber([&](const std::string &name, const unsigned int vertex, const Tensor<1, 6> &h) {
-    if (moves(name))
-      for (unsigned int c = 0; c < 6; ++c)
-        if (h[c] != 0.)
-          for (const auto &term : model.space.terms(at.index(vertex, c)))
-            forces[term.unknown] += term.weight * snubber_stiffness * h[c] * h[d];
-  });
   return C * factors.solve(forces) + dofs;
 }
 

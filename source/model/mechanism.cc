@@ -173,8 +173,12 @@ Tensor<1, 6> along(const Vector3 &direction) {
   return row;
 }
 
-/// Whether a support resists sliding: its law, loaded and then sheared, answers with a force.
-bool resists_sliding(const Contact &contact) {
+struct Resists {
+  bool pressing, sliding;
+};
+
+/// What a support resists in a static step: its law, pressed and sheared, answers with a force.
+Resists resists(const Contact &contact) {
   const double e = 1e-6;
   const double base = -1. - e;
   const double strain[n_support_strains] = {base, e, 0., 0.}, rate[n_support_strains] = {};
@@ -193,7 +197,7 @@ bool resists_sliding(const Contact &contact) {
                        LawTangent::none};
   LawOutput output{stress, nullptr, state.data(), 0., ContactStatus::none};
   contact.law->law->integrate(input, output);
-  return stress[1] != 0.;
+  return {stress[0] != 0., stress[1] != 0.};
 }
 
 } // namespace
@@ -216,9 +220,10 @@ std::vector<std::string> check_mechanisms(const Scene &scene, const LineMesh &me
     const Contact &contact = contacts[i];
     if (contact.vertices[1] < discretization.n_line_vertices())
       continue; // joined above
-    if (contact.platen_force == 0.)
+    const Resists held = resists(contact);
+    if (contact.platen_force == 0. && held.pressing)
       check.hold(contact.vertices[0], along(contact.axes.x), false);
-    if (resists_sliding(contact)) {
+    if (held.sliding) {
       check.hold(contact.vertices[0], along(contact.axes.y), true);
       check.hold(contact.vertices[0], along(contact.axes.z), true);
     }

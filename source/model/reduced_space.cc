@@ -36,13 +36,10 @@ void add_orthonormal(Tensor<1, 6> direction, std::vector<Tensor<1, 6>> &held) {
 std::vector<ReducedSpace::Held> collect(const Scene &scene, const LineMesh &mesh,
                                         const Discretization &discretization) {
   std::vector<ReducedSpace::Held> rows;
-  for (unsigned int i = 0; i < scene.restraints.size(); ++i) {
-    if (scene.restraints[i].dynamic_only)
-      continue;
+  for (unsigned int i = 0; i < scene.restraints.size(); ++i)
     for (const Site &site : mesh.restraints[i])
       for (const Tensor<1, 6> &direction : held_directions(scene.restraints[i], site))
         rows.push_back({site.vertex, direction});
-  }
   for (const Load &load : scene.loads)
     if (load.kind == Load::Kind::displacement)
       for (const Load::AtPoint &at : load.at)

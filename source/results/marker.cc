@@ -45,6 +45,11 @@ std::string status_marker(const ContactStatus status, const double x, const doub
          "</path>\n";
 }
 
+std::string status_cell(const ContactStatus status) {
+  return "<svg viewBox=\"0 0 13 13\">" + status_marker(status, 6.5, 6.5, 4.6) + "</svg>" +
+         status_word(status);
+}
+
 std::string restraint_marker(const double x, const double y, const std::string &tooltip) {
   return "<path d=\"M" + px(x) + " " + px(y) +
          "l5.5 10h-11z\" fill=\"#111\" stroke=\"#fff\" "

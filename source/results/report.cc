@@ -148,6 +148,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("forces", "Section forces", charts.section_forces);
     if (!charts.histories.empty())
       add("histories", "Histories", charts.histories);
+    if (!results.supports.empty() && frames.size() > 1)
+      add("states", "States", state_table(scene, results));
     if (!results.supports.empty())
       add("supports", "Supports", support_tables(scene, results, frames));
     if (!results.restraints.empty())

@@ -21,11 +21,6 @@ std::string optional_number(const std::optional<double> &value, const unsigned i
   return value && std::isfinite(*value) ? rounded_number(*value, digits) : dash;
 }
 
-std::string status_cell(const ContactStatus status) {
-  return "<svg viewBox=\"0 0 13 13\">" + status_marker(status, 6.5, 6.5, 4.6) + "</svg>" +
-         status_word(status);
-}
-
 /// Loads active at the end of a step.
 std::string load_list(const Scene &scene, const LoadStep &step) {
   std::string list;

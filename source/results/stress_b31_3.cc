@@ -30,8 +30,9 @@ namespace {
 
 /**
  * ASME B31.3, process piping: stresses of paragraphs 319.4.4, 320.2 and 302.3.6, allowable ones of
- * 302.3.5, factors of appendix D (edition 2016: a welding tee has h = 3.1 T/r2). Without corrosion
- * allowance and mill tolerance: nominal walls, as the code has it for the expansion range.
+ * 302.3.5, factors of appendix D (edition 2016: a welding tee has h = 3.1 T/r2). Sustained and
+ * occasional stresses are those of the wall less its corrosion allowance (320.2), the expansion
+ * range and all factors those of the nominal wall. Mill tolerance is left to the wall's design.
  */
 class StressB313 final : public StressCode {
 public:
@@ -78,9 +79,11 @@ public:
     const Factors i = intensification(point);
     const double in_plane = std::max(1., 0.75 * i.in_plane),
                  out_of_plane = std::max(1., 0.75 * i.out_of_plane);
-    const double d = point.diameter - 2. * point.wall;
-    const double pressure = forces.pressure * d * d / (point.diameter * point.diameter - d * d);
-    return combine(point, forces.axial / area(point) + pressure, in_plane * forces.in_plane,
+    StressPoint corroded = point;
+    corroded.wall -= point.corrosion;
+    const double D = point.diameter, d = D - 2. * corroded.wall;
+    const double pressure = forces.pressure * d * d / (D * D - d * d);
+    return combine(corroded, forces.axial / area(corroded) + pressure, in_plane * forces.in_plane,
                    out_of_plane * forces.out_of_plane, forces.torsion, i.in_plane);
   }
 

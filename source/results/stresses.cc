@@ -71,6 +71,7 @@ public:
     StressPoint point;
     point.diameter = 2. * section.outer_radius;
     point.wall = section.wall;
+    point.corrosion = section.corrosion;
     point.youngs_modulus = material.youngs_modulus;
     point.stiffening_pressure = pipe.bend_flexibility.pressure;
     point.allowable_cold = material.allowable_cold;

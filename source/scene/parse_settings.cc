@@ -13,9 +13,10 @@ void declare_mesh(ParameterReader &in) {
   in.declare_number(
       "Cell length", 0., "m", 0., 1e300,
       "Longest cell of a straight run, and of an arc; 0: one cell from point to point.");
-  in.declare_choice("Bends", "straight pieces", {"straight pieces", "arcs"},
-                    "Of routes. straight pieces: cut into cells; arcs: one exact curved element "
-                    "between two points of a bend.");
+  const bool cut = !in.raw("Cells per bend", "").empty();
+  in.declare_choice("Bends", cut ? "straight pieces" : "arcs", {"straight pieces", "arcs"},
+                    "Of routes. arcs: one exact curved element between two points of a bend; "
+                    "straight pieces: cut into cells, as where 'Cells per bend' is given.");
   in.declare_count("Cells per bend", 8, 1, "Of straight pieces, in 90 degrees.");
 }
 

@@ -29,10 +29,14 @@ double friction_of(const std::string &pad, const double otherwise) {
   return otherwise;
 }
 
+std::string default_law(const std::string &kind) {
+  return kind == "snubber" ? "snubber" : "coulomb";
+}
+
 /// The law of this section before it is declared, or null if there is none of that name.
 const LawDescription *law_of(const ParameterReader &in, const LawLibrary &laws) {
   const std::vector<std::string> known = laws.names(LawKind::support);
-  const std::string name = in.raw("Law", "coulomb");
+  const std::string name = in.raw("Law", default_law(in.raw("Kind", "rest")));
   return std::count(known.begin(), known.end(), name) == 0 ? nullptr : &laws.find(name);
 }
 
@@ -63,7 +67,7 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
       "along Normal, either way; rest: stands under the pipe, lifts off, slides with friction; "
       "rod: carries the pipe from above without friction, goes slack when it rises; friction: "
       "as rest, with any normal; snubber: nothing in static steps, holds along Normal in "
-      "vibrations.");
+      "vibrations, by the law of that name.");
   in.declare_text("At", "", "names of points, separated by commas", "Where the support stands.");
   in.declare_text("Pipe", "", "name of a pipe", "Repeated along this pipe, instead of At.");
   in.declare_number("Every", 0., "m", 0., 1e300,
@@ -76,7 +80,7 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
                   "are then per metre of pipe.");
   in.declare_text("Fixed", kind == "restraint" ? "ux, uy, uz" : "ux, uy, uz, rx, ry, rz",
                   "motions out of ux, uy, uz, rx, ry, rz", "Of anchor and restraint, global axes.");
-  in.declare_text("Law", "coulomb", join(laws.names(LawKind::support)),
+  in.declare_text("Law", default_law(kind), join(laws.names(LawKind::support)),
                   "Of the friction element. Its parameters are entries of the support.");
   in.declare_text(
       "Normal", "0 0 1", "x y z [-], along, or across",
@@ -117,7 +121,7 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
                         "Law " + std::string(law->name) + ": " + p.meaning + ".");
     }
   else
-    in.find("Law", in.raw("Law", "coulomb"), laws.names(LawKind::support), "support law");
+    in.find("Law", in.raw("Law", default_law(kind)), laws.names(LawKind::support), "support law");
 }
 
 namespace {
@@ -229,17 +233,11 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
   if (kind == "rod")
     refuse(in, {"Normal"}, kind, "Normal for stop, rest, friction and snubber; a rod is vertical");
   if (kind == "snubber") {
-    refuse(in, {"Law", "Length", "Rotations", "Torsion", "Normal force", "Ground"}, kind,
+    refuse(in, {"Length", "Rotations", "Torsion", "Normal force", "Restitution", "Pad"}, kind,
            "a friction element's entries for guide, stop, rest, rod and friction");
-    refuse(in, own_entries, kind, "a law's entries for guide, stop, rest, rod and friction");
-    Restraint snubber;
-    snubber.name = name;
-    snubber.kind = kind;
-    snubber.placement = placement;
-    snubber.translations.push_back(parse_normal(in));
-    snubber.dynamic_only = true;
-    scene.restraints.push_back(snubber);
-    return;
+    if (law.name != default_law(kind))
+      in.fail("Law", "the law 'snubber' with Kind = snubber",
+              "Kind = friction, which takes any law");
   }
 
   FrictionSupport support;

@@ -72,6 +72,8 @@ void declare_section(ParameterReader &in) {
                     "Contents, insulation and what else moves with the pipe.");
   in.declare_flag("Rotary inertia", true, "Of the metal, in the mass of transient steps.");
   in.declare_number("Contents", 0., "kg/m3", 0., 1e300, "Density of what fills the pipe.");
+  in.declare_number("Corrosion allowance", 0., "m", 0., 1e300,
+                    "Taken off the inside of the wall in sustained and occasional stresses.");
   in.declare_number("Insulation", 0., "m", 0., 1e300, "Thickness.");
   in.declare_number("Insulation density", 0., "kg/m3", 0., 1e300, "With its cladding.");
 }
@@ -142,6 +144,10 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
     section.shear_area *= in.si("m2");
   section.rotary_inertia = in.flag("Rotary inertia");
   section.insulation = in.number("Insulation");
+  section.corrosion = in.number("Corrosion allowance");
+  if (section.corrosion > 0. && section.corrosion >= section.wall)
+    in.fail("Corrosion allowance", "less than the wall of a pipe given by its diameter and wall",
+            "'0'");
   if (D == 0. && (in.given("Contents") || in.given("Insulation")))
     in.fail_section("contents or insulation of a section without diameter",
                     "these beside 'Outer diameter' and 'Wall', or 'Size'", "'Added mass'");

@@ -52,8 +52,6 @@ public:
 
 private:
   void hold_contacts(const LineState &state, const bool friction);
-  void for_each_snubber(const std::function<void(const std::string &, const unsigned int,
-                                                 const dealii::Tensor<1, 6> &)> &function) const;
   void solve_dense(const unsigned int n);
   bool solve_sparse(const unsigned int n, const unsigned int n_vectors);
   unsigned int count_below(const double eigenvalue) const;
@@ -67,7 +65,6 @@ private:
   ContactResponse held;          ///< its tangents are the contacts' stiffness
   LineFactorization shifted;     ///< of K + shift M
   LineFactorization factors;     ///< of K
-  double snubber_stiffness = 0.; ///< [N/m]
   std::vector<Mode> found;
   std::string how;
 };

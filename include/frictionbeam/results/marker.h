@@ -15,6 +15,9 @@ std::string px(const double value);
 std::string status_marker(const ContactStatus status, const double x, const double y,
                           const double size, const std::string &tooltip = "");
 
+/// A status in a table's cell: its marker and its word.
+std::string status_cell(const ContactStatus status);
+
 /// SVG marker of a restraint or spring: a triangle that carries the point (x, y) [px].
 std::string restraint_marker(const double x, const double y, const std::string &tooltip = "");
 

@@ -20,6 +20,9 @@ std::string step_table(const Scene &scene, const Results &results,
 std::string support_tables(const Scene &scene, const Results &results,
                            const std::vector<const Frame *> &frames);
 
+/// The supports' states through the sequence: a row each, a column for the end of each step.
+std::string state_table(const Scene &scene, const Results &results);
+
 /// Forces and moments of restraints and springs on the pipes, a tab for each of at most six frames.
 std::string reaction_tables(const Scene &scene, const Results &results,
                             const std::vector<const Frame *> &frames);

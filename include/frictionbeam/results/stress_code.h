@@ -11,6 +11,7 @@ namespace frictionbeam {
 struct StressPoint {
   enum class Part { straight, bend, run_of_tee, branch_of_tee } part = Part::straight;
   double diameter = 0., wall = 0.; ///< outer; nominal wall
+  double corrosion = 0.;           ///< allowance
   double bend_radius = 0.;         ///< of a bend
   double youngs_modulus = 0.;      ///< for pressure stiffening
   double stiffening_pressure = 0.; ///< of a bend

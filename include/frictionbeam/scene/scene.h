@@ -55,6 +55,7 @@ struct Section {
   double added_mass = 0.;       ///< contents, insulation [kg/m]
   bool rotary_inertia = true;   ///< of the metal, in the mass
   double insulation = 0.;       ///< thickness [m]
+  double corrosion = 0.;        ///< allowance, off the wall's inside in sustained stresses [m]
 
   double bore_area() const; ///< [m2]; 0 where the wall is not known
 };
@@ -142,7 +143,6 @@ struct Restraint {
   Placement placement;
   std::array<bool, 6> fixed{};         ///< global axes
   std::vector<Direction> translations; ///< further directions held
-  bool dynamic_only = false;           ///< a snubber: nothing in statics, held in vibrations
 };
 
 /// Linear spring in global axes, to the ground or between two points.
