@@ -23,6 +23,7 @@ const char *const usage =
     "frictionbeam CASE.prm [options]     solve a piping line on friction supports\n"
     "  --set \"Section/Entry = value\"     change an entry of the file; may be repeated\n"
     "  --output-directory FOLDER         where results go (default: output/CASE)\n"
+    "  --resume                          go on where a run into that folder was killed\n"
     "frictionbeam check CASE.prm          draw the model and say what was understood; solve "
     "nothing\n"
     "frictionbeam compare FOLDER FOLDER   what changes between the results of two runs, and where\n"
@@ -66,6 +67,8 @@ bool read_command_line(const int argc, char **argv, frictionbeam::RunOptions &op
       options.overrides.push_back(value());
     else if (argument == "--output-directory")
       options.output_directory = value();
+    else if (argument == "--resume")
+      options.resume = true;
     else if (argument[0] == '-')
       throw frictionbeam::UserError("There is no option '" + argument + "'. See --help.");
     else if (!options.parameter_file.empty())

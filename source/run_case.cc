@@ -7,6 +7,7 @@
 
 #include <frictionbeam/model/processes.h>
 #include <frictionbeam/results/both_models.h>
+#include <frictionbeam/results/checkpoint.h>
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
 #include <frictionbeam/results/report_modes.h>
@@ -21,6 +22,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <iostream>
 #include <set>
 
@@ -70,6 +72,10 @@ Scene with_friction(Scene scene, const LawLibrary &laws, const double multiplier
   return scene;
 }
 
+std::string study_folder(const std::string &folder, const double multiplier) {
+  return folder + "/friction_" + rounded_number(multiplier);
+}
+
 /// Solve the scene again for each multiplier of friction, each into a folder of its own.
 void study_friction(const Scene &scene, const LawLibrary &laws, Results &results) {
   FrictionStudy &study = results.friction_study;
@@ -88,7 +94,7 @@ void study_friction(const Scene &scene, const LawLibrary &laws, Results &results
     study.names.push_back(restraint.name);
   for (const double multiplier : scene.friction_multipliers) {
     Scene variant = with_friction(scene, laws, multiplier);
-    variant.output.directory += "/friction_" + rounded_number(multiplier);
+    variant.output.directory = study_folder(scene.output.directory, multiplier);
     variant.output.vtu = false;
     prepare_output_folder(variant.output.directory);
     Results other;
@@ -167,6 +173,35 @@ Results run_both(const Scene &scene, const LawLibrary &laws) {
   return both;
 }
 
+/// Where runs of a scene may leave checkpoints.
+std::vector<std::string> folders_of_runs(const Scene &scene) {
+  const std::string &folder = scene.output.directory;
+  std::vector<std::string> folders = {folder, folder + "/line"};
+  for (const double multiplier : scene.friction_multipliers)
+    folders.push_back(study_folder(folder, multiplier));
+  return folders;
+}
+
+/// A checkpoint counts only if it is asked for.
+void begin_or_resume(const bool resume, Scene &scene) {
+  scene.output.resume = resume;
+  const std::vector<std::string> folders = folders_of_runs(scene);
+  if (!resume) {
+    for (const std::string &folder : folders)
+      Checkpoint::remove(folder);
+    return;
+  }
+  if (scene.model != ModelKind::line || scene.accuracy > 0.)
+    throw UserError("A run cannot be resumed here.\n  read:    --resume with " +
+                    std::string(scene.accuracy > 0. ? "an Accuracy, which takes many runs"
+                                                    : "a continuum, which has no checkpoints") +
+                    "\n  allowed: --resume with Model = line, without Accuracy\n  try:     the run "
+                    "without --resume, from its beginning");
+  if (std::none_of(folders.begin(), folders.end(), &Checkpoint::is_in))
+    std::cout << "There is no checkpoint in " << scene.output.directory
+              << ": the run begins at its beginning.\n";
+}
+
 } // namespace
 
 int run_case(const RunOptions &options) {
@@ -176,6 +211,7 @@ int run_case(const RunOptions &options) {
   Scene scene = read_scene(options.parameter_file, options.overrides, laws);
   scene.output.directory =
       options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
+  begin_or_resume(options.resume, scene);
   prepare_folder(scene.output.directory);
   const auto solve = [&](Scene &read) {
     return read.model == ModelKind::line        ? run_line(read, laws)
@@ -185,6 +221,8 @@ int run_case(const RunOptions &options) {
   Results results =
       scene.accuracy > 0. ? solve_to_accuracy(options, laws, scene, solve) : solve(scene);
   conclude(scene, results, wall);
+  for (const std::string &folder : folders_of_runs(scene))
+    Checkpoint::remove(folder);
   return results.status == RunStatus::converged ? 0 : 2;
 }
 

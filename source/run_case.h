@@ -11,6 +11,7 @@ struct RunOptions {
   std::string parameter_file;
   std::vector<std::string> overrides; ///< of --set
   std::string output_directory;       ///< empty: output/<name of the parameter file>
+  bool resume = false;                ///< from the checkpoint of a run that was killed
 };
 
 /// Read a parameter file, solve it and write its results.

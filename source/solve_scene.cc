@@ -3,6 +3,7 @@
 
 #include <frictionbeam/analysis/load_sequence.h>
 #include <frictionbeam/model/mechanism.h>
+#include <frictionbeam/results/checkpoint.h>
 #include <frictionbeam/results/collector.h>
 #include <frictionbeam/results/contact_problem_writer.h>
 #include <frictionbeam/results/csv_writer.h>
@@ -170,18 +171,31 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
     if (vtu)
       vtu->append(shown);
   });
-  csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory);
+  Checkpoint checkpoint(model);
+  std::optional<Archive> saved;
+  if (scene.output.resume)
+    saved = checkpoint.read();
+  csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory, saved.has_value());
   if (scene.output.vtu)
     vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
   std::unique_ptr<ContactProblemWriter> contact_problems;
   if (scene.output.contact_problems)
-    contact_problems = std::make_unique<ContactProblemWriter>(model, results);
+    contact_problems = std::make_unique<ContactProblemWriter>(model, results, saved.has_value());
 
   timer.restart();
   dealii::Timer output_timer;
   output_timer.reset();
   bool converged;
   std::optional<LineState> modal_state; // at the end of the step that modes start from
+  const auto transfer_all = [&](Archive &archive) {
+    archive(sequence, collector, *csv, modal_state);
+    if (vtu)
+      archive(*vtu);
+    if (contact_problems)
+      archive(*contact_problems);
+  };
+  if (saved)
+    transfer_all(*saved);
   {
     ProgressLine progress_line(scene);
     converged = sequence.run(
@@ -198,6 +212,15 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
           output_timer.start();
           if (contact_problems)
             contact_problems->observe(progress, state);
+          output_timer.stop();
+        },
+        [&]() {
+          if (!checkpoint.is_due())
+            return;
+          output_timer.start();
+          Archive archive;
+          transfer_all(archive);
+          checkpoint.write(archive);
           output_timer.stop();
         });
   }
@@ -235,6 +258,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   for (const StepReport &step : results.steps) {
     results.cost.iterations += step.iterations;
     results.cost.factorizations += step.factorizations;
+    results.cost.back_substitutions += step.back_substitutions;
     results.cost.steps += step.increments;
   }
   for (const StepReport &step : results.steps) {

@@ -75,6 +75,7 @@ Results AccuracyControl::solve_with(const std::vector<std::string> &settings) {
   cost.solve_seconds += results.cost.solve_seconds;
   cost.iterations += results.cost.iterations;
   cost.factorizations += results.cost.factorizations;
+  cost.back_substitutions += results.cost.back_substitutions;
   cost.steps += results.cost.steps;
   account.runs.push_back(
       {describe(settings),

@@ -85,6 +85,17 @@ void AlphaScheme::set_step(const double step) {
     return_mapping->matrix_changed();
 }
 
+void AlphaScheme::transfer(Archive &archive) {
+  double step = effective_step;
+  archive(step);
+  if (archive.reads() && step > 0.)
+    set_step(step);
+  if (p.impulses)
+    contacts.transfer(archive);
+  else
+    return_mapping->transfer(archive);
+}
+
 TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, const double time,
                               LineState &to) {
   const double h = time - from.time, beta = p.beta, gamma = p.gamma;
@@ -120,6 +131,7 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   double jump = 0.;
   if (p.impulses) {
     const Vector w = mass.solve(contacts.impulses());
+    ++step.result.back_substitutions;
     to.auxiliary -= w / (h * gamma);
     jump = w.size() > 0 ? h * w.lpNorm<Eigen::Infinity>() / 2. : 0.;
   }

@@ -39,6 +39,7 @@ public:
   void start(LineState &state, const LoadCourse &loads) override;
   TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
                    LineState &to) override;
+  void transfer(Archive &archive) override;
 
 private:
   void set_step(const double step);

@@ -162,6 +162,16 @@ bool ContactNewton::factor(const ContactResponse &response, EquilibriumResult &r
   return false;
 }
 
+void ContactNewton::transfer(Archive &archive) {
+  archive(factored);
+  if (!archive.reads() || factored.empty())
+    return;
+  ContactResponse response;
+  std::swap(response.tangent, factored);
+  EquilibriumResult not_counted;
+  factor(response, not_counted);
+}
+
 bool ContactNewton::slides_away(const Vector &x, ContactResponse &response) {
   constexpr double shift = 1e-9;
   const Vector forces = evaluate(x, response);

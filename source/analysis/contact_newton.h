@@ -41,6 +41,9 @@ public:
   Outcome solve_together(const unsigned int most_iterations, Vector &x, ContactResponse &response,
                          EquilibriumResult &result);
 
+  /// The tangents that are factored, and reading them, their factors.
+  void transfer(Archive &archive);
+
   /// Of the exact laws, at the last evaluation.
   ContactCheck check(const ContactResponse &response) const;
 

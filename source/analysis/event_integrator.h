@@ -23,6 +23,7 @@ public:
   void start(LineState &state, const LoadCourse &loads) override;
   TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
                    LineState &to) override;
+  void transfer(Archive &archive) override;
   bool is_exact() const override { return true; }
   std::string remark() const override;
 

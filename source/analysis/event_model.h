@@ -38,6 +38,7 @@ struct EventState {
   double offset = 0.; ///< by which a rigid contact that is closed misses its gap, as is [m]
 
   bool is_closed() const { return status != ContactStatus::open; }
+  void transfer(Archive &archive) { archive(status, plastic, direction, offset); }
 };
 
 /**

@@ -3,6 +3,11 @@
 
 namespace frictionbeam {
 
+void EventIntegrator::transfer(Archive &archive) {
+  archive(motion, fallback, states, displacement, force, unknowns, velocity, present, fastest,
+          recent, n_events, n_handed_over, first_handed_over, time_handed_over, reason);
+}
+
 void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {
   to.time = present;
   to.unknowns = unknowns;

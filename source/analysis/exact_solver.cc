@@ -58,6 +58,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
       break;
     }
     const Vector before = unknowns, change = low + line.expand(x, forces);
+    result.back_substitutions += 2; // one to condense the loads, one to expand
     unknowns += change;
     low = change - (unknowns - before);
     const Vector left = residual.with_stress(unknowns, low, response);

@@ -25,6 +25,7 @@ public:
   void matrix_changed() override {}
   EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
                           Vector &unknowns, ContactResponse &response) override;
+  void transfer(Archive &archive) override { archive(first_factor, proximal, newton); }
   std::vector<BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &status) const override {
     return contacts_beyond_uniqueness(contacts, line, proximal, status);

@@ -41,6 +41,12 @@ public:
                           const Vector &imposed_before, const Relation &relation, Vector &unknowns,
                           ContactResponse &response);
 
+  /// What the solver keeps; the matrix must have been set before reading.
+  void transfer(Archive &archive) {
+    if (solver)
+      solver->transfer(archive);
+  }
+
   /// Impulses of the rigid parts, H^T P, on the unknowns, of the last solution.
   const Vector &impulses() const { return rigid_impulses; }
   /// Forces on the unknowns of the elastic parts at a state.

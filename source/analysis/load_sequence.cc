@@ -78,45 +78,71 @@ void LoadSequence::commit(const Factors &factors, const double time) {
   commit_contacts(response, before, current);
 }
 
-bool LoadSequence::run(const Observer &observer, const Observer &each) {
+bool LoadSequence::run(const Observer &observer, const Observer &each, const Pause &pause) {
   each_increment = each;
-  initialize();
-  observer({0, 0, 0}, current);
-  if (each_increment)
-    each_increment({0, 0, 0}, current);
-  for (unsigned int step = 0; step < model.scene.steps.size(); ++step) {
-    const LoadStep &declared_step = model.scene.steps[step];
-    StepReport report;
-    report.step = declared_step.name;
-    step_reports.push_back(report);
+  between_increments = pause;
+  if (!is_resumed) {
+    initialize();
+    observer({0, 0, 0}, current);
+    if (each_increment)
+      each_increment({0, 0, 0}, current);
+  }
+  for (; position.step < model.scene.steps.size(); ++position.step) {
+    const LoadStep &declared_step = model.scene.steps[position.step];
+    if (!is_resumed) {
+      StepReport report;
+      report.step = declared_step.name;
+      step_reports.push_back(report);
+      position.from = declared;
+      position.start = current.time;
+      position.next = position.increment = 0;
+    }
     Factors target(model.scene.loads.size(), 0.);
     for (const auto &[load, factor] : declared_step.loads)
       target[load] += factor;
-    step_reports.back().converged = declared_step.transient ? run_transient(step, target, observer)
-                                                            : run_static(step, target, observer);
+    step_reports.back().converged =
+        declared_step.transient ? run_transient(target, observer) : run_static(target, observer);
     if (!step_reports.back().converged)
       return false;
   }
   return true;
 }
 
-bool LoadSequence::run_static(const unsigned int step, const Factors &target,
-                              const Observer &observer) {
+void LoadSequence::transfer(Archive &archive) {
+  bool has_integrator = integrator != nullptr;
+  archive(position, declared, current, step_reports, time_step, last_error, *statics,
+          has_integrator);
+  if (archive.reads() && has_integrator)
+    integrator = make_time_integrator(model);
+  if (has_integrator)
+    archive(*integrator);
+  if (archive.reads())
+    is_resumed = true;
+}
+
+bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
+  const unsigned int step = position.step;
   const LoadStep &declared_step = model.scene.steps[step];
-  const Factors from = declared;
-  const double start = current.time;
-  current.velocity.setZero();
-  current.acceleration.setZero();
-  current.auxiliary.setZero();
+  const Factors &from = position.from;
+  const double start = position.start;
+  if (!is_resumed) {
+    current.velocity.setZero();
+    current.acceleration.setZero();
+    current.auxiliary.setZero();
+  }
+  is_resumed = false;
   course.begin_step(from, target, start, declared_step.duration);
-  for (unsigned int i = 1; i <= declared_step.n_increments; ++i) {
+  for (std::size_t &i = position.next; i < declared_step.n_increments;) {
+    ++i;
     const double part = static_cast<double>(i) / declared_step.n_increments;
     Factors to(target.size());
     for (unsigned int l = 0; l < to.size(); ++l)
       to[l] = i == declared_step.n_increments ? target[l] : from[l] + part * (target[l] - from[l]);
     if (!advance(Factors(declared), to, start + part * declared_step.duration, 0))
       return false;
-    observer({step, i, declared_step.n_increments}, current);
+    observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
+    if (between_increments)
+      between_increments();
   }
   if (model.contacts.size() <= most_contacts_for_uniqueness)
     step_reports.back().several_equilibria = statics->beyond_uniqueness(current.contact_status);
@@ -145,23 +171,25 @@ std::vector<double> LoadSequence::instants(const double start, const double end)
   return apart;
 }
 
-bool LoadSequence::run_transient(const unsigned int step, const Factors &target,
-                                 const Observer &observer) {
+bool LoadSequence::run_transient(const Factors &target, const Observer &observer) {
+  const unsigned int step = position.step;
   const LoadStep &declared_step = model.scene.steps[step];
   if (!integrator)
     integrator = make_time_integrator(model);
   longest_step = frictionbeam::time_step(model);
-  const double start = current.time, end = start + declared_step.duration;
-  course.begin_step(declared, target, start, declared_step.ramp);
-  declared = course.declared(start);
-  current.load_factors = course.factors(start);
-  integrator->start(current, course);
+  const double start = position.start, end = start + declared_step.duration;
+  course.begin_step(position.from, target, start, declared_step.ramp);
   const std::vector<double> times = instants(start, end);
-  time_step = integrator->is_exact() ? longest_step : times.front() - start;
-  unsigned int increment = 0;
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  if (!is_resumed) {
+    declared = course.declared(start);
+    current.load_factors = course.factors(start);
+    integrator->start(current, course);
+    time_step = integrator->is_exact() ? longest_step : times.front() - start;
+  }
+  is_resumed = false;
+  for (std::size_t &i = position.next; i < times.size(); ++i) {
     const auto observe = [&]() {
-      ++increment;
+      const unsigned int increment = ++position.increment;
       const bool last = current.time == end;
       const std::size_t left = times.size() - i;
       observer({step, increment, last ? increment : increment + static_cast<unsigned int>(left)},
@@ -203,6 +231,8 @@ bool LoadSequence::move_to(const double time, const std::function<void()> &after
     after_each();
     if (time_step < longest && (tolerance == 0. || last_error < 0.1 * tolerance))
       time_step = std::min(longest, 2. * time_step);
+    if (between_increments)
+      between_increments();
   }
   return true;
 }
@@ -254,6 +284,7 @@ bool LoadSequence::report(const EquilibriumResult &result) {
   StepReport &report = step_reports.back();
   report.iterations += result.iterations;
   report.factorizations += result.factorizations;
+  report.back_substitutions += result.back_substitutions;
   if (!result.converged) {
     report.remark = result.remark;
     report.no_equilibrium = result.no_equilibrium;

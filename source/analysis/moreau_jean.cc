@@ -13,18 +13,30 @@ void MoreauJean::start(LineState &state, const LoadCourse &) {
   state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
 }
 
+void MoreauJean::set_step(const double h) {
+  if (std::abs(h - effective_step) <= 1e-9 * h)
+    return;
+  effective = model.linear.stiffness() + 1. / (h * h * theta * theta) * model.linear.mass();
+  if (model.linear.damping().nonZeros() > 0)
+    effective = effective + 1. / (h * theta) * model.linear.damping();
+  effective_step = h;
+  contacts.set_matrix(effective);
+}
+
+void MoreauJean::transfer(Archive &archive) {
+  double step = effective_step;
+  archive(step);
+  if (archive.reads() && step > 0.)
+    set_step(step);
+  contacts.transfer(archive);
+}
+
 TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, const double time,
                              LineState &to) {
   const double h = time - from.time, part = (1. - theta) / theta;
   const SparseMatrix &M = model.linear.mass(), &C = model.linear.damping();
   const bool damped = C.nonZeros() > 0;
-  if (std::abs(h - effective_step) > 1e-9 * h) {
-    effective = model.linear.stiffness() + 1. / (h * h * theta * theta) * M;
-    if (damped)
-      effective = effective + 1. / (h * theta) * C;
-    effective_step = h;
-    contacts.set_matrix(effective);
-  }
+  set_step(h);
   const Vector forces_before = loads.forces(from.time), forces = loads.forces(time);
   // The equation of motion divided by theta h, in q1.
   EquilibriumProblem problem{effective, forces + part * forces_before, loads.imposed(time)};

@@ -22,8 +22,11 @@ public:
   void start(LineState &state, const LoadCourse &loads) override;
   TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
                    LineState &to) override;
+  void transfer(Archive &archive) override;
 
 private:
+  void set_step(const double step);
+
   const Model &model;
   const double theta;
   const std::vector<bool> has_mass;

@@ -20,15 +20,28 @@ bool ReturnMappingSolver::factor_elastic(const EquilibriumProblem &problem, Resi
     analyzed = true;
   }
   ContactResponse response;
-  residual(unknowns, LawTangent::elastic, response);
+  if (elastic_is_known) // from a checkpoint: it was factored and counted before
+    response.tangent = elastic_tangent;
+  else {
+    residual(unknowns, LawTangent::elastic, response);
+    elastic_tangent = response.tangent;
+    ++result.factorizations;
+  }
+  elastic_is_known = false;
   tangent = problem.matrix;
   contacts.add_tangent(response, tangent);
   elastic_diagonal = tangent.diagonal();
-  ++result.factorizations;
   elastic_is_current = elastic.factorize(tangent);
   if (!elastic_is_current)
     result.remark = "the elastic stiffness is singular: something can move freely";
   return elastic_is_current;
+}
+
+void ReturnMappingSolver::transfer(Archive &archive) {
+  elastic_is_known = elastic_is_known || elastic_is_current;
+  archive(elastic_is_known, elastic_tangent);
+  if (archive.reads())
+    elastic_is_current = false;
 }
 
 EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
@@ -64,6 +77,7 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
       return result;
     }
     ++result.iterations;
+    ++result.back_substitutions;
     if (newton && result.iterations > 1) {
       tangent = problem.matrix;
       contacts.add_tangent(response, tangent);

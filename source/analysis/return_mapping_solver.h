@@ -19,9 +19,10 @@ public:
   ReturnMappingSolver(const SolverSettings &settings, const SolverSettings::Method method,
                       const Contacts &contacts, const ReducedSpace &space);
 
-  void matrix_changed() override { elastic_is_current = false; }
+  void matrix_changed() override { elastic_is_current = elastic_is_known = false; }
   EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
                           Vector &unknowns, ContactResponse &response) override;
+  void transfer(Archive &archive) override;
 
 private:
   bool factor_elastic(const EquilibriumProblem &problem, Residual &residual, const Vector &unknowns,
@@ -34,7 +35,8 @@ private:
   LineFactorization elastic, consistent;
   SparseMatrix tangent;
   Vector elastic_diagonal;
-  bool analyzed = false, elastic_is_current = false;
+  decltype(ContactResponse::tangent) elastic_tangent; ///< of the contacts, that is factored
+  bool analyzed = false, elastic_is_current = false, elastic_is_known = false;
 };
 
 } // namespace frictionbeam

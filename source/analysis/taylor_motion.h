@@ -29,6 +29,10 @@ public:
   double compute(const LoadCourse &loads, const double time, const double longest,
                  const Vector &unknowns, const Vector &velocity,
                  const std::vector<EventState> &states);
+  void transfer(Archive &archive) {
+    archive(guess);
+    state_changed();
+  }
   /// To be called when a contact has changed its state.
   void state_changed() { rows_are_current = false; }
 

@@ -303,6 +303,12 @@ void Collector::put_out(const LineState &state, const bool keep) {
     results.frames.push_back(frame);
 }
 
+void Collector::transfer(Archive &archive) {
+  archive(results.frames, results.histories, results.remarks, pending, is_put_out, current_step,
+          current_increment, previous_time, last_output, largest_error);
+  frame_is_current = false;
+}
+
 void Collector::finish(const LineState &state) {
   if (!is_put_out)
     put_out(state, true);

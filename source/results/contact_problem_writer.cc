@@ -32,9 +32,11 @@ constexpr const char *common_description =
 
 } // namespace
 
-ContactProblemWriter::ContactProblemWriter(const Model &model, Results &results)
+ContactProblemWriter::ContactProblemWriter(const Model &model, Results &results, const bool keep)
     : model(model), results(results), folder(model.scene.output.directory + "/contact_problems") {
   prepare_output_folder(folder);
+  if (keep)
+    return;
   std::vector<std::filesystem::path> old;
   for (const auto &entry : std::filesystem::directory_iterator(folder))
     if (entry.is_regular_file() && entry.path().extension() == ".hdf5")

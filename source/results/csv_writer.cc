@@ -50,10 +50,15 @@ std::string csv_field(const std::string &text) {
   return quoted + '"';
 }
 
-CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::string &folder)
-    : scene(scene), results(results), supports(folder + "/supports.csv"),
-      line(folder + "/line.csv"), reactions(folder + "/reactions.csv"),
+CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::string &folder,
+                     const bool keep)
+    : scene(scene), results(results), supports(folder + "/supports.csv", keep),
+      line(folder + "/line.csv", keep), reactions(folder + "/reactions.csv", keep),
       n_written(results.histories.size(), 0) {
+  for (const auto &name : history_names(results.histories))
+    histories.push_back(std::make_unique<OutputFile>(folder + "/" + name, keep));
+  if (keep)
+    return;
   supports.stream() << "support,step,increment,time,status,fn,ft1,ft2,gap,slip1,slip2,"
                        "work_friction\n";
   line.stream() << "step,pipe,s,x,y,z,ux,uy,uz,rx,ry,rz,N,Vy,Vz,Mx,My,Mz\n";
@@ -61,11 +66,16 @@ CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::stri
   supports.flush();
   line.flush();
   reactions.flush();
-  for (const auto &name : history_names(results.histories)) {
-    histories.push_back(std::make_unique<OutputFile>(folder + "/" + name));
-    histories.back()->stream() << "time,ux,uy,uz,rx,ry,rz\n";
-    histories.back()->flush();
+  for (const auto &history : histories) {
+    history->stream() << "time,ux,uy,uz,rx,ry,rz\n";
+    history->flush();
   }
+}
+
+void CsvWriter::transfer(Archive &archive) {
+  archive(supports, line, reactions, n_written);
+  for (const auto &history : histories)
+    archive(*history);
 }
 
 void CsvWriter::append(const Frame &frame) {

@@ -2,6 +2,7 @@
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/scene/user_error.h>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -51,12 +52,49 @@ void prepare_output_folder(const std::string &folder) {
   }
 }
 
-OutputFile::OutputFile(const std::string &path) : path(path) {
+namespace {
+
+/// Have a file, or a folder's list of files, written to the disk.
+void hand_to_disk(const std::string &path) {
+  const int descriptor = open(path.c_str(), O_RDONLY);
+  if (descriptor < 0 || fsync(descriptor) != 0) {
+    const int error = errno;
+    if (descriptor >= 0)
+      close(descriptor);
+    throw_unwritable("file", path, system_reason(error));
+  }
+  close(descriptor);
+}
+
+} // namespace
+
+OutputFile::OutputFile(const std::string &path, const bool keep) : path(path) {
   errno = 0;
   file.imbue(std::locale::classic());
-  file.open(path, std::ios::binary | std::ios::trunc);
+  file.open(path, std::ios::binary | (keep ? std::ios::app : std::ios::trunc));
   if (!file)
     throw_unwritable("file", path, system_reason(errno));
+}
+
+void OutputFile::transfer(Archive &archive) {
+  namespace fs = std::filesystem;
+  std::uintmax_t size = 0;
+  if (!archive.reads()) {
+    flush();
+    hand_to_disk(path);
+    size = fs::file_size(path);
+  }
+  archive(size);
+  if (!archive.reads())
+    return;
+  const std::uintmax_t found = fs::file_size(path);
+  if (found < size)
+    throw UserError("The run cannot be resumed.\n  read:    " + path + " with " +
+                    std::to_string(found) + " bytes\n  allowed: at least the " +
+                    std::to_string(size) +
+                    " bytes that it had at the checkpoint\n  try:     the "
+                    "run without --resume, from its beginning");
+  fs::resize_file(path, size);
 }
 
 void OutputFile::flush() {
@@ -70,6 +108,18 @@ void write_file(const std::string &path, const std::string &text) {
   OutputFile file(path);
   file.stream() << text;
   file.flush();
+}
+
+void replace_file(const std::string &path, const std::string &text) {
+  const std::string beside = path + ".new";
+  write_file(beside, text);
+  hand_to_disk(beside);
+  std::error_code error;
+  std::filesystem::rename(beside, path, error);
+  if (error)
+    throw_unwritable("file", path, error.message());
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  hand_to_disk(folder.empty() ? "." : folder);
 }
 
 } // namespace frictionbeam

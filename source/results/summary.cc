@@ -171,6 +171,7 @@ void write_summary(const Scene &scene, const Results &results, const std::string
       .add("steps", cost.steps)
       .add("iterations", cost.iterations)
       .add("factorizations", cost.factorizations)
+      .add("back_substitutions", cost.back_substitutions)
       .add("peak_memory_mb", cost.peak_memory_mb);
 
   List steps('[', ']', "  ");

@@ -154,6 +154,10 @@ void declare_output(ParameterReader &in) {
   in.declare_flag("Write contact problems", false,
                   "Of every static increment of the method exact: the friction-contact problem and "
                   "its solution in the format of FCLIB, into the folder contact_problems.");
+  in.declare_number(
+      "Checkpoint interval", 60., "s", 0., 1e300,
+      "Of wall time, between two writings of checkpoint.bin, from which a run of a line "
+      "that was killed goes on with the option --resume; 0: none.");
 }
 
 void parse_output(const ParameterReader &in, Scene &scene) {
@@ -162,6 +166,7 @@ void parse_output(const ParameterReader &in, Scene &scene) {
   scene.output.vtu = in.flag("VTU");
   scene.output.report = in.flag("Report");
   scene.output.contact_problems = in.flag("Write contact problems");
+  scene.output.checkpoint_interval = in.number("Checkpoint interval");
 }
 
 void declare_global(ParameterReader &in) {

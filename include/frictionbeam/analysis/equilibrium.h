@@ -23,10 +23,11 @@ struct EquilibriumProblem {
 struct EquilibriumResult {
   bool converged = false;
   unsigned int iterations = 0, factorizations = 0;
-  double residual = 0.;              ///< relative to the largest force
-  std::optional<ContactCheck> check; ///< of methods that solve exact contact laws
-  bool no_equilibrium = false;       ///< proved: something slides or lifts off freely
-  std::string remark;                ///< why not converged
+  unsigned int back_substitutions = 0; ///< with a matrix of the whole line
+  double residual = 0.;                ///< relative to the largest force
+  std::optional<ContactCheck> check;   ///< of methods that solve exact contact laws
+  bool no_equilibrium = false;         ///< proved: something slides or lifts off freely
+  std::string remark;                  ///< why not converged
 };
 
 /// A method for EquilibriumProblem. It may keep factors and states between increments.
@@ -43,6 +44,10 @@ public:
    */
   virtual EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
                                   Vector &unknowns, ContactResponse &response) = 0;
+
+  /// What it keeps from one problem to the next and the solutions depend on. Reading it, the
+  /// factorizations that belong to it are made again.
+  virtual void transfer(Archive &archive) = 0;
 
   /// Contacts of the last solution that may have other states for the same loads, as far as the
   /// method can see.

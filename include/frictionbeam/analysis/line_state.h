@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/analysis/archive.h>
 #include <frictionbeam/model/linear_part.h>
 
 #include <string>
@@ -29,6 +30,9 @@ struct LineState {
   std::vector<ContactEvent> events; ///< of the last increment
   bool with_preload = true;         ///< false in vibrations: springs answer to the motion alone
 };
+
+void transfer(Archive &archive, ContactState &state);
+void transfer(Archive &archive, LineState &state);
 
 /// The stages before the analysis, together.
 struct Model {

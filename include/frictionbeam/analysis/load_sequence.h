@@ -22,13 +22,19 @@ public:
     unsigned int n_increments = 0;
   };
   using Observer = std::function<void(const Progress &, const LineState &)>;
+  /// Called between two increments, where transfer() may write the sequence.
+  using Pause = std::function<void()>;
 
   explicit LoadSequence(const Model &model);
 
   /// @return whether every step converged; if not, state() is the last one in equilibrium.
   /// @param each called with the start and with every increment solved, those of a cut one too;
   /// its number counts these
-  bool run(const Observer &observer, const Observer &each = {});
+  bool run(const Observer &observer, const Observer &each = {}, const Pause &pause = {});
+
+  /// Everything that the increments to come depend on. After reading, run() goes on from there, and
+  /// its numbers are those of a run that was never cut, to the last bit.
+  void transfer(Archive &archive);
 
   const LineState &state() const { return current; }
   /// Of the transient steps, in plain words; empty if there was none.
@@ -37,10 +43,19 @@ public:
 
 private:
   using Factors = std::vector<double>;
+  /// How far the sequence is.
+  struct Position {
+    unsigned int step = 0;
+    Factors from;               ///< at the start of the step
+    double start = 0.;          ///< of the step [s]
+    std::size_t next = 0;       ///< static increment, or instant of a transient step
+    unsigned int increment = 0; ///< observed so far
+    void transfer(Archive &archive) { archive(step, from, start, next, increment); }
+  };
 
   void initialize();
-  bool run_static(const unsigned int step, const Factors &target, const Observer &observer);
-  bool run_transient(const unsigned int step, const Factors &target, const Observer &observer);
+  bool run_static(const Factors &target, const Observer &observer);
+  bool run_transient(const Factors &target, const Observer &observer);
   /// Go to the declared factors and time given, in one static increment or in halves of it.
   bool advance(const Factors &from, const Factors &to, const double time,
                const unsigned int halvings);
@@ -65,6 +80,9 @@ private:
   LineState current;
   std::vector<StepReport> step_reports;
   Observer each_increment;
+  Pause between_increments;
+  Position position;
+  bool is_resumed = false;
 
   // of the increment being solved
   Vector trial;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/analysis/archive.h>
 #include <frictionbeam/model/contacts.h>
 
 namespace frictionbeam {
@@ -59,6 +60,11 @@ public:
 
   double stiffness_factor = 1e-3;       ///< c
   std::vector<Contact::Strains> centre; ///< stresses (P_c, T_c), as -N, T
+
+  /// Centre, coefficients and gaps at present.
+  void transfer(Archive &archive) {
+    archive(stiffness_factor, centre, friction, friction_scale, gap);
+  }
 
   /// Evaluate all contacts at response.state.strain: the proximal form of laws that have a
   /// threshold, any other law as it is.

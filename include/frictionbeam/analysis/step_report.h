@@ -12,13 +12,19 @@ namespace frictionbeam {
 struct StepReport {
   std::string step;
   unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
-  double residual = 0.; ///< largest of its increments, relative to the largest force
-  ContactCheck contact; ///< worst of its increments (exact method)
-  EnergyAccount energy; ///< of static steps
+  std::size_t back_substitutions = 0; ///< with a matrix of the whole line
+  double residual = 0.;               ///< largest of its increments, relative to the largest force
+  ContactCheck contact;               ///< worst of its increments (exact method)
+  EnergyAccount energy;               ///< of static steps
   bool converged = false;
   bool no_equilibrium = false;                      ///< proved that there is none
   std::vector<BeyondUniqueness> several_equilibria; ///< at its end
   std::string remark;                               ///< why it was cut or stopped, in plain words
+
+  void transfer(Archive &archive) {
+    archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
+            contact, energy, converged, no_equilibrium, several_equilibria, remark);
+  }
 };
 
 } // namespace frictionbeam

@@ -27,6 +27,8 @@ public:
   /// direction.
   virtual TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
                            LineState &to) = 0;
+  /// What it keeps between two steps besides the state.
+  virtual void transfer(Archive &archive) = 0;
   /// Whether its answers do not depend on the step.
   virtual bool is_exact() const { return false; }
   /// What the user should know about the motion so far; empty if nothing.

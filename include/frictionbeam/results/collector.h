@@ -29,6 +29,9 @@ public:
   /// analysis stopped between outputs, @p state, the last in equilibrium, is put out as well.
   void finish(const LineState &state);
 
+  /// What was gathered so far.
+  void transfer(Archive &archive);
+
 private:
   struct Pending {
     std::optional<double> value;

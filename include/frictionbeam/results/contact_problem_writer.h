@@ -14,8 +14,10 @@ namespace frictionbeam {
  */
 class ContactProblemWriter {
 public:
-  /// Makes the folder; problems of an earlier run in it are removed.
-  ContactProblemWriter(const Model &model, Results &results);
+  /// Makes the folder; problems of an earlier run in it are removed, unless @p keep is set.
+  ContactProblemWriter(const Model &model, Results &results, const bool keep = false);
+
+  void transfer(Archive &archive) { archive(before, started); }
 
   /// @param state after an increment of the step in @p progress, or at the start
   void observe(const LoadSequence::Progress &progress, const LineState &state);

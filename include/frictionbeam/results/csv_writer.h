@@ -19,17 +19,22 @@ namespace frictionbeam {
  * of the steps only, since its rows carry no time;
  * - `history_POINT.csv`: time, ux, uy, uz, rx, ry, rz, for each monitored point.
  *
- * In the units of the scene, radians; each number is the shortest text that reads back as the same number. Names
- * are quoted where RFC 4180 asks for it; lines end with a line feed. A character of a point's name
- * that is no letter, digit, dot or minus is _ in the name of its file.
+ * In the units of the scene, radians; each number is the shortest text that reads back as the same
+ * number. Names are quoted where RFC 4180 asks for it; lines end with a line feed. A character of a
+ * point's name that is no letter, digit, dot or minus is _ in the name of its file.
  *
  * All functions throw UserError if a file cannot be written.
  */
 class CsvWriter {
 public:
   /// Create the files in @p folder and write their headers. @p results must know its supports,
-  /// restraints and histories; both objects must outlive this one.
-  CsvWriter(const Scene &scene, const Results &results, const std::string &folder);
+  /// restraints and histories; both objects must outlive this one. @p keep: the files are there,
+  /// and transfer() will say how far they are good.
+  CsvWriter(const Scene &scene, const Results &results, const std::string &folder,
+            const bool keep = false);
+
+  /// The lengths of the files; reading, they are cut to these.
+  void transfer(Archive &archive);
 
   /// Add the rows of @p frame, and what the histories have gained.
   void append(const Frame &frame);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/analysis/archive.h>
+
 #include <fstream>
 #include <string>
 
@@ -19,8 +21,11 @@ void prepare_output_folder(const std::string &folder);
 /// system's reason and what to try.
 class OutputFile {
 public:
-  /// Open @p path for writing; what it held is lost.
-  explicit OutputFile(const std::string &path);
+  /// Open @p path for writing; what it held is lost unless @p keep is set: then it is written on.
+  explicit OutputFile(const std::string &path, const bool keep = false);
+
+  /// The length of the file, which is handed to the disk; reading, the file is cut to it.
+  void transfer(Archive &archive);
 
   /// Where to write. It uses the classic locale.
   std::ostream &stream() { return file; }
@@ -35,5 +40,9 @@ private:
 
 /// Write @p text to the file @p path; errors as OutputFile.
 void write_file(const std::string &path, const std::string &text);
+
+/// The same, so that at every moment the file is either the old one or the new one, on the disk
+/// too.
+void replace_file(const std::string &path, const std::string &text);
 
 } // namespace frictionbeam

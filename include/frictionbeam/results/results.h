@@ -104,6 +104,12 @@ struct History {
   std::vector<Motion> displacement;
 };
 
+void transfer(Archive &archive, Point3 &point);
+void transfer(Archive &archive, Vector3 &vector);
+void transfer(Archive &archive, Station &station);
+void transfer(Archive &archive, Frame &frame);
+void transfer(Archive &archive, History &history);
+
 struct QuantityResult {
   std::string name, unit, source;
   double value = 0.;
@@ -128,6 +134,7 @@ struct Cost {
   double wall_seconds = 0., mesh_seconds = 0., setup_seconds = 0., solve_seconds = 0.;
   std::size_t unknowns = 0, cells = 0, contacts = 0;
   std::size_t steps = 0, iterations = 0, factorizations = 0;
+  std::size_t back_substitutions = 0; ///< with a matrix of the whole line
   double peak_memory_mb = 0.;
 };
 

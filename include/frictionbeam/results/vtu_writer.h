@@ -27,6 +27,11 @@ public:
   /// Write @p frame. The pvd files follow at once while frames are few, then every tenth of them.
   void append(const Frame &frame);
 
+  /// The list of what was written.
+  void transfer(Archive &archive) {
+    archive(n_frames, next_collection, line_frames, support_frames);
+  }
+
   /// Write the shapes of the modes, if there are any. To be called once.
   void append_modes() const;
 

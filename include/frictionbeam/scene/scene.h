@@ -265,7 +265,9 @@ struct OutputSettings {
   unsigned int stations = 3;    ///< between the nodes of a cell
   bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
   bool vtu = true, report = true;
-  bool contact_problems = false; ///< FCLIB files of every static increment
+  bool contact_problems = false;    ///< FCLIB files of every static increment
+  double checkpoint_interval = 60.; ///< of wall time [s]; 0: none
+  bool resume = false;              ///< from the checkpoint in the directory, if there is one
 };
 
 /// Which model of the scene is solved.
