@@ -90,6 +90,8 @@ const LawDescription &LawLibrary::load(const std::string &file) {
   check_description(*law, file);
   check(is_given(law->name), file, "its law has no name. Set LawDescription::name.");
   const auto present = files.find(law->name);
+  if (present != files.end() && laws.at(law->name) == law)
+    return *law; // the same library again
   check(present == files.end(), file,
         "its law is called '" + std::string(law->name) + "', as is the one already loaded from '" +
             (present == files.end() ? "" : present->second) + "'. Give it a name of its own.");

@@ -37,6 +37,8 @@ public:
 
 private:
   Solution<dim> solve(const ContinuumGuess *guess);
+  /// Of the cells of the present mesh, and in its row of the table.
+  void estimate_errors(const ContinuumSequence<dim> &sequence);
   /// Largest change of a quantity since the mesh before, relative.
   double change() const;
   void finish(const Solution<dim> &solution);
@@ -75,7 +77,13 @@ Solution<dim> AdaptiveRun<dim>::solve(const ContinuumGuess *guess) {
     results.cost.iterations += report.iterations;
     results.cost.factorizations += report.factorizations;
   }
-  estimate = estimate_error(body, last, sequence.as_guess().traction);
+  level.seconds = wall.wall_time();
+  return solution;
+}
+
+template <int dim>
+void AdaptiveRun<dim>::estimate_errors(const ContinuumSequence<dim> &sequence) {
+  estimate = estimate_error(body, sequence.ends().back(), sequence.as_guess().traction);
   double sum = 0.;
   for (const auto &cell : body.triangulation->active_cell_iterators())
     if (cell->is_locally_owned())
@@ -84,9 +92,7 @@ Solution<dim> AdaptiveRun<dim>::solve(const ContinuumGuess *guess) {
   double stored = 0.;
   for (const StepReport &report : sequence.reports())
     stored += report.energy.stored;
-  level.estimate = stored > 0. ? std::sqrt(sum / (2. * stored)) : 0.;
-  level.seconds = wall.wall_time();
-  return solution;
+  levels.back().estimate = stored > 0. ? std::sqrt(sum / (2. * stored)) : 0.;
 }
 
 template <int dim>
@@ -117,6 +123,7 @@ void AdaptiveRun<dim>::run() {
     if (!why.empty())
       break;
     ContinuumGuess guess = solution.sequence->as_guess();
+    estimate_errors(*solution.sequence);
     refine(body, estimate, settings.refinement == Refinement::uniform ? 1. : settings.fraction,
            solution.sequence->ends().back(), guess);
     solution = solve(&guess);
@@ -173,6 +180,8 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
   const std::string &folder = scene.output.directory;
   if (scene.output.vtu)
     write_continuum_vtu(body, sequence.ends(), folder);
+  if (scene.output.report)
+    estimate_errors(sequence);
   if (this_process(body.communicator) > 0)
     return;
   write_contact_csv(scene, solution.rows, folder);

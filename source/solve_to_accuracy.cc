@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solve_to_accuracy.h"
 
+#include "accuracy/convergence.h"
 #include "accuracy/difference.h"
 #include "accuracy/refinable.h"
 
 #include <frictionbeam/results/text.h>
+#include <frictionbeam/results/vtu_writer.h>
 #include <frictionbeam/scene/parameter_file.h>
 #include <frictionbeam/scene/read_scene.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace frictionbeam {
 
 namespace {
 
-constexpr double margin = 1.2; ///< by which an estimate must be below what is demanded
-constexpr double lowest_order = 0.8, highest_order = 2.;
-constexpr unsigned int highest_level = 14, longest_jump = 5;
+constexpr double margin = 1.1;        ///< by which an estimate must be below what is demanded
+constexpr double first_share = 0.25;  ///< of the tolerance, that one difference alone must be below
+constexpr double most_of_model = 0.7; ///< of what is demanded, that the line model may use up
+constexpr unsigned int highest_level = 14;
 
 /// A run at some level of what is being refined.
 struct Trial {
@@ -26,15 +30,37 @@ struct Trial {
   Results results;
 };
 
+/// Quantities that only the model has that is not solved.
+std::vector<std::string> only_of_the_other(const Scene &scene, const ModelKind model) {
+  std::set<std::string> of_line, of_continuum;
+  for (const Quantity &quantity : scene.quantities)
+    of_line.insert(quantity.name);
+  if (scene.continuum)
+    for (const ContinuumQuantity &quantity : scene.continuum->quantities)
+      of_continuum.insert(quantity.name);
+  const bool is_line = model == ModelKind::line;
+  std::vector<std::string> names;
+  for (const std::string &name : is_line ? of_continuum : of_line)
+    if ((is_line ? of_line : of_continuum).count(name) == 0)
+      names.push_back(name + ": the " + (is_line ? "line" : "continuum") + " does not have it");
+  return names;
+}
+
 class AccuracyControl {
 public:
   AccuracyControl(const RunOptions &options, LawLibrary &laws, Scene &scene,
                   const std::function<Results(Scene &)> &solve)
-      : options(options), laws(laws), scene(scene), solve(solve), demanded(scene.accuracy) {}
+      : options(options), laws(laws), scene(scene), solve(solve), demanded(scene.accuracy),
+        model(scene.model), file(options.parameter_file) {
+    for (const std::string &option : options.overrides)
+      file.apply(option);
+  }
 
   Results run();
 
 private:
+  /// The line, if what it leaves out is estimated to be small enough, with its settings.
+  ModelKind choose_model();
   Results run_line();
   /// Its own refinement stops where the quantities change by no more than is demanded.
   Results run_continuum();
@@ -49,6 +75,8 @@ private:
   Scene &scene;
   const std::function<Results(Scene &)> &solve;
   const double demanded;
+  ModelKind model;    ///< that is solved
+  ParameterFile file; ///< with the options
   std::vector<accuracy::Refinable> list;
   std::vector<std::string> chosen;
   std::map<std::string, Results> solved; ///< coarse runs that may be asked for again
@@ -69,6 +97,8 @@ Results AccuracyControl::solve_with(const std::vector<std::string> &settings) {
   const std::string directory = scene.output.directory;
   scene = read_scene(options.parameter_file, overrides, laws);
   scene.output.directory = directory;
+  scene.model = model;
+  remove_frames(directory); // of coarser levels
   Results results = solve(scene);
   cost.mesh_seconds += results.cost.mesh_seconds;
   cost.setup_seconds += results.cost.setup_seconds;
@@ -103,53 +133,73 @@ Trial AccuracyControl::solve_at(const std::size_t what, const unsigned int level
 }
 
 Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
+  accuracy::Convergence convergence;
   Trial before = solve_at(what, 0);
-  double estimate = 0., order = highest_order, last = 0.;
-  bool known = false; // whether there is an estimate
   unsigned int level = 1;
   while (true) {
     Trial now = solve_at(what, level);
-    const bool usable =
-        now.results.status == RunStatus::converged && before.results.status == RunStatus::converged;
-    const unsigned int jump = level - before.level;
+    const bool converged = now.results.status == RunStatus::converged,
+               usable = converged && before.results.status == RunStatus::converged;
     if (usable) {
-      const double d = accuracy::difference(scene, before.results, now.results).value;
-      account.runs.back().change = d;
-      if (known && last > 0. && d > 0. && jump == 1)
-        order = std::clamp(std::log2(last / d), lowest_order, highest_order);
-      // A difference may be small by chance: it is taken for no less than the one before allows.
-      const double expected = known ? last * std::pow(2., -highest_order * jump) : 0.;
-      estimate = std::max(d, expected) / (std::pow(2., order * jump) - 1.);
-      const bool enough = known || d <= 0.25 * tolerance; // else two differences
-      known = true;
-      last = std::max(d, expected);
-      if (jump > 1) // as if it were one level
-        last *= (std::pow(2., order) - 1.) / (std::pow(2., order * jump) - 1.);
-      if (enough && margin * estimate <= tolerance) {
+      const auto differences = accuracy::differences(scene, before.results, now.results);
+      account.runs.back().change = accuracy::largest(differences).value;
+      std::vector<double> values;
+      for (const accuracy::Difference &one : differences)
+        values.push_back(one.value);
+      convergence.add(level - before.level, values);
+      const double estimate = convergence.estimate();
+      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance)) {
         account.estimate += estimate;
         return now;
       }
     }
-    before = std::move(now);
-    const double wanted =
-        known && usable && level >= 2 ? std::log2(margin * estimate / tolerance) / order : 1.;
-    const unsigned int step =
-        static_cast<unsigned int>(std::clamp(std::ceil(wanted), 1., 1. * longest_jump));
-    if (level + step > highest_level) {
-      account.estimate += known ? estimate : std::nan("");
+    if (converged || before.results.status != RunStatus::converged)
+      before = std::move(now);
+    level += usable ? convergence.levels_to(tolerance / margin) : 1;
+    if (level > highest_level) {
+      account.estimate += convergence.estimate();
       account.reached = false;
       return before;
     }
-    level += step;
   }
 }
 
+ModelKind AccuracyControl::choose_model() {
+  if (scene.steps.empty()) {
+    account.model_reason = "the scene has no line";
+    return ModelKind::continuum;
+  }
+  if (!scene.continuum) {
+    account.model_reason =
+        "the scene has no continuum, and what beams leave out of it is not estimated";
+    return ModelKind::line;
+  }
+  model = ModelKind::line;
+  const accuracy::LineForms forms = accuracy::line_forms(scene, file);
+  const Results less = solve_with(forms.without_last_correction), best = solve_with(forms.best);
+  const accuracy::Difference change = accuracy::largest(accuracy::differences(scene, less, best));
+  const bool known = less.status == RunStatus::converged && best.status == RunStatus::converged;
+  account.runs.back().change = change.value;
+  if (known)
+    account.line_error = change.value;
+  if (!known || !(change.value <= most_of_model * demanded)) {
+    account.model_reason = known ? "the last correction of the line, shear lag, changes " +
+                                       change.name + " by " + rounded_number(change.value, 2)
+                                 : "the line has no answer";
+    return ModelKind::continuum;
+  }
+  account.model_reason = "the last correction of the line, shear lag, changes no quantity by more";
+  account.estimate = change.value;
+  chosen = {"Slab/Poisson squeeze = true", "Slab/Shear lag = 3"};
+  return ModelKind::line;
+}
+
 Results AccuracyControl::run_line() {
-  const ParameterFile file(options.parameter_file);
-  const auto kind = file.sections().front().find("Scene");
-  list = accuracy::refinables(scene, kind == nullptr ? "line" : kind->value);
-  chosen = accuracy::exact_settings(scene);
-  account.left_out = accuracy::left_out(scene);
+  list = accuracy::refinables(scene, file);
+  for (const std::string &setting : accuracy::exact_settings(scene))
+    chosen.push_back(setting);
+  for (const std::string &quantity : accuracy::left_out(scene))
+    account.left_out.push_back(quantity);
   Results results;
   if (list.empty())
     results = solve_with(chosen);
@@ -179,7 +229,13 @@ Results AccuracyControl::run_continuum() {
 Results AccuracyControl::run() {
   account.demanded = demanded;
   account.reached = true;
-  Results results = scene.model == ModelKind::continuum ? run_continuum() : run_line();
+  const bool choose = model == ModelKind::automatic;
+  if (choose) {
+    model = choose_model();
+    account.model = model == ModelKind::line ? "line" : "continuum";
+    account.left_out = only_of_the_other(scene, model);
+  }
+  Results results = model == ModelKind::continuum ? run_continuum() : run_line();
   account.chosen = chosen;
   const Cost last = results.cost;
   results.cost = cost;
@@ -197,6 +253,13 @@ Results AccuracyControl::run() {
                 "."
           : "Accuracy: " + rounded_number(demanded, 2) + " is not reached; the estimate is " +
                 rounded_number(account.estimate, 2) + " with " + describe(chosen) + ".");
+  if (choose)
+    results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +
+                              account.model_reason +
+                              (account.line_error ? " (what the line leaves out is estimated as " +
+                                                        rounded_number(*account.line_error, 2) + ")"
+                                                  : "") +
+                              ".");
   results.accuracy = account;
   return results;
 }

@@ -25,7 +25,8 @@ public:
   /**
    * Load the law in the shared library @p file. Checked in this order: the library opens, it exports
    * `frictionbeam_law`, the interface version is equal, kind and sizes fit, the name is new, every
-   * parameter has a unit and a meaning within its bounds, the reference is there.
+   * parameter has a unit and a meaning within its bounds, the reference is there. A library that is
+   * loaded again is the same law.
    * @throws std::runtime_error saying what was found, what was expected and what to try.
    */
   const LawDescription &load(const std::string &file);

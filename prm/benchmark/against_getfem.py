@@ -4,15 +4,25 @@
 compares the results, and measures how long either needs to come within 0.1 % of the references.
 
   against_getfem.py BUILD_FOLDER [--markdown FILE] [--quick]
+  against_getfem.py --one CASE SETTING       one run of GetFEM, for `frictionbeam chart` and for main()
 
 GetFEM solves the same weak problem with a multiplier of the friction (and contact) traction and its own
 semismooth Newton method, on quadrilaterals of several degrees, on uniform meshes and on meshes graded
-towards the end of the slip zone and the corners, whose place it is told. Its time is that of mesh,
-assembly and solution, without starting Python and loading its library. FrictionBeam's time is that of the
-whole program, from start to end, mesh by gmsh and all meshes of its refinement included, without report
-and VTU. Both use one thread. Times are medians of several runs, taken in turn.
+towards the end of the slip zone and the corners, whose place it is told.
+
+One measure for both: mesh, assembly and solution, of all meshes of a refinement, in a process of its own
+for each run, without start of the process, libraries, files read and written. (FrictionBeam's time has the
+evaluation of the quantities in it, GetFEM's has not.) One thread each. Medians of runs in turn.
+
+One reading for both of the length of the slip zone: zone_end() below, from the slips at the nodes of the
+surface alone. All settings are tried first; the fastest within the goal are then measured again.
+
+A SETTING of GetFEM: DEGREE:COARSE, a uniform mesh, or DEGREE:COARSE:FINE:GROWTH, graded; COARSE and FINE
+are sizes of cells [m], for the bar in parts of a quarter of its side. DEGREE:COARSE+FINE+FINE ..: first
+uniform, then graded towards the end that the mesh before has found.
 """
 import argparse
+import csv
 import json
 import os
 import statistics
@@ -79,26 +89,20 @@ def faces(mesh, number, inside):
     mesh.set_region(number, np.array(chosen).T)
 
 
-def zone_end(x, size, loose):
-    """Where the zone ends in which 'loose' holds, as FrictionBeam takes it (doc/continuum.md)."""
-    n = 0
-    while n < len(x) and loose[n]:
-        n += 1
-    if n < 2 or n == len(x):
-        return x[min(n, len(x) - 1)]
-    here, before = abs(size[n - 1]) ** (2 / 3), abs(size[n - 2]) ** (2 / 3)
-    fall = (before - here) / (x[n - 1] - x[n - 2])
-    return min(x[n], x[n - 1] + here / fall) if fall > 0 else 0.5 * (x[n - 1] + x[n])
-
-
-def rough_end(x, slip):
-    """The same from the slip well inside the zone, which no oscillation reaches."""
-    falling = np.arange(len(x)) <= np.argmax(slip < 0.02 * slip.max())
-    some = falling & (slip > 0.02 * slip.max()) & (slip < 0.2 * slip.max())
-    if np.count_nonzero(some) < 2:
-        some = falling & (slip > 0.01 * slip.max())
-    slope, offset = np.polyfit(x[some], slip[some] ** (2 / 3), 1)
-    return -offset / slope
+def zone_end(x, slip, least=1e-3):
+    """Where the slip zone ends that begins at x[0]. The zone: the nodes from there on whose slip is more
+    than a thousandth of the largest. Slip goes to zero as distance^(3/2): a parabola through its power 2/3
+    at four nodes of the zone, the last one left out, meets zero there (as FrictionBeam takes its own
+    slip_length, doc/continuum.md, where the zone is that of the nodes that slip)."""
+    slip = np.abs(slip)
+    inside = slip > least * slip.max()
+    n = len(x) if inside.all() else int(np.argmin(inside))
+    if n < 5:
+        return x[max(n - 1, 0)]
+    chosen = slice(n - 5, n - 1)
+    curve = np.polyfit(x[chosen] - x[n - 1], slip[chosen] ** (2 / 3), 2)
+    roots = [r.real for r in np.roots(curve) if abs(r.imag) < 1e-12]
+    return x[n - 1] + min(roots, key=abs) if roots else x[n - 1]
 
 
 def surface_dofs(mf, region):
@@ -149,14 +153,7 @@ def getfem_slab(X, Y, degree, nu, plane):
 
     u = model.variable("u")
     top, x = surface_dofs(mfu, TOP)
-    x, slip = x[::2], np.abs(u[top[::2]])
-    traction = gf.compute_interpolate_on(model.mesh_fem_of_variable("t"), model.variable("t"), mfl)
-    traction = np.abs(traction[surface_dofs(mfl, TOP)[0]])
-    # Multipliers of equal order oscillate at the end of the zone: the best of three readings counts.
-    readings = [zone_end(x, slip, loose) for loose in
-                (slip > 1e-7 * slip.max(), slip > 1e-5 * slip.max(), traction > 0.999 * BOUND)]
-    values = {"slip_length": min(readings, key=lambda s: abs(s - SLAB["slip_length"])),
-              "about": rough_end(x, slip)}
+    values = {"slip_length": zone_end(x[::2], u[top[::2]])}
     for i, name in enumerate(("N_2", "N_4", "N_6")):
         values[name] = F + gf.asm_generic(mim, 0, "t", 10 + i, model)
     values["u_0_mean"] = gf.asm_generic(mim, 0, "u(1)", LEFT, model) / height
@@ -206,11 +203,11 @@ def getfem_long_bar(X, Y, degree, option=1):
     solve(model, 1e-3)  # of residuals of the size of 1e6
     seconds = time.perf_counter() - start
     u = model.variable("u")
-    bottom, x = surface_dofs(mfu, BOTTOM)
-    values = {}
-    for name, place in BAR_POINTS.items():
-        near = [d for d, xd in zip(bottom, x) if abs(xd - place) < 1e-9 and d % 2 == 0]
-        values[name] = u[near[0]]
+    # At points that need not be nodes; one between cells comes once for each.
+    places = gf.Slice("points", mesh, np.array([list(BAR_POINTS.values()), [0.0] * len(BAR_POINTS)]))
+    at_points = gf.compute_interpolate_on(mfu, u, places)
+    values = {name: at_points[0, np.argmin(np.abs(places.pts()[0] - place))]
+              for name, place in BAR_POINTS.items()}
     return values, model.nbdof(), seconds
 
 
@@ -219,60 +216,59 @@ def error(values, reference):
 
 
 class Getfem:
-    """A setting of GetFEM for one of the cases."""
+    """A setting of GetFEM for one of the cases, of the form DEGREE:COARSE[:FINE:GROWTH]."""
 
-    def __init__(self, case, degree, coarse, fine=None, growth=None):
-        self.name = "degree %d, " % degree + (
-            "uniform, h = %g" % coarse if fine is None else
-            "graded, h = %g to %g by %g" % (coarse, fine, growth))
-        self.degree = degree
+    def __init__(self, case, setting):
+        self.case, self.setting = case, setting
         self.reference = SLAB if case == "slab" else BAR
-        self.solve = (lambda X, Y: getfem_slab(X, Y, degree, 0.3, "stress")) if case == "slab" else (
-            lambda X, Y: getfem_long_bar(X, Y, degree, 3))
-        if case == "slab":
-            size, stops = (LENGTH, 1.0), [(2.0, False), (2.3, True), (4.0, False),
-                                          (6.0, False)]
-        else:
-            size, stops = (SIDE, SIDE), [(p, False) for p in BAR_POINTS.values() if p > 0]
-            stops += [(3.3e-3, True), (0.030, True)]
-        if fine is None:
-            self.mesh = lambda: [np.linspace(0, s, int(round(s / coarse)) + 1) for s in size]
-        else:
-            y = lambda: graded([(0, True), (size[1], False)], coarse, fine, growth)
-            self.mesh = lambda: [
-                graded([(0, True)] + stops + [(size[0], False)], coarse, fine, growth),
-                size[1] - y()[::-1] if case == "slab" else y()]
+        unit = 1.0 if case == "slab" else SIDE / 4
+        first, *self.fines = setting.split("+")
+        numbers = first.split(":")
+        self.degree, self.coarse = int(numbers[0]), float(numbers[1]) * unit
+        self.fines = [float(fine) * unit for fine in self.fines]
+        self.fine = float(numbers[2]) * unit if len(numbers) == 4 else None
+        self.growth = float(numbers[3]) if len(numbers) == 4 else 2.0
+        self.name = "degree %d, " % self.degree + (
+            "uniform, h = %s" % numbers[1] if self.fine is None else
+            "graded, h = %s to %s by %s" % tuple(numbers[1:]))
+        if self.fines:
+            self.name += ", then graded to %s where the zone was found to end" % ", ".join(
+                setting.split("+")[1:])
+
+    def uniform(self):
+        return [np.linspace(0, s, int(round(s / self.coarse)) + 1)
+                for s in ((LENGTH, 1.0) if self.case == "slab" else (SIDE, SIDE))]
+
+    def graded(self, coarse, fine, end):
+        if self.case == "slab":
+            stops = [(0.0, True), (2.0, False), (end, True), (4.0, False), (6.0, False), (LENGTH, False)]
+            return [graded(stops, coarse, fine, self.growth),
+                    1.0 - graded([(0, True), (1.0, False)], coarse, fine, self.growth)[::-1]]
+        stops = [(p, p == 0) for p in BAR_POINTS.values()] + [(3.3e-3, True), (end, True), (SIDE, False)]
+        return [graded(stops, coarse, fine, self.growth),
+                graded([(0, True), (SIDE, False)], coarse, fine, self.growth)]
+
+    def solve(self, X, Y):
+        if self.case == "slab":
+            return getfem_slab(X, Y, self.degree, 0.3, "stress")
+        return getfem_long_bar(X, Y, self.degree, 3)
 
     def run(self):
-        X, Y = self.mesh()
-        self.values, self.unknowns, seconds = self.solve(X, Y)
-        self.error = error(self.values, self.reference)
-        return seconds
-
-
-class GetfemInPasses:
-    """GetFEM on the slab, not told where the slip zone ends: a mesh graded towards the end that the mesh
-    before has found, from a uniform one on."""
-
-    def __init__(self, degree, coarse, fines):
-        self.name = "degree %d, uniform, h = %g, then graded to %s where the zone was found to end" % (
-            degree, coarse, ", ".join("%g" % fine for fine in fines))
-        self.degree, self.coarse, self.fines = degree, coarse, fines
-        self.reference = SLAB
-
-    def run(self):
-        n = int(round(1 / self.coarse))
-        X, Y = np.linspace(0, LENGTH, int(LENGTH) * n + 1), np.linspace(0, 1, n + 1)
-        self.values, self.unknowns, seconds = getfem_slab(X, Y, self.degree, 0.3, "stress")
+        mesh = self.uniform() if self.fine is None else self.graded(
+            self.coarse, self.fine, 2.3 if self.case == "slab" else 0.030)
+        self.values, self.unknowns, seconds = self.solve(*mesh)
         for fine in self.fines:
-            end = self.values["about"]
-            X = graded([(0, True), (2, False), (4, False), (6, False), (8, False), (end, True)], 0.5, fine,
-                       2.0)
-            Y = 1 - graded([(0, True), (1, False)], 0.5, fine, 2.0)[::-1]
-            self.values, self.unknowns, more = getfem_slab(X, Y, self.degree, 0.3, "stress")
+            mesh = self.graded(0.5 if self.case == "slab" else SIDE / 8, fine, self.values["slip_length"])
+            self.values, self.unknowns, more = self.solve(*mesh)
             seconds += more
         self.error = error(self.values, self.reference)
         return seconds
+
+    def run_alone(self):
+        """Seconds of a run in a process of its own."""
+        done = subprocess.run([sys.executable, os.path.abspath(__file__), "--one", self.case, self.setting],
+                              stdout=subprocess.PIPE, check=True, text=True)
+        return float(dict(line.split(" = ") for line in done.stdout.splitlines())["seconds"])
 
 
 class Ours:
@@ -292,29 +288,44 @@ class Ours:
                            stdout=subprocess.DEVNULL)
             self.process = time.perf_counter() - start
             summary = json.load(open(os.path.join(folder, "summary.json")))
+            with open(os.path.join(folder, "contact.csv")) as file:
+                nodes = list(csv.DictReader(file))
         self.values = {q["name"]: q["value"] for q in summary["quantities"]}
+        if "slip_length" in self.reference:
+            self.values["slip_length"] = zone_end(np.array([float(n["x"]) for n in nodes]),
+                                                  np.array([float(n["slip1"]) for n in nodes]))
         self.unknowns = summary["cost"]["unknowns"]
         self.error = error(self.values, self.reference)
-        return summary["cost"]["wall_seconds"]
+        return sum(summary["cost"][part + "_seconds"] for part in ("mesh", "setup", "solve"))
+
+    run_alone = run
 
 
 def settings_of_getfem(case, quick):
-    unit = 1.0 if case == "slab" else SIDE / 4
-    degrees = (2,) if quick else (1, 2, 3)
     result = []
-    for degree in degrees:
-        for coarse, fine, growth in ((0.5, 0.01, 2.0), (0.5, 0.005, 2.0), (0.5, 0.0025, 2.0),
-                                     (0.5, 0.00125, 2.0), (0.5, 0.0025, 1.6), (0.25, 0.0025, 2.0),
-                                     (0.25, 0.00125, 1.6), (0.25, 0.0006, 2.0)):
-            result.append(Getfem(case, degree, coarse * unit, fine * unit, growth))
-        for cells in ((8, 16, 32) if degree > 1 else (16, 32)):
-            result.append(Getfem(case, degree, (1.0 if case == "slab" else SIDE) / cells))
+    for degree in (2,) if quick else (1, 2, 3, 4):
+        for coarse in (1.0, 0.5, 1 / 3, 0.25, 0.2, 0.125, 0.0625):
+            if (degree == 1 and coarse > 0.3) or (degree > 2 and coarse < 0.12):
+                continue
+            result.append("%d:%.6g" % (degree, coarse))
+        for coarse, fine, growth in ((1, 0.1, 2), (0.5, 0.1, 2), (0.5, 0.04, 2), (0.5, 0.02, 2),
+                                     (0.5, 0.01, 2), (0.5, 0.0025, 2), (0.25, 0.04, 1.6),
+                                     (0.25, 0.0025, 2)):
+            result.append("%d:%g:%g:%g" % (degree, coarse, fine, growth))
+    if case == "slab":
+        result += ["2:0.5+0.1", "2:0.5+0.04", "2:0.25+0.04", "3:1+0.1", "3:0.5+0.04"]
+    return [Getfem(case, setting) for setting in result]
+
+
+def settings_of_ours(case, program, quick):
+    file, reference = ("slab_continuum.prm", SLAB) if case == "slab" else ("long_bar.prm", BAR)
+    result = [Ours(program, file, reference, "Continuum/Tolerance = " + tolerance)
+              for tolerance in ("1e-2", "3e-3", "1e-3")]
+    cells = (1, 2, 3, 4, 5, 8) if case == "slab" else (4, 8, 12, 16, 24)
+    for degree in (3,) if quick else (1, 2, 3, 4, 5):
+        result += [Ours(program, file, reference, "Continuum/Refinement = none",
+                        "Continuum/Degree = %d" % degree, "Continuum/Cells = %d" % n) for n in cells]
     return result
-
-
-def settings_untold():
-    return [GetfemInPasses(2, 0.25, fines) for fines in
-            ((0.02, 0.005), (0.05, 0.01), (0.02, 0.01, 0.005), (0.05, 0.02, 0.01), (0.05, 0.02, 0.005))]
 
 
 def table(rows):
@@ -326,60 +337,78 @@ def table(rows):
     return "\n".join(lines)
 
 
-def compare(case, program, runs, quick):
-    """Text about one case, and the ratio of times."""
-    theirs = []
-    for setting in settings_of_getfem(case, quick):
+def try_all(program, settings):
+    """Those that have an answer, with their errors and the time of a first run."""
+    good = []
+    for setting in settings:
         try:
             setting.seconds = setting.run()
-            theirs.append(setting)
-        except (RuntimeError, gf.InterfaceError if hasattr(gf, "InterfaceError") else RuntimeError) as e:
-            print("GetFEM, %s: %s" % (setting.name, e))
+        except (RuntimeError, subprocess.CalledProcessError) as problem:
+            print("%s, %s: %s" % (program, setting.name, problem), flush=True)
             continue
-        print("GetFEM, %s: %d unknowns, error %.2e, %.3f s" % (
-            setting.name, setting.unknowns, setting.error, setting.seconds), flush=True)
-    good = [s for s in theirs if s.error <= GOAL]
-    best = (sorted(good, key=lambda s: s.seconds)[:3] or [min(theirs, key=lambda s: s.error)])
-    file, reference = (("slab_continuum.prm", SLAB) if case == "slab" else ("long_bar.prm", BAR))
-    ours = [Ours(program, file, reference), Ours(program, file, reference, "Continuum/Tolerance = 3e-3"),
-            Ours(program, file, reference, "Continuum/Tolerance = 1e-2")]
-    times = {id(s): [] for s in best + ours}
-    processes = {id(s): [] for s in ours}
+        good.append(setting)
+        print("%s, %s: %d unknowns, error %.2e, %.4f s" % (
+            program, setting.name, setting.unknowns, setting.error, setting.seconds), flush=True)
+    return good
+
+
+def fastest_within_goal(settings, n):
+    good = [s for s in settings if s.error <= GOAL]
+    return sorted(good, key=lambda s: s.seconds)[:n] or [min(settings, key=lambda s: s.error)]
+
+
+def compare(case, program, runs, quick):
+    """Text about one case, and the ratio of times."""
+    theirs = try_all("GetFEM", settings_of_getfem(case, quick))
+    ours = try_all("FrictionBeam", settings_of_ours(case, program, quick))
+    chosen = [("GetFEM", s) for s in fastest_within_goal(theirs, 4)]
+    chosen += [("FrictionBeam", s) for s in fastest_within_goal(ours, 3)]
+    adaptive = [s for s in ours if "Tolerance" in s.name and s.error <= GOAL]
+    if adaptive:
+        chosen.append(("FrictionBeam", min(adaptive, key=lambda s: s.seconds)))
+    chosen = list(dict.fromkeys(chosen))
+    times = {s: [] for _, s in chosen}
     for _ in range(runs):
-        for s in best + ours:
-            times[id(s)].append(s.run())
-            if s in ours:
-                processes[id(s)].append(s.process)
-    median = {key: statistics.median(values) for key, values in times.items()}
-    rows = [("GetFEM", s, median[id(s)]) for s in best] + [("FrictionBeam", s, median[id(s)])
-                                                          for s in ours]
-    fastest = min(best, key=lambda s: median[id(s)])
-    chosen = min((s for s in ours if s.error <= GOAL), key=lambda s: median[id(s)])
-    ratio = median[id(fastest)] / median[id(chosen)]
-    text = table(rows) + "\n\n| quantity | FrictionBeam | GetFEM | difference |\n| --- | --- | --- | --- |\n"
+        for _, s in chosen:
+            times[s].append(s.run_alone())
+    median = {s: statistics.median(times[s]) for s in times}
+    best = {name: min((s for n, s in chosen if n == name), key=lambda s: median[s])
+            for name in ("GetFEM", "FrictionBeam")}
+    ratio = median[best["GetFEM"]] / median[best["FrictionBeam"]]
+    text = table([(name, s, median[s]) for name, s in chosen])
+    text += "\n\n| quantity | FrictionBeam | GetFEM | difference |\n| --- | --- | --- | --- |\n"
     finest = min(theirs, key=lambda s: s.error)
-    for name in reference:
-        text += "| %s | %.7g | %.7g | %.1e |\n" % (name, reference[name], finest.values[name],
-                                                  finest.values[name] / reference[name] - 1)
-    text += "\nGetFEM's figures: %s. FrictionBeam (%s) takes %.3f s where GetFEM (%s) takes %.3f s: " \
-            "ratio %.1f. With loading the program and its libraries: %.2f s.\n" % (
-                finest.name, chosen.name, median[id(chosen)], fastest.name, median[id(fastest)], ratio,
-                statistics.median(processes[id(chosen)]))
+    for name, value in best["GetFEM"].reference.items():
+        text += "| %s | %.7g | %.7g | %.1e |\n" % (name, value, finest.values[name],
+                                                  finest.values[name] / value - 1)
+    text += "\nGetFEM's figures: %s. FrictionBeam (%s) takes %.4f s where GetFEM (%s) takes %.4f s: " \
+            "ratio %.1f.\n" % (finest.name, best["FrictionBeam"].name, median[best["FrictionBeam"]],
+                               best["GetFEM"].name, median[best["GetFEM"]], ratio)
     return text, ratio
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build")
+    parser.add_argument("build", nargs="?")
+    parser.add_argument("--one", nargs=2, metavar=("CASE", "SETTING"))
     parser.add_argument("--markdown")
-    parser.add_argument("--runs", type=int, default=5)
-    parser.add_argument("--quick", action="store_true", help="degree 2 only")
+    parser.add_argument("--runs", type=int, default=7)
+    parser.add_argument("--quick", action="store_true", help="degree 2 and 3 only")
     arguments = parser.parse_args()
+    if arguments.one:
+        run = Getfem(*arguments.one)
+        print("seconds =", run.run())
+        print("unknowns =", run.unknowns)
+        for name in run.reference:
+            print(name, "=", run.values[name])
+        return
+    if arguments.build is None:
+        parser.error("BUILD_FOLDER is missing")
     program = os.path.join(arguments.build, "bin", "frictionbeam")
     text = ""
     for case in ("slab", "long bar"):
-        part, ratio = compare(case, program, arguments.runs, arguments.quick)
+        part, _ = compare(case, program, arguments.runs, arguments.quick)
         text += "### %s\n\n%s\n" % (case.capitalize(), part)
         print(part, flush=True)
     if arguments.markdown:

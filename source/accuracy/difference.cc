@@ -60,32 +60,35 @@ double distance(const ExactHistory &exact, const Results &coarse, const Results 
 
 } // namespace
 
-Difference difference(const Scene &scene, const Results &coarse, const Results &fine) {
+std::vector<Difference> differences(const Scene &scene, const Results &coarse,
+                                    const Results &fine) {
   std::map<std::string, double> largest; // by unit
   for (const QuantityResult &one : fine.quantities)
     largest[one.unit] = std::max(largest[one.unit], std::abs(one.value));
-  Difference result;
-  const auto take = [&](const double value, const std::string &name) {
-    if (!(value <= result.value)) {
-      result.value = value;
-      result.worst = name;
-    }
-  };
+  std::vector<Difference> result;
   for (const QuantityResult &one : fine.quantities) {
     const Quantity *const quantity = find(scene, one.name);
     if (quantity == nullptr || is_count(quantity->what))
       continue;
     if (quantity->what == "max_error") {
       if (scene.exact)
-        take(distance(*scene.exact, coarse, fine), one.name);
+        result.push_back({distance(*scene.exact, coarse, fine), one.name});
       continue;
     }
     for (const QuantityResult &other : coarse.quantities)
       if (other.name == one.name) {
         const double scale = std::max(std::abs(one.value), floor_of_unit * largest[one.unit]);
-        take(std::abs(other.value - one.value) / (scale > 0. ? scale : 1.), one.name);
+        result.push_back({std::abs(other.value - one.value) / (scale > 0. ? scale : 1.), one.name});
       }
   }
+  return result;
+}
+
+Difference largest(const std::vector<Difference> &differences) {
+  Difference result;
+  for (const Difference &one : differences)
+    if (!(one.value <= result.value)) // nan counts as the largest
+      result = one;
   return result;
 }
 

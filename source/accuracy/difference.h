@@ -5,19 +5,22 @@
 
 namespace frictionbeam::accuracy {
 
-/// How far two answers are apart.
+/// How far two answers are apart in one quantity.
 struct Difference {
-  double value = 0.; ///< the largest
-  std::string worst; ///< quantity that has it
+  double value = 0.;
+  std::string name; ///< of the quantity
 };
 
 /**
- * Largest difference of the quantities that the scene names, each relative to its value in @p fine,
- * or to a hundredth of the largest with the same unit if that is more. Where it asks for max_error,
- * the motion of that point is compared at all instants of @p coarse. Numbers of supports (n_stick,
+ * Differences of the quantities that the scene names, each relative to its value in @p fine, or to
+ * a hundredth of the largest with the same unit if that is more. Where it asks for max_error, the
+ * motion of that point is compared at all instants of @p coarse. Numbers of supports (n_stick,
  * n_slip, n_open) do not count.
  */
-Difference difference(const Scene &scene, const Results &coarse, const Results &fine);
+std::vector<Difference> differences(const Scene &scene, const Results &coarse, const Results &fine);
+
+/// The largest of them; none: zero.
+Difference largest(const std::vector<Difference> &differences);
 
 /// Names of the quantities that do not count, and why, for the user.
 std::vector<std::string> left_out(const Scene &scene);

@@ -20,6 +20,27 @@ Refinable entry(const std::string &name, const std::string &path, const unsigned
           false};
 }
 
+double number(const ParameterFile &file, const std::string &heading, const std::string &name,
+              const double default_value) {
+  const ParameterFile::Section *const section = file.find(heading);
+  const ParameterFile::Entry *const entry = section == nullptr ? nullptr : section->find(name);
+  double value = default_value;
+  if (entry != nullptr)
+    to_number(entry->value, value); // which read_scene() has checked
+  return value;
+}
+
+/// The slab on @p n elements and on the same interface: the stiffness of a friction element is
+/// that of its share of the surface.
+std::vector<std::string> slab_elements(const ParameterFile &file, const unsigned int n) {
+  std::vector<std::string> settings = {"Slab/Elements = " + whole(n)};
+  const double rigidity = number(file, "Slab", "GS", 1e6),
+               given = number(file, "Slab", "Elements", 16.);
+  if (rigidity > 0.)
+    settings.push_back("Slab/GS = " + exact_number(rigidity * given / n));
+  return settings;
+}
+
 /// Shortest straight run of a route [m].
 double shortest_run(const Scene &scene) {
   double shortest = 0.;
@@ -64,8 +85,10 @@ Refinable time_step_of(const Scene &scene) {
 
 } // namespace
 
-std::vector<Refinable> refinables(const Scene &scene, const std::string &scene_kind) {
+std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file) {
   std::vector<Refinable> list;
+  const ParameterFile::Entry *const entry_scene = file.sections().front().find("Scene");
+  const std::string scene_kind = entry_scene == nullptr ? "line" : entry_scene->value;
   const bool has_transient = std::any_of(scene.steps.begin(), scene.steps.end(),
                                          [](const LoadStep &step) { return step.transient; }),
              has_static = std::any_of(scene.steps.begin(), scene.steps.end(),
@@ -90,10 +113,26 @@ std::vector<Refinable> refinables(const Scene &scene, const std::string &scene_k
                     false});
   }
   if (scene_kind == "slab")
-    list.push_back(entry("elements of the slab", "Slab/Elements", 8));
+    list.push_back({"elements of the slab",
+                    [file](const unsigned int level) { return slab_elements(file, 8u << level); },
+                    false});
   if (scene_kind == "friction bed")
     list.push_back(entry("supports that stand for the bed", "Rack/Supports", 5));
   return list;
+}
+
+LineForms line_forms(const Scene &scene, const ParameterFile &file) {
+  const std::array<double, 3> &size = scene.continuum->box->size;
+  unsigned int n = 32;
+  while (n < 2. * size[0] / size[1] && n < 4096)
+    n *= 2;
+  LineForms forms;
+  forms.best = forms.without_last_correction = slab_elements(file, n);
+  for (auto *const form : {&forms.best, &forms.without_last_correction})
+    form->push_back("Slab/Poisson squeeze = true");
+  forms.best.push_back("Slab/Shear lag = 3");
+  forms.without_last_correction.push_back("Slab/Shear lag = 0");
+  return forms;
 }
 
 std::vector<std::string> exact_settings(const Scene &scene) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/scene/parameter_file.h>
 #include <frictionbeam/scene/scene.h>
 
 #include <functional>
@@ -19,7 +20,20 @@ struct Refinable {
  * with friction, time step, cell length where beds or masses are spread over cells, supports and
  * elements of generated scenes. Empty: the answer depends on none.
  */
-std::vector<Refinable> refinables(const Scene &scene, const std::string &scene_kind);
+std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file);
+
+/// The line of a scene that is a continuum as well, in two forms.
+struct LineForms {
+  std::vector<std::string> best, ///< settings with which it follows the continuum most closely
+      without_last_correction;   ///< the same but for the smallest of its corrections
+};
+
+/**
+ * Of the slab, the only such scene: with the Poisson squeeze, and with and without the shear lag
+ * (SlabLine), on elements half as long as the slab is high, or shorter. What the lag changes bounds
+ * what is left in every case of doc/slab.md, which is a third of it or less.
+ */
+LineForms line_forms(const Scene &scene, const ParameterFile &file);
 
 /// Settings that cost nothing and are exact: bends as arcs.
 std::vector<std::string> exact_settings(const Scene &scene);

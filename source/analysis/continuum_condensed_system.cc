@@ -29,10 +29,14 @@ public:
           body.constraints.distribute_local_to_global(local, dofs, matrix);
         });
     std::vector<types::global_dof_index> contact_dofs;
-    for (const auto &node : body.nodes)
-      for (const auto dof : node.dofs)
-        if (!body.constraints.is_constrained(dof))
-          contact_dofs.push_back(dof);
+    for (const auto &node : body.nodes) {
+      // Along the normal a prescribed pressure is a load, which has no tangent.
+      const bool is_pressed = body.continuum.contacts[node.surface].pressure.has_value();
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!body.constraints.is_constrained(node.dofs[d]) &&
+            !(is_pressed && std::abs(node.frame[0][d]) > 1. - 1e-12))
+          contact_dofs.push_back(node.dofs[d]);
+    }
     number([&](const types::global_dof_index dof) { return body.constraints.is_constrained(dof); },
            contact_dofs);
     factorize();

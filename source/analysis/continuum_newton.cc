@@ -52,11 +52,11 @@ void ContinuumNewton<dim>::add_forces(const std::vector<LocalVector> &stress,
 }
 
 template <int dim>
-void ContinuumNewton<dim>::residual(const ContinuumVector &forces, const ContinuumVector &u,
+void ContinuumNewton<dim>::residual(const ContinuumVector &forces, const ContinuumVector &elastic,
                                     const std::vector<LocalVector> &stress,
                                     ContinuumVector &left) const {
-  system.multiply(u, left);
-  left.sadd(-1., 1., forces);
+  left = forces;
+  left -= elastic;
   add_forces(stress, left);
   body.constraints.set_zero(left);
 }
@@ -114,9 +114,10 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
   const unsigned int n = contacts.size();
   const double epsilon = contacts.stiffness_factor / stiffness_of_direction;
   std::vector<LocalVector> step(n), displacement, used(n);
-  ContinuumVector left, direction;
+  ContinuumVector left, direction, elastic; // elastic forces: stiffness times u
   body.reinit(left);
   body.reinit(direction);
+  body.reinit(elastic);
   const double largest_load = largest_of(forces);
 
   // Evaluates at u and the centre; the merit of both together.
@@ -135,7 +136,8 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
       misfit +=
           body.nodes[i].weight * difference.cwiseProduct(difference).dot(contacts.by_centre(i));
     }
-    residual(forces, u, used, left);
+    system.multiply(u, elastic);
+    residual(forces, elastic, used, left);
     return energy(left) + Utilities::MPI::sum(misfit, body.communicator);
   };
 
@@ -150,7 +152,7 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
     const double largest_force = std::max(largest_load, contact_force);
     const double largest_displacement = largest_of(u);
     const double rounding = epsilon_of_rounding * largest_displacement;
-    residual(forces, u, response.state.stress, left);
+    residual(forces, elastic, response.state.stress, left);
     ContinuumVector stiff(u);
     stiff.scale(diagonal);
     const double size = largest_of(left);
@@ -204,7 +206,7 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
         }
     }
     symmetric = Utilities::MPI::min(static_cast<unsigned int>(symmetric), body.communicator) > 0;
-    residual(forces, u, used, left);
+    residual(forces, elastic, used, left);
     ++result.iterations;
     if (!system.solve(blocks, symmetric, left, direction)) {
       result.remark = "a linear system could not be solved";

@@ -256,8 +256,9 @@ std::string convergence_table(const Scene &scene, const std::vector<ContinuumLev
              column([](const auto &level) { return std::to_string(level.contacts); }))
       .right("Iterations",
              column([](const auto &level) { return std::to_string(level.iterations); }))
-      .right("Estimate",
-             column([](const auto &level) { return rounded_number(level.estimate, 2); }))
+      .right("Estimate", column([](const auto &level) {
+               return level.estimate ? rounded_number(*level.estimate, 2) : "\u2013";
+             }))
       .right("Seconds", column([](const auto &level) { return rounded_number(level.seconds, 2); }));
   for (unsigned int i = 0; i < scene.continuum->quantities.size(); ++i) {
     const ContinuumQuantity &quantity = scene.continuum->quantities[i];
@@ -277,7 +278,8 @@ void write_convergence_csv(const Scene &scene, const std::vector<ContinuumLevel>
   for (const ContinuumLevel &level : levels) {
     text += "\n" + std::to_string(level.cells) + "," + std::to_string(level.unknowns) + "," +
             std::to_string(level.contacts) + "," + std::to_string(level.iterations) + "," +
-            exact_number(level.estimate) + "," + exact_number(level.seconds);
+            (level.estimate ? exact_number(*level.estimate) : "") + "," +
+            exact_number(level.seconds);
     for (const double value : level.quantities)
       text += "," + exact_number(value);
   }

@@ -14,6 +14,12 @@ std::string accuracy_section(const AccuracyAccount &account) {
   for (const std::string &setting : account.chosen)
     text += "<code>" + escape_xml(setting) + "</code> ";
   text += "</p>\n";
+  if (!account.model.empty())
+    text += "<p>Solved as a " + account.model + ": " + escape_xml(account.model_reason) +
+            (account.line_error ? ". Estimate of what the line leaves out: " +
+                                      rounded_number(*account.line_error, 2) + "."
+                                : ".") +
+            "</p>\n";
   for (const std::string &quantity : account.left_out)
     text += html_note("Left out: " + escape_xml(quantity) + ".");
   std::vector<std::string> settings, seconds, changes;

@@ -114,10 +114,13 @@ std::string accuracy_text(const AccuracyAccount &account) {
                  .add("change", run.change)
                  .add(json("converged") + (run.converged ? ": true" : ": false"))
                  .str());
-  return List('{', '}', "  ")
-      .add("demanded", account.demanded)
-      .add("estimate", account.estimate)
-      .add(json("reached") + (account.reached ? ": true" : ": false"))
+  List list('{', '}', "  ");
+  list.add("demanded", account.demanded).add("estimate", account.estimate);
+  if (!account.model.empty())
+    list.add("model", account.model)
+        .add("line_error", account.line_error)
+        .add("model_reason", account.model_reason);
+  return list.add(json("reached") + (account.reached ? ": true" : ": false"))
       .add_list("chosen", chosen)
       .add_list("left_out", left_out)
       .add_list("runs", runs)

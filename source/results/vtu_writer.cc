@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 namespace frictionbeam {
 
@@ -134,6 +135,23 @@ void write_pvd(const std::vector<std::pair<double, std::string>> &frames, const 
 }
 
 } // namespace
+
+void remove_frames(const std::string &folder) {
+  namespace fs = std::filesystem;
+  std::error_code error; // what cannot be removed will not be overwritten either, and is said then
+  for (const char *const collection : {"results.pvd", "supports.pvd", "modes.pvd"})
+    fs::remove(fs::path(folder) / collection, error);
+  std::vector<fs::path> frames;
+  for (const auto &entry : fs::directory_iterator(fs::path(folder) / "vtu", error)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_ours = name.rfind("line_", 0) == 0 || name.rfind("supports_", 0) == 0 ||
+                         name.rfind("mode_", 0) == 0;
+    if (is_ours && entry.path().extension() == ".vtu")
+      frames.push_back(entry.path());
+  }
+  for (const fs::path &frame : frames)
+    fs::remove(frame, error);
+}
 
 VtuWriter::VtuWriter(const Results &results, const std::string &folder)
     : results(results), folder(folder) {

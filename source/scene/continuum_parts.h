@@ -15,7 +15,13 @@ namespace parts {
 void declare_continuum(ParameterReader &in);
 void parse_continuum(const ParameterReader &in, Scene &scene);
 
-/// Section Quantities of a scene that is solved as a continuum only.
+/// Whether the entry Model suits the scene that has been read.
+void check_model(const ParameterReader &in, const Scene &scene);
+/// Whether the scene is solved as a line, or may be.
+bool has_line(const Scene &scene);
+
+/// Section Quantities of a scene that is solved as a continuum; where it is solved as a line as
+/// well, only references of the quantities that the continuum has of itself.
 void parse_continuum_quantities(const ParameterReader &in, Scene &scene);
 
 } // namespace parts

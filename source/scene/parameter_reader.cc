@@ -35,7 +35,10 @@ bool keeps_references(const std::string &heading, const std::string &name) {
          (heading == "Continuum" && name != "Increments" && name != "Dimension") ||
          (name == "Increments" &&
           heading != "Continuum") || // how the way is cut, not where it leads
-         (heading.empty() && (name == "Title" || name == "Accuracy" || name == "Monitors"));
+         (heading == "Slab" &&       // of its line
+          (name == "Elements" || name == "Poisson squeeze" || name == "Shear lag")) ||
+         (heading.empty() &&
+          (name == "Title" || name == "Model" || name == "Accuracy" || name == "Monitors"));
 }
 
 } // namespace

@@ -51,4 +51,22 @@ void parse_continuum(const ParameterReader &in, Scene &scene) {
     in.fail("Dimension", "2 or 3", "2");
 }
 
+void check_model(const ParameterReader &in, const Scene &scene) {
+  const bool is_automatic = scene.model == ModelKind::automatic;
+  if (scene.model != ModelKind::line && !is_automatic && !scene.continuum)
+    in.fail("Model", "line or auto for Scene = " + in.text("Scene"),
+            "line; slab, long bar and body are continua");
+  if (scene.accuracy > 0. && scene.model == ModelKind::both)
+    in.fail("Accuracy", "Model = line, continuum or auto", "one after the other",
+            in.text("Accuracy"));
+  if (is_automatic && scene.accuracy == 0.)
+    in.fail("Model", "auto together with Accuracy, by which it chooses", "set Accuracy = 1e-2");
+  if (scene.model != ModelKind::continuum && !is_automatic && scene.steps.empty())
+    in.fail("Model", "continuum or auto for Scene = " + in.text("Scene"), "continuum");
+}
+
+bool has_line(const Scene &scene) {
+  return scene.model != ModelKind::continuum && !scene.steps.empty();
+}
+
 } // namespace frictionbeam::parts

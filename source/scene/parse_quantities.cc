@@ -98,6 +98,14 @@ void parse_over(const std::string &word, Quantity &quantity) {
                                        : Over::time_of;
 }
 
+bool is_of_continuum(const Scene &scene, const std::string &name) {
+  if (!scene.continuum)
+    return false;
+  const auto &list = scene.continuum->quantities;
+  return std::any_of(list.begin(), list.end(),
+                     [&](const ContinuumQuantity &one) { return one.name == name; });
+}
+
 /// `[over] [|]what[|] [at where][, step NAME][, time T][, from T][, to T]`
 void parse_definition(const ParameterReader &in, const std::string &text, const Scene &scene,
                       Quantity &quantity) {
@@ -170,19 +178,30 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
   for (const ParameterFile::Entry &entry : section->entries) {
     if (entry.name == "Source")
       continue;
+    const std::vector<std::string> pieces = split(entry.value, ';');
+    if (pieces.empty())
+      fail_form(in, entry.name, "nothing");
+    // A quantity of the generated scene is given a reference by its name alone.
+    const bool is_reference = pieces[0].rfind("reference ", 0) == 0;
+    const auto known =
+        std::find_if(scene.quantities.begin(), scene.quantities.end(),
+                     [&](const Quantity &other) { return other.name == entry.name; });
+    if (is_reference && known == scene.quantities.end() && is_of_continuum(scene, entry.name))
+      continue;
     Quantity quantity;
     quantity.name = entry.name;
-    if (contains(names(scene.quantities), entry.name))
+    if (is_reference && known != scene.quantities.end())
+      quantity = *known;
+    else if (known != scene.quantities.end())
       in.fail(entry.name,
               "a name that the generated scene does not use itself: " +
                   join(names(scene.quantities)),
               "another name");
-    const std::vector<std::string> pieces = split(entry.value, ';');
-    if (pieces.empty())
-      fail_form(in, entry.name, "nothing");
-    parse_definition(in, pieces[0], scene, quantity);
-    check_where(in, quantity, scene);
-    for (unsigned int i = 1; i < pieces.size(); ++i) {
+    if (!is_reference || known == scene.quantities.end()) {
+      parse_definition(in, pieces[0], scene, quantity);
+      check_where(in, quantity, scene);
+    }
+    for (unsigned int i = is_reference ? 0 : 1; i < pieces.size(); ++i) {
       const auto blank = pieces[i].find(' ');
       const std::string key = pieces[i].substr(0, blank),
                         value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
@@ -203,7 +222,10 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
     }
     if (quantity.reference && quantity.source.empty())
       quantity.source = in.text("Source");
-    scene.quantities.push_back(quantity);
+    if (is_reference)
+      *known = quantity;
+    else
+      scene.quantities.push_back(quantity);
   }
   if (!dropped.empty())
     scene.remarks.push_back("No reference in this run for " + join(dropped) +

@@ -181,9 +181,10 @@ void declare_global(ParameterReader &in) {
       "line: from the parts in this file; the others are generated from the few "
       "entries of a section of their own: Slab, Oscillator, Rack, Random, Long bar; "
       "body: a continuum on a mesh of your own, section Body.");
-  in.declare_choice("Model", "line", {"line", "continuum", "both"},
+  in.declare_choice("Model", "line", {"line", "continuum", "both", "auto"},
                     "line: beams; continuum: a plane or solid body, of scenes that are one; both: "
-                    "one after the other, with their quantities side by side.");
+                    "one after the other, with their quantities side by side; auto: the line if "
+                    "its modelling error is estimated to be below Accuracy, else the continuum.");
   in.declare_number(
       "Accuracy", 0., "-", 0., 0.5,
       "Relative error of the quantities that is good enough: the program chooses increments, time "
@@ -207,7 +208,8 @@ void parse_global(const ParameterReader &in, Scene &scene) {
   scene.title = in.text("Title");
   scene.model = in.text("Model") == "line"        ? ModelKind::line
                 : in.text("Model") == "continuum" ? ModelKind::continuum
-                                                  : ModelKind::both;
+                : in.text("Model") == "both"      ? ModelKind::both
+                                                  : ModelKind::automatic;
   scene.accuracy = in.number("Accuracy");
   scene.free_motions = parse_motions(in, "Free motions");
   for (const double multiplier : in.numbers("Friction multipliers")) {

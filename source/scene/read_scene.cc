@@ -310,13 +310,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     kind->build(in, laws, scene);
   }
   in.enter("");
-  if (scene.model != ModelKind::line && !scene.continuum)
-    in.fail("Model", "line for Scene = " + scene_name,
-            "line; slab, long bar and body are continua");
-  if (scene.accuracy > 0. && scene.model == ModelKind::both)
-    in.fail("Accuracy", "Model = line or continuum", "one after the other", in.text("Accuracy"));
-  if (scene.model != ModelKind::continuum && scene.steps.empty())
-    in.fail("Model", "continuum for Scene = " + scene_name, "continuum");
+  parts::check_model(in, scene);
   parts::parse_monitors(in, scene);
   check_unique_names(in, scene);
   in.enter("Exact");
@@ -326,10 +320,10 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   in.enter("Quantities");
   parts::declare_quantities(in);
   in.take();
-  if (scene.model == ModelKind::continuum)
-    parts::parse_continuum_quantities(in, scene);
-  else
+  if (parts::has_line(scene))
     parts::parse_quantities(in, scene);
+  if (scene.continuum && scene.model != ModelKind::line)
+    parts::parse_continuum_quantities(in, scene);
   return scene;
 }
 

@@ -180,7 +180,10 @@ void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
     const auto kind = std::find_if(kinds.begin(), kinds.end(),
                                    [&](const auto &k) { return k.first == words[0]; });
     std::size_t first = 1;
-    if (known != quantities.end() && words[0] == "reference") {
+    const bool is_reference = known != quantities.end() && words[0] == "reference";
+    if (has_line(scene) && !is_reference)
+      continue; // a quantity of the line
+    if (is_reference) {
       quantity = *known;
       first = 0;
     } else if (kind == kinds.end() || words.size() != 3 || words[1] != "at")

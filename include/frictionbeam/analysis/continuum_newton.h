@@ -44,8 +44,8 @@ private:
   bool iterate(const ContinuumVector &forces, const FoundationState &committed, const double time,
                const double time_increment, ContinuumVector &u, FoundationResponse &response,
                ContinuumNewtonResult &result);
-  /// Loads minus stiffness times u plus forces of tractions.
-  void residual(const ContinuumVector &forces, const ContinuumVector &u,
+  /// Loads minus elastic forces, stiffness times u, plus forces of tractions.
+  void residual(const ContinuumVector &forces, const ContinuumVector &elastic,
                 const std::vector<LocalVector> &stress, ContinuumVector &left) const;
   double energy(const ContinuumVector &forces) const;
   /// Largest contact force and traction.

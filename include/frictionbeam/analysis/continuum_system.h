@@ -39,7 +39,8 @@ std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> 
 /**
  * Sparse Cholesky factorization with the dofs of contact nodes last, so that the last block of the
  * factor gives the stiffness condensed to them: a contact's tangent changes a small dense matrix
- * only, and one sparse factorization serves all iterations of a mesh. A multiple of the identity is
+ * only, and one sparse factorization serves all iterations of a mesh. (A normal along an axis under
+ * a prescribed pressure has no tangent and stays among the others.) A multiple of the identity is
  * added on these dofs before and subtracted after, so that the body may be free but for its
  * contacts.
  */

@@ -27,7 +27,7 @@ struct ContinuumMesh {
   dealii::types::boundary_id part(const std::string &name) const;
 };
 
-/// Mesh the scene's box, or read or mesh Mesh/File, with gmsh. @throws UserError
+/// Mesh the scene's box in equal cells, or read or mesh Mesh/File with gmsh. @throws UserError
 template <int dim>
 ContinuumMesh<dim> build_continuum_mesh(const Scene &scene);
 

@@ -56,8 +56,8 @@ std::string unit_of(const ContinuumQuantity &quantity);
 struct ContinuumLevel {
   std::size_t cells = 0, unknowns = 0, contacts = 0;
   unsigned int iterations = 0;
-  double estimate = 0.; ///< relative, of the energy norm
-  double seconds = 0.;  ///< since the start
+  std::optional<double> estimate; ///< relative, of the energy norm, if it was needed
+  double seconds = 0.;            ///< since the start
   std::vector<double> quantities;
 };
 

@@ -147,6 +147,9 @@ struct AccuracyAccount {
     bool converged = false;
   };
   double demanded = 0., estimate = 0.; ///< relative
+  std::string model;                   ///< line or continuum, if it was left to the program
+  std::optional<double> line_error;    ///< estimate of what a line leaves out, relative
+  std::string model_reason;            ///< in plain words
   bool reached = false;
   std::vector<std::string> chosen;   ///< settings, as of --set
   std::vector<std::string> left_out; ///< quantities that do not count, and why

@@ -45,4 +45,7 @@ private:
   std::vector<std::pair<double, std::string>> line_frames, support_frames; ///< time, file
 };
 
+/// Remove the frames that another run has left in the folder.
+void remove_frames(const std::string &folder);
+
 } // namespace frictionbeam

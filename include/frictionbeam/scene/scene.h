@@ -270,8 +270,8 @@ struct OutputSettings {
   bool resume = false;              ///< from the checkpoint in the directory, if there is one
 };
 
-/// Which model of the scene is solved.
-enum class ModelKind { line, continuum, both };
+/// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.
+enum class ModelKind { line, continuum, both, automatic };
 
 struct Scene {
   std::string name; ///< of the parameter file, without folder and ending

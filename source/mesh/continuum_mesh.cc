@@ -4,7 +4,9 @@
 #include <frictionbeam/mesh/continuum_mesh.h>
 #include <frictionbeam/scene/user_error.h>
 
+#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
 
 #include <gmsh.h>
 
@@ -18,34 +20,34 @@ using namespace dealii;
 
 namespace {
 
-/// A box from the origin by extrusion, its sides physical groups x0 x1 y0 y1 (z0 z1).
-void mesh_box(const ContinuumBox &box, const unsigned int dim) {
-  namespace geo = gmsh::model::geo;
-  gmsh::model::add("box");
-  gmsh::vectorpair shape{{0, geo::addPoint(0., 0., 0.)}};
-  for (unsigned int d = 0; d < dim; ++d) {
-    gmsh::vectorpair extruded;
-    std::array<double, 3> shift{};
-    shift[d] = box.size[d];
-    geo::extrude(shape, shift[0], shift[1], shift[2], extruded, {static_cast<int>(box.cells[d])},
-                 {}, true);
-    shape = {extruded[1]};
-  }
-  geo::synchronize();
-  gmsh::vectorpair sides;
-  gmsh::model::getEntities(sides, dim - 1);
-  const char *const names[] = {"x0", "x1", "y0", "y1", "z0", "z1"};
-  for (const auto &[d, tag] : sides) {
-    std::array<double, 3> low, high;
-    gmsh::model::getBoundingBox(d, tag, low[0], low[1], low[2], high[0], high[1], high[2]);
-    for (unsigned int axis = 0; axis < dim; ++axis)
-      if (high[axis] - low[axis] < 1e-3 * box.size[axis]) {
-        const bool far = low[axis] > 0.5 * box.size[axis];
-        const int group = gmsh::model::addPhysicalGroup(d, {tag});
-        gmsh::model::setPhysicalName(d, group, names[2 * axis + far]);
+/// A box from the origin in equal cells, its sides the parts x0 x1 y0 y1 (z0 z1).
+template <int dim>
+void mesh_box(const ContinuumBox &box, ContinuumMesh<dim> &mesh) {
+  Point<dim> far_corner;
+  for (unsigned int d = 0; d < dim; ++d)
+    far_corner[d] = box.size[d];
+  Triangulation<dim> grid;
+  GridGenerator::subdivided_hyper_rectangle(
+      grid, std::vector<unsigned int>(box.cells.begin(), box.cells.begin() + dim), Point<dim>(),
+      far_corner, true);
+  const std::vector<std::string> sides = {"x0", "x1", "y0", "y1", "z0", "z1"};
+  mesh.parts.assign(sides.begin(), sides.begin() + 2 * dim); // in the order of boundary ids
+  mesh.vertices = grid.get_vertices();
+  for (const auto &cell : grid.active_cell_iterators()) {
+    CellData<dim> data(cell->n_vertices());
+    for (const unsigned int v : cell->vertex_indices())
+      data.vertices[v] = cell->vertex_index(v);
+    mesh.cells.push_back(data);
+    for (const auto &side : cell->face_iterators())
+      if (side->at_boundary()) {
+        typename ContinuumMesh<dim>::Face face;
+        face.part = side->boundary_id() + 1;
+        for (const unsigned int v : side->vertex_indices())
+          face.vertices.push_back(side->vertex_index(v));
+        std::sort(face.vertices.begin(), face.vertices.end());
+        mesh.faces.push_back(face);
       }
   }
-  gmsh::model::mesh::generate(dim);
 }
 
 void open_file(const std::string &file, const unsigned int dim) {
@@ -169,13 +171,14 @@ types::boundary_id ContinuumMesh<dim>::part(const std::string &name) const {
 template <int dim>
 ContinuumMesh<dim> build_continuum_mesh(const Scene &scene) {
   ContinuumMesh<dim> mesh;
-  {
+  if (scene.continuum->box)
+    mesh_box(*scene.continuum->box, mesh);
+  else {
     const GmshSession session;
-    if (scene.continuum->box)
-      mesh_box(*scene.continuum->box, dim);
-    else
-      open_file(scene.mesh.file, dim);
+    open_file(scene.mesh.file, dim);
     take_mesh(mesh);
+    GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
+    GridTools::consistently_order_cells(mesh.cells);
   }
   for (const auto &[name, position] : scene.continuum->points) {
     Point<dim> p;
@@ -183,8 +186,6 @@ ContinuumMesh<dim> build_continuum_mesh(const Scene &scene) {
       p[d] = position[d];
     mesh.points[name] = p;
   }
-  GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
-  GridTools::consistently_order_cells(mesh.cells);
   return mesh;
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+namespace frictionbeam::accuracy {
+
+/**
+ * Errors of quantities, estimated from answers at levels of refinement, each level twice as fine.
+ *
+ * If a quantity's error is C 2^(-p l) at level l, the differences of three answers give p, and the
+ * last of them, d between levels l - b and l, the error of the finest: d/(2^(p b) - 1). p is kept
+ * within bounds, quantity by quantity; with one difference only it is taken for 1. A difference may
+ * be small by chance: it is taken for no less than what the one before leaves at order 3, unless
+ * the two answers are the same but for rounding.
+ */
+class Convergence {
+public:
+  /// @param differences of all quantities, relative, between the last answer and one @p jump levels
+  /// finer
+  void add(const unsigned int jump, const std::vector<double> &differences);
+
+  /// Of the finest answer, of all quantities; nan before there is a difference.
+  double estimate() const;
+  /// Whether the orders are more than a guess.
+  bool knows_orders() const { return n >= 2; }
+  /// How many levels finer the answer has to be for the estimate to be @p tolerance, at least one.
+  unsigned int levels_to(const double tolerance) const;
+
+private:
+  struct Sequence {
+    double last = 0.; ///< difference
+    unsigned int jump = 0;
+    double order = 1., estimate = 0.;
+  };
+  std::vector<Sequence> quantities;
+  unsigned int n = 0; ///< differences so far
+};
+
+} // namespace frictionbeam::accuracy
