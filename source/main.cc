@@ -12,6 +12,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
+#include <deal.II/base/parallel.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -110,6 +111,10 @@ int main(int argc, char **argv) {
     if (started_by_mpirun())
       mpi.emplace(argc, argv, 1);
     dealii::MultithreadInfo::set_thread_limit(1); // a line is too small to share out
+    // TBB reads the map of all loaded libraries when it is first called, which takes some ms and is
+    // part of starting the program.
+    dealii::parallel::apply_to_subranges(
+        0U, 1U, [](unsigned int, unsigned int) {}, 1U);
     frictionbeam::RunOptions options;
     if (!read_command_line(argc - (check ? 1 : 0), argv + (check ? 1 : 0), options))
       return 0;

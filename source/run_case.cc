@@ -118,10 +118,15 @@ void study_friction(const Scene &scene, const LawLibrary &laws, Results &results
   }
 }
 
-/// Solve the scene as beams, and write everything but summary and report.
+/// Solve the scene as beams, and write everything but summary and report. Of several processes the
+/// first one does it alone.
 Results run_line(Scene &scene, const LawLibrary &laws) {
   Scene as_read;
   Results results;
+  if (this_process() > 0) {
+    results.status = RunStatus::converged;
+    return results;
+  }
   try {
     size_hangers(scene, laws);
     as_read = scene;
@@ -129,6 +134,8 @@ Results run_line(Scene &scene, const LawLibrary &laws) {
   } catch (const UserError &error) {
     throw UserError(with_place(scene, error.what()));
   }
+  if (n_processes() > 1)
+    results.remarks.push_back("A line is solved by one process: the others have waited.");
   study_friction(as_read, laws, results);
   write_stresses(scene, results, scene.output.directory);
   write_friction_study(results, scene.output.directory);

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
@@ -14,6 +15,11 @@ namespace frictionbeam {
 using namespace dealii;
 
 namespace {
+
+// Of the estimate of a quantity's error from its changes d by one mesh after the other.
+constexpr double fastest = 1. / 3., slowest = 0.5; ///< ratios of changes that are believed
+constexpr double least_by_chance = 1. / 16.;       ///< of the change before, that d is taken for
+constexpr double first_share = 0.25; ///< of the tolerance, if there is one change only
 
 /// The solution on one mesh, with what is asked of it.
 template <int dim>
@@ -39,8 +45,9 @@ private:
   Solution<dim> solve(const ContinuumGuess *guess);
   /// Of the cells of the present mesh, and in its row of the table.
   void estimate_errors(const ContinuumSequence<dim> &sequence);
-  /// Largest change of a quantity since the mesh before, relative.
-  double change() const;
+  /// Largest error of a quantity on the last of several meshes, estimated from its changes, which
+  /// shall form a geometric series.
+  double estimated_error() const;
   void finish(const Solution<dim> &solution);
 
   const Scene &scene;
@@ -96,12 +103,24 @@ void AdaptiveRun<dim>::estimate_errors(const ContinuumSequence<dim> &sequence) {
 }
 
 template <int dim>
-double AdaptiveRun<dim>::change() const {
+double AdaptiveRun<dim>::estimated_error() const {
+  const std::size_t n = levels.size() - 1;
+  const auto change = [&](const std::size_t level, const std::size_t i) {
+    const double now = levels[level].quantities[i], before = levels[level - 1].quantities[i];
+    return now == before ? 0. : std::abs(now - before) / std::abs(now);
+  };
   double largest = 0.;
-  const auto &now = levels.back().quantities, &before = levels[levels.size() - 2].quantities;
-  for (unsigned int i = 0; i < now.size(); ++i)
-    if (now[i] != before[i])
-      largest = std::max(largest, std::abs(now[i] - before[i]) / std::abs(now[i]));
+  for (std::size_t i = 0; i < levels[n].quantities.size(); ++i) {
+    double d = change(n, i), ratio = slowest;
+    if (n > 1 && d > 1e-11) {
+      const double before = change(n - 1, i);
+      d = std::max(d, before * least_by_chance);
+      ratio = std::clamp(d / before, fastest, slowest);
+    }
+    const double error = d * ratio / (1. - ratio);
+    if (!(error <= largest)) // nan counts as the largest
+      largest = error;
+  }
   return largest;
 }
 
@@ -112,7 +131,7 @@ void AdaptiveRun<dim>::run() {
   body.distribute();
   Solution<dim> solution = solve(nullptr);
   levels.push_back(solution.level);
-  std::vector<double> changes;
+  double error = std::nan("");
   bool reached = settings.refinement == Refinement::none;
   std::string why;
   while (solution.converged && !reached) {
@@ -128,24 +147,22 @@ void AdaptiveRun<dim>::run() {
            solution.sequence->ends().back(), guess);
     solution = solve(&guess);
     levels.push_back(solution.level);
-    changes.push_back(change());
-    const std::size_t n = changes.size();
+    error = estimated_error();
     // Slip zones end where they will: one small change may be chance.
-    reached =
-        n >= 2 && changes[n - 1] <= settings.tolerance && changes[n - 2] <= 3. * settings.tolerance;
+    reached = error <= (levels.size() == 2 ? first_share : 1.) * settings.tolerance;
   }
   results.status = solution.converged && why.empty() ? RunStatus::converged : RunStatus::failed;
   if (!why.empty())
     results.remarks.push_back("The refinement stopped at Continuum/" + why +
                               " before the quantities were known to Continuum/Tolerance = " +
-                              rounded_number(settings.tolerance, 3) +
-                              ": the last refinement changed one by " +
-                              (changes.empty() ? "?" : rounded_number(changes.back(), 2)) + ".");
+                              rounded_number(settings.tolerance, 3) + ": the estimated error is " +
+                              (std::isnan(error) ? "not known" : rounded_number(error, 2)) + ".");
   finish(solution);
-  if (!changes.empty())
+  if (!std::isnan(error))
     results.certificate.push_back({"refinement", "-",
-                                   "largest change of a quantity by the last refinement, relative",
-                                   changes.back()});
+                                   "estimated error of the quantities, from their changes by the "
+                                   "last refinements, relative",
+                                   error});
 }
 
 template <int dim>

@@ -5,6 +5,7 @@
 #include "accuracy/difference.h"
 #include "accuracy/refinable.h"
 
+#include <frictionbeam/model/processes.h>
 #include <frictionbeam/results/text.h>
 #include <frictionbeam/results/vtu_writer.h>
 #include <frictionbeam/scene/parameter_file.h>
@@ -98,7 +99,8 @@ Results AccuracyControl::solve_with(const std::vector<std::string> &settings) {
   scene = read_scene(options.parameter_file, overrides, laws);
   scene.output.directory = directory;
   scene.model = model;
-  remove_frames(directory); // of coarser levels
+  if (this_process() == 0)
+    remove_frames(directory); // of coarser levels
   Results results = solve(scene);
   cost.mesh_seconds += results.cost.mesh_seconds;
   cost.setup_seconds += results.cost.setup_seconds;
@@ -216,7 +218,7 @@ Results AccuracyControl::run_line() {
 }
 
 Results AccuracyControl::run_continuum() {
-  chosen = {"Continuum/Refinement = adaptive", "Continuum/Tolerance = " + exact_number(demanded)};
+  chosen = accuracy::continuum_settings(scene, demanded);
   Results results = solve_with(chosen);
   account.estimate = std::nan("");
   for (const Check &check : results.certificate)
@@ -232,6 +234,11 @@ Results AccuracyControl::run() {
   const bool choose = model == ModelKind::automatic;
   if (choose) {
     model = choose_model();
+    if (n_processes() > 1) { // the first one has solved the line
+      unsigned int solved = static_cast<unsigned int>(model);
+      MPI_Bcast(&solved, 1, MPI_UNSIGNED, 0, MPI_COMM_WORLD);
+      model = static_cast<ModelKind>(solved);
+    }
     account.model = model == ModelKind::line ? "line" : "continuum";
     account.left_out = only_of_the_other(scene, model);
   }

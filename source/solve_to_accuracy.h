@@ -14,10 +14,12 @@ namespace frictionbeam {
  * Solve a scene to its Accuracy, as cheaply as the estimates allow.
  *
  * One thing after the other is made finer (accuracy::refinables()): the coarsest three levels are
- * solved, or two that hardly differ; from the differences d of their quantities comes the order p,
- * within bounds, and the error of the finest, d/(2^p - 1); the level that is fine enough by that,
- * with a margin, is gone to straight away and checked by its difference to the one before. The last
- * one's finest run is the answer. Its cost counts all runs.
+ * solved, or two that hardly differ; from the differences of each quantity comes its order, and the
+ * error of the finest answer (accuracy::Convergence); the level that is fine enough by that, with a
+ * margin, is gone to straight away and checked in the same way. The last one's finest run is the
+ * answer. A continuum refines itself (accuracy::continuum_settings()). With Model = auto, the line
+ * is solved if what it leaves out is estimated to be small enough (accuracy::line_forms()), else
+ * the continuum. The cost counts all runs.
  *
  * @param scene as read; replaced by the one that was solved last
  * @param solve solves a scene and returns what came out

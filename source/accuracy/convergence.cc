@@ -58,18 +58,11 @@ double Convergence::estimate() const {
 
 unsigned int Convergence::levels_to(const double tolerance) const {
   double levels = 1.;
-  for (const Sequence &quantity : quantities) {
-    if (!(quantity.estimate > tolerance))
-      continue;
-    // With the order not known yet, no further than the highest one asks for.
-    const double wanted =
-        knows_orders()
-            ? std::ceil(std::log2(quantity.estimate / tolerance) / quantity.order)
-            : std::floor(std::log2(quantity.last /
-                                   (std::pow(2., highest_order * quantity.jump) - 1.) / tolerance) /
-                         highest_order);
-    levels = std::max(levels, wanted);
-  }
+  if (knows_orders())
+    for (const Sequence &quantity : quantities)
+      if (quantity.estimate > tolerance)
+        levels =
+            std::max(levels, std::ceil(std::log2(quantity.estimate / tolerance) / quantity.order));
   return static_cast<unsigned int>(std::min(levels, longest_jump));
 }
 

@@ -24,7 +24,8 @@ public:
   double estimate() const;
   /// Whether the orders are more than a guess.
   bool knows_orders() const { return n >= 2; }
-  /// How many levels finer the answer has to be for the estimate to be @p tolerance, at least one.
+  /// How many levels finer the answer has to be for the estimate to be @p tolerance, at least one;
+  /// one as long as the orders are not known.
   unsigned int levels_to(const double tolerance) const;
 
 private:

@@ -135,6 +135,15 @@ LineForms line_forms(const Scene &scene, const ParameterFile &file) {
   return forms;
 }
 
+std::vector<std::string> continuum_settings(const Scene &scene, const double demanded) {
+  std::vector<std::string> settings = {"Continuum/Refinement = adaptive",
+                                       "Continuum/Tolerance = " + exact_number(demanded),
+                                       "Continuum/Degree = " + whole(demanded < 1e-3 ? 3 : 2)};
+  if (const auto &box = scene.continuum->box)
+    settings.push_back("Continuum/Cells = " + whole(box->size[0] >= 4. * box->size[1] ? 2 : 4));
+  return settings;
+}
+
 std::vector<std::string> exact_settings(const Scene &scene) {
   for (const Pipe &pipe : scene.pipes)
     for (const RoutePoint &point : pipe.route)

@@ -35,6 +35,11 @@ struct LineForms {
  */
 LineForms line_forms(const Scene &scene, const ParameterFile &file);
 
+/// Settings of a continuum: refined adaptively until the errors of its quantities are estimated to
+/// be no more than @p demanded, from a coarse mesh of a generated body, on elements of degree 2,
+/// and 3 where less than 1e-3 is demanded (doc/accuracy.md).
+std::vector<std::string> continuum_settings(const Scene &scene, const double demanded);
+
 /// Settings that cost nothing and are exact: bends as arcs.
 std::vector<std::string> exact_settings(const Scene &scene);
 

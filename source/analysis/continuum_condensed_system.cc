@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/analysis/continuum_system.h>
 
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_matrix.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/OrderingMethods>
@@ -19,32 +15,12 @@ namespace {
 class CondensedSystem final : public ContinuumSystem {
 public:
   template <int dim>
-  explicit CondensedSystem(const ContinuumBody<dim> &body) {
-    DynamicSparsityPattern dynamic(body.dof_handler.n_dofs());
-    DoFTools::make_sparsity_pattern(body.dof_handler, dynamic, body.constraints, false);
-    pattern.copy_from(dynamic);
-    matrix.reinit(pattern);
-    body.assemble_stiffness(
-        [&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
-          body.constraints.distribute_local_to_global(local, dofs, matrix);
-        });
-    std::vector<types::global_dof_index> contact_dofs;
-    for (const auto &node : body.nodes) {
-      // Along the normal a prescribed pressure is a load, which has no tangent.
-      const bool is_pressed = body.continuum.contacts[node.surface].pressure.has_value();
-      for (unsigned int d = 0; d < dim; ++d)
-        if (!body.constraints.is_constrained(node.dofs[d]) &&
-            !(is_pressed && std::abs(node.frame[0][d]) > 1. - 1e-12))
-          contact_dofs.push_back(node.dofs[d]);
-    }
-    number([&](const types::global_dof_index dof) { return body.constraints.is_constrained(dof); },
-           contact_dofs);
-    factorize();
-  }
+  explicit CondensedSystem(const ContinuumBody<dim> &body);
 
-  void multiply(const ContinuumVector &x, ContinuumVector &y) const override { matrix.vmult(y, x); }
+  void multiply(const ContinuumVector &x, ContinuumVector &y) const override;
   double diagonal(const types::global_dof_index dof) const override {
-    return matrix.diag_element(dof);
+    const int i = unknown_of[dof];
+    return i < 0 ? mean_diagonal : stiffness.coeff(i, i);
   }
   bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
              ContinuumVector &x) override;
@@ -54,70 +30,137 @@ private:
   using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
   using Dense = Eigen::MatrixXd;
 
-  /// Unknowns: interior dofs in an order that keeps the factor sparse, then those of contacts.
-  template <typename IsHeld>
-  void number(const IsHeld &is_held, const std::vector<types::global_dof_index> &contact_dofs);
+  /// Unknowns: interior dofs, then those of contacts, in the order of the dofs.
+  void number(const std::vector<bool> &is_free,
+              const std::vector<types::global_dof_index> &contact_dofs);
+  template <int dim>
+  void assemble(const ContinuumBody<dim> &body);
+  /// Put the interior unknowns in an order that keeps the factor sparse.
+  void reorder();
   void factorize();
 
-  SparsityPattern pattern;
-  SparseMatrix<double> matrix;
   std::vector<types::global_dof_index> dof_of;
   std::vector<int> unknown_of; ///< by dof; -1: none
   int n_interior = 0, n_contact = 0;
+  Sparse stiffness; ///< lower triangle
+  double mean_diagonal = 0.;
   Factors factors;
   Dense condensed;  ///< stiffness of the contacts' unknowns
   Dense last_block; ///< of the factor L
 };
 
-template <typename IsHeld>
-void CondensedSystem::number(const IsHeld &is_held,
+template <int dim>
+CondensedSystem::CondensedSystem(const ContinuumBody<dim> &body) {
+  std::vector<bool> is_free(body.dof_handler.n_dofs());
+  for (types::global_dof_index dof = 0; dof < is_free.size(); ++dof)
+    is_free[dof] = !body.constraints.is_constrained(dof);
+  std::vector<types::global_dof_index> contact_dofs;
+  for (const auto &node : body.nodes) {
+    // Along the normal a prescribed pressure is a load, which has no tangent.
+    const bool is_pressed = body.continuum.contacts[node.surface].pressure.has_value();
+    for (unsigned int d = 0; d < dim; ++d)
+      if (is_free[node.dofs[d]] && !(is_pressed && std::abs(node.frame[0][d]) > 1. - 1e-12))
+        contact_dofs.push_back(node.dofs[d]);
+  }
+  number(is_free, contact_dofs);
+  assemble(body);
+  reorder();
+  factorize();
+}
+
+void CondensedSystem::number(const std::vector<bool> &is_free,
                              const std::vector<types::global_dof_index> &contact_dofs) {
-  unknown_of.assign(matrix.m(), -1);
+  unknown_of.assign(is_free.size(), -1);
   for (const auto dof : contact_dofs)
     unknown_of[dof] = 0;
-  std::vector<types::global_dof_index> interior;
-  std::vector<int> place(matrix.m(), -1);
-  for (types::global_dof_index dof = 0; dof < matrix.m(); ++dof)
-    if (unknown_of[dof] < 0 && !is_held(dof)) {
-      place[dof] = interior.size();
-      interior.push_back(dof);
-    }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (unsigned int i = 0; i < interior.size(); ++i)
-    for (auto entry = matrix.begin(interior[i]); entry != matrix.end(interior[i]); ++entry)
-      if (place[entry->column()] >= 0)
-        entries.emplace_back(i, place[entry->column()], 1.);
-  Sparse graph(interior.size(), interior.size());
-  graph.setFromTriplets(entries.begin(), entries.end());
-  Eigen::AMDOrdering<int> ordering;
-  Eigen::AMDOrdering<int>::PermutationType order;
-  ordering(graph, order);
-  n_interior = interior.size();
+  for (types::global_dof_index dof = 0; dof < is_free.size(); ++dof)
+    if (unknown_of[dof] < 0 && is_free[dof])
+      dof_of.push_back(dof);
+  n_interior = dof_of.size();
   n_contact = contact_dofs.size();
-  for (int i = 0; i < n_interior; ++i)
-    dof_of.push_back(interior[order.indices()[i]]);
   dof_of.insert(dof_of.end(), contact_dofs.begin(), contact_dofs.end());
   for (unsigned int i = 0; i < dof_of.size(); ++i)
     unknown_of[dof_of[i]] = i;
 }
 
+template <int dim>
+void CondensedSystem::assemble(const ContinuumBody<dim> &body) {
+  constexpr std::size_t most_entries = 4000000; // that wait to be added up
+  const int n = dof_of.size();
+  stiffness.resize(n, n);
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add_up = [&]() {
+    Sparse part(n, n);
+    part.setFromTriplets(entries.begin(), entries.end());
+    stiffness = stiffness.nonZeros() == 0 ? part : Sparse(stiffness + part);
+    entries.clear();
+  };
+  struct Share { // of a dof of the cell in an unknown; a hanging one has several
+    unsigned int local;
+    int unknown;
+    double factor;
+  };
+  std::vector<Share> shares;
+  body.assemble_stiffness(
+      [&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
+        shares.clear();
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (unknown_of[dofs[i]] >= 0)
+            shares.push_back({i, unknown_of[dofs[i]], 1.});
+          else if (const auto *const masters = body.constraints.get_constraint_entries(dofs[i]))
+            for (const auto &[dof, factor] : *masters)
+              if (unknown_of[dof] >= 0)
+                shares.push_back({i, unknown_of[dof], factor});
+        for (const Share &row : shares)
+          for (const Share &column : shares)
+            if (row.unknown >= column.unknown)
+              entries.emplace_back(row.unknown, column.unknown,
+                                   row.factor * column.factor * local(row.local, column.local));
+        if (entries.size() > most_entries)
+          add_up();
+      });
+  add_up();
+}
+
+void CondensedSystem::reorder() {
+  const Sparse interior = stiffness.topLeftCorner(n_interior, n_interior);
+  Eigen::AMDOrdering<int>::PermutationType order; // old place by new
+  Eigen::AMDOrdering<int>()(interior.selfadjointView<Eigen::Lower>(), order);
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(n_interior + n_contact);
+  place.setIdentity();
+  const std::vector<types::global_dof_index> old = dof_of;
+  for (int i = 0; i < n_interior; ++i) {
+    place.indices()[order.indices()[i]] = i;
+    dof_of[i] = old[order.indices()[i]];
+    unknown_of[dof_of[i]] = i;
+  }
+  Sparse ordered(stiffness.rows(), stiffness.cols());
+  ordered.selfadjointView<Eigen::Lower>() =
+      stiffness.selfadjointView<Eigen::Lower>().twistedBy(place);
+  const Sparse sorted = ordered.transpose(); // which the permutation leaves unsorted
+  stiffness = sorted.transpose();
+}
+
+void CondensedSystem::multiply(const ContinuumVector &x, ContinuumVector &y) const {
+  Eigen::VectorXd values(dof_of.size());
+  for (std::size_t i = 0; i < dof_of.size(); ++i)
+    values[i] = x(dof_of[i]);
+  const Eigen::VectorXd product = stiffness.selfadjointView<Eigen::Lower>() * values;
+  y = 0.;
+  for (std::size_t i = 0; i < dof_of.size(); ++i)
+    y(dof_of[i]) = product[i];
+}
+
 void CondensedSystem::factorize() {
   const int n = dof_of.size();
-  double largest = 0.;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < n; ++i)
-    for (auto entry = matrix.begin(dof_of[i]); entry != matrix.end(dof_of[i]); ++entry) {
-      const int j = unknown_of[entry->column()];
-      if (j >= 0 && j <= i)
-        entries.emplace_back(i, j, entry->value());
-      if (j == i)
-        largest = std::max(largest, double(entry->value()));
-    }
+  const Eigen::VectorXd diagonals = stiffness.diagonal();
+  const double largest = n > 0 ? diagonals.maxCoeff() : 0.;
+  mean_diagonal = n > 0 ? diagonals.mean() : 1.;
   for (int i = n_interior; i < n; ++i)
-    entries.emplace_back(i, i, largest);
-  Sparse lower(n, n);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  factors.compute(lower);
+    stiffness.coeffRef(i, i) += largest;
+  factors.compute(stiffness);
+  for (int i = n_interior; i < n; ++i)
+    stiffness.coeffRef(i, i) = diagonals[i];
   ++n_factorizations;
   AssertThrow(factors.info() == Eigen::Success, ExcMessage("The body is not held well enough."));
   last_block = Dense::Identity(n_contact, n_contact);

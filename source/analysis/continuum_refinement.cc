@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/analysis/continuum_estimate.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/distributed/tria.h>
+#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/numerics/solution_transfer.h>
 
 #include <algorithm>
-#include <map>
 
 namespace frictionbeam {
 
@@ -36,14 +37,18 @@ double threshold(const ContinuumBody<dim> &body, const dealii::Vector<float> &es
   return 0.;
 }
 
-/// Flag cells on a surface whose nodes are of different status.
+/// Flag cells on a surface whose nodes are of different status. @return places between nodes of
+/// different status, for all processes
 template <int dim>
-void flag_fronts(const ContinuumBody<dim> &body, const ContinuumState &state) {
+std::vector<Point<dim>> flag_fronts(const ContinuumBody<dim> &body, const ContinuumState &state) {
   ContinuumVector status;
   body.reinit(status);
   for (unsigned int i = 0; i < body.nodes.size(); ++i)
     status(body.nodes[i].dofs[0]) = 1. + static_cast<int>(state.contacts.status[i]);
   status.update_ghost_values();
+  const MappingQ1<dim> mapping;
+  const std::vector<Point<dim>> &unit_points = body.fe.get_unit_support_points();
+  std::vector<Point<dim>> own;
   std::vector<types::global_dof_index> dofs(body.fe.n_dofs_per_cell());
   for (const auto &cell : body.dof_handler.active_cell_iterators()) {
     if (!cell->is_locally_owned() || !cell->at_boundary())
@@ -52,32 +57,56 @@ void flag_fronts(const ContinuumBody<dim> &body, const ContinuumState &state) {
     for (const unsigned int f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary() || body.surface_of(cell->face(f)->boundary_id()) < 0)
         continue;
-      double low = 1e300, high = 0.;
+      std::vector<std::pair<double, Point<dim>>> nodes; // status, place
       for (unsigned int i = 0; i < body.fe.n_dofs_per_face(f); ++i) {
         const unsigned int k = body.fe.face_to_cell_index(i, f);
-        const double value = body.fe.system_to_component_index(k).first == 0 ? status(dofs[k]) : 0.;
-        if (value > 0.) {
-          low = std::min(low, value);
-          high = std::max(high, value);
-        }
+        if (body.fe.system_to_component_index(k).first == 0 && status(dofs[k]) > 0.)
+          nodes.emplace_back(status(dofs[k]),
+                             mapping.transform_unit_to_real_cell(cell, unit_points[k]));
       }
-      if (high > low)
+      // Of each node the nearest one of another status; the front passes between two such.
+      std::vector<std::size_t> nearest(nodes.size(), nodes.size());
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+          if (nodes[j].first != nodes[i].first &&
+              (nearest[i] == nodes.size() ||
+               nodes[i].second.distance(nodes[j].second) <
+                   nodes[i].second.distance(nodes[nearest[i]].second)))
+            nearest[i] = j;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const std::size_t j = nearest[i];
+        if (j == nodes.size())
+          continue;
         cell->set_refine_flag();
+        if (i < j && nearest[j] == i)
+          own.push_back(nodes[i].second + 0.5 * (nodes[j].second - nodes[i].second));
+      }
     }
+  }
+  std::vector<Point<dim>> all;
+  for (const auto &part : Utilities::MPI::all_gather(body.communicator, own))
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// Flag cells on a surface that such a place lies in.
+template <int dim>
+void flag_cells_at(const std::vector<Point<dim>> &places, const ContinuumBody<dim> &body) {
+  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned() || !cell->at_boundary())
+      continue;
+    const BoundingBox<dim> box = cell->bounding_box();
+    if (std::any_of(places.begin(), places.end(),
+                    [&](const Point<dim> &place) { return box.point_inside(place, 1e-9); }))
+      cell->set_refine_flag();
   }
 }
 
-} // namespace
-
+/// Refine the flagged cells, and carry @p guess over.
 template <int dim>
-void refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate, const double fraction,
-            const ContinuumState &state, ContinuumGuess &guess) {
-  const double least = fraction < 1. ? threshold(body, estimate, fraction) : -1.;
-  for (const auto &cell : body.triangulation->active_cell_iterators())
-    if (cell->is_locally_owned() && estimate[cell->active_cell_index()] >= least)
-      cell->set_refine_flag();
-  flag_fronts(body, state);
-
+void refine_flagged(ContinuumBody<dim> &body, ContinuumGuess &guess) {
+  guess.displacement.update_ghost_values();
+  guess.traction.update_ghost_values();
   const std::vector<const ContinuumVector *> fields = {&guess.displacement, &guess.traction};
   ContinuumGuess finer;
   const auto new_mesh = [&]() {
@@ -105,6 +134,23 @@ void refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate, con
     finer.traction = results[1];
   }
   guess = finer;
+}
+
+} // namespace
+
+template <int dim>
+void refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate, const double fraction,
+            const ContinuumState &state, ContinuumGuess &guess) {
+  const double least = fraction < 1. ? threshold(body, estimate, fraction) : -1.;
+  for (const auto &cell : body.triangulation->active_cell_iterators())
+    if (cell->is_locally_owned() && estimate[cell->active_cell_index()] >= least)
+      cell->set_refine_flag();
+  const std::vector<Point<dim>> fronts = flag_fronts(body, state);
+  refine_flagged(body, guess);
+  if (fraction < 1. && !fronts.empty()) { // twice: where a zone ends is the last to be known
+    flag_cells_at(fronts, body);
+    refine_flagged(body, guess);
+  }
 }
 
 template void refine<2>(ContinuumBody<2> &, const dealii::Vector<float> &, const double,

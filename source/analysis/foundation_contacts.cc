@@ -3,6 +3,7 @@
 
 #include <frictionbeam/disc_projection.h>
 #include <frictionbeam/law_library.h>
+#include <frictionbeam/scene/user_error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +25,18 @@ FoundationContacts::FoundationContacts(const ContinuumScene &scene, const LawLib
   for (const ContinuumContact &contact : scene.contacts) {
     Surface surface{&laws.find(contact.law), contact.parameters, contact.pressure, false, {}};
     surface.exact = exact && surface.law->threshold != nullptr;
-    if (surface.exact)
+    if (surface.law->threshold != nullptr)
       surface.law->threshold(surface.parameters.data(), surface.threshold);
+    const FrictionThreshold &law = surface.threshold;
+    if (surface.law->threshold != nullptr && !exact &&
+        ((law.static_friction > 0. &&
+          (std::isinf(law.shear_rigidity_y) || std::isinf(law.shear_rigidity_z))) ||
+         (!contact.pressure && std::isinf(law.axial_rigidity))))
+      throw UserError("Solver/Method = newton takes a surface of finite stiffness, and '" +
+                      contact.part +
+                      "' is rigid. Give it one (Slab/GS; Long bar/Normal stiffness and Shear "
+                      "stiffness; Body/Axial rigidity and Shear rigidity), or take Solver/Method = "
+                      "exact, which has rigid contact.");
     surfaces.push_back(surface);
   }
   for (const FoundationPoint &point : points) {
