@@ -267,6 +267,8 @@ Results AccuracyControl::run() {
                                                         rounded_number(*account.line_error, 2) + ")"
                                                   : "") +
                               ".");
+  if (!account.left_out.empty())
+    results.remarks.push_back("Accuracy, left out: " + describe(account.left_out) + ".");
   results.accuracy = account;
   return results;
 }
