@@ -263,7 +263,9 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   }
   for (const StepReport &step : results.steps) {
     const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
-    if (step.energy.at_hand > 0. && gained > 1e-3 * step.energy.at_hand)
+    // Where nothing moves, rounding is large beside the energy in motion.
+    if (step.energy.at_hand > 1e-9 * std::max(step.energy.stored, std::abs(step.energy.external)) &&
+        gained > 1e-3 * step.energy.at_hand)
       results.remarks.push_back("Step " + step.step + ": the integrator has gained " +
                                 rounded_number(100. * gained / step.energy.at_hand, 2) +
                                 " % of the largest energy in motion, at contacts. Take a shorter "

@@ -136,18 +136,21 @@ ContactCheck ContactNewton::check(const ContactResponse &response) const {
                         8. * std::numeric_limits<double>::epsilon() * largest_displacement);
 }
 
+void ContactNewton::add_block(const unsigned int i, const Block &stiffness) {
+  const auto &B = contacts[i].B_reduced;
+  const Eigen::MatrixXd block = contacts[i].weight * B.transpose() * stiffness * B;
+  for (Eigen::Index a = 0, v = 0; a < block.rows(); ++a)
+    for (Eigen::Index b = 0; b < block.cols(); ++b, ++v)
+      tangent.valuePtr()[places[i].values[v]] += block(a, b);
+}
+
 bool ContactNewton::factor(const ContactResponse &response, EquilibriumResult &result) {
   if (response.tangent == factored) // nothing slides, nothing opened or closed
     return true;
   factored.clear();
   std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
-  for (unsigned int i = 0; i < contacts.size(); ++i) {
-    const auto &B = contacts[i].B_reduced;
-    const Eigen::MatrixXd block = contacts[i].weight * B.transpose() * response.tangent[i] * B;
-    for (Eigen::Index a = 0, v = 0; a < block.rows(); ++a)
-      for (Eigen::Index b = 0; b < block.cols(); ++b, ++v)
-        tangent.valuePtr()[places[i].values[v]] += block(a, b);
-  }
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    add_block(i, response.tangent[i]);
   double shifted = 0.;
   for (const double shift : {0., 1e-9, 1e-6}) { // there is no pivoting
     for (int i = 0; i < tangent.rows(); ++i)
@@ -176,9 +179,12 @@ bool ContactNewton::slides_away(const Vector &x, ContactResponse &response) {
   constexpr double shift = 1e-9;
   const Vector forces = evaluate(x, response);
   factored.clear();
-  tangent = S;
+  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
   for (int i = 0; i < tangent.rows(); ++i)
     tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+  for (unsigned int i = 0; i < contacts.size(); ++i) // what is closed holds along its normal
+    if (response.status[i] != ContactStatus::open)
+      add_block(i, response.tangent[i](0, 0) * Contact::Strains::UnitX().asDiagonal());
   if (!factors.factorize(tangent))
     return false;
   const Vector motion = factors.solve(forces);
@@ -231,7 +237,6 @@ ContactNewton::Outcome ContactNewton::solve_proximal(Vector &x, ContactResponse 
 ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_iterations, Vector &x,
                                                      ContactResponse &response,
                                                      EquilibriumResult &result) {
-  using Block = Eigen::Matrix<double, n_support_strains, n_support_strains>;
   const double epsilon = std::min(1., proximal.stiffness_factor / stiffness_of_direction);
   std::vector<Contact::Strains> step(contacts.size());
   evaluate(x, response);

@@ -58,11 +58,15 @@ private:
   double energy(const Vector &forces) const;
   double energy_together(const Vector &x, const ContactResponse &response) const;
 
+  using Block = Eigen::Matrix<double, n_support_strains, n_support_strains>;
+  /// Add a contact's stiffness, of its strains, to the tangent.
+  void add_block(const unsigned int i, const Block &stiffness);
   /// Factor S with the contacts' tangents, and a small multiple of the diagonal where that fails.
   bool factor(const ContactResponse &response, EquilibriumResult &result);
   /**
-   * Whether an iterate proves that there is no equilibrium: a motion without elastic forces, along
-   * which every contact gives its utmost resistance or none, and the loads still do work.
+   * Whether an iterate proves that there is no equilibrium: a motion without elastic forces that
+   * presses on no contact, along which every contact gives its utmost resistance or none, and the
+   * loads still do work.
    */
   bool slides_away(const Vector &x, ContactResponse &response);
 

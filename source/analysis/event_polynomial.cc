@@ -97,7 +97,8 @@ void shorten(Polynomial &p, const double x) {
 }
 
 Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &function,
-                            const double start, const double length, bool &smooth) {
+                            const double start, const double length, Eigen::VectorXd &noise,
+                            Eigen::VectorXd &before, bool &smooth) {
   static const Interpolation interpolation;
   const int n = interpolation_degree + 1;
   const Eigen::VectorXd first = function(start);
@@ -105,12 +106,21 @@ Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &
   for (int i = 0; i < n; ++i)
     values.row(i) = i == 0 ? first : function(start + chebyshev_point(i) * length);
   Eigen::MatrixXd coefficients = interpolation.to_chebyshev * values;
+  if (noise.size() == 0)
+    noise.setZero(values.cols());
+  const bool halved = before.size() > 0;
+  if (!halved)
+    before.setZero(values.cols());
   for (int c = 0; c < values.cols(); ++c) {
-    const double largest = values.col(c).lpNorm<Eigen::Infinity>();
-    smooth = smooth && coefficients.col(c).tail(3).lpNorm<Eigen::Infinity>() <= 2e-14 * largest;
+    const double largest = values.col(c).lpNorm<Eigen::Infinity>(),
+                 last = coefficients.col(c).tail(3).lpNorm<Eigen::Infinity>();
+    if (halved && last > 0.6 * before[c] && last <= 1e-6 * largest) // a kink's are halved
+      noise[c] = std::max(noise[c], last);
+    before[c] = last;
+    smooth = smooth && last <= std::max(2e-14 * largest, 4. * noise[c]);
     // Rounding errors would be accelerations after two derivatives.
     for (int k = 1; k < n; ++k)
-      if (std::abs(coefficients(k, c)) <= 4e-15 * largest)
+      if (std::abs(coefficients(k, c)) <= std::max(4e-15 * largest, 4. * noise[c]))
         coefficients(k, c) = 0.;
   }
   return interpolation.to_powers * coefficients;

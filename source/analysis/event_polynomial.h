@@ -22,9 +22,14 @@ void shorten(Polynomial &p, const double x);
  * The polynomial through a function's values at Chebyshev's points of [start, start + length], in
  * the part of that interval that has gone by. @p smooth is false if the values are not those of a
  * polynomial to rounding: the interval is too long then.
+ * @param noise of each component, what its values are uncertain by: found here where halving the
+ * interval has not made the highest terms smaller. Cancellation, as in 1 - cos t at 0, makes it
+ * large beside the values.
+ * @param before highest terms of the interval of twice this length, or nothing; of this one at exit
  */
 Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &function,
-                            const double start, const double length, bool &smooth);
+                            const double start, const double length, Eigen::VectorXd &noise,
+                            Eigen::VectorXd &before, bool &smooth);
 
 /**
  * The first x in [0, 1] at which p, positive until then, becomes negative; 2 if it never does. What

@@ -12,6 +12,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 } // namespace
 
 ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model.contacts.size()) {
+  const std::vector<bool> with_mass = unknowns_with_mass(model.linear.mass());
   for (unsigned int i = 0; i < kinds.size(); ++i) {
     const Contact &contact = model.contacts[i];
     Kind &kind = kinds[i];
@@ -19,8 +20,14 @@ ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model
     if (!kind.is_exact)
       continue;
     contact.law->threshold(contact.parameters->data(), kind.law);
-    kind.rigid_normal = std::isinf(kind.law.axial_rigidity) && contact.platen_force == 0.;
-    kind.rigid_shear = std::isinf(kind.law.shear_rigidity_y);
+    // A node without mass has no momentum: its contact is one of positions, as in statics.
+    bool has_mass = true;
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      has_mass = has_mass &&
+                 (with_mass[contact.unknowns[j]] || contact.B_reduced.col(j).head<3>().isZero(0.));
+    kind.rigid_normal =
+        std::isinf(kind.law.axial_rigidity) && contact.platen_force == 0. && has_mass;
+    kind.rigid_shear = std::isinf(kind.law.shear_rigidity_y) && has_mass;
   }
 }
 

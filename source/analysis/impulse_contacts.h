@@ -17,7 +17,8 @@ namespace frictionbeam {
  * friction on v:
  *   0 <= u_N + e u_N(before) perp P_N >= 0,   |P_T| <= f P_N,  against u_T,
  * which is the law of a static contact with another gap and another position of its slip. Elements
- * of finite stiffness, and normal forces of platens, keep their laws on displacements. P is the
+ * of finite stiffness, normal forces of platens and contacts of nodes without mass keep their laws
+ * on displacements. P is the
  * impulse, share times the step times r.
  */
 class ImpulseContacts {

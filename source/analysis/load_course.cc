@@ -44,6 +44,22 @@ Vector LoadCourse::forces(const Factors &factors) const {
 
 Vector LoadCourse::forces(const double time) const { return forces(factors(time)); }
 
+Vector LoadCourse::forces_before(const double time) const {
+  Factors result = declared(time);
+  for (unsigned int l = 0; l < result.size(); ++l)
+    if (result[l] != 0.)
+      result[l] *= model.scene.loads[l].history.before(time);
+  return forces(result);
+}
+
+Vector LoadCourse::forces_after(const double time) const {
+  Factors result = declared(time);
+  for (unsigned int l = 0; l < result.size(); ++l)
+    if (result[l] != 0.)
+      result[l] *= model.scene.loads[l].history.after(time);
+  return forces(result);
+}
+
 Vector LoadCourse::imposed(const double time) const {
   Vector result = Vector::Zero(model.space.n_dofs());
   const Factors now = factors(time);

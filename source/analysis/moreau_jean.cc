@@ -37,7 +37,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   const SparseMatrix &M = model.linear.mass(), &C = model.linear.damping();
   const bool damped = C.nonZeros() > 0;
   set_step(h);
-  const Vector forces_before = loads.forces(from.time), forces = loads.forces(time);
+  const Vector forces_before = loads.forces_after(from.time), forces = loads.forces_before(time);
   // The equation of motion divided by theta h, in q1.
   EquilibriumProblem problem{effective, forces + part * forces_before, loads.imposed(time)};
   problem.right_hand_side +=

@@ -60,16 +60,17 @@ bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
   // A jump at the end belongs to the next piece.
   const double last = std::nextafter(loads.next_break(time), time);
   bool smooth = true;
-  const auto powers = [&](const std::function<Vector(const double)> &function) {
+  const auto powers = [&](Noise &noise, const std::function<Vector(const double)> &function) {
     return interpolate([&](const double t) { return function(std::min(t, last)); }, time, length,
-                       smooth);
+                       noise.level, noise.before, smooth);
   };
-  factors = powers([&](const double t) {
+  factors = powers(factor_noise, [&](const double t) {
     const LoadCourse::Factors f = loads.factors(t);
     return Vector(Eigen::Map<const Vector>(f.data(), f.size()));
   });
   if (model.ground_moves)
-    ground = powers([&](const double t) { return model.ground_displacement(loads.imposed(t)); });
+    ground = powers(ground_noise,
+                    [&](const double t) { return model.ground_displacement(loads.imposed(t)); });
   else
     ground = Eigen::MatrixXd::Zero(1, 3 * model.contacts.size());
   return smooth;
@@ -201,6 +202,8 @@ double TaylorMotion::compute(const LoadCourse &loads, const double time, const d
   const int n = unknowns.size();
   double length = guess > 0. ? std::min(longest, guess) : longest;
   const double least = 1e-9 * longest;
+  factor_noise.before.resize(0);
+  ground_noise.before.resize(0);
   for (;;) {
     if (!interpolate_loads(loads, time, length) && length > least) {
       length /= 2.;
@@ -216,6 +219,8 @@ double TaylorMotion::compute(const LoadCourse &loads, const double time, const d
     expand_series(length, states);
     const double part = valid_part();
     if (part < 1e-3) { // far off: the high orders may have no digit left
+      factor_noise.before.resize(0);
+      ground_noise.before.resize(0);
       length /= part > 0. ? 100. : 1e4;
       continue;
     }

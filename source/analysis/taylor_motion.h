@@ -31,6 +31,8 @@ public:
                  const std::vector<EventState> &states);
   void transfer(Archive &archive) {
     archive(guess);
+    archive(factor_noise.level);
+    archive(ground_noise.level);
     state_changed();
   }
   /// To be called when a contact has changed its state.
@@ -49,6 +51,10 @@ private:
     unsigned int contact;
     int component;
   };
+  /// Of the loads' factors or the ground's motion, see interpolate().
+  struct Noise {
+    Vector level, before;
+  };
   void make_rows(const std::vector<EventState> &states);
   bool interpolate_loads(const LoadCourse &loads, const double time, const double length);
   void expand_series(const double length, const std::vector<EventState> &states);
@@ -58,6 +64,7 @@ private:
 
   const EventModel &model;
   double guess = 0.;
+  Noise factor_noise, ground_noise;
   bool rows_are_current = false;
   std::vector<Row> rows;                  ///< multipliers
   Eigen::MatrixXd columns, accelerations; ///< H^T and M^-1 H^T

@@ -23,6 +23,16 @@ GmshSession::~GmshSession() { gmsh::finalize(); }
 
 namespace {
 
+constexpr double most = 1e7; ///< cells of a piece, supports on a pipe
+
+/// The number of cells, from a quotient of lengths.
+int whole(const double cells) {
+  if (cells > most)
+    throw UserError("Mesh: 'Cell length' or 'Cells per bend' makes more than ten million cells of "
+                    "one straight run or bend. Give longer or fewer ones.");
+  return std::max(1, static_cast<int>(std::ceil(cells - 1e-9)));
+}
+
 /// Points that are the same within a tolerance get one number.
 class PointSet {
 public:
@@ -133,6 +143,9 @@ private:
                             : named_position(paths[p], placement.pipe, name, scene, tolerance);
       };
       const double from = end(placement.from, 0.), to = end(placement.to, paths[p].length());
+      if (placement.every > 0. && (to - from) / placement.every > most)
+        throw UserError("The distance in 'Every' puts more than ten million supports on pipe " +
+                        placement.pipe + ". Give a longer one.");
       if (placement.every > 0.)
         for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i)
           s[p].push_back(from + i * placement.every);
@@ -162,7 +175,7 @@ int cells_of_piece(const MeshSettings &settings, const PipePath::Segment &segmen
                            ? settings.cells_per_bend * length / segment.radius / (numbers::PI / 2.)
                        : settings.cell_length > 0. ? length / settings.cell_length
                                                    : 1.;
-  return std::max(1, static_cast<int>(std::ceil(cells - 1e-9)));
+  return whole(cells);
 }
 
 } // namespace
@@ -203,7 +216,7 @@ LineMesh mesh_routes(const Scene &scene) {
         piece.n_cells = std::max(piece.n_cells, cells_of_reducer);
       if (scene.mesh.arcs && segment->radius > 0.) {
         const double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length;
-        const int n = std::max(1, static_cast<int>(std::ceil(piece.length / longest - 1e-9)));
+        const int n = whole(piece.length / longest);
         if (piece.length > n * smallest_arc * segment->radius) {
           piece.n_cells = n;
           piece.arc_centre = segment->centre;

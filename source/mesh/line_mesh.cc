@@ -56,9 +56,14 @@ std::string nearest_pipe(const Scene &scene, const LineMesh &mesh, const Point3 
 
 /// Points that are on no pipe become free nodes if a spring or a friction support carries them.
 void add_free_points(const Scene &scene, LineMesh &mesh) {
-  std::set<std::string> on_spring;
+  std::set<std::string> carried_points;
   for (const Spring &spring : scene.springs)
-    on_spring.insert({spring.point, spring.other});
+    carried_points.insert({spring.point, spring.other});
+  for (const FrictionSupport &support : scene.supports)
+    if (!support.ground.empty()) { // from one point to another, neither need be on a pipe
+      carried_points.insert(support.ground);
+      carried_points.insert(support.placement.points.begin(), support.placement.points.end());
+    }
   for (const NamedPoint &point : scene.points) {
     if (mesh.points.count(point.name) > 0)
       continue;
@@ -66,7 +71,7 @@ void add_free_points(const Scene &scene, LineMesh &mesh) {
     for (const FrictionSupport &s : scene.supports)
       if (std::count(s.placement.points.begin(), s.placement.points.end(), point.name) > 0)
         support = s.name;
-    const bool carried = on_spring.count(point.name) > 0;
+    const bool carried = carried_points.count(point.name) > 0;
     if (!carried && support.empty())
       throw UserError(
           "Point " + point.name + ": no pipe reaches the position " + text(point.position) + "; " +

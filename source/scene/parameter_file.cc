@@ -157,7 +157,8 @@ void ParameterFile::read(const std::string &file, const unsigned int depth) {
   if (depth == 0)
     content = text.str();
 
-  std::istringstream lines(text.str());
+  const std::string bytes = text.str();
+  std::istringstream lines(bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? bytes.substr(3) : bytes);
   std::string line;
   unsigned int number = 0;
   std::string heading;          // of the open subsection

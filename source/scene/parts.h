@@ -25,6 +25,8 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
 
 /// The support's own law brings its parameters along as entries.
 void declare_support(ParameterReader &in, const LawLibrary &laws);
+/// The parameters of every support law, as comments of a parameter file.
+void print_laws(std::ostream &out, const LawLibrary &laws);
 void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
                    Scene &scene);
 void declare_spring(ParameterReader &in);

@@ -10,7 +10,9 @@ struct PipeSize {
 };
 
 /// Of "NPS 6" or "DN 150" with a schedule of ASME B36.10M: 5 to 160, STD, XS, XXS.
-std::optional<PipeSize> find_pipe_size(const std::string &name, const std::string &schedule);
+/// @param in_inches its figures in US customary units, which differ by some 1e-4 from those in mm
+std::optional<PipeSize> find_pipe_size(const std::string &name, const std::string &schedule,
+                                       const bool in_inches);
 /// What there is: the schedules of a size, or all sizes.
 std::string known_pipe_sizes(const std::string &name);
 

@@ -386,6 +386,7 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
     kind.declare(in, laws);
   }
   in.print(out);
+  parts::print_laws(out, laws);
 }
 
 } // namespace frictionbeam

@@ -50,7 +50,8 @@ namespace parts {
 
 void declare_section(ParameterReader &in) {
   in.declare_text("Size", "", "NPS or DN and a number, or a name in Size table",
-                  "Standard pipe of ASME B36.10M, such as 'NPS 6' or 'DN 150', instead of diameter "
+                  "Standard pipe of ASME B36.10M (its table in mm, or in inches where 'Units' has "
+                  "in or ft), such as 'NPS 6' or 'DN 150', instead of diameter "
                   "and wall.");
   in.declare_text("Schedule", "40", "5 to 160, STD, XS, XXS, or as in Size table", "Of Size.");
   in.declare_text("Size table", "", "path of a text file, from the parameter file's folder",
@@ -89,7 +90,8 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
     const bool own = !in.text("Size table").empty();
     const std::optional<PipeSize> found =
         own ? find_pipe_size(existing_file(in, "Size table"), size, in.text("Schedule"), in.si("m"))
-            : find_pipe_size(size, in.text("Schedule"));
+            : find_pipe_size(size, in.text("Schedule"),
+                             in.si("m") == 0.0254 || in.si("m") == 0.3048);
     if (!found)
       in.fail("Size",
               own ? "a size and schedule in the file of Size table" : known_pipe_sizes(size),

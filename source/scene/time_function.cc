@@ -2,6 +2,7 @@
 #include <frictionbeam/scene/time_function.h>
 
 #include <frictionbeam/scene/parameter_reader.h>
+#include <frictionbeam/scene/user_error.h>
 
 #include <deal.II/base/function_parser.h>
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -76,6 +78,35 @@ TimeFunction from_file(const ParameterReader &in, const std::string &entry,
 }
 
 } // namespace
+
+double TimeFunction::operator()(const double time) const {
+  const double value = course ? course(time) : 1.;
+  if (!std::isfinite(value))
+    throw UserError("The history '" + text + "' is not finite at t = " + to_text(time) +
+                    " s. Give one that is a number at all times of its steps.");
+  return value;
+}
+
+namespace {
+
+/// The break that @p time is, to rounding, or NaN.
+double break_at(const std::vector<double> &breaks, const double time) {
+  const double reach = 1e-10 * std::abs(time) + 1e-15;
+  const auto found = std::lower_bound(breaks.begin(), breaks.end(), time - reach);
+  return found != breaks.end() && *found <= time + reach ? *found : std::nan("");
+}
+
+} // namespace
+
+double TimeFunction::before(const double time) const {
+  const double at = break_at(breaks, time);
+  return (*this)(std::isnan(at) ? time : std::nextafter(at, -std::numeric_limits<double>::max()));
+}
+
+double TimeFunction::after(const double time) const {
+  const double at = break_at(breaks, time);
+  return (*this)(std::isnan(at) ? time : at);
+}
 
 TimeFunction parse_time_function(const ParameterReader &in, const std::string &entry,
                                  const std::string &text) {

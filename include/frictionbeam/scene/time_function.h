@@ -17,7 +17,11 @@ struct TimeFunction {
   std::vector<double> breaks; ///< ascending instants at which it or its derivative may jump [s]
 
   bool is_given() const { return static_cast<bool>(course); }
-  double operator()(const double time) const { return course ? course(time) : 1.; }
+  /// @throws UserError if the expression has no finite value then
+  double operator()(const double time) const;
+  /// At a jump, to rounding, its value before or after it.
+  double before(const double time) const;
+  double after(const double time) const;
 };
 
 class ParameterReader;
