@@ -36,7 +36,8 @@ AlphaScheme::Parameters AlphaScheme::nonsmooth(const TimeSettings &settings) {
 
 AlphaScheme::AlphaScheme(const Model &model, const Parameters &parameters)
     : model(model), p(parameters), ratio((1. - p.alpha_m) / (1. - p.alpha_f)),
-      has_mass(unknowns_with_mass(model.linear.mass())), contacts(model) {
+      has_mass(unknowns_with_mass(model.linear.mass())), contacts(model),
+      stiff(model.linear.stiffness()), momentum(model.linear.mass()) {
   if (!p.impulses)
     return_mapping =
         make_equilibrium_solver(model.scene.solver,
@@ -78,6 +79,7 @@ void AlphaScheme::set_step(const double step) {
   effective = model.linear.stiffness() + ratio / (p.beta * step * step) * model.linear.mass();
   if (model.linear.damping().nonZeros() > 0)
     effective = effective + p.gamma / (p.beta * step) * model.linear.damping();
+  diagonal = effective.diagonal();
   effective_step = step;
   if (p.impulses)
     contacts.set_matrix(effective);
@@ -106,16 +108,27 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
                v = from.velocity + h * (1. - gamma) * a0,
                rest = (p.alpha_m * a0 - p.alpha_f * from.acceleration) / (1. - p.alpha_f);
   const Vector forces_before = loads.forces(from.time), forces = loads.forces(time);
-  EquilibriumProblem problem{effective, forces, loads.imposed(time)};
-  problem.right_hand_side += M * (ratio / (beta * h * h) * q - rest);
-  if (C.nonZeros() > 0)
-    problem.right_hand_side += C * (gamma / (beta * h) * q - v);
+  Vector moved; // a1
+  const Vector stiff_before = stiff(from.unknowns), momentum_before = momentum(from.velocity);
+  const double size = largest(forces) + largest(diagonal.cwiseProduct(from.unknowns)) +
+                      largest(momentum_before) * ratio / (beta * h);
+  EquilibriumProblem problem{effective, Vector::Constant(1, size), loads.imposed(time)};
+  problem.unbalanced = [&](const Vector &unknowns, const Vector &low) -> Vector {
+    moved = (unknowns - q) / (beta * h * h);
+    if (low.size() > 0)
+      moved += low / (beta * h * h);
+    Vector left = forces - stiff(unknowns) - M * Vector(ratio * moved + rest);
+    if (C.nonZeros() > 0)
+      left -= C * Vector(v + gamma * h * moved);
+    return left;
+  };
   problem.time = time;
   problem.time_increment = h;
 
   TimeStep step;
   ContactResponse response;
-  to = from;
+  to.unknowns = from.unknowns;
+  take_over_contacts(from, to);
   if (p.impulses) {
     const double reach = h * beta / gamma;
     step.result = contacts.solve(problem, from, loads.imposed(from.time),
@@ -125,7 +138,6 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   if (!step.result.converged)
     return step;
 
-  const Vector moved = (to.unknowns - q) / (beta * h * h);
   to.velocity = v + gamma * h * moved;
   to.auxiliary = moved;
   double jump = 0.;
@@ -150,8 +162,9 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
     contacts.add_histories(from, h, to);
   else
     add_histories(model.contacts, from, to);
-  step.energy = account_motion(model, from, to, forces_before, forces,
-                               p.impulses ? contacts.work() : std::vector<ContactWork>());
+  step.energy = account_motion(
+      model, from, to, {stiff_before, stiff(to.unknowns), momentum_before, momentum(to.velocity)},
+      forces_before, forces, p.impulses ? contacts.work() : std::vector<ContactWork>());
   if (to.auxiliary.size() > 0)
     step.error = h * h / 12. * (to.auxiliary - a0).lpNorm<Eigen::Infinity>() + jump;
   return step;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "impulse_contacts.h"
+#include "motion_products.h"
 
 #include <frictionbeam/analysis/line_factorization.h>
 
@@ -53,7 +54,9 @@ private:
   ImpulseContacts contacts;
   LineFactorization mass;
   SparseMatrix effective; ///< K + gamma/(beta h) C + ratio/(beta h^2) M
+  Vector diagonal;        ///< of it
   double effective_step = 0.;
+  KeptProduct stiff, momentum; ///< K q and M v
 };
 
 } // namespace frictionbeam

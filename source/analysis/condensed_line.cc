@@ -74,20 +74,24 @@ void CondensedLine::condense_part(const SparseMatrix &stiffness, Part &part,
         dense(i, place_inside[entry.col()]) = entry.value();
       else
         inner.emplace_back(i, place_inside[entry.col()], entry.value());
+  part.in_one_run = part.inside.back() - part.inside.front() + 1 == static_cast<int>(n);
+  part.to_border = to_border.sparseView();
   if (is_dense) {
     part.dense.compute(dense);
     part.influence = part.dense.solve(to_border);
   } else {
-    Eigen::SparseMatrix<double> matrix(n, n);
+    SparseMatrix matrix(n, n);
     matrix.setFromTriplets(inner.begin(), inner.end());
-    part.sparse = std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>();
-    part.sparse->compute(matrix);
-    if (part.sparse->info() != Eigen::Success) { // something turns freely between its ends
+    part.sparse = std::make_unique<LineFactorization>();
+    part.sparse->analyze(matrix);
+    if (!part.sparse->factorize(matrix)) { // something turns freely between its ends
       for (std::size_t i = 0; i < n; ++i)
         matrix.coeffRef(i, i) *= 1. + 1e-9;
-      part.sparse->compute(matrix);
+      part.sparse->factorize(matrix);
     }
-    part.influence = part.sparse->solve(to_border);
+    part.influence.resize(n, n_border);
+    for (std::size_t b = 0; b < n_border; ++b)
+      part.influence.col(b) = part.sparse->solve(to_border.col(b));
   }
   const Eigen::MatrixXd share = to_border.transpose() * part.influence;
   for (std::size_t a = 0; a < n_border; ++a)
@@ -95,18 +99,28 @@ void CondensedLine::condense_part(const SparseMatrix &stiffness, Part &part,
       entries.emplace_back(part.border[a], part.border[b], -(share(a, b) + share(b, a)) / 2.);
 }
 
+Vector CondensedLine::Part::inner(const Vector &all) const {
+  if (in_one_run)
+    return all.segment(inside.front(), inside.size());
+  Vector result(inside.size());
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    result[i] = all[inside[i]];
+  return result;
+}
+
 Vector CondensedLine::Part::solve(const Vector &forces) const {
-  return sparse ? Vector(sparse->solve(forces)) : Vector(dense.solve(forces));
+  return sparse ? sparse->solve(forces) : Vector(dense.solve(forces));
 }
 
 Vector CondensedLine::condense(const Vector &forces) const {
   Vector result(kept.size());
   for (unsigned int k = 0; k < kept.size(); ++k)
     result[k] = forces[kept[k]];
-  for (const Part &part : parts)
+  for (const Part &part : parts) {
+    const Vector share = part.influence.transpose() * part.inner(forces);
     for (std::size_t b = 0; b < part.border.size(); ++b)
-      for (std::size_t i = 0; i < part.inside.size(); ++i)
-        result[part.border[b]] -= part.influence(i, b) * forces[part.inside[i]];
+      result[part.border[b]] -= share[b];
+  }
   return result;
 }
 
@@ -115,14 +129,15 @@ Vector CondensedLine::expand(const Vector &kept_unknowns, const Vector &forces) 
   for (unsigned int k = 0; k < kept.size(); ++k)
     result[kept[k]] = kept_unknowns[k];
   for (const Part &part : parts) {
-    Vector inside(part.inside.size()), border(part.border.size());
-    for (std::size_t i = 0; i < part.inside.size(); ++i)
-      inside[i] = forces[part.inside[i]];
+    Vector border(part.border.size());
     for (std::size_t b = 0; b < part.border.size(); ++b)
       border[b] = kept_unknowns[part.border[b]];
-    const Vector motion = part.solve(inside) - part.influence * border;
-    for (std::size_t i = 0; i < part.inside.size(); ++i)
-      result[part.inside[i]] = motion[i];
+    const Vector motion = part.solve(part.inner(forces) - part.to_border * border);
+    if (part.in_one_run)
+      result.segment(part.inside.front(), part.inside.size()) = motion;
+    else
+      for (std::size_t i = 0; i < part.inside.size(); ++i)
+        result[part.inside[i]] = motion[i];
   }
   return result;
 }

@@ -106,19 +106,19 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
 }
 
 EnergyAccount account_motion(const Model &model, const LineState &before, const LineState &after,
-                             const Vector &loads_before, const Vector &loads_after,
-                             const std::vector<ContactWork> &work) {
+                             const MotionProducts &products, const Vector &loads_before,
+                             const Vector &loads_after, const std::vector<ContactWork> &work) {
   EnergyAccount account;
-  const Vector motion = after.unknowns - before.unknowns,
-               momentum_change = model.linear.mass() * (after.velocity - before.velocity);
+  const Vector motion = after.unknowns - before.unknowns;
   account.external = (loads_before + loads_after).dot(motion) / 2.;
-  account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
-  account.kinetic = (before.velocity + after.velocity).dot(momentum_change) / 2.;
+  // As differences of energies: rounding errors of the products do not add up over the steps.
+  const double stored = after.unknowns.dot(products.stiff_after) / 2.,
+               kinetic = after.velocity.dot(products.momentum_after) / 2.;
+  account.stored = stored - before.unknowns.dot(products.stiff_before) / 2.;
+  account.kinetic = kinetic - before.velocity.dot(products.momentum_before) / 2.;
   if (model.linear.damping().nonZeros() > 0)
     account.damping = (before.velocity + after.velocity).dot(model.linear.damping() * motion) / 2.;
-  account.at_hand = (after.velocity.dot(model.linear.mass() * after.velocity) +
-                     after.unknowns.dot(model.linear.stiffness() * after.unknowns)) /
-                    2.;
+  account.at_hand = stored + kinetic;
   account.turnover =
       std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
   return account += account_contacts(model, before, after, work);

@@ -33,6 +33,8 @@ Vector Residual::with_stress(const Vector &unknowns, const Vector &low,
                              const ContactResponse &response) const {
   Vector forces = Vector::Zero(unknowns.size());
   contacts.add_forces(response, forces);
+  if (problem.unbalanced)
+    return problem.unbalanced(unknowns, low) - forces;
   if (low.size() == 0)
     return problem.right_hand_side - problem.matrix * unknowns - forces;
   return unbalanced_forces(problem, unknowns, low) - forces;
@@ -40,6 +42,8 @@ Vector Residual::with_stress(const Vector &unknowns, const Vector &low,
 
 Vector unbalanced_forces(const EquilibriumProblem &problem, const Vector &unknowns,
                          const Vector &low) {
+  if (problem.unbalanced)
+    return problem.unbalanced(unknowns, low);
   Vector forces(unknowns.size());
   for (int i = 0; i < problem.matrix.outerSize(); ++i) {
     long double sum = problem.right_hand_side[i];

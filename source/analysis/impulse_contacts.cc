@@ -62,12 +62,12 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
                                          const Vector &imposed_before, const Relation &relation,
                                          Vector &unknowns, ContactResponse &response) {
   const double step = problem.time_increment;
-  const Vector ground_velocity = (problem.imposed - imposed_before) / step;
-  Vector base_dofs, velocity_dofs;
-  model.space.expand(relation.base, base_dofs);
-  base_dofs += problem.imposed - relation.reach * ground_velocity;
-  model.space.expand(from.velocity, velocity_dofs);
-  velocity_dofs += ground_velocity;
+  const auto strain = [](const Contact &contact, const Vector &q) {
+    Contact::Strains result = Contact::Strains::Zero();
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      result += q[contact.unknowns[j]] * contact.B_reduced.col(j);
+    return result;
+  };
 
   shifted = from.contacts;
   overrides.gap.assign(kinds.size(), 0.);
@@ -79,9 +79,12 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
     const Contact &contact = model.contacts[i];
     const double l = contact.length;
     overrides.gap[i] = kind.law.gap;
-    const Contact::Strains base = contact.strain(base_dofs);
+    const Contact::Strains imposed = contact.strain(problem.imposed),
+                           ground_rate = (imposed - contact.strain(imposed_before)) / step,
+                           base = strain(contact, relation.base) + imposed -
+                                  relation.reach * ground_rate;
     if (kind.rigid_normal) {
-      const double approach = l * contact.strain(velocity_dofs)[0],
+      const double approach = l * (strain(contact, from.velocity) + ground_rate)[0],
                    gap = l * from.contacts.strain[i][0] + kind.law.gap;
       const bool takes_part = gap + step / 2. * approach <= 1e-12 * l;
       overrides.gap[i] =

@@ -34,6 +34,22 @@ LoadCourse::Factors LoadCourse::factors(const double time) const {
   return result;
 }
 
+LoadCourse::Factors LoadCourse::factors_before(const double time) const {
+  Factors result = declared(time);
+  for (unsigned int l = 0; l < result.size(); ++l)
+    if (result[l] != 0.)
+      result[l] *= model.scene.loads[l].history.before(time);
+  return result;
+}
+
+LoadCourse::Factors LoadCourse::factors_after(const double time) const {
+  Factors result = declared(time);
+  for (unsigned int l = 0; l < result.size(); ++l)
+    if (result[l] != 0.)
+      result[l] *= model.scene.loads[l].history.after(time);
+  return result;
+}
+
 Vector LoadCourse::forces(const Factors &factors) const {
   Vector result = model.contacts.platen_forces() + model.linear.preload();
   for (unsigned int l = 0; l < factors.size(); ++l)
@@ -43,22 +59,6 @@ Vector LoadCourse::forces(const Factors &factors) const {
 }
 
 Vector LoadCourse::forces(const double time) const { return forces(factors(time)); }
-
-Vector LoadCourse::forces_before(const double time) const {
-  Factors result = declared(time);
-  for (unsigned int l = 0; l < result.size(); ++l)
-    if (result[l] != 0.)
-      result[l] *= model.scene.loads[l].history.before(time);
-  return forces(result);
-}
-
-Vector LoadCourse::forces_after(const double time) const {
-  Factors result = declared(time);
-  for (unsigned int l = 0; l < result.size(); ++l)
-    if (result[l] != 0.)
-      result[l] *= model.scene.loads[l].history.after(time);
-  return forces(result);
-}
 
 Vector LoadCourse::imposed(const double time) const {
   Vector result = Vector::Zero(model.space.n_dofs());

@@ -231,7 +231,7 @@ bool LoadSequence::move_to(const double time, const std::function<void()> &after
       time_step = step / 2.;
       continue;
     }
-    current = next;
+    std::swap(current, next);
     ++report.increments;
     if (each_increment)
       each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},

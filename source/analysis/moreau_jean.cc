@@ -6,8 +6,13 @@
 namespace frictionbeam {
 
 MoreauJean::MoreauJean(const Model &model)
-    : model(model), theta(model.scene.time.theta),
-      has_mass(unknowns_with_mass(model.linear.mass())), contacts(model) {}
+    : model(model), theta(model.scene.time.theta), contacts(model), stiff(model.linear.stiffness()),
+      momentum(model.linear.mass()) {
+  const std::vector<bool> has_mass = unknowns_with_mass(model.linear.mass());
+  for (unsigned int i = 0; i < has_mass.size(); ++i)
+    if (!has_mass[i])
+      massless.push_back(i);
+}
 
 void MoreauJean::start(LineState &state, const LoadCourse &) {
   state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
@@ -20,6 +25,7 @@ void MoreauJean::set_step(const double h) {
   if (model.linear.damping().nonZeros() > 0)
     effective = effective + 1. / (h * theta) * model.linear.damping();
   effective_step = h;
+  diagonal = effective.diagonal();
   contacts.set_matrix(effective);
 }
 
@@ -34,44 +40,72 @@ void MoreauJean::transfer(Archive &archive) {
 TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, const double time,
                              LineState &to) {
   const double h = time - from.time, part = (1. - theta) / theta;
-  const SparseMatrix &M = model.linear.mass(), &C = model.linear.damping();
+  const SparseMatrix &C = model.linear.damping();
   const bool damped = C.nonZeros() > 0;
   set_step(h);
-  const Vector forces_before = loads.forces_after(from.time), forces = loads.forces_before(time);
-  // The equation of motion divided by theta h, in q1.
-  EquilibriumProblem problem{effective, forces + part * forces_before, loads.imposed(time)};
-  problem.right_hand_side +=
-      M * (from.unknowns / h + from.velocity) / (h * theta * theta) -
-      part * (model.linear.stiffness() * from.unknowns + contacts.elastic_forces(from));
-  if (damped)
-    problem.right_hand_side += C * from.unknowns / (h * theta);
+  if (const LoadCourse::Factors factors = loads.factors_after(from.time);
+      last_forces.size() == 0 || factors != last_factors) {
+    last_factors = factors;
+    last_forces = loads.forces(factors);
+  }
+  const Vector forces_before = last_forces;
+  last_factors = loads.factors_before(time);
+  last_forces = loads.forces(last_factors);
+  const Vector &forces = last_forces;
+  const Vector &q0 = from.unknowns, &v0 = from.velocity;
+  const Vector stiff_before = stiff(q0), momentum_before = momentum(v0);
+  // The equation of motion divided by theta h.
+  const Vector known =
+      forces + part * (forces_before - stiff_before - contacts.elastic_forces(from));
+  Vector velocity_after;
+  const double size = largest(known) + largest(diagonal.cwiseProduct(q0)) +
+                      largest(momentum_before) / (h * theta * theta);
+  EquilibriumProblem problem{effective, Vector::Constant(1, size), loads.imposed(time)};
+  problem.unbalanced = [&](const Vector &unknowns, const Vector &low) -> Vector {
+    if (unknowns == q0 && low.isZero(0.)) {
+      velocity_after = (1. - 1. / theta) * v0;
+      for (const int i : massless)
+        velocity_after[i] = 0.;
+      return known - stiff_before + momentum_before / (h * theta * theta);
+    }
+    Vector motion = unknowns - q0;
+    if (low.size() > 0)
+      motion += low;
+    velocity_after = (1. - 1. / theta) * v0 + motion / (h * theta);
+    for (const int i : massless)
+      velocity_after[i] = motion[i] / h;
+    Vector left =
+        known - stiff(unknowns) - (momentum(velocity_after) - momentum_before) / (h * theta);
+    if (damped)
+      left -= C * motion / (h * theta);
+    return left;
+  };
   problem.time = time;
   problem.time_increment = h;
 
   TimeStep step;
   ContactResponse response;
-  to = from;
+  to.unknowns = q0;
+  take_over_contacts(from, to);
   step.result = contacts.solve(problem, from, loads.imposed(from.time),
                                {from.unknowns + h * (1. - theta) * from.velocity, h * theta, theta},
                                to.unknowns, response);
   if (!step.result.converged)
     return step;
 
-  const Vector mean = (to.unknowns - from.unknowns) / h;
-  to.velocity = from.velocity + (mean - from.velocity) / theta;
-  for (int i = 0; i < mean.size(); ++i)
-    if (!has_mass[i])
-      to.velocity[i] = mean[i];
+  to.velocity = velocity_after;
   to.acceleration = (to.velocity - from.velocity) / h;
   to.auxiliary = to.acceleration;
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += problem.imposed;
   to.time = time;
-  to.load_factors = loads.factors(time);
+  to.load_factors = last_factors;
   commit_contacts(response, from, to);
   contacts.add_histories(from, h, to);
-  step.energy = account_motion(model, from, to, forces_before, forces, contacts.work());
-  if (mean.size() > 0)
+  step.energy = account_motion(
+      model, from, to, {stiff_before, stiff(to.unknowns), momentum_before, momentum(to.velocity)},
+      forces_before, forces, contacts.work());
+  if (q0.size() > 0)
     step.error = h * h / 12. * (to.auxiliary - from.auxiliary).lpNorm<Eigen::Infinity>();
   return step;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "impulse_contacts.h"
+#include "motion_products.h"
 
 namespace frictionbeam {
 
@@ -29,10 +30,14 @@ private:
 
   const Model &model;
   const double theta;
-  const std::vector<bool> has_mass;
+  std::vector<int> massless; ///< unknowns
   ImpulseContacts contacts;
   SparseMatrix effective; ///< K + C/(h theta) + M/(h theta)^2
+  Vector diagonal;        ///< of it
   double effective_step = 0.;
+  LoadCourse::Factors last_factors; ///< of the last end of a step
+  Vector last_forces;
+  KeptProduct stiff, momentum; ///< K q and M v
 };
 
 } // namespace frictionbeam

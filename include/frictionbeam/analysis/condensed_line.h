@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/model/contacts.h>
+#include <frictionbeam/analysis/line_factorization.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/SparseCholesky>
 
 namespace frictionbeam {
 
@@ -37,10 +36,13 @@ private:
   /// A connected part of the inner unknowns and the kept ones it borders on.
   struct Part {
     std::vector<int> inside, border; ///< unknowns; places among the kept
+    bool in_one_run = false;         ///< inside are unknowns one after the other
+    SparseMatrix to_border;          ///< K_ic
     Eigen::MatrixXd influence;       ///< K_ii^-1 K_ic
     Eigen::LDLT<Eigen::MatrixXd> dense;
-    std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> sparse;
+    std::unique_ptr<LineFactorization> sparse;
 
+    Vector inner(const Vector &all) const;
     Vector solve(const Vector &forces) const;
   };
 

@@ -46,14 +46,19 @@ struct ContactWork {
   Contact::Strains rigidity;
 };
 
+/// K q and M v at both ends of a time step.
+struct MotionProducts {
+  const Vector &stiff_before, &stiff_after, &momentum_before, &momentum_after;
+};
+
 /**
  * Account of a time step.
  * @param work of contacts solved with impulses; contacts beyond its end, or all if it is empty, are
  * taken by the trapezoid of the stresses at both ends.
  */
 EnergyAccount account_motion(const Model &model, const LineState &before, const LineState &after,
-                             const Vector &loads_before, const Vector &loads_after,
-                             const std::vector<ContactWork> &work);
+                             const MotionProducts &products, const Vector &loads_before,
+                             const Vector &loads_after, const std::vector<ContactWork> &work);
 
 /// The contacts' share of either.
 EnergyAccount account_contacts(const Model &model, const LineState &before, const LineState &after,

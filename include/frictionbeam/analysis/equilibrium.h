@@ -19,6 +19,9 @@ struct EquilibriumProblem {
   double time = 0., time_increment = 0.;
   const ContactOverrides *overrides = nullptr; ///< of exact contacts
   double largest_force = 0.; ///< to measure residuals by, beside those of the problem itself
+  /// right_hand_side - matrix (unknowns + low), where the caller knows it in a cheaper way. Of the
+  /// right hand side nothing but its size is then asked.
+  std::function<Vector(const Vector &unknowns, const Vector &low)> unbalanced = {};
 };
 
 struct EquilibriumResult {

@@ -22,11 +22,11 @@ public:
   Factors declared(const double time) const;
   /// With the loads' histories.
   Factors factors(const double time) const;
+  /// At the end and the start of a step: where a history jumps, its value before and after.
+  Factors factors_before(const double time) const;
+  Factors factors_after(const double time) const;
   /// On the unknowns, platens' forces included.
   Vector forces(const double time) const;
-  /// At the end or the start of a step: where a history jumps, its value before or after.
-  Vector forces_before(const double time) const;
-  Vector forces_after(const double time) const;
   Vector forces(const Factors &factors) const;
   /// Motions of all degrees of freedom that loads and the ground impose.
   Vector imposed(const double time) const;
