@@ -95,6 +95,7 @@ void declare_time(ParameterReader &in) {
   in.declare_number("Modal damping", 0., "-", 0., 1.,
                     "Ratio to critical, of every mode of the line without its friction elements; "
                     "rigid motions are not damped.");
+  declare_reduction(in);
 }
 
 void parse_time(const ParameterReader &in, Scene &scene) {
@@ -119,6 +120,7 @@ void parse_time(const ParameterReader &in, Scene &scene) {
   scene.time.output_interval = in.number("Output interval");
   scene.time.beta = in.number("Beta");
   scene.time.gamma = in.number("Gamma");
+  parse_reduction(in, scene);
 }
 
 void declare_exact(ParameterReader &in) {
