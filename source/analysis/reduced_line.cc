@@ -76,6 +76,11 @@ void ReducedLine::make_basis(const unsigned int p, const unsigned int n_modes,
     if (loads[l])
       respond_to(line.linear.forces(l));
   respond_to(line.linear.preload());
+  if (part.has_mass) {
+    const MatrixXd inertia = part.M * part.constraint_modes + part.M_border;
+    for (int b = 0; b < inertia.cols(); ++b)
+      shapes.add(part.factors->solve(inertia.col(b)), part.K, 0.);
+  }
   const auto beyond_border = [&](const Vector &all) {
     Vector border(part.border.size());
     for (unsigned int b = 0; b < part.border.size(); ++b)

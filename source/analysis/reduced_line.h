@@ -8,10 +8,13 @@ namespace frictionbeam {
 /**
  * The line on few unknowns, as a Model of its own that every integrator takes: the kept unknowns of
  * LineParts, and for each part q_i = Psi q_b + X eta with the lowest fixed-interface modes and
- * static shapes as columns of X. Static shapes are what the modes leave out of K_ii^-1 f of each
- * load, of the initial displacements and of the initial velocities; they and the constraint modes
- * Psi make statics exact and let a motion begin exactly as the line is. Modes and static shapes are
- * orthogonal in K and M. The unknowns eta come first, then the kept ones.
+ * static shapes as columns of X. Static shapes are what the modes leave out of K_ii^-1 f, f each
+ * load, the forces of inertia M_ii Psi + M_ib of a border that is accelerated (R. R. Craig and C.
+ * J. Hale, J. Guid. Control Dyn. 11 (1988) 562-567, have such Krylov vectors instead of modes), and
+ * of the initial displacements and velocities. They and the constraint modes Psi make statics
+ * exact, let a motion begin exactly as the line is, and take over what the modes left out do when
+ * they follow slowly. Modes and static shapes are orthogonal in K and M. The unknowns eta come
+ * first, then the kept ones.
  *
  * Its degrees of freedom are those of contacts and of monitored points alone; states of contacts
  * are those of the line.

@@ -12,12 +12,13 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double small = 0.01;           ///< of the largest: differences are relative to no less
-constexpr unsigned int first_modes = 10; ///< of the first trial
-constexpr double next_eigenvalue = 4.;   ///< of the next trial: twice the frequency
-constexpr double least_ratio = 1. / 16.; ///< of two differences, to be believed
-constexpr double most_ratio = 0.5;       ///< likewise
-constexpr double worth_while = 0.5;      ///< of the line's unknowns
+constexpr double small = 0.01; ///< of the largest: differences are relative to no less
+constexpr unsigned int first_modes =
+    10; ///< of the first trial, at least; else as many as kept unknowns
+constexpr double next_eigenvalue = 4.; ///< of the next trial: twice the frequency
+constexpr double expected_ratio = 0.1; ///< of one difference to the one before
+constexpr double safety = 2.;          ///< of the estimate
+constexpr double worth_while = 0.25;   ///< of the line's unknowns
 
 double frequency(const double eigenvalue) { return std::sqrt(eigenvalue) / (2. * M_PI); }
 
@@ -110,7 +111,8 @@ LineParts::Choice TransientReduction::choose(const Start &start, const LineState
   if (model.contacts.size() == 0 && model.scene.monitors.empty())
     throw UserError("Time/Modes = auto has nothing to judge by: there is no contact and no "
                     "monitored point. Name points in Monitors, or set Modes to a number.");
-  LineParts::Choice choice = parts->below(parts->lowest(first_modes).highest);
+  LineParts::Choice choice =
+      parts->below(parts->lowest(std::max(first_modes, account.n_kept)).highest);
   account.trials.emplace_back();
   MotionRecord record = try_out(start, state, choice, account.trials.back());
   double last = -1.; // difference before; negative: not known
@@ -134,13 +136,9 @@ LineParts::Choice TransientReduction::choose(const Start &start, const LineState
       const MotionDifference change = difference(record, finer_record);
       trial.forces = change.forces;
       trial.motions = change.motions;
-      // A difference may be small by chance: it is taken for no less than the one before allows.
-      const bool known = last >= 0.;
-      const double now = std::max(change.largest(), last * least_ratio),
-                   ratio = known && last > 0. ? std::clamp(now / last, least_ratio, most_ratio)
-                                              : most_ratio;
-      const double estimate = now * ratio / (1. - ratio);
-      const bool enough = known || now <= 0.25 * settings.tolerance; // else two differences
+      // Differences do not shrink evenly, and one may be small by chance.
+      const double now = change.largest(), estimate = safety * std::max(now, last * expected_ratio);
+      const bool enough = last >= 0.; // two differences
       last = now;
       if (enough && estimate <= settings.tolerance) {
         account.estimate = estimate;
