@@ -113,6 +113,10 @@ LineParts::Choice TransientReduction::choose(const Start &start, const LineState
                     "monitored point. Name points in Monitors, or set Modes to a number.");
   LineParts::Choice choice =
       parts->below(parts->lowest(std::max(first_modes, account.n_kept)).highest);
+  if (choice.n + account.n_kept > worth_while * account.n_line) {
+    account.remark = "not reduced: the line has too few unknowns for it to be worth while";
+    return choice;
+  }
   account.trials.emplace_back();
   MotionRecord record = try_out(start, state, choice, account.trials.back());
   double last = -1.; // difference before; negative: not known
@@ -123,7 +127,7 @@ LineParts::Choice TransientReduction::choose(const Start &start, const LineState
     }
     bound = std::max(next_eigenvalue * bound, choice.next);
     const LineParts::Choice finer = parts->below(bound);
-    if (finer.n + parts->kept().size() > worth_while * account.n_line) {
+    if (finer.n + account.n_kept > worth_while * account.n_line) {
       account.remark = "not reduced: with " + std::to_string(choice.n) +
                        " modes the error is not small enough, and with more it is not worth while";
       return choice;
