@@ -25,8 +25,7 @@ struct StepReport {
 
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
-            contact, energy, converged, no_equilibrium, several_equilibria, remark,
-            reduction);
+            contact, energy, converged, no_equilibrium, several_equilibria, remark, reduction);
   }
 };
 
