@@ -9,6 +9,7 @@
 #include <frictionbeam/results/contact_problem_writer.h>
 #include <frictionbeam/results/csv_writer.h>
 #include <frictionbeam/results/derived_cases.h>
+#include <frictionbeam/results/reduction_text.h>
 #include <frictionbeam/results/stresses.h>
 #include <frictionbeam/results/text.h>
 #include <frictionbeam/results/vtu_writer.h>
@@ -232,6 +233,10 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
           transfer_all(archive);
           checkpoint.write(archive);
           output_timer.stop();
+        },
+        [&](const LoadSequence::Progress &progress, const double time) {
+          return collector.needs_line(progress.step, progress.increment, progress.n_increments,
+                                      time);
         });
   }
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
@@ -281,6 +286,9 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                 " % of the largest energy in motion, at contacts. Take a shorter "
                                 "time step, moreau_jean or event.");
   }
+  for (const StepReport &step : results.steps)
+    if (step.reduction)
+      results.remarks.push_back(describe_reduction(step.step, *step.reduction));
   if (const std::string remark = several_equilibria(results); !remark.empty())
     results.remarks.push_back(remark);
   results.certify(scene);

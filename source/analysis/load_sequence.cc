@@ -2,6 +2,7 @@
 #include <frictionbeam/analysis/load_sequence.h>
 
 #include "corotational_statics.h"
+#include "transient_reduction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,10 @@ LoadSequence::LoadSequence(const Model &model)
       course(model), declared(model.scene.loads.size(), 0.) {}
 
 LoadSequence::~LoadSequence() = default;
+
+std::string LoadSequence::integrator_name() const {
+  return integrator ? integrator->name() : reduction ? reduction->integrator_name() : "";
+}
 
 void LoadSequence::set_initial_motion() {
   const VertexDofs &dofs = model.discretization.vertex_dofs();
@@ -86,9 +91,11 @@ void LoadSequence::commit(const Factors &factors, const double time) {
   commit_contacts(response, before, current);
 }
 
-bool LoadSequence::run(const Observer &observer, const Observer &each, const Pause &pause) {
+bool LoadSequence::run(const Observer &observer, const Observer &each, const Pause &pause,
+                       const NeedsLine &needs_line) {
   each_increment = each;
   between_increments = pause;
+  observer_needs_line = needs_line;
   if (!is_resumed) {
     initialize();
     observer({0, 0, 0}, current);
@@ -108,8 +115,12 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
     Factors target(model.scene.loads.size(), 0.);
     for (const auto &[load, factor] : declared_step.loads)
       target[load] += factor;
-    step_reports.back().converged =
-        declared_step.transient ? run_transient(target, observer) : run_static(target, observer);
+    // A step within which the run was cut was not reduced.
+    const bool reduced =
+        model.scene.time.reduction.modes != ReductionSettings::Modes::all && !is_resumed;
+    step_reports.back().converged = !declared_step.transient ? run_static(target, observer)
+                                    : reduced                ? run_reduced(target, observer)
+                                                             : run_transient(target, observer);
     if (!step_reports.back().converged)
       return false;
   }
@@ -208,6 +219,33 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
   }
   step_reports.back().remark = integrator->remark();
   return true;
+}
+
+bool LoadSequence::run_reduced(const Factors &target, const Observer &observer) {
+  if (!reduction)
+    reduction = std::make_unique<TransientReduction>(model);
+  StepReport &report = step_reports.back();
+  report.reduction.emplace();
+  const TransientReduction::Start start{position.step, position.from, target};
+  if (!reduction->prepare(start, current, *report.reduction))
+    return run_transient(target, observer);
+  course.begin_step(position.from, target, position.start, model.scene.steps[position.step].ramp);
+  const bool done = reduction->run(start, course, current, report, observer, observer_needs_line);
+  declared = course.declared(current.time);
+  return done;
+}
+
+bool LoadSequence::run_transient_alone(const unsigned int step, const LineState &start,
+                                       const Factors &before, const Factors &target,
+                                       const Observer &observer) {
+  StepReport report;
+  report.step = model.scene.steps[step].name;
+  step_reports.push_back(report);
+  current = start;
+  declared = before;
+  position = {step, before, start.time, 0, 0};
+  step_reports.back().converged = run_transient(target, observer);
+  return step_reports.back().converged;
 }
 
 bool LoadSequence::move_to(const double time, const std::function<void()> &after_each) {

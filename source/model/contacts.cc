@@ -149,6 +149,26 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
   }
 }
 
+Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
+                   const std::vector<int> &unknown_places, const unsigned int n_unknowns)
+    : list(contacts.list), n_internal(contacts.n_internal), preload(Vector::Zero(n_unknowns)) {
+  for (Contact &contact : list) {
+    for (unsigned int &dof : contact.dofs)
+      dof = dof_places[dof];
+    for (int &unknown : contact.unknowns)
+      unknown = unknown_places[unknown];
+    for (int &unknown : contact.vertex_unknowns)
+      unknown = unknown_places[unknown];
+  }
+  for (const auto &[dof, course] : contacts.moving)
+    moving.emplace_back(dof_places[dof], course);
+  for (int unknown = 0; unknown < contacts.preload.size(); ++unknown)
+    if (contacts.preload[unknown] != 0.)
+      preload[unknown_places[unknown]] += contacts.preload[unknown];
+  for (const auto &[unknown, position] : contacts.platen_positions)
+    platen_positions.emplace_back(unknown_places[unknown], position);
+}
+
 void Contacts::prepare(ContactResponse &response) const {
   const unsigned int n = list.size();
   response.stress.resize(n);

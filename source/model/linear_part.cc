@@ -130,6 +130,11 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
   }
 }
 
+LinearPart::LinearPart(Matrices matrices)
+    : K(std::move(matrices.stiffness)), M(std::move(matrices.mass)), C(std::move(matrices.damping)),
+      spring_preload(std::move(matrices.preload)), load_forces(std::move(matrices.forces)),
+      imposed_motions(std::move(matrices.imposed)), nodal_loads(load_forces.size()) {}
+
 void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
                               const Discretization &discretization, const ReducedSpace &space) {
   C.resize(K.rows(), K.cols());

@@ -155,6 +155,15 @@ ReducedSpace::ReducedSpace(const Scene &scene, const LineMesh &mesh,
   }
 }
 
+ReducedSpace::ReducedSpace(const unsigned int n_unknowns,
+                           const std::vector<std::vector<Term>> &terms)
+    : n_free(n_unknowns), start(1, 0) {
+  for (const std::vector<Term> &of_one : terms) {
+    terms_of_all.insert(terms_of_all.end(), of_one.begin(), of_one.end());
+    start.push_back(terms_of_all.size());
+  }
+}
+
 void ReducedSpace::expand(const Vector &unknowns, Vector &dofs) const {
   dofs.resize(n_dofs());
   for (unsigned int dof = 0; dof < n_dofs(); ++dof) {

@@ -249,6 +249,21 @@ bool Collector::output_is_due(const LoadStep &step, const double time, const boo
   return model.scene.output.every_increment;
 }
 
+bool Collector::needs_line(const unsigned int step, const unsigned int increment,
+                           const unsigned int n_increments, const double time) const {
+  if (output_is_due(model.scene.steps[step], time, increment == n_increments))
+    return true;
+  for (unsigned int i = 0; i < pending.size(); ++i) {
+    const Quantity &quantity = model.scene.quantities[i];
+    const bool now = quantity.over != Quantity::Over::end || (quantity.time && !pending[i].value),
+               of_line = quantity.where.empty() || place(forces, quantity.what) >= 0 ||
+                         place(section_forces, quantity.what) >= 0;
+    if (now && of_line && quantity.what != "max_error")
+      return true;
+  }
+  return false;
+}
+
 void Collector::observe(const unsigned int step, const unsigned int increment,
                         const unsigned int n_increments, const LineState &state) {
   frame_is_current = false;

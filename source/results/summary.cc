@@ -127,6 +127,33 @@ std::string accuracy_text(const AccuracyAccount &account) {
       .str();
 }
 
+std::string reduction_text(const ReductionAccount &account) {
+  List trials('[', ']');
+  for (const ReductionAccount::Trial &trial : account.trials)
+    trials.add(List('{', '}')
+                   .add("modes", trial.n_modes)
+                   .add("seconds", trial.seconds)
+                   .add("change_of_forces", trial.forces)
+                   .add("change_of_motions", trial.motions)
+                   .add(json("converged") + (trial.converged ? ": true" : ": false"))
+                   .str());
+  return List('{', '}')
+      .add(json("reduced") + (account.is_reduced ? ": true" : ": false"))
+      .add("line_unknowns", account.n_line)
+      .add("unknowns", account.n_reduced)
+      .add("kept", account.n_kept)
+      .add("modes", account.n_modes)
+      .add("static_shapes", account.n_static_shapes)
+      .add("modes_left_out", account.n_left_out)
+      .add("highest_frequency", account.highest_frequency)
+      .add("next_frequency", account.next_frequency)
+      .add("demanded", account.demanded)
+      .add("estimate", account.estimate)
+      .add_list("trials", trials)
+      .add("remark", account.remark)
+      .str();
+}
+
 } // namespace
 
 std::string program_version() { return FRICTIONBEAM_VERSION; }
@@ -178,18 +205,21 @@ void write_summary(const Scene &scene, const Results &results, const std::string
       .add("peak_memory_mb", cost.peak_memory_mb);
 
   List steps('[', ']', "  ");
-  for (const auto &step : results.steps)
-    steps.add(List('{', '}')
-                  .add("step", step.step)
-                  .add("increments", step.increments)
-                  .add("halvings", step.halvings)
-                  .add("iterations", step.iterations)
-                  .add("factorizations", step.factorizations)
-                  .add("residual", step.residual)
-                  .add("contact", step.contact.natural_map)
-                  .add(json("converged") + (step.converged ? ": true" : ": false"))
-                  .add("remark", step.remark)
-                  .str());
+  for (const auto &step : results.steps) {
+    List one('{', '}');
+    one.add("step", step.step)
+        .add("increments", step.increments)
+        .add("halvings", step.halvings)
+        .add("iterations", step.iterations)
+        .add("factorizations", step.factorizations)
+        .add("residual", step.residual)
+        .add("contact", step.contact.natural_map)
+        .add(json("converged") + (step.converged ? ": true" : ": false"))
+        .add("remark", step.remark);
+    if (step.reduction)
+      one.add(json("reduction") + ": " + reduction_text(*step.reduction));
+    steps.add(one.str());
+  }
 
   List remarks('[', ']', "  ");
   for (const auto &remark : all_remarks(scene, results))

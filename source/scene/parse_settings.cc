@@ -16,7 +16,8 @@ void declare_mesh(ParameterReader &in) {
   const bool cut = !in.raw("Cells per bend", "").empty();
   in.declare_choice("Bends", cut ? "straight pieces" : "arcs", {"straight pieces", "arcs"},
                     "Of routes. arcs: one exact curved element between two points of a bend; "
-                    "straight pieces: cut into cells, as where 'Cells per bend' is given.");
+                    "straight pieces: cut into cells, as where 'Cells per bend' is given, and with "
+                    "corotational Kinematics.");
   in.declare_count("Cells per bend", 8, 1, "Of straight pieces, in 90 degrees.");
 }
 
@@ -32,7 +33,8 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
               "the path from " + fs::absolute(in.file().name()).parent_path().string());
   }
   scene.mesh.cell_length = in.number("Cell length");
-  scene.mesh.arcs = in.text("Bends") == "arcs";
+  scene.mesh.arcs = in.text("Bends") == "arcs" &&
+                    (scene.kinematics == Kinematics::linear || in.given("Bends"));
   scene.mesh.cells_per_bend = in.count("Cells per bend");
 }
 
@@ -95,6 +97,7 @@ void declare_time(ParameterReader &in) {
   in.declare_number("Modal damping", 0., "-", 0., 1.,
                     "Ratio to critical, of every mode of the line without its friction elements; "
                     "rigid motions are not damped.");
+  declare_reduction(in);
 }
 
 void parse_time(const ParameterReader &in, Scene &scene) {
@@ -119,6 +122,7 @@ void parse_time(const ParameterReader &in, Scene &scene) {
   scene.time.output_interval = in.number("Output interval");
   scene.time.beta = in.number("Beta");
   scene.time.gamma = in.number("Gamma");
+  parse_reduction(in, scene);
 }
 
 void declare_exact(ParameterReader &in) {

@@ -48,6 +48,9 @@ void declare_solver(ParameterReader &in);
 void parse_solver(const ParameterReader &in, Scene &scene);
 void declare_time(ParameterReader &in);
 void parse_time(const ParameterReader &in, Scene &scene);
+/// Entries of section Time about its reduction to modes.
+void declare_reduction(ParameterReader &in);
+void parse_reduction(const ParameterReader &in, Scene &scene);
 void declare_exact(ParameterReader &in);
 void parse_exact(const ParameterReader &in, Scene &scene);
 void declare_output(ParameterReader &in);

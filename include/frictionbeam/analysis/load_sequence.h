@@ -10,11 +10,12 @@
 namespace frictionbeam {
 
 class CorotationalStatics;
+class TransientReduction;
 
 /**
  * Runs the declared sequence of load steps: static increments, each solved by EquilibriumSolver,
  * and transient time steps of a TimeIntegrator, cut in two, again and again, where they do not
- * converge.
+ * converge. Transient steps may run on the line reduced to contact nodes and modes.
  */
 class LoadSequence {
 public:
@@ -27,21 +28,32 @@ public:
   /// Called between two increments, where transfer() may write the sequence.
   using Pause = std::function<void()>;
 
+  /// Whether the observer will look at more of a state than its contacts and the motion of
+  /// monitored points: elsewhere, a state of a reduced line may be that of an instant before.
+  using NeedsLine = std::function<bool(const Progress &, const double time)>;
+
   explicit LoadSequence(const Model &model);
   ~LoadSequence();
 
   /// @return whether every step converged; if not, state() is the last one in equilibrium.
   /// @param each called with the start and with every increment solved, those of a cut one too;
   /// its number counts these
-  bool run(const Observer &observer, const Observer &each = {}, const Pause &pause = {});
+  bool run(const Observer &observer, const Observer &each = {}, const Pause &pause = {},
+           const NeedsLine &needs_line = {});
 
   /// Everything that the increments to come depend on. After reading, run() goes on from there, and
   /// its numbers are those of a run that was never cut, to the last bit.
   void transfer(Archive &archive);
 
+  /// Run one transient step of the sequence from a state of this model, as it is.
+  /// @param before, target declared factors of the loads before the step and at its end
+  bool run_transient_alone(const unsigned int step, const LineState &start,
+                           const std::vector<double> &before, const std::vector<double> &target,
+                           const Observer &observer);
+
   const LineState &state() const { return current; }
   /// Of the transient steps, in plain words; empty if there was none.
-  std::string integrator_name() const { return integrator ? integrator->name() : ""; }
+  std::string integrator_name() const;
   const std::vector<StepReport> &reports() const { return step_reports; }
 
 private:
@@ -59,6 +71,7 @@ private:
   void initialize();
   bool run_static(const Factors &target, const Observer &observer);
   bool run_transient(const Factors &target, const Observer &observer);
+  bool run_reduced(const Factors &target, const Observer &observer);
   /// Go to the declared factors and time given, in one static increment or in halves of it.
   bool advance(const Factors &from, const Factors &to, const double time,
                const unsigned int halvings);
@@ -88,6 +101,8 @@ private:
   Pause between_increments;
   Position position;
   bool is_resumed = false;
+  NeedsLine observer_needs_line;
+  std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for
 
   // of the increment being solved
   Vector trial;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <frictionbeam/analysis/energy_account.h>
+#include <frictionbeam/analysis/reduction_account.h>
 #include <frictionbeam/analysis/uniqueness.h>
 
 #include <string>
@@ -20,10 +21,11 @@ struct StepReport {
   bool no_equilibrium = false;                      ///< proved that there is none
   std::vector<BeyondUniqueness> several_equilibria; ///< at its end
   std::string remark;                               ///< why it was cut or stopped, in plain words
+  std::optional<ReductionAccount> reduction;        ///< of a transient step that might be reduced
 
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
-            contact, energy, converged, no_equilibrium, several_equilibria, remark);
+            contact, energy, converged, no_equilibrium, several_equilibria, remark, reduction);
   }
 };
 

@@ -60,6 +60,13 @@ public:
   Contacts(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
            const ReducedSpace &space, const LawLibrary &laws);
 
+  /**
+   * The same contacts on a model with other numbers: their states are interchangeable.
+   * @param dof_places, unknown_places new number of each old one that contacts depend on
+   */
+  Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
+           const std::vector<int> &unknown_places, const unsigned int n_unknowns);
+
   unsigned int size() const { return list.size(); }
   const Contact &operator[](const unsigned int i) const { return list[i]; }
 

@@ -14,6 +14,15 @@ public:
   LinearPart(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
              const ReducedSpace &space, const Contacts &contacts, const bool with_mass);
 
+  /// Of a model whose matrices come from elsewhere; damping may be without entries.
+  struct Matrices {
+    SparseMatrix stiffness, mass, damping;
+    Vector preload;
+    std::vector<Vector> forces;                                        ///< by load
+    std::vector<std::vector<std::pair<unsigned int, double>>> imposed; ///< likewise
+  };
+  explicit LinearPart(Matrices matrices);
+
   /// Symmetric, with the pattern of the contacts' tangents in it.
   const SparseMatrix &stiffness() const { return K; }
   /// Same pattern; empty if not asked for.

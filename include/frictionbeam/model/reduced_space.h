@@ -34,6 +34,9 @@ public:
 
   ReducedSpace(const Scene &scene, const LineMesh &mesh, const Discretization &discretization);
 
+  /// Other unknowns: the terms of each degree of freedom as given, nothing said of what is held.
+  ReducedSpace(const unsigned int n_unknowns, const std::vector<std::vector<Term>> &terms);
+
   unsigned int n_unknowns() const { return n_free; }
   unsigned int n_dofs() const { return start.size() - 1; }
 

@@ -22,6 +22,10 @@ public:
   void observe(const unsigned int step, const unsigned int increment,
                const unsigned int n_increments, const LineState &state);
 
+  /// Whether observe() will look at more than contacts and the motion of the scene's points.
+  bool needs_line(const unsigned int step, const unsigned int increment,
+                  const unsigned int n_increments, const double time) const;
+
   /// To be called for every case made after the load sequence: @p made is put out and kept.
   void observe_case(const std::string &name, const Frame &made);
 

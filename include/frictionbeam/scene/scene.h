@@ -6,6 +6,7 @@
 #include <frictionbeam/scene/continuum_scene.h>
 #include <frictionbeam/scene/kinematics.h>
 #include <frictionbeam/scene/modal.h>
+#include <frictionbeam/scene/reduction.h>
 #include <frictionbeam/scene/time_function.h>
 #include <frictionbeam/scene/units.h>
 
@@ -260,6 +261,7 @@ struct TimeSettings {
   double theta = 0.5;              ///< moreau_jean
   double mass_damping = 0., stiffness_damping = 0.; ///< C = mass [1/s] M + stiffness [s] K
   double modal_damping = 0.; ///< of the line's own modes; rigid ones have none
+  ReductionSettings reduction;
 };
 
 struct OutputSettings {

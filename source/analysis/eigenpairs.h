@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/model/reduced_space.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+namespace frictionbeam {
+
+/// K x = value M x, x with a largest entry of 1.
+struct Eigenpair {
+  double value = 0.; ///< square of the circular frequency [1/s2]
+  Vector vector;
+};
+
+/**
+ * The lowest eigenpairs of K x = w^2 M x, by value, K positive definite and M positive
+ * semidefinite. Small problems, and those that ask for a large part of all pairs, go to Eigen's
+ * dense solver, the others to ARPACK through deal.II in shift-invert mode; Sylvester's law of
+ * inertia then counts the eigenvalues below the last one, so that none is missed.
+ * @param factors of K
+ * @return @p n pairs, or as many as M has rank
+ * @throws UserError if ARPACK does not find them
+ */
+std::vector<Eigenpair>
+lowest_eigenpairs(const Eigen::SparseMatrix<double> &K, const Eigen::SparseMatrix<double> &M,
+                  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> &factors,
+                  const unsigned int n);
+
+} // namespace frictionbeam

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "transient_reduction.h"
+
+#include <frictionbeam/scene/user_error.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double small = 0.01; ///< of the largest: differences are relative to no less
+constexpr unsigned int first_modes =
+    10; ///< of the first trial, at least; else as many as kept unknowns
+constexpr double next_eigenvalue = 4.; ///< of the next trial: twice the frequency
+constexpr double expected_ratio = 0.1; ///< of one difference to the one before
+constexpr double safety = 2.;          ///< of the estimate
+constexpr double worth_while = 0.25;   ///< of the line's unknowns
+
+double frequency(const double eigenvalue) { return std::sqrt(eigenvalue) / (2. * M_PI); }
+
+/// Largest of these quotients, with sizes no smaller than a part of the largest size.
+double largest_quotient(const Vector &differences, const Vector &sizes) {
+  const double least = sizes.size() > 0 ? small * sizes.maxCoeff() : 0.;
+  double largest = 0.;
+  for (int i = 0; i < sizes.size(); ++i)
+    if (differences[i] > 0.)
+      largest = std::max(largest, differences[i] / std::max(sizes[i], least));
+  return largest;
+}
+
+/// The displacements of points, or their rotations.
+Vector select(const Vector &motions, const bool rotations) {
+  Vector result(motions.size() / 2);
+  for (int i = 0; i < result.size(); ++i)
+    result[i] = motions[6 * (i / 3) + i % 3 + (rotations ? 3 : 0)];
+  return result;
+}
+
+} // namespace
+
+MotionDifference difference(const MotionRecord &coarse, const MotionRecord &fine) {
+  Vector force_changes, forces, motion_changes, motions;
+  for (std::size_t i = 0, j = 0; i < coarse.time.size() && j < fine.time.size();) {
+    if (coarse.time[i] != fine.time[j]) {
+      ++(coarse.time[i] < fine.time[j] ? i : j);
+      continue;
+    }
+    if (forces.size() + motions.size() == 0) {
+      force_changes = forces = Vector::Zero(fine.forces[j].size());
+      motion_changes = motions = Vector::Zero(fine.motions[j].size());
+    }
+    force_changes += (coarse.forces[i] - fine.forces[j]).cwiseAbs2();
+    forces += fine.forces[j].cwiseAbs2();
+    motion_changes = motion_changes.cwiseMax((coarse.motions[i] - fine.motions[j]).cwiseAbs());
+    motions = motions.cwiseMax(fine.motions[j].cwiseAbs());
+    ++i;
+    ++j;
+  }
+  MotionDifference result;
+  result.forces = largest_quotient(force_changes.cwiseSqrt(), forces.cwiseSqrt());
+  for (const bool rotations : {false, true})
+    result.motions = std::max(result.motions, largest_quotient(select(motion_changes, rotations),
+                                                               select(motions, rotations)));
+  return result;
+}
+
+TransientReduction::TransientReduction(const Model &model)
+    : model(model), settings(model.scene.time.reduction) {}
+
+std::vector<bool> TransientReduction::acting(const Start &start) const {
+  std::vector<bool> result;
+  for (unsigned int l = 0; l < start.target.size(); ++l)
+    result.push_back(start.declared[l] != 0. || start.target[l] != 0.);
+  return result;
+}
+
+bool TransientReduction::prepare(const Start &start, const LineState &state,
+                                 ReductionAccount &account) {
+  line.reset();
+  if (!parts)
+    parts = std::make_unique<LineParts>(model);
+  account.n_line = model.space.n_unknowns();
+  account.n_kept = parts->kept().size();
+  if (parts->n_inner() == 0) {
+    account.remark = "not reduced: all unknowns are those of contact nodes";
+    return false;
+  }
+  const LineParts::Choice choice = settings.modes == ReductionSettings::Modes::number
+                                       ? parts->lowest(settings.n_modes)
+                                       : choose(start, state, account);
+  if (!account.remark.empty())
+    return false;
+  line = std::make_unique<ReducedLine>(model, *parts, choice, state, acting(start));
+  account.is_reduced = true;
+  account.n_reduced = line->model().space.n_unknowns();
+  account.n_modes = choice.n;
+  account.n_static_shapes = line->n_static_shapes();
+  account.n_left_out = parts->n_modes() - choice.n;
+  account.highest_frequency = frequency(choice.highest);
+  account.next_frequency = frequency(choice.next);
+  return true;
+}
+
+LineParts::Choice TransientReduction::choose(const Start &start, const LineState &state,
+                                             ReductionAccount &account) {
+  account.demanded = settings.tolerance;
+  if (model.contacts.size() == 0 && model.scene.monitors.empty())
+    throw UserError("Time/Modes = auto has nothing to judge by: there is no contact and no "
+                    "monitored point. Name points in Monitors, or set Modes to a number.");
+  LineParts::Choice choice =
+      parts->below(parts->lowest(std::max(first_modes, account.n_kept)).highest);
+  if (choice.n + account.n_kept > worth_while * account.n_line) {
+    account.remark = "not reduced: the line has too few unknowns for it to be worth while";
+    return choice;
+  }
+  account.trials.emplace_back();
+  MotionRecord record = try_out(start, state, choice, account.trials.back());
+  double last = -1.; // difference before; negative: not known
+  for (double bound = choice.highest;;) {
+    if (choice.next == 0.) { // all modes there are
+      account.estimate = 0.;
+      return choice;
+    }
+    bound = std::max(next_eigenvalue * bound, choice.next);
+    const LineParts::Choice finer = parts->below(bound);
+    if (finer.n + account.n_kept > worth_while * account.n_line) {
+      account.remark = "not reduced: with " + std::to_string(choice.n) +
+                       " modes the error is not small enough, and with more it is not worth while";
+      return choice;
+    }
+    account.trials.emplace_back();
+    ReductionAccount::Trial &trial = account.trials.back();
+    MotionRecord finer_record = try_out(start, state, finer, trial);
+    const bool both = trial.converged && account.trials[account.trials.size() - 2].converged;
+    if (both) {
+      const MotionDifference change = difference(record, finer_record);
+      trial.forces = change.forces;
+      trial.motions = change.motions;
+      // Differences do not shrink evenly, and one may be small by chance.
+      const double now = change.largest(), estimate = safety * std::max(now, last * expected_ratio);
+      const bool enough = last >= 0.; // two differences
+      last = now;
+      if (enough && estimate <= settings.tolerance) {
+        account.estimate = estimate;
+        return finer;
+      }
+    } else
+      last = -1.;
+    choice = finer;
+    record = std::move(finer_record);
+  }
+}
+
+MotionRecord TransientReduction::try_out(const Start &start, const LineState &state,
+                                         const LineParts::Choice &modes,
+                                         ReductionAccount::Trial &trial) const {
+  const dealii::Timer timer;
+  const ReducedLine attempt(model, *parts, modes, state, acting(start));
+  MotionRecord record;
+  LoadSequence sequence(attempt.model());
+  const auto take = [&](const LoadSequence::Progress &, const LineState &now) {
+    const Contacts &contacts = attempt.model().contacts;
+    Vector forces(3 * contacts.size()), motions(6 * attempt.monitored().size());
+    for (unsigned int i = 0; i < contacts.size(); ++i)
+      forces.segment<3>(3 * i) =
+          contacts[i].weight / contacts[i].length * now.contact_stress[i].head<3>();
+    for (unsigned int m = 0; m < attempt.monitored().size(); ++m)
+      for (unsigned int c = 0; c < 6; ++c) {
+        const int dof = attempt.monitored()[m][c];
+        motions[6 * m + c] = dof >= 0 ? now.dofs[dof] : 0.;
+      }
+    record.time.push_back(now.time);
+    record.forces.push_back(forces);
+    record.motions.push_back(motions);
+  };
+  trial.n_modes = modes.n;
+  trial.converged = sequence.run_transient_alone(start.step, attempt.reduce(state), start.declared,
+                                                 start.target, take);
+  trial.seconds = timer.wall_time();
+  return record;
+}
+
+bool TransientReduction::run(const Start &start, const LoadCourse &course, LineState &state,
+                             StepReport &report, const LoadSequence::Observer &observer,
+                             const LoadSequence::NeedsLine &needs_line) {
+  Assert(line, dealii::ExcMessage("The step is not prepared."));
+  LoadSequence sequence(line->model());
+  const auto expand = [&](const LineState &now, const bool everything) {
+    line->expand(now, everything, state);
+    if (!everything)
+      return;
+    model.space.expand(state.unknowns, state.dofs);
+    state.dofs += course.imposed(now.time);
+  };
+  const bool done = sequence.run_transient_alone(
+      start.step, line->reduce(state), start.declared, start.target,
+      [&](const LoadSequence::Progress &progress, const LineState &now) {
+        expand(now, !needs_line || needs_line(progress, now.time));
+        observer(progress, state);
+      });
+  expand(sequence.state(), true);
+  state.auxiliary = Vector::Zero(model.space.n_unknowns());
+  name = sequence.integrator_name();
+  const ReductionAccount account = *report.reduction;
+  report = sequence.reports().back();
+  report.reduction = account;
+  return done;
+}
+
+} // namespace frictionbeam
