@@ -182,9 +182,11 @@ bool ContactNewton::slides_away(const Vector &x, ContactResponse &response) {
   std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
   for (int i = 0; i < tangent.rows(); ++i)
     tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+  const double stiff = diagonal.size() > 0 ? diagonal.maxCoeff() : 1.;
   for (unsigned int i = 0; i < contacts.size(); ++i) // what is closed holds along its normal
     if (response.status[i] != ContactStatus::open)
-      add_block(i, response.tangent[i](0, 0) * Contact::Strains::UnitX().asDiagonal());
+      add_block(i, stiff * contacts[i].length * contacts[i].length / contacts[i].weight *
+                       Contact::Strains::UnitX().asDiagonal());
   if (!factors.factorize(tangent))
     return false;
   const Vector motion = factors.solve(forces);
