@@ -100,7 +100,9 @@ void ReducedLine::make_basis(const unsigned int p, const unsigned int n_modes,
   const unsigned int n_border = part.border.size(), n_own = n_modes + others.cols();
   Basis &basis = bases[p];
   basis.shapes.resize(part.inside.size(), n_border + n_own);
-  basis.shapes << part.constraint_modes, modes, others;
+  basis.shapes.leftCols(n_border) = part.constraint_modes;
+  basis.shapes.middleCols(n_border, n_modes) = modes;
+  basis.shapes.rightCols(others.cols()) = others;
   basis.mass.resize(n_own);
   basis.stiffness.resize(n_own);
   basis.mass.head(n_modes) = mass;
