@@ -108,8 +108,8 @@ cost.
 
 **`Model = auto`** takes the line if it suffices. The slab, the only scene that is a line and a continuum, is
 solved as a line with the Poisson squeeze, once with and once without the shear lag, the last correction that
-a line can have. What the lag changes is taken for the error of the line with it: what is left beyond it is a
-third of that or less in every case of [slab.md](slab.md) and of the table below. If it is above 70 % of
+a line can have. What the lag changes is taken for the error of the line with it: what is left beyond it is
+less than two thirds of that in every case of the table below. If it is above 70 % of
 `Accuracy`, the continuum is solved instead; if not, the rest is left for the number of elements. Which was
 chosen, the estimate, and quantities that only the other model has (slip_length, u_0) are in the answer. A
 scene that has no line (long bar, body) is solved as a continuum, one that has no continuum as a line, and

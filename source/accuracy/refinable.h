@@ -31,7 +31,7 @@ struct LineForms {
 /**
  * Of the slab, the only such scene: with the Poisson squeeze, and with and without the shear lag
  * (SlabLine), on elements half as long as the slab is high, or shorter. What the lag changes bounds
- * what is left in every case of doc/slab.md, which is a third of it or less.
+ * what is left in every case of doc/accuracy.md, which is less than two thirds of it.
  */
 LineForms line_forms(const Scene &scene, const ParameterFile &file);
 
