@@ -2,6 +2,7 @@
 #include "solve_scene.h"
 
 #include <frictionbeam/analysis/load_sequence.h>
+#include <frictionbeam/model/corotational_line.h>
 #include <frictionbeam/model/mechanism.h>
 #include <frictionbeam/results/checkpoint.h>
 #include <frictionbeam/results/collector.h>
@@ -159,7 +160,16 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                 "' has no threshold in closed form: the exact "
                                 "method evaluates it as it is, by Newton's method.");
   const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
-  const Model model{scene, mesh, discretization, space, contacts, linear};
+  std::optional<CorotationalLine> corotational;
+  if (scene.kinematics == Kinematics::corotational)
+    corotational.emplace(scene, mesh, discretization, space, linear);
+  const Model model{scene,
+                    mesh,
+                    discretization,
+                    space,
+                    contacts,
+                    linear,
+                    corotational ? &*corotational : nullptr};
   LoadSequence sequence(model);
   results.cost.setup_seconds = timer.wall_time();
 

@@ -60,45 +60,10 @@ void account_contact(const Contact &contact, const unsigned int i, const LineSta
 
 } // namespace
 
-EnergyAccount account_increment(const Model &model, const LineState &before, const LineState &after,
-                                const Vector &loads_before, const Vector &loads_after) {
+EnergyAccount account_contacts(const Model &model, const LineState &before, const LineState &after,
+                               const std::vector<ContactWork> &work) {
   EnergyAccount account;
   const Vector motion = after.unknowns - before.unknowns;
-  account.external = (loads_before + loads_after).dot(motion) / 2.;
-  account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
-  account.turnover = std::abs(account.external) + std::abs(account.stored);
-  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
-    const Contact &contact = model.contacts[i];
-    EnergyAccount share;
-    account_contact(contact, i, before, after, share);
-    // What of the contact's strain comes from imposed motions, and not from the unknowns.
-    Contact::Strains imposed = after.contacts.strain[i] - before.contacts.strain[i];
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      imposed -= motion[contact.unknowns[j]] * contact.B_reduced.col(j);
-    share.external =
-        contact.weight * (before.contact_stress[i] + after.contact_stress[i]).dot(imposed) / 2.;
-    share.turnover = std::abs(share.stored) + std::abs(share.dissipated) + std::abs(share.gaps);
-    account += share;
-  }
-  return account;
-}
-
-EnergyAccount account_motion(const Model &model, const LineState &before, const LineState &after,
-                             const Vector &loads_before, const Vector &loads_after,
-                             const std::vector<ContactWork> &work) {
-  EnergyAccount account;
-  const Vector motion = after.unknowns - before.unknowns,
-               momentum_change = model.linear.mass() * (after.velocity - before.velocity);
-  account.external = (loads_before + loads_after).dot(motion) / 2.;
-  account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
-  account.kinetic = (before.velocity + after.velocity).dot(momentum_change) / 2.;
-  if (model.linear.damping().nonZeros() > 0)
-    account.damping = (before.velocity + after.velocity).dot(model.linear.damping() * motion) / 2.;
-  account.at_hand = (after.velocity.dot(model.linear.mass() * after.velocity) +
-                     after.unknowns.dot(model.linear.stiffness() * after.unknowns)) /
-                    2.;
-  account.turnover =
-      std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     const Contact::Strains change = after.contacts.strain[i] - before.contacts.strain[i];
@@ -118,6 +83,7 @@ EnergyAccount account_motion(const Model &model, const LineState &before, const 
       }
     } else
       account_contact(contact, i, before, after, share);
+    // What of the contact's strain comes from imposed motions, and not from the unknowns.
     Contact::Strains imposed = change;
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
       imposed -= motion[contact.unknowns[j]] * contact.B_reduced.col(j);
@@ -127,6 +93,35 @@ EnergyAccount account_motion(const Model &model, const LineState &before, const 
     account += share;
   }
   return account;
+}
+
+EnergyAccount account_increment(const Model &model, const LineState &before, const LineState &after,
+                                const Vector &loads_before, const Vector &loads_after) {
+  EnergyAccount account;
+  const Vector motion = after.unknowns - before.unknowns;
+  account.external = (loads_before + loads_after).dot(motion) / 2.;
+  account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
+  account.turnover = std::abs(account.external) + std::abs(account.stored);
+  return account += account_contacts(model, before, after, {});
+}
+
+EnergyAccount account_motion(const Model &model, const LineState &before, const LineState &after,
+                             const Vector &loads_before, const Vector &loads_after,
+                             const std::vector<ContactWork> &work) {
+  EnergyAccount account;
+  const Vector motion = after.unknowns - before.unknowns,
+               momentum_change = model.linear.mass() * (after.velocity - before.velocity);
+  account.external = (loads_before + loads_after).dot(motion) / 2.;
+  account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
+  account.kinetic = (before.velocity + after.velocity).dot(momentum_change) / 2.;
+  if (model.linear.damping().nonZeros() > 0)
+    account.damping = (before.velocity + after.velocity).dot(model.linear.damping() * motion) / 2.;
+  account.at_hand = (after.velocity.dot(model.linear.mass() * after.velocity) +
+                     after.unknowns.dot(model.linear.stiffness() * after.unknowns)) /
+                    2.;
+  account.turnover =
+      std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
+  return account += account_contacts(model, before, after, work);
 }
 
 } // namespace frictionbeam

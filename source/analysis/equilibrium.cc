@@ -51,7 +51,8 @@ Vector unbalanced_forces(const EquilibriumProblem &problem, const Vector &unknow
 }
 
 double Residual::largest_force(const ContactResponse &response) const {
-  double largest = problem.right_hand_side.lpNorm<Eigen::Infinity>();
+  double largest =
+      std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>());
   for (unsigned int i = 0; i < contacts.size(); ++i)
     largest = std::max(largest, contacts[i].weight / contacts[i].length *
                                     response.stress[i].lpNorm<Eigen::Infinity>());

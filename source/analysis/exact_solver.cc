@@ -42,8 +42,9 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     space.expand(unknowns, dofs);
     dofs += problem.imposed;
     const Vector forces = unbalanced_forces(problem, unknowns, low);
-    newton.begin(forces, problem.right_hand_side.lpNorm<Eigen::Infinity>(), dofs, committed,
-                 problem.time, problem.time_increment);
+    newton.begin(forces,
+                 std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
+                 dofs, committed, problem.time, problem.time_increment);
     Vector x = Vector::Zero(line.n_kept());
     Outcome outcome = solve_contacts(x, response, result);
     if (outcome == Outcome::stalled)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/analysis/load_sequence.h>
 
+#include "corotational_statics.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +18,11 @@ LoadSequence::LoadSequence(const Model &model)
     : model(model),
       statics(make_equilibrium_solver(model.scene.solver, model.scene.solver.method, model.contacts,
                                       model.space, model.linear.stiffness())),
+      corotational_statics(model.corotational ? std::make_unique<CorotationalStatics>(model)
+                                              : nullptr),
       course(model), declared(model.scene.loads.size(), 0.) {}
+
+LoadSequence::~LoadSequence() = default;
 
 void LoadSequence::set_initial_motion() {
   const VertexDofs &dofs = model.discretization.vertex_dofs();
@@ -55,6 +61,8 @@ void LoadSequence::initialize() {
   const unsigned int n = model.space.n_unknowns();
   current.unknowns = current.velocity = current.acceleration = current.auxiliary = Vector::Zero(n);
   current.load_factors = declared;
+  if (model.corotational)
+    current.turns = model.corotational->at_rest().turns;
   set_initial_motion();
   const auto expand = [&]() {
     model.space.expand(current.unknowns, current.dofs);
@@ -144,7 +152,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     if (between_increments)
       between_increments();
   }
-  if (model.contacts.size() <= most_contacts_for_uniqueness)
+  if (model.contacts.size() <= most_contacts_for_uniqueness && !model.corotational)
     step_reports.back().several_equilibria = statics->beyond_uniqueness(current.contact_status);
   return true;
 }
@@ -296,7 +304,23 @@ bool LoadSequence::report(const EquilibriumResult &result) {
   return true;
 }
 
+bool LoadSequence::solve_corotational_increment(const Factors &factors, const double time) {
+  LineState to = current;
+  to.time = time;
+  to.load_factors = course.factors(time);
+  if (!report(corotational_statics->solve(current, course, to, response)))
+    return false;
+  const LineState before = current;
+  current = to;
+  current.time = before.time;
+  commit(factors, time);
+  step_reports.back().energy += corotational_statics->account(before, current, course);
+  return true;
+}
+
 bool LoadSequence::solve_increment(const Factors &factors, const double time) {
+  if (corotational_statics)
+    return solve_corotational_increment(factors, time);
   const Factors full = course.factors(time);
   EquilibriumProblem increment{model.linear.stiffness(), course.forces(full), course.imposed(time)};
   increment.time = time;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "alpha_scheme.h"
+#include "corotational_motion.h"
 #include "event_integrator.h"
 #include "moreau_jean.h"
 
@@ -11,6 +12,8 @@ namespace frictionbeam {
 std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model) {
   using Integrator = TimeSettings::Integrator;
   const TimeSettings &time = model.scene.time;
+  if (model.corotational)
+    return std::make_unique<CorotationalMotion>(model);
   switch (time.integrator) {
   case Integrator::newmark:
     return std::make_unique<AlphaScheme>(model, AlphaScheme::newmark(time));

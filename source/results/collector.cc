@@ -16,6 +16,11 @@ const std::vector<std::string> velocities = {"vx", "vy", "vz", "wx", "wy", "wz"}
 const std::vector<std::string> forces = {"fx", "fy", "fz", "mx", "my", "mz"};
 const std::vector<std::string> section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"};
 
+/// Of the whole line, in corotational kinematics.
+const std::vector<std::string> of_motion = {
+    "momentum_x",         "momentum_y",         "momentum_z", "angular_momentum_x",
+    "angular_momentum_y", "angular_momentum_z", "energy"};
+
 /// What is known only when everything else is: see finish().
 const std::vector<std::string> of_the_end = {"frequency", "flexibility", "sif_in",     "sif_out",
                                              "SL",        "SE",          "utilization"};
@@ -67,6 +72,8 @@ std::string unit_of(const std::string &what) {
     return velocity < 3 ? "m/s" : "rad/s";
   if (what == "impulse")
     return "N s";
+  if (const int c = place(of_motion, what); c >= 0)
+    return c < 3 ? "N s" : c < 6 ? "N m s" : "J";
   if (what == "frequency")
     return "Hz";
   if (what == "SL" || what == "SE")
@@ -139,6 +146,8 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
     value = force_at(quantity, state, c);
   else if (const int c = place(section_forces, what); c >= 0)
     value = section_force(quantity, current_frame(state), c);
+  else if (const int c = place(of_motion, what); c >= 0)
+    value = builder.momentum_and_energy(state)[c];
   else if (what == "max_error")
     value = largest_error;
   else if (quantity.where.empty())

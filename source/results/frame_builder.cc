@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/results/frame_builder.h>
 
+#include <frictionbeam/model/corotational_line.h>
+
 #include <limits>
 
 namespace frictionbeam {
@@ -165,7 +167,10 @@ void FrameBuilder::add_pipe(const LineState &state, const unsigned int pipe,
                             std::vector<Station> &line) {
   const unsigned int n = model.mesh.pipes[pipe].bend_radius.size();
   for (unsigned int i = 0; i < n; ++i)
-    add_cell(state, first_cell[pipe] + i, line);
+    if (model.corotational)
+      add_turned_cell(state, first_cell[pipe] + i, line);
+    else
+      add_cell(state, first_cell[pipe] + i, line);
 }
 
 void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
@@ -334,9 +339,13 @@ void FrameBuilder::add_arc(const PipeCell &pipe_cell, const PipeElement::Vector1
 
 void FrameBuilder::add_vertex_forces(const LineState &state) {
   for (unsigned int l = 0; l < state.load_factors.size(); ++l)
-    for (const auto &[vertex, force] : model.linear.nodal(l))
+    for (const auto &[vertex, dead] : model.linear.nodal(l)) {
+      const Motion force =
+          model.corotational ? model.corotational->nodal_load(l, vertex, {state.dofs, state.turns})
+                             : dead;
       for (unsigned int c = 0; c < 6; ++c)
         vertex_forces[vertex][c] -= state.load_factors[l] * force[c];
+    }
   for (const Spring &spring : model.scene.springs) {
     const Motion force = spring_force(state, spring);
     for (unsigned int c = 0; c < 6; ++c) {

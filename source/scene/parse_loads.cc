@@ -32,6 +32,9 @@ void declare_load(ParameterReader &in) {
                   "Of temperature, pressure, line force and wind; empty: all.");
   in.declare_text("Forces", "", "point fx fy fz [N], or with mx my mz [N m]; more after ';'",
                   "Of force, in global axes.");
+  in.declare_flag("Follow", false,
+                  "Of force: it turns with its point, as the jet from a broken pipe does; with "
+                  "Kinematics = corotational.");
   in.declare_text("Force per length", "0 0 0", "x y z [N/m]", "Of line force, in global axes.");
   in.declare_text(
       "Displacements", "",
@@ -90,6 +93,7 @@ void check_kind(const ParameterReader &in, const std::string &kind) {
       {"Shape factor", {"wind"}},
       {"Pipes", {"temperature", "pressure", "line force", "wind"}},
       {"Forces", {"force"}},
+      {"Follow", {"force"}},
       {"Force per length", {"line force"}},
       {"Displacements", {"displacement"}}};
   for (const auto &[entry, kinds] : entries)
@@ -138,6 +142,10 @@ void parse_load(const ParameterReader &in, const std::string &name,
   } else {
     const bool force = kind == "force";
     const std::string entry = force ? "Forces" : "Displacements";
+    load.follows = in.flag("Follow");
+    if (load.follows && scene.kinematics == Kinematics::linear)
+      in.fail("Follow", "forces that follow their point with Kinematics = corotational",
+              "set Kinematics = corotational, before the first subsection");
     load.kind = force ? Load::Kind::force : Load::Kind::displacement;
     for (const std::string &text : split(in.text(entry), ';'))
       if (!text.empty())

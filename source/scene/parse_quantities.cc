@@ -14,6 +14,8 @@ const std::vector<std::string>
     contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work", "wear", "impulse"},
     changes = {"stick", "slip", "open", "closed"}, modal = {"frequency"},
     stresses = {"flexibility", "sif_in", "sif_out", "SL", "SE", "utilization"},
+    of_motion = {"momentum_x",         "momentum_y",         "momentum_z", "angular_momentum_x",
+                 "angular_momentum_y", "angular_momentum_z", "energy"},
     sums = {"sum_normal", "sum_friction", "n_stick", "n_slip", "n_open", "max_error"},
     over = {"max", "min", "mean", "integral", "change", "rate", "time_of"};
 
@@ -62,6 +64,10 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
   } else if (contains(contact, what) || contains(changes, what)) {
     if (!is_repeated(where, supports))
       in.find(entry, where, supports, "friction support");
+  } else if (contains(of_motion, what)) {
+    if (scene.kinematics == Kinematics::linear || !where.empty())
+      in.fail(entry, what + " of the whole line, with Kinematics = corotational",
+              "set Kinematics = corotational, and no point");
   } else if (what == "max_error") {
     if (!scene.exact)
       in.fail(entry, "max_error in scenes with an exact solution",
@@ -126,7 +132,8 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
       in.find(quantity.name, what,
               quantity.over == Quantity::Over::time_of
                   ? changes
-                  : motions + reactions + section_forces + contact + modal + stresses + sums,
+                  : motions + reactions + section_forces + contact + modal + stresses + of_motion +
+                        sums,
               "quantity");
       using Side = Quantity::Side;
       if (words.size() == 3 && words[1] == "at")

@@ -185,6 +185,11 @@ void declare_global(ParameterReader &in) {
                     "line: beams; continuum: a plane or solid body, of scenes that are one; both: "
                     "one after the other, with their quantities side by side; auto: the line if "
                     "its modelling error is estimated to be below Accuracy, else the continuum.");
+  in.declare_choice(
+      "Kinematics", "linear", {"linear", "corotational"},
+      "Of the line. linear: small displacements; corotational: pipes move and turn by "
+      "any amount, with small strains, in statics and with the integrator "
+      "moreau_jean; supports keep their directions.");
   in.declare_number(
       "Accuracy", 0., "-", 0., 0.5,
       "Relative error of the quantities that is good enough: the program chooses increments, time "
@@ -210,6 +215,8 @@ void parse_global(const ParameterReader &in, Scene &scene) {
                 : in.text("Model") == "continuum" ? ModelKind::continuum
                 : in.text("Model") == "both"      ? ModelKind::both
                                                   : ModelKind::automatic;
+  scene.kinematics =
+      in.text("Kinematics") == "linear" ? Kinematics::linear : Kinematics::corotational;
   scene.accuracy = in.number("Accuracy");
   scene.free_motions = parse_motions(in, "Free motions");
   for (const double multiplier : in.numbers("Friction multipliers")) {

@@ -84,6 +84,9 @@ void declare_global(ParameterReader &in);
 void parse_global(const ParameterReader &in, Scene &scene);
 void parse_monitors(const ParameterReader &in, Scene &scene);
 
+/// What does not go with Kinematics = corotational.
+void check_kinematics(const ParameterReader &in, const Scene &scene);
+
 /// Entries have names of the user's own: one is declared for each that the section has.
 void declare_quantities(ParameterReader &in);
 void parse_quantities(const ParameterReader &in, Scene &scene);

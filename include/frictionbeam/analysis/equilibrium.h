@@ -18,6 +18,7 @@ struct EquilibriumProblem {
   Vector imposed; ///< on all degrees of freedom
   double time = 0., time_increment = 0.;
   const ContactOverrides *overrides = nullptr; ///< of exact contacts
+  double largest_force = 0.; ///< to measure residuals by, beside those of the problem itself
 };
 
 struct EquilibriumResult {

@@ -9,6 +9,8 @@
 
 namespace frictionbeam {
 
+class CorotationalLine;
+
 /// A contact changes its state.
 struct ContactEvent {
   double time = 0.;
@@ -21,6 +23,7 @@ struct LineState {
   Vector unknowns;               ///< free unknowns q
   Vector dofs;                   ///< all degrees of freedom u = C q + imposed motions
   Vector velocity, acceleration; ///< of the unknowns; zero in statics
+  Vector turns;                  ///< of the line's vertices (Pose); empty in linear kinematics
   ContactState contacts;         ///< committed
   std::vector<Contact::Strains> contact_stress;
   std::vector<ContactStatus> contact_status;
@@ -42,6 +45,7 @@ struct Model {
   const ReducedSpace &space;
   const Contacts &contacts;
   const LinearPart &linear;
+  const CorotationalLine *corotational = nullptr; ///< null in linear kinematics
 };
 
 } // namespace frictionbeam

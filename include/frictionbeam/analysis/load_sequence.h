@@ -9,6 +9,8 @@
 
 namespace frictionbeam {
 
+class CorotationalStatics;
+
 /**
  * Runs the declared sequence of load steps: static increments, each solved by EquilibriumSolver,
  * and transient time steps of a TimeIntegrator, cut in two, again and again, where they do not
@@ -26,6 +28,7 @@ public:
   using Pause = std::function<void()>;
 
   explicit LoadSequence(const Model &model);
+  ~LoadSequence();
 
   /// @return whether every step converged; if not, state() is the last one in equilibrium.
   /// @param each called with the start and with every increment solved, those of a cut one too;
@@ -60,6 +63,7 @@ private:
   bool advance(const Factors &from, const Factors &to, const double time,
                const unsigned int halvings);
   bool solve_increment(const Factors &factors, const double time);
+  bool solve_corotational_increment(const Factors &factors, const double time);
   void set_initial_motion();
   void commit(const Factors &factors, const double time);
   /// Instants at which a transient step is observed, ascending.
@@ -74,6 +78,7 @@ private:
 
   const Model &model;
   const std::unique_ptr<EquilibriumSolver> statics;
+  const std::unique_ptr<CorotationalStatics> corotational_statics; ///< null in linear kinematics
   std::unique_ptr<TimeIntegrator> integrator; ///< null before the first transient step
   LoadCourse course;
   Factors declared; ///< factors without the loads' histories

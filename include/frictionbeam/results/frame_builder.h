@@ -36,9 +36,15 @@ public:
   /// Force of a spring on its first point.
   Motion spring_force(const LineState &state, const Spring &spring) const;
 
+  /// In corotational kinematics: linear (3) and angular momentum about the origin (3), kinetic and
+  /// stored energy of the line together.
+  std::array<double, 7> momentum_and_energy(const LineState &state) const;
+
 private:
   void add_pipe(const LineState &state, const unsigned int pipe, std::vector<Station> &line);
   void add_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
+  /// The same in corotational kinematics: section forces in the axes that turn with the cell.
+  void add_turned_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
   /// Sum of a state's loads on a pipe cell.
   CellLoad load_on(const LineState &state, const PipeCell &cell, const Profile &profile,
                    const Vector3 &chord) const;

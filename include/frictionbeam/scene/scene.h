@@ -4,6 +4,7 @@
 #include <frictionbeam/law.h>
 #include <frictionbeam/scene/components.h>
 #include <frictionbeam/scene/continuum_scene.h>
+#include <frictionbeam/scene/kinematics.h>
 #include <frictionbeam/scene/modal.h>
 #include <frictionbeam/scene/time_function.h>
 #include <frictionbeam/scene/units.h>
@@ -177,6 +178,7 @@ struct Load {
   double installation = 20.;      ///< temperature: where the rise begins [degC]
   std::vector<std::string> pipes; ///< temperature, pressure, line_force: empty means all
   std::vector<AtPoint> at;        ///< force, displacement
+  bool follows = false;           ///< force: turns with its point
   TimeFunction history;           ///< by which it is multiplied
 };
 
@@ -312,7 +314,8 @@ struct Scene {
   std::vector<Combination> combinations;
 
   ModelKind model = ModelKind::line;
-  std::optional<ContinuumScene> continuum; ///< of a scene that has one, unless model is line
+  Kinematics kinematics = Kinematics::linear; ///< of the line
+  std::optional<ContinuumScene> continuum;    ///< of a scene that has one, unless model is line
 
   ContinuumSettings continuum_settings;
   MeshSettings mesh;

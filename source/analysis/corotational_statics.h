@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/analysis/energy_account.h>
+#include <frictionbeam/analysis/equilibrium.h>
+#include <frictionbeam/analysis/line_factorization.h>
+#include <frictionbeam/analysis/load_course.h>
+#include <frictionbeam/model/corotational_line.h>
+
+namespace frictionbeam {
+
+/// Symmetric part of a matrix of symmetric pattern.
+SparseMatrix symmetric_part(const SparseMatrix &matrix);
+
+/**
+ * Solves for the change x of a line whose stiffness is linearized at a pose: matrix x + forces of
+ * the contacts at the pose's displacements plus x = right hand side. Contacts by the method of
+ * Solver/Method, which then takes the symmetric part of the matrix; without contacts by the matrix
+ * itself.
+ */
+class LinearizedSolver {
+public:
+  explicit LinearizedSolver(const Model &model) : model(model) {}
+
+  EquilibriumResult solve(EquilibriumProblem &problem, const ContactState &committed,
+                          Vector &change, ContactResponse &response);
+  /// The matrix's own solution; false if it is singular.
+  bool solve_without_contacts(const SparseMatrix &matrix, const Vector &right_hand_side,
+                              Vector &change);
+
+private:
+  const Model &model;
+  LineFactorization factorization;
+  bool analyzed = false;
+};
+
+/// When residual forces of a pose count as zero, as in Residual.
+double corotational_tolerance(const Model &model, const SparseMatrix &stiffness, const Pose &pose,
+                              const double largest);
+
+/// Largest force of the contacts on the line.
+double largest_contact_force(const Contacts &contacts, const ContactResponse &response);
+
+/// Take over a pose: displacements, turns, and rotations among the unknowns.
+void set_pose(const Model &model, const Pose &pose, LineState &state);
+
+/**
+ * Static increments in corotational kinematics: Newton's method on the line, in each of whose
+ * iterations the contacts are solved on the linearized line. It has converged when the forces of
+ * the line itself balance those of the contacts, which obey their laws at that very pose.
+ */
+class CorotationalStatics {
+public:
+  explicit CorotationalStatics(const Model &model) : model(model), linearized(model) {}
+
+  /// @param to in: its time and load factors; out: the solution, but for its contacts
+  EquilibriumResult solve(const LineState &from, const LoadCourse &course, LineState &to,
+                          ContactResponse &response);
+  /// Of an increment: stored energy exactly, work by the forces halfway, so that what is left over
+  /// measures the increment.
+  EnergyAccount account(const LineState &before, const LineState &after,
+                        const LoadCourse &course) const;
+
+private:
+  const Model &model;
+  LinearizedSolver linearized;
+};
+
+} // namespace frictionbeam
