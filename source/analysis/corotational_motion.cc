@@ -81,17 +81,30 @@ EquilibriumResult CorotationalMotion::solve(const LineState &state, const LoadCo
       return result;
     }
     if (judged) {
-      Vector of_contacts = Vector::Zero(step.residual.size());
-      model.contacts.add_forces(response, of_contacts);
-      if (model.contacts.size() > 0) // of which the response has the mean over the step, a half
-        of_contacts -= contacts.impulses() / step.h;
-      const double size = (step.residual - of_contacts).lpNorm<Eigen::Infinity>(),
+      Vector left = step.residual;
+      if (model.contacts.size() > 0) {
+        Vector of_contacts = Vector::Zero(left.size());
+        model.contacts.add_forces(response, of_contacts);
+        // Of the impulses the response has the mean over the step, a half.
+        left -= of_contacts - contacts.impulses() / step.h;
+      }
+      const double size = left.lpNorm<Eigen::Infinity>(),
                    largest =
                        std::max(step.largest, largest_contact_force(model.contacts, response));
       result.residual = largest > 0. ? size / largest : size;
       result.converged = size <= corotational_tolerance(model, step.matrix, step.to, largest);
       if (result.converged)
         return result;
+      // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
+      // is left to its own, so that only the contacts' share converges more slowly.
+      if (model.contacts.size() > 0 &&
+          linearized.solve_without_contacts(step.matrix, left, change)) {
+        ++result.factorizations;
+        step.moved += change;
+        evaluate(state, step);
+        if (!step.residual.allFinite())
+          continue;
+      }
     }
     if (result.iterations == settings.max_iterations) {
       result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
