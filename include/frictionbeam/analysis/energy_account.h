@@ -64,8 +64,4 @@ EnergyAccount account_motion(const Model &model, const LineState &before, const 
 EnergyAccount account_contacts(const Model &model, const LineState &before, const LineState &after,
                                const std::vector<ContactWork> &work);
 
-/// The contacts' share of either.
-EnergyAccount account_contacts(const Model &model, const LineState &before, const LineState &after,
-                               const std::vector<ContactWork> &work);
-
 } // namespace frictionbeam
