@@ -21,13 +21,17 @@ ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model
       continue;
     contact.law->threshold(contact.parameters->data(), kind.law);
     // A node without mass has no momentum: its contact is one of positions, as in statics.
-    bool has_mass = true;
+    bool normal_mass = true, shear_mass = true;
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      has_mass = has_mass &&
-                 (with_mass[contact.unknowns[j]] || contact.B_reduced.col(j).head<3>().isZero(0.));
+      if (!with_mass[contact.unknowns[j]]) {
+        const auto column = contact.B_reduced.col(j);
+        const double rounding = 1e-12 * column.norm();
+        normal_mass = normal_mass && std::abs(column[0]) <= rounding;
+        shear_mass = shear_mass && column.segment<2>(1).norm() <= rounding;
+      }
     kind.rigid_normal =
-        std::isinf(kind.law.axial_rigidity) && contact.platen_force == 0. && has_mass;
-    kind.rigid_shear = std::isinf(kind.law.shear_rigidity_y) && has_mass;
+        std::isinf(kind.law.axial_rigidity) && contact.platen_force == 0. && normal_mass;
+    kind.rigid_shear = std::isinf(kind.law.shear_rigidity_y) && shear_mass;
   }
 }
 
