@@ -178,6 +178,7 @@ bool Checkpoint::is_in(const std::string &folder) {
 void Checkpoint::remove(const std::string &folder) {
   std::error_code ignored;
   std::filesystem::remove(file_in(folder), ignored);
+  std::filesystem::remove(file_beside(file_in(folder)), ignored); // of a run killed as it wrote it
 }
 
 } // namespace frictionbeam

@@ -110,8 +110,10 @@ void write_file(const std::string &path, const std::string &text) {
   file.flush();
 }
 
+std::string file_beside(const std::string &path) { return path + ".new"; }
+
 void replace_file(const std::string &path, const std::string &text) {
-  const std::string beside = path + ".new";
+  const std::string beside = file_beside(path);
   write_file(beside, text);
   hand_to_disk(beside);
   std::error_code error;

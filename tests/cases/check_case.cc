@@ -144,6 +144,8 @@ void check_case(Words &words) {
     const std::string word = words.take();
     if (word == "--set")
       options.insert(options.end(), {word, words.take()});
+    else if (word == "--resume")
+      options.push_back(word);
     else if (word == "--exit")
       exit_status = std::stoi(words.take());
     else if (word == "--status")

@@ -44,5 +44,7 @@ void write_file(const std::string &path, const std::string &text);
 /// The same, so that at every moment the file is either the old one or the new one, on the disk
 /// too.
 void replace_file(const std::string &path, const std::string &text);
+/// Where replace_file() writes the new one first.
+std::string file_beside(const std::string &path);
 
 } // namespace frictionbeam
