@@ -64,6 +64,7 @@ Vector AlphaScheme::contact_forces(const LineState &state) const {
 void AlphaScheme::start(LineState &state, const LoadCourse &loads) {
   Vector forces =
       loads.forces(state.time) - model.linear.stiffness() * state.unknowns - contact_forces(state);
+  loads.add_inertia(state.time, forces);
   if (model.linear.damping().nonZeros() > 0)
     forces -= model.linear.damping() * state.velocity;
   for (int i = 0; i < forces.size(); ++i)
@@ -107,7 +108,9 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   const Vector q = from.unknowns + h * from.velocity + h * h * (0.5 - beta) * a0,
                v = from.velocity + h * (1. - gamma) * a0,
                rest = (p.alpha_m * a0 - p.alpha_f * from.acceleration) / (1. - p.alpha_f);
-  const Vector forces_before = loads.forces(from.time), forces = loads.forces(time);
+  Vector forces_before = loads.forces(from.time), forces = loads.forces(time);
+  loads.add_inertia(from.time, forces_before);
+  loads.add_inertia(time, forces);
   Vector moved; // a1
   const Vector stiff_before = stiff(from.unknowns), momentum_before = momentum(from.velocity);
   const double size = largest(forces) + largest(diagonal.cwiseProduct(from.unknowns)) +

@@ -110,6 +110,13 @@ void EventIntegrator::go(const double x, const double length, LineState &to,
     if (!motion.factors.col(l).isZero(0.)) {
       const Polynomial power = motion.v.transpose() * model.linear.forces(l);
       energy.external += length * integral_of_product(motion.factors.col(l), power, x);
+      if (!model.linear.accelerates(l))
+        continue;
+      const Polynomial rate = derivative(motion.factors.col(l));
+      energy.external +=
+          integral_of_product(rate, motion.v.transpose() * model.linear.drag(l), x) +
+          integral_of_product(derivative(rate), motion.v.transpose() * model.linear.inertia(l), x) /
+              length;
     }
   for (unsigned int i = 0; i < states.size(); ++i) {
     const EventContact &contact = line.contacts[i];

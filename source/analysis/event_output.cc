@@ -31,6 +31,7 @@ void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += imposed;
   Vector left = loads.forces(present);
+  loads.add_inertia(present, left);
   for (unsigned int i = 0; i < states.size(); ++i) {
     const EventContact &contact = line.contacts[i];
     const double l = contact.contact->length;

@@ -60,6 +60,21 @@ Vector LoadCourse::forces(const Factors &factors) const {
 
 Vector LoadCourse::forces(const double time) const { return forces(factors(time)); }
 
+void LoadCourse::add_inertia(const double time, Vector &forces) const {
+  bool any = false;
+  for (unsigned int l = 0; l < to.size(); ++l)
+    any = any || model.linear.accelerates(l);
+  if (!any)
+    return;
+  const double h = model.scene.time.step, middle = std::max(time, h); // nothing is known before 0
+  const Factors before = factors(middle - h), now = factors(middle), after = factors(middle + h);
+  for (unsigned int l = 0; l < now.size(); ++l)
+    if (model.linear.accelerates(l)) {
+      forces += (after[l] - 2. * now[l] + before[l]) / (h * h) * model.linear.inertia(l);
+      forces += (after[l] - before[l]) / (2. * h) * model.linear.drag(l);
+    }
+}
+
 Vector LoadCourse::imposed(const double time) const {
   Vector result = Vector::Zero(model.space.n_dofs());
   const Factors now = factors(time);

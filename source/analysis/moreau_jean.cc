@@ -47,10 +47,12 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
       last_forces.size() == 0 || factors != last_factors) {
     last_factors = factors;
     last_forces = loads.forces(factors);
+    loads.add_inertia(from.time, last_forces);
   }
   const Vector forces_before = last_forces;
   last_factors = loads.factors_before(time);
   last_forces = loads.forces(last_factors);
+  loads.add_inertia(time, last_forces);
   const Vector &forces = last_forces;
   const Vector &q0 = from.unknowns, &v0 = from.velocity;
   const Vector stiff_before = stiff(q0), momentum_before = momentum(v0);

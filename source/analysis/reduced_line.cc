@@ -73,8 +73,11 @@ void ReducedLine::make_basis(const unsigned int p, const unsigned int n_modes,
       shapes.add(part.factors->solve(forces), part.K, 0.);
   };
   for (unsigned int l = 0; l < loads.size(); ++l)
-    if (loads[l])
+    if (loads[l]) {
       respond_to(line.linear.forces(l));
+      if (line.linear.accelerates(l))
+        respond_to(line.linear.inertia(l));
+    }
   respond_to(line.linear.preload());
   if (part.has_mass) {
     const MatrixXd inertia = part.M * part.constraint_modes + part.M_border;
@@ -266,10 +269,13 @@ LinearPart::Matrices ReducedLine::make_matrices() const {
       C.add(p, share);
     }
   }
-  LinearPart::Matrices matrices{K.matrix(), M.matrix(), C.matrix(), Vector(), {}, {}};
+  LinearPart::Matrices matrices{K.matrix(), M.matrix(), C.matrix(), Vector(), {}, {}, {}, {}};
   matrices.preload = reduce_forces(line.linear.preload());
   for (unsigned int l = 0; l < line.scene.loads.size(); ++l) {
     matrices.forces.push_back(reduce_forces(line.linear.forces(l)));
+    const bool moves = line.linear.accelerates(l);
+    matrices.inertia.push_back(moves ? reduce_forces(line.linear.inertia(l)) : Vector());
+    matrices.drag.push_back(moves ? reduce_forces(line.linear.drag(l)) : Vector());
     matrices.imposed.emplace_back();
     for (const auto &[dof, value] : line.linear.imposed(l))
       if (dof_places[dof] >= 0)

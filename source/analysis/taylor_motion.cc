@@ -93,6 +93,13 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
       for (int l = 0; l < factors.cols(); ++l)
         if (factors(k, l) != 0.)
           forces += factors(k, l) * linear.forces(l);
+    for (int l = 0; l < factors.cols(); ++l)
+      if (linear.accelerates(l)) {
+        if (k + 1 < factors.rows() && factors(k + 1, l) != 0.)
+          forces += (k + 1.) / length * factors(k + 1, l) * linear.drag(l);
+        if (k + 2 < factors.rows() && factors(k + 2, l) != 0.)
+          forces += (k + 1.) * (k + 2.) / (length * length) * factors(k + 2, l) * linear.inertia(l);
+      }
     Vector unknowns = q.col(k);
     forces = model.forces_left(forces, unknowns, v.col(k));
     q.col(k) = unknowns;

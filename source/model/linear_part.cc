@@ -110,6 +110,7 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
                        const Discretization &discretization, const ReducedSpace &space,
                        const Contacts &contacts, const bool with_mass)
     : load_forces(scene.loads.size(), Vector::Zero(space.n_unknowns())),
+      load_inertia(scene.loads.size()), load_drag(scene.loads.size()),
       imposed_motions(scene.loads.size()), nodal_loads(scene.loads.size()) {
   check_pressure(scene);
   find_imposed_motions(scene, mesh, discretization, space);
@@ -133,6 +134,7 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
 LinearPart::LinearPart(Matrices matrices)
     : K(std::move(matrices.stiffness)), M(std::move(matrices.mass)), C(std::move(matrices.damping)),
       spring_preload(std::move(matrices.preload)), load_forces(std::move(matrices.forces)),
+      load_inertia(std::move(matrices.inertia)), load_drag(std::move(matrices.drag)),
       imposed_motions(std::move(matrices.imposed)), nodal_loads(load_forces.size()) {}
 
 void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
@@ -278,6 +280,10 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
   for (unsigned int l = 0; l < imposed_motions.size(); ++l)
     for (const auto &[dof, value] : imposed_motions[l])
       imposed[dof].emplace_back(l, value);
+  if (with_mass)
+    for (unsigned int l = 0; l < imposed_motions.size(); ++l)
+      if (!imposed_motions[l].empty())
+        load_inertia[l] = load_drag[l] = Vector::Zero(space.n_unknowns());
 
   PipeElement element(discretization);
   std::vector<types::global_dof_index> dofs(12);
@@ -290,8 +296,11 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
     element.reinit(cell);
     const PipeElement::Matrix12 stiffness = element.stiffness();
     add_local(stiffness, dofs, space, K);
-    if (with_mass)
-      add_local(element.mass(cell), dofs, space, M);
+    PipeElement::Matrix12 mass;
+    if (with_mass) {
+      mass = element.mass(cell);
+      add_local(mass, dofs, space, M);
+    }
 
     const auto line = element.unit_line_loads();
     const PipeElement::Vector12 strain = element.unit_axial_strain(),
@@ -314,8 +323,16 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
         if (const auto found = imposed.find(dofs[j]); found != imposed.end())
           for (const auto &[l, value] : found->second)
             for (unsigned int i = 0; i < 12; ++i)
-              for (const auto &term : space.terms(dofs[i]))
+              for (const auto &term : space.terms(dofs[i])) {
                 load_forces[l][term.unknown] -= term.weight * stiffness(i, j) * value;
+                if (with_mass) {
+                  const double inertia = term.weight * mass(i, j) * value;
+                  load_inertia[l][term.unknown] -= inertia;
+                  load_drag[l][term.unknown] -=
+                      scene.time.mass_damping * inertia +
+                      scene.time.stiffness_damping * term.weight * stiffness(i, j) * value;
+                }
+              }
   }
 }
 

@@ -28,6 +28,9 @@ public:
   /// On the unknowns, platens' forces included.
   Vector forces(const double time) const;
   Vector forces(const Factors &factors) const;
+  /// Add the inertia and damping of motions that loads impose, by differences in time over the
+  /// length of a step: the impulse of a velocity that jumps comes out whole over the steps.
+  void add_inertia(const double time, Vector &forces) const;
   /// Motions of all degrees of freedom that loads and the ground impose.
   Vector imposed(const double time) const;
 

@@ -19,6 +19,7 @@ public:
     SparseMatrix stiffness, mass, damping;
     Vector preload;
     std::vector<Vector> forces;                                        ///< by load
+    std::vector<Vector> inertia, drag;                                 ///< likewise, or empty
     std::vector<std::vector<std::pair<unsigned int, double>>> imposed; ///< likewise
   };
   explicit LinearPart(Matrices matrices);
@@ -32,6 +33,12 @@ public:
 
   /// Forces of load @p l on the unknowns, those of its imposed motions included.
   const Vector &forces(const unsigned int l) const { return load_forces[l]; }
+  /// Whether load @p l imposes motions on nodes whose cells have mass or damping.
+  bool accelerates(const unsigned int l) const { return load_inertia[l].size() > 0; }
+  /// Forces on the unknowns per second and first derivative in time of the factor of such a load:
+  /// inertia -M_ub u_b and Rayleigh damping of the motions that it imposes.
+  const Vector &inertia(const unsigned int l) const { return load_inertia[l]; }
+  const Vector &drag(const unsigned int l) const { return load_drag[l]; }
   /// Forces that are there from the start, of springs and hangers.
   const Vector &preload() const { return spring_preload; }
   /// Motions that load @p l imposes on all degrees of freedom, as (dof, value) pairs.
@@ -57,7 +64,7 @@ private:
 
   SparseMatrix K, M, C;
   Vector spring_preload;
-  std::vector<Vector> load_forces;
+  std::vector<Vector> load_forces, load_inertia, load_drag;
   std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;
   std::vector<std::map<unsigned int, Motion>> nodal_loads;
 };
