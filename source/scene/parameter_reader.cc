@@ -38,7 +38,8 @@ bool keeps_references(const std::string &heading, const std::string &name) {
          (heading == "Slab" &&       // of its line
           (name == "Elements" || name == "Poisson squeeze" || name == "Shear lag")) ||
          (heading.empty() &&
-          (name == "Title" || name == "Model" || name == "Accuracy" || name == "Monitors"));
+          (name == "Title" || name == "Model" || name == "Accuracy" || name == "Monitors" ||
+           name == "Law libraries"));
 }
 
 } // namespace
