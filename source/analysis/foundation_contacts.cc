@@ -247,35 +247,17 @@ ContactCheck FoundationContacts::check(const std::vector<LocalVector> &displacem
     const FrictionThreshold &law = surfaces[points[i].surface].threshold;
     const LocalVector &u = displacement[i], &stress = state.stress[i];
     const double *const old_state = committed.internal.data() + offset[i];
-    const double P = -stress[0], f = friction[i], T[2] = {stress[1], stress[2]};
-    const double gap = has_pressure(i) ? 0. : law.gap - u[0] + P / law.axial_rigidity;
-    const double slip[2] = {-u[1] - old_state[law.slip_y] - T[0] / law.shear_rigidity_y,
-                            -u[2] - old_state[law.slip_z] - T[1] / law.shear_rigidity_z};
-    const double rho_n = points[i].normal_diagonal, rho_t = points[i].shear_diagonal;
-    const auto beyond = [](const double misfit, const double rounding) {
-      return std::max(0., std::abs(misfit) - rounding);
-    };
-    const double normal =
-        has_pressure(i) ? 0. : beyond(P - std::max(0., P - rho_n * gap), rho_n * rounding);
-    double moved[2] = {T[0] + rho_t * slip[0], T[1] + rho_t * slip[1]};
-    const double radius = f * P, size = std::hypot(moved[0], moved[1]);
-    if (size > radius)
-      for (double &m : moved)
-        m *= radius / size;
-    const double shear = beyond(std::hypot(T[0] - moved[0], T[1] - moved[1]), rho_t * rounding);
-    const double force = std::hypot(P, std::hypot(T[0], T[1])), path = std::hypot(slip[0], slip[1]);
-    const double scale =
-        std::max({force, std::abs(rho_n * gap), P > 0. ? rho_t * path : 0., 1e-12 * largest});
-    if (scale > 0.)
-      result.natural_map = std::max(result.natural_map, std::hypot(normal, shear) / scale);
-    result.penetration = std::max(result.penetration, -gap);
-    const double friction_force = std::hypot(T[0], T[1]);
-    result.cone_violation =
-        std::max(result.cone_violation, (friction_force - radius) / std::max(P, 1e-12 * largest));
-    if (P > 0. && path > 1e4 * rounding && std::min(friction_force, rho_t * path) > 1e-4 * scale) {
-      const double cross = slip[0] * T[1] - slip[1] * T[0], dot = slip[0] * T[0] + slip[1] * T[1];
-      result.slip_angle = std::max(result.slip_angle, std::abs(std::atan2(cross, dot)));
-    }
+    const double P = -stress[0];
+    result.judge({P,
+                  {stress[1], stress[2]},
+                  has_pressure(i) ? 0. : law.gap - u[0] + P / law.axial_rigidity,
+                  {-u[1] - old_state[law.slip_y] - stress[1] / law.shear_rigidity_y,
+                   -u[2] - old_state[law.slip_z] - stress[2] / law.shear_rigidity_z},
+                  friction[i],
+                  points[i].normal_diagonal,
+                  points[i].shear_diagonal,
+                  rounding},
+                 largest);
     result.least_dissipation =
         std::min(result.least_dissipation,
                  points[i].weight * (state.dissipated[i] - committed.dissipated[i]));

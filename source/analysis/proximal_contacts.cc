@@ -38,6 +38,34 @@ void ContactCheck::include(const ContactCheck &other) {
   least_dissipation = std::min(least_dissipation, other.least_dissipation);
 }
 
+void ContactCheck::judge(const Point &point, const double largest) {
+  const double P = point.P, rounding = point.rounding, rho_n = point.normal_scale,
+               rho_t = point.shear_scale;
+  const double *const T = point.T, *const slip = point.slip;
+  const auto beyond = [](const double misfit, const double excused) {
+    return std::max(0., std::abs(misfit) - excused);
+  };
+  const double normal = beyond(P - std::max(0., P - rho_n * point.gap), rho_n * rounding);
+  double moved[2] = {T[0] + rho_t * slip[0], T[1] + rho_t * slip[1]};
+  const double radius = point.friction * P, size = std::hypot(moved[0], moved[1]);
+  if (size > radius)
+    for (double &m : moved)
+      m *= radius / size;
+  const double shear = beyond(std::hypot(T[0] - moved[0], T[1] - moved[1]), rho_t * rounding);
+  const double friction_force = std::hypot(T[0], T[1]), path = std::hypot(slip[0], slip[1]);
+  const double scale = std::max({std::hypot(P, friction_force), std::abs(rho_n * point.gap),
+                                 P > 0. ? rho_t * path : 0., 1e-12 * largest});
+  if (scale > 0.)
+    natural_map = std::max(natural_map, std::hypot(normal, shear) / scale);
+  penetration = std::max(penetration, -point.gap);
+  cone_violation =
+      std::max(cone_violation, (friction_force - radius) / std::max(P, 1e-12 * largest));
+  if (P > 0. && path > 1e4 * rounding && std::min(friction_force, rho_t * path) > 1e-4 * scale) {
+    const double cross = slip[0] * T[1] - slip[1] * T[0], dot = slip[0] * T[0] + slip[1] * T[1];
+    slip_angle = std::max(slip_angle, std::abs(std::atan2(cross, dot)));
+  }
+}
+
 ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix &stiffness)
     : contacts(contacts), list(contacts.size()), friction(contacts.size(), 0.) {
   centre.assign(contacts.size(), Contact::Strains::Zero());
@@ -228,39 +256,18 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
     const double l = contact.length;
     const Contact::Strains &strain = response.state.strain[i], &stress = response.stress[i];
     const double *const old_state = committed.internal.data() + contact.state_offset;
-    const double P = -stress[0], f = friction[i];
-    const double T[2] = {stress[1], stress[2]};
-    const double gap = l * strain[0] + this->gap[i] + P * l / exact.law.axial_rigidity;
-    const double slip[2] = {
-        l * (strain[1] - old_state[exact.law.slip_y] - T[0] / exact.law.shear_rigidity_y),
-        l * (strain[2] - old_state[exact.law.slip_z] - T[1] / exact.law.shear_rigidity_z)};
-    const double rho_n = exact.normal_diagonal, rho_t = exact.shear_diagonal;
-
-    const auto beyond = [](const double misfit, const double rounding) {
-      return std::max(0., std::abs(misfit) - rounding);
-    };
-    const double normal = beyond(P - std::max(0., P - rho_n * gap), rho_n * rounding);
-    double moved[2] = {T[0] + rho_t * slip[0], T[1] + rho_t * slip[1]};
-    const double radius = f * P, size = std::hypot(moved[0], moved[1]);
-    if (size > radius)
-      for (double &m : moved)
-        m *= radius / size;
-    const double shear = beyond(std::hypot(T[0] - moved[0], T[1] - moved[1]), rho_t * rounding);
-    const double force = std::hypot(P, std::hypot(T[0], T[1]));
-    double motion =
-        std::max(std::abs(rho_n * gap), P > 0. ? rho_t * std::hypot(slip[0], slip[1]) : 0.);
-    const double scale = std::max({force, motion, 1e-12 * largest});
-    if (scale > 0.)
-      result.natural_map = std::max(result.natural_map, std::hypot(normal, shear) / scale);
-
-    result.penetration = std::max(result.penetration, -gap);
-    const double friction_force = std::hypot(T[0], T[1]), path = std::hypot(slip[0], slip[1]);
-    result.cone_violation =
-        std::max(result.cone_violation, (friction_force - radius) / std::max(P, 1e-12 * largest));
-    if (P > 0. && path > 1e4 * rounding && std::min(friction_force, rho_t * path) > 1e-4 * scale) {
-      const double cross = slip[0] * T[1] - slip[1] * T[0], dot = slip[0] * T[0] + slip[1] * T[1];
-      result.slip_angle = std::max(result.slip_angle, std::abs(std::atan2(cross, dot)));
-    }
+    const FrictionThreshold &law = exact.law;
+    const double P = -stress[0];
+    result.judge({P,
+                  {stress[1], stress[2]},
+                  l * strain[0] + gap[i] + P * l / law.axial_rigidity,
+                  {l * (strain[1] - old_state[law.slip_y] - stress[1] / law.shear_rigidity_y),
+                   l * (strain[2] - old_state[law.slip_z] - stress[2] / law.shear_rigidity_z)},
+                  friction[i],
+                  exact.normal_diagonal,
+                  exact.shear_diagonal,
+                  rounding},
+                 largest);
     result.least_dissipation =
         std::min(result.least_dissipation, response.state.dissipated[i] - committed.dissipated[i]);
   }

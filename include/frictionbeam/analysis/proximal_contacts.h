@@ -32,6 +32,18 @@ struct ContactCheck {
   }
   /// The worst of both.
   void include(const ContactCheck &other);
+
+  /// One contact with compression P, friction force T, gap of the rigid part, slip of the
+  /// increment.
+  struct Point {
+    double P, T[2]; ///< [N]
+    double gap, slip[2];
+    double friction;                  ///< coefficient
+    double normal_scale, shear_scale; ///< rho_N, rho_T [N/m]
+    double rounding;                  ///< of gap and slip
+  };
+  /// @param largest force of all contacts
+  void judge(const Point &point, const double largest);
 };
 
 /**
