@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact_newton.h"
+#include "halving_search.h"
 
 #include <Eigen/LU>
 
@@ -216,23 +217,12 @@ ContactNewton::Outcome ContactNewton::solve_proximal(Vector &x, ContactResponse 
       return slides_away(x, response) ? Outcome::slides_away : Outcome::stalled;
     }
     const Vector direction = factors.solve(forces), start = x;
-    const double before = energy(forces);
-    double best = std::numeric_limits<double>::max(), best_length = 1., length = 1.;
-    for (; length >= 0.0625; length /= 2.) {
+    const auto go = [&](const double length) {
       x = start + length * direction;
       forces = evaluate(x, response);
-      const double after = energy(forces);
-      if (after < best) {
-        best = after;
-        best_length = length;
-      }
-      if (after <= (1. - 1e-4 * length) * before)
-        break;
-    }
-    if (length != best_length) { // a kink lies ahead, and the least bad step crosses it
-      x = start + best_length * direction;
-      forces = evaluate(x, response);
-    }
+      return energy(forces);
+    };
+    search_by_halving(go, energy(forces), 0.0625);
   }
 }
 
@@ -284,18 +274,9 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
       evaluate(x, response);
       return energy_together(x, response);
     };
-    double best = std::numeric_limits<double>::max(), best_length = 1., length = 1.;
-    for (; length >= 1e-3; length /= 2.) {
-      const double after = go(length);
-      if (after < best) {
-        best = after;
-        best_length = length;
-      }
-      if (after <= (1. - 1e-4 * length) * before)
-        break;
-    }
-    stalls = best_length < 0.01 || best > before ? stalls + 1 : 0;
-    before = length == best_length ? best : go(best_length);
+    const HalvingResult step_taken = search_by_halving(go, before, 1e-3);
+    stalls = step_taken.length < 0.01 || step_taken.merit > before ? stalls + 1 : 0;
+    before = step_taken.merit;
   }
 }
 

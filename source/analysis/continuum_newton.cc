@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "halving_search.h"
+
 #include <frictionbeam/analysis/continuum_newton.h>
 
 #include <Eigen/LU>
@@ -226,18 +228,9 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
         contacts.centre[i] = centre[i] + length * step[i];
       return evaluate();
     };
-    double best = std::numeric_limits<double>::max(), best_length = 1., length = 1.;
-    for (; length >= 1e-3; length /= 2.) {
-      const double after = go(length);
-      if (after < best) {
-        best = after;
-        best_length = length;
-      }
-      if (after <= (1. - 1e-4 * length) * before)
-        break;
-    }
-    stalls = best_length < 0.01 || best > before ? stalls + 1 : 0;
-    before = length == best_length ? best : go(best_length);
+    const HalvingResult step_taken = search_by_halving(go, before, 1e-3);
+    stalls = step_taken.length < 0.01 || step_taken.merit > before ? stalls + 1 : 0;
+    before = step_taken.merit;
   }
 }
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <limits>
+
+namespace frictionbeam {
+
+struct HalvingResult {
+  double length, merit;
+};
+
+/**
+ * Try the lengths 1, 1/2, 1/4, ... of a Newton step, none shorter than @p shortest, until the merit
+ * is less than @p before. Where no length does that, a kink lies ahead, and the least bad step
+ * crosses it. What go(length) leaves behind is of the length returned.
+ * @param go takes the step of a length from its start and returns the merit there
+ */
+template <typename Go>
+HalvingResult search_by_halving(const Go &go, const double before, const double shortest) {
+  double best = std::numeric_limits<double>::max(), best_length = 1., length = 1.;
+  for (; length >= shortest; length /= 2.) {
+    const double after = go(length);
+    if (after < best) {
+      best = after;
+      best_length = length;
+    }
+    if (after <= (1. - 1e-4 * length) * before)
+      break;
+  }
+  return {best_length, length == best_length ? best : go(best_length)};
+}
+
+} // namespace frictionbeam
