@@ -52,22 +52,18 @@ std::vector<Eigenpair> solve_dense(const Matrix &K, const Matrix &M, const unsig
   return pairs;
 }
 
-unsigned int count_below(const Matrix &K, const Matrix &M, const double value) {
-  const Matrix pencil = K - value * M;
-  const Factors factors(pencil);
-  return (factors.vectorD().array() < 0.).count();
-}
+} // namespace
 
-/// @return fewer than @p n pairs if ARPACK missed some with this many Arnoldi vectors.
-std::vector<Eigenpair> solve_sparse(const Matrix &K, const Matrix &M, const Factors &factors,
-                                    const unsigned int n, const unsigned int n_vectors) {
-  const unsigned int size = K.rows();
-  const Times mass{[&M](const Vector &x) { return Vector(M * x); }},
-      inverse{[&factors](const Vector &x) { return Vector(factors.solve(x)); }};
+std::vector<Eigenpair> arpack_eigenpairs(const Matrix &M,
+                                         const std::function<Vector(const Vector &)> &inverse,
+                                         const double shift, const unsigned int n,
+                                         const unsigned int n_vectors) {
+  const unsigned int size = M.rows();
+  const Times mass{[&M](const Vector &x) { return Vector(M * x); }}, inverse_times{inverse};
   SolverControl control(1000, 1e-12, false, false);
   ArpackSolver solver(
       control, ArpackSolver::AdditionalData(n_vectors, ArpackSolver::largest_magnitude, true));
-  solver.set_shift(0.);
+  solver.set_shift(shift);
   std::mt19937 random(1); // a symmetric vector would miss the modes that are not
   dealii::Vector<double> initial(size);
   for (double &x : initial)
@@ -76,30 +72,38 @@ std::vector<Eigenpair> solve_sparse(const Matrix &K, const Matrix &M, const Fact
   std::vector<std::complex<double>> values(n);
   std::vector<dealii::Vector<double>> vectors(n, dealii::Vector<double>(size));
   try {
-    solver.solve(mass, mass, inverse, values, vectors, n);
+    solver.solve(mass, mass, inverse_times, values, vectors, n);
   } catch (const ExceptionBase &) { // ARPACK's own word that it has not converged
     return {};
   }
   std::vector<Eigenpair> pairs;
   for (unsigned int i = 0; i < n; ++i)
-    pairs.push_back({values[i].real(), scaled(Eigen::Map<const Vector>(vectors[i].begin(), size))});
+    pairs.push_back({values[i].real(), Eigen::Map<const Vector>(vectors[i].begin(), size)});
   std::sort(pairs.begin(), pairs.end(),
             [](const Eigenpair &a, const Eigenpair &b) { return a.value < b.value; });
-  if (count_below(K, M, pairs.back().value * (1. - 1e-6)) >= n)
-    return {};
   return pairs;
 }
 
-} // namespace
+unsigned int count_eigenvalues_below(const Matrix &K, const Matrix &M, const double value) {
+  const Matrix pencil = K - value * M;
+  const Factors factors(pencil);
+  return (factors.vectorD().array() < 0.).count();
+}
 
 std::vector<Eigenpair> lowest_eigenpairs(const Matrix &K, const Matrix &M, const Factors &factors,
                                          const unsigned int n) {
   const unsigned int size = K.rows();
   if (size <= largest_dense || 4 * n >= size)
     return solve_dense(K, M, n);
-  for (unsigned int n_vectors = std::max(2 * n + 2, 20u); n_vectors < size; n_vectors *= 2)
-    if (std::vector<Eigenpair> pairs = solve_sparse(K, M, factors, n, n_vectors); !pairs.empty())
-      return pairs;
+  for (unsigned int n_vectors = std::max(2 * n + 2, 20u); n_vectors < size; n_vectors *= 2) {
+    std::vector<Eigenpair> pairs = arpack_eigenpairs(
+        M, [&factors](const Vector &x) { return Vector(factors.solve(x)); }, 0., n, n_vectors);
+    if (pairs.empty() || count_eigenvalues_below(K, M, pairs.back().value * (1. - 1e-6)) >= n)
+      continue;
+    for (Eigenpair &pair : pairs)
+      pair.vector = scaled(pair.vector);
+    return pairs;
+  }
   throw UserError("Time/Modes: ARPACK did not find all of the lowest " + std::to_string(n) +
                   " modes of a part of the line between its contacts. Ask for another number, or "
                   "set Modes to all.");

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/analysis/modal_analysis.h>
+#include "eigenpairs.h"
 
+#include <frictionbeam/analysis/modal_analysis.h>
 #include <frictionbeam/scene/user_error.h>
 
-#include <deal.II/lac/arpack_solver.h>
-#include <deal.II/lac/vector.h>
-
 #include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace frictionbeam {
 
@@ -23,16 +19,6 @@ namespace {
 constexpr double shift = 1.; ///< (rad/s)^2 below zero: a line that floats can be factored
 constexpr double rigid = 1e8;
 constexpr unsigned int largest_dense = 300;
-
-/// What deal.II's solvers want of a matrix.
-struct Times {
-  std::function<Vector(const Vector &)> apply;
-
-  void vmult(dealii::Vector<double> &to, const dealii::Vector<double> &from) const {
-    const Eigen::Map<const Vector> x(from.begin(), from.size());
-    Eigen::Map<Vector>(to.begin(), to.size()) = apply(x);
-  }
-};
 
 double frequency_of(const double eigenvalue) {
   return std::sqrt(std::max(eigenvalue, 0.)) / (2. * numbers::PI);
@@ -136,38 +122,14 @@ void ModalAnalysis::solve_dense(const unsigned int n) {
 bool ModalAnalysis::solve_sparse(const unsigned int n, const unsigned int n_vectors) {
   how = "ARPACK, shift-invert";
   found.clear();
-  const unsigned int size = M.rows();
-  const Times mass{[this](const Vector &x) { return Vector(M * x); }},
-      inverse{[this](const Vector &x) { return shifted.solve(x); }};
-  SolverControl control(1000, 1e-12, false, false);
-  ArpackSolver solver(
-      control, ArpackSolver::AdditionalData(n_vectors, ArpackSolver::largest_magnitude, true));
-  solver.set_shift(-shift);
-  std::mt19937 random(1); // a symmetric vector would miss the modes that are not
-  dealii::Vector<double> initial(size);
-  for (double &x : initial)
-    x = static_cast<double>(random()) / 4294967296. - 0.5;
-  solver.set_initial_vector(initial);
-  std::vector<std::complex<double>> values(n);
-  std::vector<dealii::Vector<double>> vectors(n, dealii::Vector<double>(size));
-  try {
-    solver.solve(mass, mass, inverse, values, vectors, n);
-  } catch (const ExceptionBase &) { // ARPACK's own word that it has not converged
+  const std::vector<Eigenpair> pairs = arpack_eigenpairs(
+      M, [this](const Vector &x) { return shifted.solve(x); }, -shift, n, n_vectors);
+  for (const Eigenpair &pair : pairs)
+    found.push_back({frequency_of(pair.value), pair.vector, 0.});
+  if (found.empty())
     return false;
-  }
-  for (unsigned int i = 0; i < n; ++i)
-    found.push_back(
-        {frequency_of(values[i].real()), Eigen::Map<const Vector>(vectors[i].begin(), size), 0.});
-  std::sort(found.begin(), found.end(),
-            [](const Mode &a, const Mode &b) { return a.frequency < b.frequency; });
   const double last = std::pow(2. * numbers::PI * found.back().frequency, 2);
-  return count_below(last * (1. - 1e-6)) < n;
-}
-
-unsigned int ModalAnalysis::count_below(const double eigenvalue) const {
-  const Eigen::SparseMatrix<double> pencil = Eigen::SparseMatrix<double>(K) - eigenvalue * M;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorization(pencil);
-  return (factorization.vectorD().array() < 0.).count();
+  return count_eigenvalues_below(Eigen::SparseMatrix<double>(K), M, last * (1. - 1e-6)) < n;
 }
 
 void ModalAnalysis::normalize() {

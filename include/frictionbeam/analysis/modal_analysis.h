@@ -54,17 +54,16 @@ private:
   void hold_contacts(const LineState &state, const bool friction);
   void solve_dense(const unsigned int n);
   bool solve_sparse(const unsigned int n, const unsigned int n_vectors);
-  unsigned int count_below(const double eigenvalue) const;
   void normalize();
 
   const Model &model;
   const LineState &start;
   const FullMatrices matrices;
   Eigen::SparseMatrix<double> M;
-  SparseMatrix K;                ///< with the contacts that hold
-  ContactResponse held;          ///< its tangents are the contacts' stiffness
-  LineFactorization shifted;     ///< of K + shift M
-  LineFactorization factors;     ///< of K
+  SparseMatrix K;            ///< with the contacts that hold
+  ContactResponse held;      ///< its tangents are the contacts' stiffness
+  LineFactorization shifted; ///< of K + shift M
+  LineFactorization factors; ///< of K
   std::vector<Mode> found;
   std::string how;
 };
