@@ -26,28 +26,26 @@ LoadCourse::Factors LoadCourse::declared(const double time) const {
   return result;
 }
 
-LoadCourse::Factors LoadCourse::factors(const double time) const {
+LoadCourse::Factors
+LoadCourse::declared_times(const double time,
+                           const std::function<double(const TimeFunction &)> &value) const {
   Factors result = declared(time);
   for (unsigned int l = 0; l < result.size(); ++l)
     if (result[l] != 0.)
-      result[l] *= model.scene.loads[l].history(time);
+      result[l] *= value(model.scene.loads[l].history);
   return result;
+}
+
+LoadCourse::Factors LoadCourse::factors(const double time) const {
+  return declared_times(time, [time](const TimeFunction &history) { return history(time); });
 }
 
 LoadCourse::Factors LoadCourse::factors_before(const double time) const {
-  Factors result = declared(time);
-  for (unsigned int l = 0; l < result.size(); ++l)
-    if (result[l] != 0.)
-      result[l] *= model.scene.loads[l].history.before(time);
-  return result;
+  return declared_times(time, [time](const TimeFunction &history) { return history.before(time); });
 }
 
 LoadCourse::Factors LoadCourse::factors_after(const double time) const {
-  Factors result = declared(time);
-  for (unsigned int l = 0; l < result.size(); ++l)
-    if (result[l] != 0.)
-      result[l] *= model.scene.loads[l].history.after(time);
-  return result;
+  return declared_times(time, [time](const TimeFunction &history) { return history.after(time); });
 }
 
 Vector LoadCourse::forces(const Factors &factors) const {

@@ -3,6 +3,8 @@
 
 #include <frictionbeam/analysis/line_state.h>
 
+#include <functional>
+
 namespace frictionbeam {
 
 /**
@@ -38,6 +40,10 @@ public:
   double next_break(const double time) const;
 
 private:
+  /// The declared factors times a value of each load's history.
+  Factors declared_times(const double time,
+                         const std::function<double(const TimeFunction &)> &value) const;
+
   const Model &model;
   Factors from, to;
   double start = 0., ramp = 0.;
