@@ -44,7 +44,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   const bool damped = C.nonZeros() > 0;
   set_step(h);
   if (const LoadCourse::Factors factors = loads.factors_after(from.time);
-      last_forces.size() == 0 || factors != last_factors) {
+      last_time != from.time || factors != last_factors) {
     last_factors = factors;
     last_forces = loads.forces(factors);
     loads.add_inertia(from.time, last_forces);
@@ -53,6 +53,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   last_factors = loads.factors_before(time);
   last_forces = loads.forces(last_factors);
   loads.add_inertia(time, last_forces);
+  last_time = time;
   const Vector &forces = last_forces;
   const Vector &q0 = from.unknowns, &v0 = from.velocity;
   const Vector stiff_before = stiff(q0), momentum_before = momentum(v0);

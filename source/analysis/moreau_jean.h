@@ -4,6 +4,8 @@
 #include "impulse_contacts.h"
 #include "motion_products.h"
 
+#include <limits>
+
 namespace frictionbeam {
 
 /**
@@ -36,6 +38,7 @@ private:
   Vector diagonal;        ///< of it
   double effective_step = 0.;
   LoadCourse::Factors last_factors; ///< of the last end of a step
+  double last_time = std::numeric_limits<double>::quiet_NaN();
   Vector last_forces;
   KeptProduct stiff, momentum; ///< K q and M v
 };
