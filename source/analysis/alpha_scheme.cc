@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "alpha_scheme.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
@@ -37,7 +38,8 @@ AlphaScheme::Parameters AlphaScheme::nonsmooth(const TimeSettings &settings) {
 AlphaScheme::AlphaScheme(const Model &model, const Parameters &parameters)
     : model(model), p(parameters), ratio((1. - p.alpha_m) / (1. - p.alpha_f)),
       has_mass(unknowns_with_mass(model.linear.mass())), contacts(model),
-      stiff(model.linear.stiffness()), momentum(model.linear.mass()) {
+      stiff(model.linear.stiffness()), momentum(model.linear.mass()),
+      stiffness_diagonal(model.linear.stiffness().diagonal()) {
   if (!p.impulses)
     return_mapping =
         make_equilibrium_solver(model.scene.solver,
@@ -113,8 +115,12 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   loads.add_inertia(time, forces);
   Vector moved; // a1
   const Vector stiff_before = stiff(from.unknowns), momentum_before = momentum(from.velocity);
-  const double size = largest(forces) + largest(diagonal.cwiseProduct(from.unknowns)) +
-                      largest(momentum_before) * ratio / (beta * h);
+  // Return mapping does not keep what rounding takes from the unknowns.
+  const Vector &rounded = p.impulses ? stiffness_diagonal : diagonal;
+  const double size = size_of_forces(std::max(largest(forces), largest(stiff_before)),
+                                     largest(rounded.cwiseProduct(from.unknowns)) +
+                                         largest(momentum_before) * ratio / (beta * h),
+                                     model.scene.solver.tolerance);
   EquilibriumProblem problem{effective, Vector::Constant(1, size), loads.imposed(time)};
   problem.unbalanced = [&](const Vector &unknowns, const Vector &low) -> Vector {
     moved = (unknowns - q) / (beta * h * h);

@@ -56,7 +56,8 @@ private:
   SparseMatrix effective; ///< K + gamma/(beta h) C + ratio/(beta h^2) M
   Vector diagonal;        ///< of it
   double effective_step = 0.;
-  KeptProduct stiff, momentum; ///< K q and M v
+  KeptProduct stiff, momentum;     ///< K q and M v
+  const Vector stiffness_diagonal; ///< of K
 };
 
 } // namespace frictionbeam

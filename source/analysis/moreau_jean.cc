@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "moreau_jean.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
 
 MoreauJean::MoreauJean(const Model &model)
     : model(model), theta(model.scene.time.theta), contacts(model), stiff(model.linear.stiffness()),
-      momentum(model.linear.mass()) {
+      momentum(model.linear.mass()), stiffness_diagonal(model.linear.stiffness().diagonal()) {
   const std::vector<bool> has_mass = unknowns_with_mass(model.linear.mass());
   for (unsigned int i = 0; i < has_mass.size(); ++i)
     if (!has_mass[i])
@@ -25,7 +26,6 @@ void MoreauJean::set_step(const double h) {
   if (model.linear.damping().nonZeros() > 0)
     effective = effective + 1. / (h * theta) * model.linear.damping();
   effective_step = h;
-  diagonal = effective.diagonal();
   contacts.set_matrix(effective);
 }
 
@@ -61,8 +61,10 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   const Vector known =
       forces + part * (forces_before - stiff_before - contacts.elastic_forces(from));
   Vector velocity_after;
-  const double size = largest(known) + largest(diagonal.cwiseProduct(q0)) +
-                      largest(momentum_before) / (h * theta * theta);
+  const double size = size_of_forces(std::max(largest(known), largest(stiff_before)),
+                                     largest(stiffness_diagonal.cwiseProduct(q0)) +
+                                         largest(momentum_before) / (h * theta * theta),
+                                     model.scene.solver.tolerance);
   EquilibriumProblem problem{effective, Vector::Constant(1, size), loads.imposed(time)};
   problem.unbalanced = [&](const Vector &unknowns, const Vector &low) -> Vector {
     if (unknowns == q0 && low.isZero(0.)) {

@@ -35,12 +35,12 @@ private:
   std::vector<int> massless; ///< unknowns
   ImpulseContacts contacts;
   SparseMatrix effective; ///< K + C/(h theta) + M/(h theta)^2
-  Vector diagonal;        ///< of it
   double effective_step = 0.;
   LoadCourse::Factors last_factors; ///< of the last end of a step
   double last_time = std::numeric_limits<double>::quiet_NaN();
   Vector last_forces;
-  KeptProduct stiff, momentum; ///< K q and M v
+  KeptProduct stiff, momentum;     ///< K q and M v
+  const Vector stiffness_diagonal; ///< of K
 };
 
 } // namespace frictionbeam

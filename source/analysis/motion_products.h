@@ -3,6 +3,9 @@
 
 #include <frictionbeam/analysis/line_state.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace frictionbeam {
 
 /// The product of one matrix with a vector that may be asked for again: with the vectors of the
@@ -33,6 +36,17 @@ private:
 template <typename Expression>
 double largest(const Expression &vector) {
   return vector.size() > 0 ? vector.template lpNorm<Eigen::Infinity>() : 0.;
+}
+
+/**
+ * What the residual of a step is measured by: the forces. Momentum over a short step would be much
+ * larger, and whatever friction does would drown in its tolerance; of it, as of all that is
+ * @p rounded, counts what rounding errors are.
+ * @param tolerance of residuals, relative
+ */
+inline double size_of_forces(const double forces, const double rounded, const double tolerance) {
+  constexpr double rounding = 64. * std::numeric_limits<double>::epsilon();
+  return forces + std::min(1., rounding / tolerance) * rounded;
 }
 
 /// What a step begins with besides motions.
