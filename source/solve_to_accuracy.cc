@@ -12,6 +12,7 @@
 #include <frictionbeam/scene/read_scene.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double margin = 1.1;        ///< by which an estimate must be below what is demanded
 constexpr double first_share = 0.25;  ///< of the tolerance, that one difference alone must be below
+constexpr double early_share = 0.2;   ///< of what is demanded, for what is chosen before others
 constexpr double most_of_model = 0.7; ///< of what is demanded, that the line model may use up
 constexpr unsigned int highest_level = 14;
 
@@ -67,8 +69,14 @@ private:
   Results run_continuum();
   Trial solve_at(const std::size_t what, const unsigned int level);
   Results solve_with(const std::vector<std::string> &settings);
-  /// Refine one thing until its part of the error is estimated below @p tolerance.
+  /// Refine one thing until its part of the error is estimated below @p tolerance, the others being
+  /// as fine as they are.
   Trial refine(const std::size_t what, const double tolerance);
+  /// Refine two things that depend on each other, a time step and something else, by what the last
+  /// level of either has changed.
+  Trial refine_together(const std::array<std::size_t, 2> &both, const double tolerance);
+  /// Sum of what the parts are estimated to contribute, without one of them.
+  double estimate_without(const std::size_t what) const;
   std::string describe(const std::vector<std::string> &settings) const;
 
   const RunOptions &options;
@@ -76,11 +84,14 @@ private:
   Scene &scene;
   const std::function<Results(Scene &)> &solve;
   const double demanded;
-  ModelKind model;    ///< that is solved
-  ParameterFile file; ///< with the options
+  ModelKind model;                 ///< that is solved
+  ParameterFile file;              ///< with the options
+  std::vector<std::string> chosen; ///< once for all
   std::vector<accuracy::Refinable> list;
-  std::vector<std::string> chosen;
-  std::map<std::string, Results> solved; ///< coarse runs that may be asked for again
+  std::vector<unsigned int> levels; ///< of the list
+  std::vector<double> estimates;    ///< of the errors that they leave
+  double model_error = 0.;
+  std::map<std::string, Results> solved; ///< runs that may be asked for again
   AccuracyAccount account;
   Cost cost; ///< of all runs
 };
@@ -118,20 +129,26 @@ Results AccuracyControl::solve_with(const std::vector<std::string> &settings) {
 }
 
 Trial AccuracyControl::solve_at(const std::size_t what, const unsigned int level) {
+  levels[what] = level;
   std::vector<std::string> settings = chosen;
-  for (std::size_t i = what; i < list.size(); ++i) // what is chosen later is coarse as yet
-    for (const std::string &setting : list[i].settings(i == what ? level : 0))
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (const std::string &setting : list[i].settings(levels[i]))
       settings.push_back(setting);
   const std::string name = describe(settings);
-  if (const auto found = solved.find(name); found != solved.end()) {
-    Trial trial{level, std::move(found->second)};
-    solved.erase(found);
-    return trial;
-  }
+  if (const auto found = solved.find(name); found != solved.end())
+    return {level, found->second};
   Trial trial{level, solve_with(settings)};
-  if (what + 1 < list.size())
+  if (list.size() > 1)
     solved[name] = trial.results;
   return trial;
+}
+
+double AccuracyControl::estimate_without(const std::size_t what) const {
+  double sum = model_error;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (i != what)
+      sum += estimates[i];
+  return sum;
 }
 
 Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
@@ -145,23 +162,61 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
     if (usable) {
       const auto differences = accuracy::differences(scene, before.results, now.results);
       account.runs.back().change = accuracy::largest(differences).value;
-      std::vector<double> values;
-      for (const accuracy::Difference &one : differences)
-        values.push_back(one.value);
-      convergence.add(level - before.level, values);
+      convergence.add(before.level, level, differences);
       const double estimate = convergence.estimate();
-      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance)) {
-        account.estimate += estimate;
+      estimates[what] = estimate;
+      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance))
         return now;
-      }
     }
     if (converged || before.results.status != RunStatus::converged)
       before = std::move(now);
     level += usable ? convergence.levels_to(tolerance / margin) : 1;
     if (level > highest_level) {
-      account.estimate += convergence.estimate();
+      levels[what] = before.level;
       account.reached = false;
       return before;
+    }
+  }
+}
+
+Trial AccuracyControl::refine_together(const std::array<std::size_t, 2> &both,
+                                       const double tolerance) {
+  std::array<accuracy::Convergence, 2> convergence;
+  for (const std::size_t what : both)
+    levels[what] = 1;
+  while (true) {
+    const Trial base = solve_at(both[0], levels[both[0]]);
+    std::array<bool, 2> usable;
+    double sum = 0.;
+    for (unsigned int i = 0; i < 2; ++i) {
+      const std::size_t what = both[i];
+      const unsigned int level = levels[what];
+      const Trial coarser = solve_at(what, level - 1);
+      levels[what] = level;
+      usable[i] = base.results.status == RunStatus::converged &&
+                  coarser.results.status == RunStatus::converged;
+      if (!usable[i])
+        continue;
+      const auto differences = accuracy::differences(scene, coarser.results, base.results);
+      convergence[i].add(level - 1, level, differences);
+      estimates[what] = convergence[i].estimate();
+      sum += estimates[what];
+      account.runs.back().change = accuracy::largest(differences).value;
+    }
+    const bool known = convergence[0].knows_orders() && convergence[1].knows_orders();
+    if (usable[0] && usable[1] && margin * sum <= (known ? tolerance : first_share * tolerance))
+      return base;
+    const double share = tolerance / (2. * margin);
+    for (unsigned int i = 0; i < 2; ++i)
+      if (base.results.status != RunStatus::converged) // for which a shorter time step may help
+        levels[both[i]] += i == 0;
+      else if (!usable[i] || !known)
+        ++levels[both[i]];
+      else if (estimates[both[i]] > share)
+        levels[both[i]] += convergence[i].levels_to(share);
+    if (std::max(levels[both[0]], levels[both[1]]) > highest_level) {
+      account.reached = false;
+      return base;
     }
   }
 }
@@ -191,7 +246,7 @@ ModelKind AccuracyControl::choose_model() {
     return ModelKind::continuum;
   }
   account.model_reason = "the last correction of the line, shear lag, changes no quantity by more";
-  account.estimate = change.value;
+  model_error = change.value;
   chosen = {"Slab/Poisson squeeze = true", "Slab/Shear lag = 3"};
   return ModelKind::line;
 }
@@ -202,18 +257,27 @@ Results AccuracyControl::run_line() {
     chosen.push_back(setting);
   for (const std::string &quantity : accuracy::left_out(scene))
     account.left_out.push_back(quantity);
+  levels.assign(list.size(), 0); // what is chosen later is coarse as yet
+  estimates.assign(list.size(), 0.);
   Results results;
   if (list.empty())
     results = solve_with(chosen);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const bool is_last = i + 1 == list.size();
-    Trial last = refine(i, is_last ? demanded - account.estimate : 0.2 * demanded);
+  for (std::size_t i = 0; i < list.size() && account.reached; ++i) {
+    const bool together = list[i].depends_on_next && i + 1 < list.size(),
+               is_last = i + (together ? 2 : 1) == list.size();
+    const double tolerance = is_last ? demanded - estimate_without(i) : early_share * demanded;
+    results = (together ? refine_together({i, i + 1}, tolerance) : refine(i, tolerance)).results;
     // One increment is as good where two change next to nothing.
-    const bool coarse = list[i].coarsest_may_be_exact && last.level == 1 && !is_last;
-    for (const std::string &setting : list[i].settings(coarse ? 0 : last.level))
-      chosen.push_back(setting);
-    results = std::move(last.results);
+    if (list[i].coarsest_may_be_exact && levels[i] == 1 && !is_last)
+      levels[i] = 0;
+    i += together;
   }
+  account.estimate = model_error;
+  for (const double estimate : estimates)
+    account.estimate += estimate;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (const std::string &setting : list[i].settings(levels[i]))
+      chosen.push_back(setting);
   return results;
 }
 

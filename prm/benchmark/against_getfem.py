@@ -15,7 +15,7 @@ for each run, without start of the process, libraries, files read and written. (
 evaluation of the quantities in it, GetFEM's has not.) One thread each. Medians of runs in turn.
 
 One reading for both of the length of the slip zone: zone_end() below, from the slips at the nodes of the
-surface alone. All settings are tried first; the fastest within the goal are then measured again.
+surface alone. (GetFEM's zones of the long bar, which only the charts show, are read in the same way.) All settings are tried first; the fastest within the goal are then measured again.
 
 A SETTING of GetFEM: DEGREE:COARSE, a uniform mesh, or DEGREE:COARSE:FINE:GROWTH, graded; COARSE and FINE
 are sizes of cells [m], for the bar in parts of a quarter of its side. DEGREE:COARSE+FINE+FINE ..: first
@@ -208,6 +208,9 @@ def getfem_long_bar(X, Y, degree, option=1):
     at_points = gf.compute_interpolate_on(mfu, u, places)
     values = {name: at_points[0, np.argmin(np.abs(places.pts()[0] - place))]
               for name, place in BAR_POINTS.items()}
+    bottom, x = surface_dofs(mfu, BOTTOM)
+    values["open_length"] = zone_end(x[::2], u[bottom[1::2]])
+    values["slip_end"] = zone_end(x[::2], u[bottom[::2]])
     return values, model.nbdof(), seconds
 
 
@@ -400,8 +403,8 @@ def main():
         run = Getfem(*arguments.one)
         print("seconds =", run.run())
         print("unknowns =", run.unknowns)
-        for name in run.reference:
-            print(name, "=", run.values[name])
+        for name, value in run.values.items():
+            print(name, "=", value)
         return
     if arguments.build is None:
         parser.error("BUILD_FOLDER is missing")

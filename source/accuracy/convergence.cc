@@ -8,42 +8,58 @@ namespace frictionbeam::accuracy {
 
 namespace {
 
-constexpr double lowest_order = 0.8, highest_order = 2., order_of_chance = 3.;
+constexpr double lowest_order = 0.5, highest_order = 2., order_of_chance = 3.;
 constexpr double rounding = 1e-11;
-constexpr double longest_jump = 5.;
+constexpr double longest_jump = 3.;
 
-/// Difference over @p jump levels divided by the one before over @p jump_before levels.
-double ratio(const double order, const unsigned int jump_before, const unsigned int jump) {
-  const double left_before = std::pow(2., -order * jump_before), left = std::pow(2., -order * jump);
-  return left_before * (1. - left) / (1. - left_before);
+/// Levels of the coarser and of the finer answer.
+struct Pair {
+  unsigned int coarse, fine;
+};
+
+/// Difference of one pair divided by that of another.
+double ratio(const double order, const Pair &now, const Pair &before) {
+  const auto difference = [order](const Pair &pair) {
+    return std::pow(2., -order * pair.coarse) - std::pow(2., -order * pair.fine);
+  };
+  return difference(now) / difference(before);
 }
 
 /// The order that gives this ratio, within the bounds.
-double order_of(const double wanted, const unsigned int jump_before, const unsigned int jump) {
+double order_of(const double wanted, const Pair &now, const Pair &before) {
   double low = lowest_order, high = highest_order; // the ratio falls with the order
   for (unsigned int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
-    (ratio(middle, jump_before, jump) > wanted ? low : high) = middle;
+    (ratio(middle, now, before) > wanted ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
 } // namespace
 
-void Convergence::add(const unsigned int jump, const std::vector<double> &differences) {
+void Convergence::add(const unsigned int coarse, const unsigned int fine,
+                      const std::vector<Difference> &differences) {
+  const Pair now{coarse, fine}, last{last_coarse, last_fine};
+  const bool is_finer = n > 0 && fine > last_fine; // else something besides has changed
+  if (n == 0 || is_finer)
+    ++n;
   quantities.resize(differences.size());
-  ++n;
   for (std::size_t i = 0; i < differences.size(); ++i) {
     Sequence &quantity = quantities[i];
-    double d = differences[i] <= rounding ? 0. : differences[i];
-    if (n > 1 && quantity.last > 0. && d > 0.) {
-      quantity.order = order_of(d / quantity.last, quantity.jump, jump);
-      d = std::max(d, quantity.last * ratio(order_of_chance, quantity.jump, jump));
+    double d = differences[i].value <= rounding ? 0. : differences[i].value;
+    const double before = quantity.last * quantity.scale / differences[i].scale;
+    if (is_finer && before > 0. && d > 0.) {
+      const double measured = order_of(d / before, now, last);
+      quantity.order = n > 2 ? std::min(measured, quantity.measured) : measured;
+      quantity.measured = measured;
+      d = std::max(d, before * ratio(order_of_chance, now, last));
     }
     quantity.last = d;
-    quantity.jump = jump;
-    quantity.estimate = d / (std::pow(2., quantity.order * jump) - 1.);
+    quantity.scale = differences[i].scale;
+    quantity.estimate = d / (std::pow(2., quantity.order * (fine - coarse)) - 1.);
   }
+  last_coarse = coarse;
+  last_fine = fine;
 }
 
 double Convergence::estimate() const {

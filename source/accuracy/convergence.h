@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "difference.h"
+
 #include <vector>
 
 namespace frictionbeam::accuracy {
@@ -10,15 +12,16 @@ namespace frictionbeam::accuracy {
  *
  * If a quantity's error is C 2^(-p l) at level l, the differences of three answers give p, and the
  * last of them, d between levels l - b and l, the error of the finest: d/(2^(p b) - 1). p is kept
- * within bounds, quantity by quantity; with one difference only it is taken for 1. A difference may
- * be small by chance: it is taken for no less than what the one before leaves at order 3, unless
- * the two answers are the same but for rounding.
+ * within bounds, quantity by quantity, and from four answers on the lower one of the last two
+ * counts: with the higher one a long way is soon taken for gone. With one difference only it is
+ * taken for 1. A difference may be small by chance: it is taken for no less than what the one
+ * before leaves at order 3, unless the two answers are the same but for rounding.
  */
 class Convergence {
 public:
-  /// @param differences of all quantities, relative, between the last answer and one @p jump levels
-  /// finer
-  void add(const unsigned int jump, const std::vector<double> &differences);
+  /// @param differences of all quantities between the answers at levels @p coarse and @p fine
+  void add(const unsigned int coarse, const unsigned int fine,
+           const std::vector<Difference> &differences);
 
   /// Of the finest answer, of all quantities; nan before there is a difference.
   double estimate() const;
@@ -30,12 +33,12 @@ public:
 
 private:
   struct Sequence {
-    double last = 0.; ///< difference
-    unsigned int jump = 0;
-    double order = 1., estimate = 0.;
+    double last = 0., scale = 1.; ///< difference, relative to the scale
+    double measured = 1., order = 1., estimate = 0.;
   };
   std::vector<Sequence> quantities;
-  unsigned int n = 0; ///< differences so far
+  unsigned int n = 0;                          ///< differences so far that tell something new
+  unsigned int last_coarse = 0, last_fine = 0; ///< levels of the last one
 };
 
 } // namespace frictionbeam::accuracy

@@ -10,6 +10,7 @@ namespace frictionbeam::accuracy {
 namespace {
 
 constexpr double floor_of_unit = 0.01; ///< as in frictionbeam chart
+constexpr double floor_of_line = 1e-6; ///< of the largest anywhere: less than that is nothing
 
 bool is_count(const std::string &what) {
   return what == "n_stick" || what == "n_slip" || what == "n_open";
@@ -45,6 +46,22 @@ double value_at(const History &history, const unsigned int component, const doub
   return value;
 }
 
+/// Largest displacement, rotation, force and moment of the line at the ends of steps, by unit.
+std::map<std::string, double> largest_of_line(const UnitSystem &units, const Results &results) {
+  std::map<std::string, double> largest;
+  for (const Frame &frame : results.frames)
+    for (const Station &station : frame.line)
+      for (unsigned int c = 0; c < 6; ++c) {
+        const std::string motion = c < 3 ? "m" : "rad", force = c < 3 ? "N" : "N m";
+        for (const auto &[unit, value] :
+             {std::pair(motion, station.displacement[c]), std::pair(force, station.force[c])}) {
+          double &most = largest[units.name(unit)];
+          most = std::max(most, std::abs(value) / units.factor(unit));
+        }
+      }
+  return largest;
+}
+
 /// Largest distance of two motions.
 double distance(const ExactHistory &exact, const Results &coarse, const Results &fine) {
   const History *const a = history_of(coarse, exact.point), *const b =
@@ -65,6 +82,7 @@ std::vector<Difference> differences(const Scene &scene, const Results &coarse,
   std::map<std::string, double> largest; // by unit
   for (const QuantityResult &one : fine.quantities)
     largest[one.unit] = std::max(largest[one.unit], std::abs(one.value));
+  std::map<std::string, double> of_line = largest_of_line(scene.units, fine);
   std::vector<Difference> result;
   for (const QuantityResult &one : fine.quantities) {
     const Quantity *const quantity = find(scene, one.name);
@@ -72,13 +90,17 @@ std::vector<Difference> differences(const Scene &scene, const Results &coarse,
       continue;
     if (quantity->what == "max_error") {
       if (scene.exact)
-        result.push_back({distance(*scene.exact, coarse, fine), one.name});
+        result.push_back({distance(*scene.exact, coarse, fine), one.name, 1.});
       continue;
     }
     for (const QuantityResult &other : coarse.quantities)
       if (other.name == one.name) {
-        const double scale = std::max(std::abs(one.value), floor_of_unit * largest[one.unit]);
-        result.push_back({std::abs(other.value - one.value) / (scale > 0. ? scale : 1.), one.name});
+        double scale =
+            std::max({std::abs(one.value), floor_of_unit * std::max(largest[one.unit], one.whole),
+                      floor_of_line * of_line[one.unit]});
+        if (scale == 0.)
+          scale = 1.;
+        result.push_back({std::abs(other.value - one.value) / scale, one.name, scale});
       }
   }
   return result;

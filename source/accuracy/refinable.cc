@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace frictionbeam::accuracy {
 
@@ -70,17 +71,59 @@ Refinable increments_of(const Scene &scene, const std::string &section) {
           true};
 }
 
-Refinable time_step_of(const Scene &scene) {
+/// Of the integrator `event`, which has no time step, the instants at which extremes are looked
+/// for.
+std::optional<Refinable> time_step_of(const Scene &scene) {
   double shortest = 0.;
   for (const LoadStep &step : scene.steps)
     if (step.transient)
       shortest = shortest == 0. ? step.duration : std::min(shortest, step.duration);
-  return {"time step",
+  const bool is_event = scene.time.integrator == TimeSettings::Integrator::event,
+             is_followed = std::any_of(
+                 scene.quantities.begin(), scene.quantities.end(), [](const Quantity &one) {
+                   return one.over != Quantity::Over::end && one.over != Quantity::Over::time_of;
+                 });
+  if (is_event && !is_followed)
+    return {};
+  const double longest = shortest / 64.;
+  if (is_event)
+    return Refinable{"output interval",
+                     [=](const unsigned int level) {
+                       return std::vector<std::string>{"Time/Output interval = " +
+                                                       exact_number(longest / (1u << level))};
+                     },
+                     false, false};
+  const bool thin = scene.time.output_interval == 0.; // steps get too short to write them all
+  return Refinable{"time step",
+                   [=](const unsigned int level) {
+                     std::vector<std::string> settings = {"Time/Step = " +
+                                                          exact_number(longest / (1u << level))};
+                     if (thin)
+                       settings.push_back("Time/Output interval = " + exact_number(longest / 4.));
+                     return settings;
+                   },
+                   false, true};
+}
+
+/// Cells of straight runs, and of bends that are made of straight cells.
+Refinable cells_of(const double run, const bool bends) {
+  return {"length of cells",
           [=](const unsigned int level) {
-            return std::vector<std::string>{"Time/Step = " +
-                                            exact_number(shortest / (64. * (1u << level)))};
+            std::vector<std::string> settings = {"Mesh/Cell length = " +
+                                                 exact_number(run / (1u << level))};
+            if (bends)
+              settings.push_back("Mesh/Cells per bend = " + whole(2u << level));
+            return settings;
           },
           false};
+}
+
+bool has_bend(const Scene &scene) {
+  for (const Pipe &pipe : scene.pipes)
+    for (const RoutePoint &point : pipe.route)
+      if (point.bend_radius > 0.)
+        return true;
+  return false;
 }
 
 } // namespace
@@ -102,16 +145,11 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
   if (has_static && !scene.supports.empty() && scene_kind != "random")
     list.push_back(increments_of(scene, section));
   if (has_transient)
-    list.push_back(time_step_of(scene));
-  if ((has_bed || has_transient) && !scene.pipes.empty() && scene.mesh.file.empty()) {
-    const double run = shortest_run(scene);
-    list.push_back({"length of cells",
-                    [=](const unsigned int level) {
-                      return std::vector<std::string>{"Mesh/Cell length = " +
-                                                      exact_number(run / (1u << level))};
-                    },
-                    false});
-  }
+    if (const auto step = time_step_of(scene))
+      list.push_back(*step);
+  const bool is_large = scene.kinematics == Kinematics::corotational;
+  if ((has_bed || has_transient || is_large) && !scene.pipes.empty() && scene.mesh.file.empty())
+    list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
   if (scene_kind == "slab")
     list.push_back({"elements of the slab",
                     [file](const unsigned int level) { return slab_elements(file, 8u << level); },
@@ -145,10 +183,8 @@ std::vector<std::string> continuum_settings(const Scene &scene, const double dem
 }
 
 std::vector<std::string> exact_settings(const Scene &scene) {
-  for (const Pipe &pipe : scene.pipes)
-    for (const RoutePoint &point : pipe.route)
-      if (point.bend_radius > 0. && scene.mesh.file.empty())
-        return {"Mesh/Bends = arcs"};
+  if (scene.kinematics == Kinematics::linear && scene.mesh.file.empty() && has_bend(scene))
+    return {"Mesh/Bends = arcs"};
   return {};
 }
 

@@ -13,12 +13,13 @@ struct Refinable {
   std::string name;                                                           ///< for the user
   std::function<std::vector<std::string>(const unsigned int level)> settings; ///< as of --set
   bool coarsest_may_be_exact = false; ///< as one increment is, where friction only grows
+  bool depends_on_next = false;       ///< of the list: both are refined together
 };
 
 /**
  * What of a line scene the program may choose, in the order of choice: increments of static steps
- * with friction, time step, cell length where beds or masses are spread over cells, supports and
- * elements of generated scenes. Empty: the answer depends on none.
+ * with friction, time step, cell length where beds or masses are spread over cells or displacements
+ * are large, supports and elements of generated scenes. Empty: the answer depends on none.
  */
 std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "support_quantities.h"
+
 #include <frictionbeam/results/collector.h>
 #include <frictionbeam/results/stresses.h>
 
@@ -31,29 +33,6 @@ int place(const std::vector<std::string> &words, const std::string &word) {
   return found == words.end() ? -1 : static_cast<int>(found - words.begin());
 }
 
-double support_value(const SupportState &support, const std::string &what) {
-  return what == "fn"      ? support.fn
-         : what == "ft1"   ? support.ft1
-         : what == "ft2"   ? support.ft2
-         : what == "gap"   ? support.gap
-         : what == "slip1" ? support.slip1
-         : what == "slip2" ? support.slip2
-         : what == "wear"  ? support.wear
-         : what == "work"  ? support.work_friction
-                           : support.impulse;
-}
-
-double sum_over_supports(const std::vector<SupportState> &supports, const std::string &what) {
-  double sum = 0.;
-  for (const SupportState &support : supports)
-    sum += what == "sum_normal"     ? std::abs(support.fn)
-           : what == "sum_friction" ? std::hypot(support.ft1, support.ft2)
-           : what == "n_stick"      ? support.status == ContactStatus::stick
-           : what == "n_slip"       ? support.status == ContactStatus::slip
-                                    : support.status == ContactStatus::open;
-  return sum;
-}
-
 } // namespace
 
 std::string unit_of(const std::string &what) {
@@ -66,7 +45,8 @@ std::string unit_of(const std::string &what) {
   if (what == "fn" || what == "ft1" || what == "ft2" || what == "sum_normal" ||
       what == "sum_friction")
     return "N";
-  if (what == "gap" || what == "slip1" || what == "slip2" || what == "max_error")
+  if (what == "gap" || what == "slip1" || what == "slip2" || what == "slip_length" ||
+      what == "max_error")
     return "m";
   if (const int velocity = place(velocities, what); velocity >= 0)
     return velocity < 3 ? "m/s" : "rad/s";
@@ -150,6 +130,8 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
     value = builder.momentum_and_energy(state)[c];
   else if (what == "max_error")
     value = largest_error;
+  else if (what == "slip_length")
+    value = slip_length(results.supports, current_frame(state).supports);
   else if (quantity.where.empty())
     value = sum_over_supports(current_frame(state).supports, what);
   else {
@@ -222,7 +204,9 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
         const SupportInfo &info = results.supports[i];
         value += s.fn * info.normal[c] + s.ft1 * info.t1[c] + s.ft2 * info.t2[c];
       }
-  } else if (quantity.where.empty())
+  } else if (what == "slip_length")
+    value = slip_length(results.supports, made.supports);
+  else if (quantity.where.empty())
     value = sum_over_supports(made.supports, what);
   else
     for (unsigned int i = 0; i < results.supports.size(); ++i)
@@ -351,10 +335,15 @@ void Collector::finish(const LineState &state) {
     const bool relative =
         quantity.what == "max_error" && model.scene.exact && model.scene.exact->largest > 0.;
     const std::string unit = relative ? "-" : unit_of(quantity);
+    const double factor = model.scene.units.factor(unit);
     QuantityResult result{
         quantity.name,      quantity.unit.empty() ? model.scene.units.name(unit) : quantity.unit,
-        quantity.source,    *pending[i].value / model.scene.units.factor(unit),
+        quantity.source,    *pending[i].value / factor,
         quantity.reference, {}};
+    if (quantity.over == Quantity::Over::change)
+      result.whole = pending[i].largest / factor;
+    else if (quantity.over == Quantity::Over::rate && pending[i].duration > 0.)
+      result.whole = pending[i].largest / pending[i].duration / factor;
     if (quantity.reference) {
       const double difference = std::abs(result.value - *quantity.reference);
       result.error =

@@ -55,6 +55,7 @@ void Collector::follow(const Quantity &quantity, const LineState &state, Pending
       extreme = std::max(extreme, sign * at_first);
     course.value = sign * extreme;
   } else {
+    course.largest = std::max({course.largest, std::abs(at_first), std::abs(at_last)});
     course.sum += (last - first) * (at_first + at_last) / 2.;
     course.duration += last - first;
     if (!course.begun)

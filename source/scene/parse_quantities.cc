@@ -16,7 +16,7 @@ const std::vector<std::string>
     stresses = {"flexibility", "sif_in", "sif_out", "SL", "SE", "utilization"},
     of_motion = {"momentum_x",         "momentum_y",         "momentum_z", "angular_momentum_x",
                  "angular_momentum_y", "angular_momentum_z", "energy"},
-    sums = {"sum_normal", "sum_friction", "n_stick", "n_slip", "n_open", "max_error"},
+    sums = {"sum_normal", "sum_friction", "n_stick", "n_slip", "n_open", "slip_length", "max_error"},
     over = {"max", "min", "mean", "integral", "change", "rate", "time_of"};
 
 bool contains(const std::vector<std::string> &list, const std::string &item) {
@@ -68,6 +68,9 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
     if (scene.kinematics == Kinematics::linear || !where.empty())
       in.fail(entry, what + " of the whole line, with Kinematics = corotational",
               "set Kinematics = corotational, and no point");
+  } else if (what == "slip_length") {
+    if (!where.empty())
+      in.fail(entry, "slip_length of all friction supports", "no place");
   } else if (what == "max_error") {
     if (!scene.exact)
       in.fail(entry, "max_error in scenes with an exact solution",

@@ -42,6 +42,9 @@ std::vector<Quantity> slab_line_quantities(const double length, const unsigned i
     force.scale = -1.;
     quantities.push_back(force);
   }
+  Quantity slip;
+  slip.name = slip.what = "slip_length";
+  quantities.push_back(slip);
   Quantity end;
   end.name = "u_0_mean";
   end.what = "ux";

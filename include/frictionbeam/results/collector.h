@@ -41,7 +41,7 @@ private:
     std::optional<double> value;
     double previous = 0., since = 0.; ///< value before, and the time that it belongs to
     double sum = 0., duration = 0.;   ///< integrals over time
-    double at_start = 0.;
+    double at_start = 0., largest = 0.; ///< largest: by size
     bool begun = false;
   };
 

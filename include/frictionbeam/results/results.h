@@ -115,6 +115,7 @@ struct QuantityResult {
   double value = 0.;
   std::optional<double> reference,
       error; ///< error relative to the reference (absolute if that is 0)
+  double whole = 0.; ///< of a change or rate: the largest of what changes; else 0
 };
 
 /// A line of the certificate: the worst of all increments.
@@ -143,7 +144,7 @@ struct AccuracyAccount {
   struct Run {
     std::string settings;         ///< as of --set
     double seconds = 0.;          ///< mesh, set-up, solution
-    std::optional<double> change; ///< of the quantities since the run before, relative
+    std::optional<double> change; ///< of the quantities, relative to the run it is compared with
     bool converged = false;
   };
   double demanded = 0., estimate = 0.; ///< relative

@@ -205,7 +205,8 @@ struct InitialCondition {
 struct Quantity {
   std::string name;
   std::string what; ///< ux .. rz, fx .. mz, N .. Mz, fn, ft1, ft2, gap, slip1, slip2, work,
-                    ///< frequency, sum_normal, sum_friction, n_stick, n_slip, n_open, max_error
+                    ///< frequency, sum_normal, sum_friction, n_stick, n_slip, n_open, slip_length,
+                    ///< max_error
   bool absolute = false;
   /// Over an interval of time: change and rate are between its ends, and the change per time.
   enum class Over { end, maximum, minimum, mean, integral, change, rate, time_of } over = Over::end;
