@@ -6,6 +6,7 @@
 #include "accuracy/refinable.h"
 
 #include <frictionbeam/model/processes.h>
+#include <frictionbeam/results/csv_writer.h>
 #include <frictionbeam/results/text.h>
 #include <frictionbeam/results/vtu_writer.h>
 #include <frictionbeam/scene/parameter_file.h>
@@ -304,6 +305,8 @@ Results AccuracyControl::run() {
       model = static_cast<ModelKind>(solved);
     }
     account.model = model == ModelKind::line ? "line" : "continuum";
+    if (model == ModelKind::continuum && this_process() == 0)
+      remove_line_tables(scene.output.directory); // of the line that was tried
     account.left_out = only_of_the_other(scene, model);
   }
   Results results = model == ModelKind::continuum ? run_continuum() : run_line();

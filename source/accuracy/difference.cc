@@ -81,7 +81,9 @@ std::vector<Difference> differences(const Scene &scene, const Results &coarse,
                                     const Results &fine) {
   std::map<std::string, double> largest; // by unit
   for (const QuantityResult &one : fine.quantities)
-    largest[one.unit] = std::max(largest[one.unit], std::abs(one.value));
+    if (const Quantity *const quantity = find(scene, one.name);
+        quantity != nullptr && quantity->what != "slip_length") // a place and no motion
+      largest[one.unit] = std::max(largest[one.unit], std::abs(one.value));
   std::map<std::string, double> of_line = largest_of_line(scene.units, fine);
   std::vector<Difference> result;
   for (const QuantityResult &one : fine.quantities) {

@@ -175,6 +175,7 @@ LineForms line_forms(const Scene &scene, const ParameterFile &file) {
 
 std::vector<std::string> continuum_settings(const Scene &scene, const double demanded) {
   std::vector<std::string> settings = {"Continuum/Refinement = adaptive",
+                                       "Continuum/Fraction = 0.7",
                                        "Continuum/Tolerance = " + exact_number(demanded),
                                        "Continuum/Degree = " + whole(demanded < 1e-3 ? 3 : 2)};
   if (const auto &box = scene.continuum->box)

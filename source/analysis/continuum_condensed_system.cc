@@ -123,9 +123,12 @@ void CondensedSystem::assemble(const ContinuumBody<dim> &body) {
 }
 
 void CondensedSystem::reorder() {
-  const Sparse interior = stiffness.topLeftCorner(n_interior, n_interior);
-  Eigen::AMDOrdering<int>::PermutationType order; // old place by new
-  Eigen::AMDOrdering<int>()(interior.selfadjointView<Eigen::Lower>(), order);
+  Eigen::AMDOrdering<int>::PermutationType all; // old place by new
+  Eigen::AMDOrdering<int>()(stiffness.selfadjointView<Eigen::Lower>(), all);
+  Eigen::AMDOrdering<int>::PermutationType order(n_interior);
+  for (int i = 0, k = 0; i < all.size(); ++i)
+    if (all.indices()[i] < n_interior)
+      order.indices()[k++] = all.indices()[i];
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(n_interior + n_contact);
   place.setIdentity();
   const std::vector<types::global_dof_index> old = dof_of;

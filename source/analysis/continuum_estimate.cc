@@ -22,30 +22,49 @@ public:
         on_face(body.fe, face_rule, flags), on_neighbor(body.fe, face_rule, flags),
         on_subface(body.fe, face_rule, flags) {}
 
-  double operator()(const typename DoFHandler<dim>::active_cell_iterator &cell) {
+  /// Add the parts of a cell: its own, and those of its faces, which count for both sides. Each
+  /// face is visited once, from the finer side; if the other cell belongs to another process, by
+  /// both.
+  void add(const typename DoFHandler<dim>::active_cell_iterator &cell,
+           dealii::Vector<float> &result) {
     double sum = interior(cell);
     for (const unsigned int f : cell->face_indices()) {
-      if (cell->face(f)->at_boundary())
+      if (cell->face(f)->at_boundary()) {
         sum += boundary(cell, f);
-      else if (cell->face(f)->has_children())
+        continue;
+      }
+      if (cell->face(f)->has_children()) {
         for (unsigned int sub = 0; sub < cell->face(f)->n_active_descendants(); ++sub) {
           const auto child = cell->neighbor_child_on_subface(f, sub);
+          if (child->is_locally_owned())
+            continue;
+          const unsigned int there = cell->neighbor_of_neighbor(f);
           on_subface.reinit(cell, f, sub);
-          on_neighbor.reinit(child, cell->neighbor_of_neighbor(f));
-          sum += jump(on_subface, on_neighbor, child->face(0)->diameter());
+          on_neighbor.reinit(child, there);
+          sum += jump(on_subface, on_neighbor, child->face(there)->diameter());
         }
-      else if (cell->neighbor_is_coarser(f)) {
+        continue;
+      }
+      const auto neighbor = cell->neighbor(f);
+      const bool is_owned = neighbor->is_locally_owned();
+      double part = 0.;
+      if (cell->neighbor_is_coarser(f)) {
         const auto there = cell->neighbor_of_coarser_neighbor(f);
         on_face.reinit(cell, f);
-        on_subface.reinit(cell->neighbor(f), there.first, there.second);
-        sum += jump(on_face, on_subface, cell->face(f)->diameter());
+        on_subface.reinit(neighbor, there.first, there.second);
+        part = jump(on_face, on_subface, cell->face(f)->diameter());
       } else {
+        if (is_owned && neighbor->active_cell_index() < cell->active_cell_index())
+          continue;
         on_face.reinit(cell, f);
-        on_neighbor.reinit(cell->neighbor(f), cell->neighbor_of_neighbor(f));
-        sum += jump(on_face, on_neighbor, cell->face(f)->diameter());
+        on_neighbor.reinit(neighbor, cell->neighbor_of_neighbor(f));
+        part = jump(on_face, on_neighbor, cell->face(f)->diameter());
       }
+      sum += part;
+      if (is_owned)
+        result[neighbor->active_cell_index()] += part / body.continuum.youngs_modulus;
     }
-    return sum / body.continuum.youngs_modulus;
+    result[cell->active_cell_index()] += sum / body.continuum.youngs_modulus;
   }
 
 private:
@@ -137,7 +156,7 @@ dealii::Vector<float> estimate_error(const ContinuumBody<dim> &body, const Conti
   Estimator<dim> estimator(body, state.displacement, contact_traction, state.factor);
   for (const auto &cell : body.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
-      result[cell->active_cell_index()] = estimator(cell);
+      estimator.add(cell, result);
   return result;
 }
 

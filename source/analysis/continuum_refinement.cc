@@ -102,7 +102,8 @@ void flag_cells_at(const std::vector<Point<dim>> &places, const ContinuumBody<di
   }
 }
 
-/// Refine the flagged cells, and carry @p guess over.
+/// Refine the flagged cells, and carry @p guess over. Constraints and contact nodes of the body are
+/// still those of the mesh before.
 template <int dim>
 void refine_flagged(ContinuumBody<dim> &body, ContinuumGuess &guess) {
   guess.displacement.update_ghost_values();
@@ -111,7 +112,7 @@ void refine_flagged(ContinuumBody<dim> &body, ContinuumGuess &guess) {
   ContinuumGuess finer;
   const auto new_mesh = [&]() {
     body.triangulation->execute_coarsening_and_refinement();
-    body.distribute();
+    body.distribute_dofs();
     body.reinit(finer.displacement);
     body.reinit(finer.traction);
   };
@@ -151,6 +152,7 @@ void refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate, con
     flag_cells_at(fronts, body);
     refine_flagged(body, guess);
   }
+  body.constrain();
 }
 
 template void refine<2>(ContinuumBody<2> &, const dealii::Vector<float> &, const double,

@@ -72,10 +72,20 @@ ContinuumBody<dim>::ContinuumBody(const Scene &scene, const ContinuumMesh<dim> &
 }
 
 template <int dim>
-void ContinuumBody<dim>::distribute() {
+void ContinuumBody<dim>::distribute_dofs() {
   dof_handler.distribute_dofs(fe);
   owned = dof_handler.locally_owned_dofs();
   DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+}
+
+template <int dim>
+void ContinuumBody<dim>::distribute() {
+  distribute_dofs();
+  constrain();
+}
+
+template <int dim>
+void ContinuumBody<dim>::constrain() {
   constraints.clear();
   constraints.reinit(relevant);
   DoFTools::make_hanging_node_constraints(dof_handler, constraints);

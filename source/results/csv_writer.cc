@@ -4,6 +4,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <filesystem>
 #include <set>
 
 namespace frictionbeam {
@@ -48,6 +49,12 @@ std::string csv_field(const std::string &text) {
     quoted += c;
   }
   return quoted + '"';
+}
+
+void remove_line_tables(const std::string &folder) {
+  std::error_code error; // there may be none
+  for (const char *const name : {"supports.csv", "line.csv", "reactions.csv"})
+    std::filesystem::remove(std::filesystem::path(folder) / name, error);
 }
 
 CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::string &folder,

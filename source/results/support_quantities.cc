@@ -31,19 +31,30 @@ double sum_over_supports(const std::vector<SupportState> &supports, const std::s
 }
 
 double slip_length(const std::vector<SupportInfo> &infos, const std::vector<SupportState> &states) {
-  std::vector<unsigned int> order(infos.size());
+  const std::size_t n = infos.size();
+  std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
+  const auto x = [&](const std::size_t place) { return infos[order[place]].position[0]; };
+  std::stable_sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
     return infos[a].position[0] < infos[b].position[0];
   });
-  const auto stuck = std::find_if(order.begin(), order.end(), [&](const unsigned int i) {
-    return states[i].status != ContactStatus::slip;
-  });
-  if (stuck == order.begin())
-    return 0.;
-  const double last = infos[*(stuck - 1)].position[0],
-               next = stuck == order.end() ? last : infos[*stuck].position[0];
-  return 0.5 * (last + next) - infos[order.front()].position[0];
+  std::size_t m = 0; // place of the first that does not slip
+  while (m < n && states[order[m]].status == ContactStatus::slip)
+    ++m;
+  if (m == 0 || m == n)
+    return m == 0 ? 0. : x(n - 1) - x(0);
+  // A support stands for the length to midway between it and its neighbours.
+  const auto end_of = [&](const std::size_t place) {
+    return place + 1 < n ? 0.5 * (x(place) + x(place + 1)) : x(place);
+  };
+  const auto friction = [&](const std::size_t place) { // per length
+    const SupportState &state = states[order[place]];
+    const double length = end_of(place) - (place > 0 ? end_of(place - 1) : x(0));
+    return length > 0. ? std::hypot(state.ft1, state.ft2) / length : 0.;
+  };
+  const double bound = friction(m - 1);
+  const double part = bound > 0. ? std::min(1., friction(m) / bound) : 0.;
+  return end_of(m - 1) + part * (end_of(m) - end_of(m - 1)) - x(0);
 }
 
 } // namespace frictionbeam

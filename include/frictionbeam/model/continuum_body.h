@@ -49,8 +49,12 @@ class ContinuumBody {
 public:
   ContinuumBody(const Scene &scene, const ContinuumMesh<dim> &mesh);
 
-  /// Number the unknowns of the present mesh.
+  /// Number the unknowns of the present mesh, and constrain them.
   void distribute();
+  /// The two parts of that, for meshes on the way to another: the numbers alone; hanging nodes,
+  /// held displacements and contact nodes.
+  void distribute_dofs();
+  void constrain();
 
   const Scene &scene;
   const ContinuumScene &continuum;

@@ -54,6 +54,9 @@ private:
   std::vector<std::size_t> n_written; ///< rows of each history
 };
 
+/// Remove the tables of a line from a folder, whose answer is to be another one's.
+void remove_line_tables(const std::string &folder);
+
 /// @p text as one field of a csv file, in double quotes where RFC 4180 asks for them.
 std::string csv_field(const std::string &text);
 
