@@ -169,9 +169,13 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance))
         return now;
     }
-    if (converged || before.results.status != RunStatus::converged)
+    if (!converged && before.results.status == RunStatus::converged) { // too fine to be solved?
+      const unsigned int on = (level - before.level) / 2;
+      level = on > 0 ? before.level + on : highest_level + 1;
+    } else {
       before = std::move(now);
-    level += usable ? convergence.levels_to(tolerance / margin) : 1;
+      level += usable ? convergence.levels_to(tolerance / margin) : 1;
+    }
     if (level > highest_level) {
       levels[what] = before.level;
       account.reached = false;

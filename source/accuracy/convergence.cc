@@ -50,7 +50,7 @@ void Convergence::add(const unsigned int coarse, const unsigned int fine,
     const double before = quantity.last * quantity.scale / differences[i].scale;
     if (is_finer && before > 0. && d > 0.) {
       const double measured = order_of(d / before, now, last);
-      quantity.order = n > 2 ? std::min(measured, quantity.measured) : measured;
+      quantity.order = n > 2 ? std::min(measured, std::max(1., quantity.measured)) : measured;
       quantity.measured = measured;
       d = std::max(d, before * ratio(order_of_chance, now, last));
     }

@@ -12,9 +12,9 @@ namespace frictionbeam::accuracy {
  *
  * If a quantity's error is C 2^(-p l) at level l, the differences of three answers give p, and the
  * last of them, d between levels l - b and l, the error of the finest: d/(2^(p b) - 1). p is kept
- * within bounds, quantity by quantity, and from four answers on the lower one of the last two
- * counts: with the higher one a long way is soon taken for gone. With one difference only it is
- * taken for 1. A difference may be small by chance: it is taken for no less than what the one
+ * within bounds, quantity by quantity, and from four answers on no more than 1 unless the last two
+ * orders agree that it is: with a high one a long way is soon taken for gone. With one difference
+ * only it is taken for 1. A difference may be small by chance: it is taken for no less than what the one
  * before leaves at order 3, unless the two answers are the same but for rounding.
  */
 class Convergence {
