@@ -63,7 +63,7 @@ OTHERS = {"belt": 3, "oscillator_rigid": 2, "two_masses": 3, "lift_off": 3, "rol
           "elastica_stop": 3, "follower": 3, "impacting_bar": 1, "pipe_whip": 2}
 
 
-def others():
+def other_cases():
     """Table of demanded, estimated and true errors of these cases, and how many exceed what was demanded."""
     text = ("| case | demanded | estimate | true error | runs | time |\n| --- | --- | --- | --- | --- | --- |\n")
     exceeded = 0
@@ -119,7 +119,7 @@ for name in ("slab", "slab_line", "long_bar_zones", "oscillator", "rack", "hovga
         lines.append(f"| {name} | {demanded:g} | {error:.2g}{' **missed**' if error > demanded else ''} | "
                      f"{milliseconds(time)} | {tail} |")
 
-other_lines, exceeded = others()
+other_lines, exceeded = other_cases()
 with open(os.path.join(HERE, "accuracy.md"), "w") as page:
     page.write(f"""# Accuracy
 
@@ -146,7 +146,7 @@ solved as a line with the Poisson squeeze, once with and once without the shear 
 a line can have. What the lag changes is taken for the error of the line with it: what is left beyond it is
 less than two thirds of that in every case of the table below. If it is above 70 % of
 `Accuracy`, the continuum is solved instead; if not, the rest is left for the number of elements. Which was
-chosen, the estimate, and quantities that only the other model has (slip_length, u_0) are in the answer. A
+chosen, the estimate, and quantities that only the other model has (u_0) are in the answer. A
 scene that has no line (long bar, body) is solved as a continuum, one that has no continuum as a line, and
 what beams leave out of a pipe is not estimated.
 
