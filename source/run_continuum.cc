@@ -4,6 +4,7 @@
 #include <frictionbeam/analysis/continuum_estimate.h>
 #include <frictionbeam/results/continuum_results.h>
 #include <frictionbeam/results/text.h>
+#include <frictionbeam/scene/user_error.h>
 
 #include <deal.II/base/timer.h>
 
@@ -128,6 +129,11 @@ template <int dim>
 void AdaptiveRun<dim>::run() {
   using Refinement = ContinuumSettings::Refinement;
   const ContinuumSettings &settings = scene.continuum_settings;
+  if (settings.linear_solver == ContinuumSettings::LinearSolver::amg && !body.is_parallel)
+    throw UserError(
+        "Multigrid is Trilinos', and runs under mpirun only.\n  read:    Continuum/Linear "
+        "solver = amg, without mpirun\n  allowed: auto or direct, or with mpirun\n  try:  "
+        "   mpirun -np 1 frictionbeam ...");
   body.distribute();
   Solution<dim> solution = solve(nullptr);
   levels.push_back(solution.level);
@@ -157,6 +163,11 @@ void AdaptiveRun<dim>::run() {
                               " before the quantities were known to Continuum/Tolerance = " +
                               rounded_number(settings.tolerance, 3) + ": the estimated error is " +
                               (std::isnan(error) ? "not known" : rounded_number(error, 2)) + ".");
+  constexpr unsigned int many_in_3d = 15000; // where multigrid is taken under mpirun
+  if (dim == 3 && !body.is_parallel && levels.back().unknowns > many_in_3d)
+    results.remarks.push_back(
+        "A factorization fills up in three dimensions: under mpirun, -np 1 or "
+        "more, multigrid takes its place.");
   finish(solution);
   if (!std::isnan(error))
     results.certificate.push_back({"refinement", "-",

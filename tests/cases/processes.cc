@@ -2,7 +2,7 @@
 // A continuum solved by one process without MPI, and by one and two with it, with direct and with
 // iterative linear algebra, shall give the same quantities to 1e-7, on the same meshes.
 //
-// processes PROGRAM MPIRUN CASE.prm
+// processes PROGRAM MPIRUN CASE.prm [options]
 #include "../check.h"
 #include "run_program.h"
 
@@ -31,11 +31,12 @@ void compare(const program::Run &alone, const program::Run &together, const std:
 } // namespace
 
 int main(int argc, char **argv) {
-  if (argc != 4)
+  if (argc < 4)
     return 1;
   const std::string binary = argv[1], mpirun = argv[2], file = argv[3];
-  const std::vector<std::string> options = {"--set", "Continuum/Tolerance = 1e-2", "--set",
-                                            "Output/Report = false"};
+  std::vector<std::string> options = {"--set", "Continuum/Tolerance = 1e-2", "--set",
+                                      "Output/Report = false"};
+  options.insert(options.end(), argv + 4, argv + argc);
   const program::Run alone = program::run(binary, file, options);
   ++check::n_checks;
   if (alone.exit_status != 0 || alone.quantities.empty()) {
