@@ -177,9 +177,11 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       level += usable ? convergence.levels_to(tolerance / margin) : 1;
     }
     if (level > highest_level) {
-      levels[what] = before.level;
       account.reached = false;
-      return before;
+      if (converged)
+        return before; // which is the last
+      solved.clear();
+      return solve_at(what, before.level); // once more, so that the files are its own
     }
   }
 }
@@ -190,23 +192,26 @@ Trial AccuracyControl::refine_together(const std::array<std::size_t, 2> &both,
   for (const std::size_t what : both)
     levels[what] = 1;
   while (true) {
-    const Trial base = solve_at(both[0], levels[both[0]]);
-    std::array<bool, 2> usable;
-    double sum = 0.;
+    const std::array<unsigned int, 2> level = {levels[both[0]], levels[both[1]]};
+    std::array<Trial, 2> coarser;
     for (unsigned int i = 0; i < 2; ++i) {
-      const std::size_t what = both[i];
-      const unsigned int level = levels[what];
-      const Trial coarser = solve_at(what, level - 1);
-      levels[what] = level;
+      coarser[i] = solve_at(both[i], level[i] - 1);
+      levels[both[i]] = level[i];
+    }
+    const Trial base = solve_at(both[0], level[0]); // the last, to which files belong
+    std::array<bool, 2> usable;
+    double sum = 0., largest = 0.;
+    for (unsigned int i = 0; i < 2; ++i) {
       usable[i] = base.results.status == RunStatus::converged &&
-                  coarser.results.status == RunStatus::converged;
+                  coarser[i].results.status == RunStatus::converged;
       if (!usable[i])
         continue;
-      const auto differences = accuracy::differences(scene, coarser.results, base.results);
-      convergence[i].add(level - 1, level, differences);
-      estimates[what] = convergence[i].estimate();
-      sum += estimates[what];
-      account.runs.back().change = accuracy::largest(differences).value;
+      const auto differences = accuracy::differences(scene, coarser[i].results, base.results);
+      convergence[i].add(level[i] - 1, level[i], differences);
+      estimates[both[i]] = convergence[i].estimate();
+      sum += estimates[both[i]];
+      largest = std::max(largest, accuracy::largest(differences).value);
+      account.runs.back().change = largest;
     }
     const bool known = convergence[0].knows_orders() && convergence[1].knows_orders();
     if (usable[0] && usable[1] && margin * sum <= (known ? tolerance : first_share * tolerance))
