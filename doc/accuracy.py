@@ -145,7 +145,8 @@ arcs, and of a continuum first mesh, degree and refinement: as coarse as its est
 coarse levels first, reads the order of convergence of each quantity from its differences, goes straight to
 the level that the estimates ask for, and checks that one by its difference to the one before. In motion, the
 time step and the cells are refined together: the last level of either is taken back in turn, and what that
-changes is the estimate, since a step that is short enough for coarse cells need not be for fine ones. A
+changes is the estimate, since a step that is short enough for coarse cells need not be for fine ones; without
+an output interval of the file's own, tables and pictures get 256 instants of the shortest transient step. A
 quantity that is nothing but rounding (a change of energy, a displacement across a plane of symmetry) does not
 count: differences are relative to no less than a hundredth of the largest quantity with the same unit, or of
 what changes, or a millionth of the largest displacement or force of the line. A continuum is
