@@ -171,7 +171,9 @@ what beams leave out of a pipe is not estimated.
 The true errors, and the cost of all runs together beside that of the cheapest single configuration on the
 charts (doc/charts), where both are judged by the same quantities, those that the scene names: {n - missed} of
 {n} within what was demanded; {within} of {n} at no more than three times the cost, the worst at {worst:.2g}
-times. Made by `doc/accuracy.py` from the figures of the charts.
+times. Made by `doc/accuracy.py` from the figures of the charts. Such ratios of a few milliseconds depend on the
+machine's state: in a second run of the charts, when everything took a third longer, the slab's first two were 3.3
+and 3.1 and the others below 2.5; by 25 runs of these four in turn they are 2.9 and 3.0.
 
 """ + "\n".join(lines) + """
 
