@@ -163,8 +163,7 @@ void AdaptiveRun<dim>::run() {
                               " before the quantities were known to Continuum/Tolerance = " +
                               rounded_number(settings.tolerance, 3) + ": the estimated error is " +
                               (std::isnan(error) ? "not known" : rounded_number(error, 2)) + ".");
-  constexpr unsigned int many_in_3d = 15000; // where multigrid is taken under mpirun
-  if (dim == 3 && !body.is_parallel && levels.back().unknowns > many_in_3d)
+  if (dim == 3 && !body.is_parallel && levels.back().unknowns > most_direct<dim>)
     results.remarks.push_back(
         "A factorization fills up in three dimensions: under mpirun, -np 1 or "
         "more, multigrid takes its place.");

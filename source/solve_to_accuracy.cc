@@ -226,6 +226,8 @@ Trial AccuracyControl::refine_together(const std::array<std::size_t, 2> &both,
         levels[both[i]] += convergence[i].levels_to(share);
     if (std::max(levels[both[0]], levels[both[1]]) > highest_level) {
       account.reached = false;
+      for (unsigned int i = 0; i < 2; ++i)
+        levels[both[i]] = level[i]; // of the answer
       return base;
     }
   }

@@ -14,8 +14,8 @@ namespace frictionbeam::accuracy {
  * last of them, d between levels l - b and l, the error of the finest: d/(2^(p b) - 1). p is kept
  * within bounds, quantity by quantity, and from four answers on no more than 1 unless the last two
  * orders agree that it is: with a high one a long way is soon taken for gone. With one difference
- * only it is taken for 1. A difference may be small by chance: it is taken for no less than what the one
- * before leaves at order 3, unless the two answers are the same but for rounding.
+ * only it is taken for 1. A difference may be small by chance: it is taken for no less than what
+ * the one before leaves at order 3, unless the two answers are the same but for rounding.
  */
 class Convergence {
 public:

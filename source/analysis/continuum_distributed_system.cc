@@ -146,10 +146,9 @@ std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> 
   if (!body.is_parallel)
     return make_condensed_system(body);
   const LinearSolver wish = body.scene.continuum_settings.linear_solver;
-  constexpr types::global_dof_index most_direct = dim == 2 ? 60000 : 15000;
   return make_distributed_system(
       body, wish == LinearSolver::direct ||
-                (wish == LinearSolver::automatic && body.dof_handler.n_dofs() <= most_direct));
+                (wish == LinearSolver::automatic && body.dof_handler.n_dofs() <= most_direct<dim>));
 }
 
 template std::unique_ptr<ContinuumSystem> make_continuum_system<2>(const ContinuumBody<2> &);

@@ -130,10 +130,8 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
     value = builder.momentum_and_energy(state)[c];
   else if (what == "max_error")
     value = largest_error;
-  else if (what == "slip_length")
-    value = slip_length(results.supports, current_frame(state).supports);
   else if (quantity.where.empty())
-    value = sum_over_supports(current_frame(state).supports, what);
+    value = value_of_supports(results.supports, current_frame(state).supports, what);
   else {
     bool found = false;
     for (unsigned int i = 0; i < results.supports.size() && !found; ++i)
@@ -204,10 +202,8 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
         const SupportInfo &info = results.supports[i];
         value += s.fn * info.normal[c] + s.ft1 * info.t1[c] + s.ft2 * info.t2[c];
       }
-  } else if (what == "slip_length")
-    value = slip_length(results.supports, made.supports);
-  else if (quantity.where.empty())
-    value = sum_over_supports(made.supports, what);
+  } else if (quantity.where.empty())
+    value = value_of_supports(results.supports, made.supports, what);
   else
     for (unsigned int i = 0; i < results.supports.size(); ++i)
       if (results.supports[i].name == quantity.where)

@@ -7,29 +7,10 @@
 
 namespace frictionbeam {
 
-double support_value(const SupportState &support, const std::string &what) {
-  return what == "fn"      ? support.fn
-         : what == "ft1"   ? support.ft1
-         : what == "ft2"   ? support.ft2
-         : what == "gap"   ? support.gap
-         : what == "slip1" ? support.slip1
-         : what == "slip2" ? support.slip2
-         : what == "wear"  ? support.wear
-         : what == "work"  ? support.work_friction
-                           : support.impulse;
-}
+namespace {
 
-double sum_over_supports(const std::vector<SupportState> &supports, const std::string &what) {
-  double sum = 0.;
-  for (const SupportState &support : supports)
-    sum += what == "sum_normal"     ? std::abs(support.fn)
-           : what == "sum_friction" ? std::hypot(support.ft1, support.ft2)
-           : what == "n_stick"      ? support.status == ContactStatus::stick
-           : what == "n_slip"       ? support.status == ContactStatus::slip
-                                    : support.status == ContactStatus::open;
-  return sum;
-}
-
+/// Each support stands for the length to midway between it and its neighbours, the first that does
+/// not slip for as much of it as its share of the friction per length of the last that does.
 double slip_length(const std::vector<SupportInfo> &infos, const std::vector<SupportState> &states) {
   const std::size_t n = infos.size();
   std::vector<std::size_t> order(n);
@@ -55,6 +36,34 @@ double slip_length(const std::vector<SupportInfo> &infos, const std::vector<Supp
   const double bound = friction(m - 1);
   const double part = bound > 0. ? std::min(1., friction(m) / bound) : 0.;
   return end_of(m - 1) + part * (end_of(m) - end_of(m - 1)) - x(0);
+}
+
+} // namespace
+
+double support_value(const SupportState &support, const std::string &what) {
+  return what == "fn"      ? support.fn
+         : what == "ft1"   ? support.ft1
+         : what == "ft2"   ? support.ft2
+         : what == "gap"   ? support.gap
+         : what == "slip1" ? support.slip1
+         : what == "slip2" ? support.slip2
+         : what == "wear"  ? support.wear
+         : what == "work"  ? support.work_friction
+                           : support.impulse;
+}
+
+double value_of_supports(const std::vector<SupportInfo> &infos,
+                         const std::vector<SupportState> &states, const std::string &what) {
+  if (what == "slip_length")
+    return slip_length(infos, states);
+  double sum = 0.;
+  for (const SupportState &support : states)
+    sum += what == "sum_normal"     ? std::abs(support.fn)
+           : what == "sum_friction" ? std::hypot(support.ft1, support.ft2)
+           : what == "n_stick"      ? support.status == ContactStatus::stick
+           : what == "n_slip"       ? support.status == ContactStatus::slip
+                                    : support.status == ContactStatus::open;
+  return sum;
 }
 
 } // namespace frictionbeam

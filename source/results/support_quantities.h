@@ -8,13 +8,12 @@ namespace frictionbeam {
 /// What a quantity asks of one support: fn, ft1, ft2, gap, slip1, slip2, work, wear, impulse.
 double support_value(const SupportState &support, const std::string &what);
 
-/// sum_normal, sum_friction, n_stick, n_slip, n_open
-double sum_over_supports(const std::vector<SupportState> &supports, const std::string &what);
-
-/// From the lowest x on, the length over which supports slip [m], to a spacing of theirs. Each one
-/// stands for the length to midway between it and its neighbours, the first that does not slip for
-/// as much of it as its share of the friction per length of the last that does: on rigid supports
-/// of one bound that is where the friction of a bed would be used up.
-double slip_length(const std::vector<SupportInfo> &infos, const std::vector<SupportState> &states);
+/**
+ * What a quantity asks of all supports: sum_normal, sum_friction [N], n_stick, n_slip, n_open, and
+ * slip_length, from the lowest x on the length over which supports slip [m], to a spacing of
+ * theirs; on rigid supports of one bound, where the friction of a bed would be used up.
+ */
+double value_of_supports(const std::vector<SupportInfo> &infos,
+                         const std::vector<SupportState> &states, const std::string &what);
 
 } // namespace frictionbeam

@@ -18,7 +18,8 @@ inline constexpr char parameter_notes[] =
 # on the pipe; fn ft1 ft2 [N] gap slip1 slip2 [m] work [J] at a friction support (name.1, name.2,
 # ... of a repeated one), wear [J], the integral of fn |slip rate|, and impulse [N s], of fn,
 # impacts included; sum_normal sum_friction [N] n_stick n_slip n_open of all friction supports or
-# of one part; slip_length [m] of the zone of supports that slip and begins at the lowest x; frequency N [Hz] of mode N; of a stress code, flexibility sif_in sif_out at a point,
+# of one part; slip_length [m] of the zone of supports that slip and begins at the lowest x;
+# frequency N [Hz] of mode N; of a stress code, flexibility sif_in sif_out at a point,
 # SL SE [Pa] at a point, utilization; max_error [m, or relative] in scenes with an exact solution.
 # |what| is its absolute value.
 # Without a step, the last one is meant; without a time, the end of the step. Over an interval:

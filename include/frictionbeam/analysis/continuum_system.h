@@ -32,6 +32,10 @@ public:
   unsigned int n_factorizations = 0, n_linear_iterations = 0;
 };
 
+/// Unknowns up to which a factorization is taken where Continuum/Linear solver leaves it open.
+template <int dim>
+inline constexpr dealii::types::global_dof_index most_direct = dim == 2 ? 60000 : 15000;
+
 /// Direct, or with algebraic multigrid, as Continuum/Linear solver says.
 template <int dim>
 std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> &body);
