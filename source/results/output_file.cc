@@ -36,7 +36,8 @@ void prepare_output_folder(const std::string &folder) {
   if (error)
     throw_unwritable("output folder", folder, error.message());
 
-  const fs::path probe = fs::path(folder) / (".write-test-" + std::to_string(getpid()));
+  // of one name, so that what a run leaves that is killed right here, the next one removes
+  const fs::path probe = fs::path(folder) / ".write-test";
   errno = 0;
   std::ofstream file(probe);
   file << "test\n" << std::flush;

@@ -70,6 +70,14 @@ std::set<fs::path> files_in(const fs::path &folder) {
   return files;
 }
 
+/// Tell which of the files @p have are not among the files @p wanted.
+void tell_others(const std::set<fs::path> &have, const std::set<fs::path> &wanted,
+                 const char *const of_which) {
+  for (const fs::path &file : have)
+    if (wanted.count(file) == 0)
+      std::cerr << file << " is there " << of_which << '\n';
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -109,10 +117,14 @@ int main(int argc, char **argv) {
   CHECK(damaged.output.find("cannot be used") != std::string::npos);
   std::ofstream(cut / "checkpoint.bin", std::ios::binary) << written;
 
+  for (const fs::path &folder : {cut, cut / "vtu"}) // as a run killed right at its start leaves them
+    std::ofstream(folder / ".write-test") << "test\n";
   const program::Run last = program::run(argv[1], argv[2], resumed, cut);
   CHECK(last.exit_status == 0);
   CHECK(last.output.find("There is no checkpoint") == std::string::npos);
   CHECK(files_in(cut) == files_in(whole));
+  tell_others(files_in(cut), files_in(whole), "after the kills only");
+  tell_others(files_in(whole), files_in(cut), "without kills only");
   CHECK(summary_of(cut) == summary_of(whole));
   for (const fs::path &file : files_in(whole))
     if (file != "summary.json" && file.extension() != ".hdf5" && // these have dates all over
