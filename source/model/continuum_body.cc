@@ -120,6 +120,12 @@ int ContinuumBody<dim>::surface_of(const types::boundary_id id) const {
 }
 
 template <int dim>
+bool ContinuumBody<dim>::is_loaded(const types::boundary_id id) const {
+  return std::any_of(continuum.tractions.begin(), continuum.tractions.end(),
+                     [&](const ContinuumTraction &load) { return mesh.part(load.part) == id; });
+}
+
+template <int dim>
 Tensor<1, dim> ContinuumBody<dim>::traction(const types::boundary_id id,
                                             const Tensor<1, dim> &normal) const {
   Tensor<1, dim> sum;
@@ -222,11 +228,7 @@ ContinuumVector ContinuumBody<dim>::traction_forces() const {
   for (const auto &cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices()) {
-        if (!cell->face(f)->at_boundary() ||
-            std::none_of(continuum.tractions.begin(), continuum.tractions.end(),
-                         [&](const ContinuumTraction &load) {
-                           return mesh.part(load.part) == cell->face(f)->boundary_id();
-                         }))
+        if (!cell->face(f)->at_boundary() || !is_loaded(cell->face(f)->boundary_id()))
           continue;
         values.reinit(cell, f);
         local = 0.;

@@ -130,12 +130,15 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
     if (cell->is_locally_owned() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices()) {
         const auto face = cell->face(f);
+        if (!face->at_boundary() ||
+            (body.surface_of(face->boundary_id()) < 0 && !body.is_loaded(face->boundary_id())))
+          continue;
         double low = 1e300, high = -1e300;
         for (const unsigned int v : face->vertex_indices()) {
           low = std::min(low, face->vertex(v)[0]);
           high = std::max(high, face->vertex(v)[0]);
         }
-        if (!face->at_boundary() || low > x || (low == x && high > x))
+        if (low > x || (low == x && high > x))
           continue;
         if (high <= x) {
           whole.reinit(cell, f);

@@ -82,6 +82,8 @@ public:
 
   /// The contact surface that a boundary id belongs to, or -1.
   int surface_of(const dealii::types::boundary_id id) const;
+  /// Whether a load acts on a boundary part.
+  bool is_loaded(const dealii::types::boundary_id id) const;
   /// Traction of the loads on a boundary part at factor one.
   dealii::Tensor<1, dim> traction(const dealii::types::boundary_id id,
                                   const dealii::Tensor<1, dim> &normal) const;
