@@ -31,23 +31,26 @@ SLABS = [(1, 0, "stress", 3.29584, 6, 0.9190357, 0.07116740, 0.02499831),
          (0.25, 0.3, "strain", 3.46651, 6, 1.110167, 1.071388, 0.07268393)]
 
 
+def run(case, accuracy, *settings):
+    """What summary.json says of a case of prm/verification that is run with an Accuracy."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = [PROGRAM, os.path.join(HERE, "..", "prm", "verification", case + ".prm"),
+                 "--output-directory", folder]
+        for setting in ("Accuracy = " + accuracy, "Output/VTU = false", "Output/Report = false", *settings):
+            words += ["--set", setting]
+        subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+        with open(os.path.join(folder, "summary.json")) as file:
+            return json.load(file)
+
+
 def models():
     """Table of what Model = auto chooses, its estimate and the true errors of line and continuum."""
     text = ("| height | nu | plane | Accuracy | solved as | estimate for the line | true error |\n"
             "| --- | --- | --- | --- | --- | --- | --- |\n")
     for height, nu, plane, *values in SLABS:
         for accuracy in ("0.45", "0.2", "0.1"):
-            settings = ["Model = auto", "Accuracy = " + accuracy, f"Slab/Height = {height}",
-                        f"Slab/Poisson = {nu}", f"Slab/Plane = {plane}", "Output/VTU = false",
-                        "Output/Report = false"]
-            with tempfile.TemporaryDirectory() as folder:
-                words = [PROGRAM, os.path.join(HERE, "..", "prm", "verification", "slab_continuum.prm"),
-                         "--output-directory", folder]
-                for setting in settings:
-                    words += ["--set", setting]
-                subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
-                with open(os.path.join(folder, "summary.json")) as file:
-                    summary = json.load(file)
+            summary = run("slab_continuum", accuracy, "Model = auto", f"Slab/Height = {height}",
+                          f"Slab/Poisson = {nu}", f"Slab/Plane = {plane}")
             found = {q["name"]: q["value"] for q in summary["quantities"]}
             names = ("slip_length", "N_2", "N_4", "N_6", "u_0_mean")
             error = max(abs(found[name] - value) / max(abs(value), 0.01 * 6 if name[0] == "N" else 0)
@@ -69,13 +72,7 @@ def other_cases():
     exceeded = 0
     for case, n_levels in OTHERS.items():
         for accuracy in ("1e-2", "1e-3", "1e-4")[:n_levels]:
-            with tempfile.TemporaryDirectory() as folder:
-                subprocess.run([PROGRAM, os.path.join(HERE, "..", "prm", "verification", case + ".prm"),
-                                "--output-directory", folder, "--set", "Accuracy = " + accuracy, "--set",
-                                "Output/VTU = false", "--set", "Output/Report = false"], check=True,
-                               stdout=subprocess.DEVNULL)
-                with open(os.path.join(folder, "summary.json")) as file:
-                    summary = json.load(file)
+            summary = run(case, accuracy)
             error = max(q["error"] for q in summary["quantities"] if q["error"] is not None)
             account = summary["accuracy"]
             missed = error > float(accuracy)
@@ -171,9 +168,8 @@ what beams leave out of a pipe is not estimated.
 The true errors, and the cost of all runs together beside that of the cheapest single configuration on the
 charts (doc/charts), where both are judged by the same quantities, those that the scene names: {n - missed} of
 {n} within what was demanded; {within} of {n} at no more than three times the cost, the worst at {worst:.2g}
-times. Made by `doc/accuracy.py` from the figures of the charts. Such ratios of a few milliseconds depend on the
-machine's state: in a second run of the charts, when everything took a third longer, the slab's first two were 3.3
-and 3.1 and the others below 2.5; by 25 runs of these four in turn they are 2.9 and 3.0.
+times. Made by `doc/accuracy.py` from the figures of the charts, medians of runs in turn. Such ratios of a few
+milliseconds depend on the machine's state, by some 15 %.
 
 """ + "\n".join(lines) + """
 

@@ -140,8 +140,10 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   take_over_contacts(from, to);
   if (p.impulses) {
     const double reach = h * beta / gamma;
-    step.result = contacts.solve(problem, from, loads.imposed(from.time),
-                                 {q - reach * v, reach, gamma / ratio}, to.unknowns, response);
+    step.result =
+        contacts.solve(problem, from, loads.imposed(from.time),
+                       {q - reach * v, reach, gamma / ratio, loads.may_jump(from.time, time)},
+                       to.unknowns, response);
   } else
     step.result = return_mapping->solve(problem, from.contacts, to.unknowns, response);
   if (!step.result.converged)

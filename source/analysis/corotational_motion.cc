@@ -62,7 +62,8 @@ EquilibriumResult CorotationalMotion::solve_linearized(const LineState &state,
   change.setZero(step.moved.size());
   EquilibriumResult result = contacts.solve(
       problem, state, problem.imposed - loads.imposed(time) + loads.imposed(state.time),
-      {h / 2. * state.velocity - step.moved, h / 2., 0.5}, change, response);
+      {h / 2. * state.velocity - step.moved, h / 2., 0.5, loads.may_jump(state.time, time)}, change,
+      response);
   result.no_equilibrium = false;
   return result;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "event_integrator.h"
 
-#include <frictionbeam/analysis/local_contact_problem.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +9,6 @@ namespace frictionbeam {
 namespace {
 
 constexpr unsigned int steps_handed_over = 40;
-constexpr double at_rest = 1e-12; ///< of the fastest velocity so far
 
 } // namespace
 
@@ -30,6 +27,8 @@ std::string EventIntegrator::remark() const {
 void EventIntegrator::start(LineState &state, const LoadCourse &loads) {
   state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
   read_states(state, loads);
+  at_rest_on_ground = false;
+  ground_may_jump = true;
 }
 
 void EventIntegrator::read_states(const LineState &state, const LoadCourse &loads) {
@@ -73,14 +72,6 @@ void EventIntegrator::read_states(const LineState &state, const LoadCourse &load
     }
   }
   motion.state_changed();
-}
-
-/// A rigid friction contact slips, or sticks if it is at rest.
-void EventIntegrator::set_sliding(const unsigned int i, const Eigen::Vector2d &rate) {
-  const bool slides = rate.norm() > std::max(at_rest, line.ground_moves ? 1e-6 : 0.) * fastest;
-  states[i].status = slides ? ContactStatus::slip : ContactStatus::stick;
-  if (slides)
-    states[i].direction = rate / rate.norm();
 }
 
 double EventIntegrator::kinetic_energy() const {
@@ -182,13 +173,9 @@ void EventIntegrator::change(const Event &event, const double x, const double le
   const ContactStatus resting = contact.has_friction ? ContactStatus::stick : ContactStatus::closed;
   switch (event.kind) {
   case Kind::closing:
-    if (contact.normal == EventContact::Normal::rigid) {
-      Vector ground_velocity = Vector::Zero(3 * states.size());
-      if (line.ground_moves)
-        for (int c = 0; c < ground_velocity.size(); ++c)
-          ground_velocity[c] = value(derivative(motion.ground.col(c)), x) / length;
-      impact(i, ground_velocity, energy, to);
-    } else {
+    if (contact.normal == EventContact::Normal::rigid)
+      impact(i, ground_velocity(x, length), energy, to);
+    else {
       state.status = resting;
       state.plastic = displacement[i].tail<2>();
       if (contact.has_friction && contact.rigid_shear)
@@ -225,88 +212,6 @@ void EventIntegrator::change(const Event &event, const double x, const double le
   motion.state_changed();
 }
 
-void EventIntegrator::impact(const unsigned int i, const Vector &ground_velocity,
-                             EnergyAccount &energy, LineState &to) {
-  std::vector<unsigned int> taking_part;
-  for (unsigned int j = 0; j < states.size(); ++j)
-    if (j == i || (states[j].is_closed() && line.contacts[j].normal == EventContact::Normal::rigid))
-      taking_part.push_back(j);
-  const unsigned int n = taking_part.size();
-  const auto velocities = [&]() {
-    Vector u(3 * n);
-    for (unsigned int k = 0; k < n; ++k)
-      u.segment<3>(3 * k) = line.contacts[taking_part[k]].displacement(velocity) +
-                            ground_velocity.segment<3>(3 * taking_part[k]);
-    return u;
-  };
-  Vector u = velocities();
-  fastest = std::max(fastest, u.lpNorm<Eigen::Infinity>());
-  const auto place = std::find(taking_part.begin(), taking_part.end(), i) - taking_part.begin();
-  const double approach = u[3 * place];
-  if (approach < -at_rest * fastest) {
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(velocity.size(), 3 * n);
-    for (unsigned int k = 0; k < n; ++k)
-      for (int d = 0; d < 3; ++d) {
-        Vector unit = Vector::Zero(velocity.size());
-        line.add_contact_force(taking_part[k], -Eigen::Vector3d::Unit(d), unit);
-        columns.col(3 * k + d) = line.accelerate(unit);
-      }
-    LocalContactProblem problem;
-    Eigen::MatrixXd W(3 * n, 3 * n);
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int c = 0; c < 3 * n; ++c)
-        W.block<3, 1>(3 * k, c) = line.contacts[taking_part[k]].displacement(columns.col(c));
-    W = ((W + W.transpose()) / 2.).eval();
-    problem.q = u;
-    problem.friction.resize(n);
-    for (unsigned int k = 0; k < n; ++k) {
-      const EventContact &contact = line.contacts[taking_part[k]];
-      problem.q[3 * k] += contact.contact->restitution * std::min(u[3 * k], 0.);
-      problem.friction[k] = contact.rigid_shear ? contact.law.dynamic_friction : 0.;
-      for (int d = 0; d < 3; ++d)
-        if (!contact.moves[d]) { // a direction that cannot move takes no part
-          W.row(3 * k + d).setZero();
-          W.col(3 * k + d).setZero();
-          W(3 * k + d, 3 * k + d) = 1.;
-          problem.q[3 * k + d] = 0.;
-        }
-    }
-    Vector impulses = Vector::Zero(3 * n);
-    if (n == 1 && problem.friction[0] == 0.)
-      impulses[0] = std::max(0., -problem.q[0] / W(0, 0));
-    else {
-      problem.W = W.sparseView();
-      impulses = solve_local_contact(problem, 1e-12).reactions;
-    }
-    const double before = kinetic_energy();
-    velocity += columns * impulses;
-    energy.kinetic += kinetic_energy() - before;
-    energy.impact += before - kinetic_energy();
-    for (unsigned int k = 0; k < n; ++k)
-      to.contacts.impulse[taking_part[k]] += impulses[3 * k];
-    u = velocities();
-  }
-  for (unsigned int k = 0; k < n; ++k) {
-    const unsigned int j = taking_part[k];
-    const EventContact &contact = line.contacts[j];
-    if (u[3 * k] > std::max(at_rest * fastest, -1e-12 * approach)) {
-      states[j].status = ContactStatus::open;
-      force[j].setZero();
-      continue;
-    }
-    if (!states[j].is_closed())
-      states[j].offset = displacement[j][0] + contact.law.gap;
-    states[j].status = ContactStatus::closed;
-    if (contact.has_friction && contact.rigid_shear)
-      set_sliding(j, u.segment<2>(3 * k + 1));
-    else if (contact.has_friction) {
-      states[j].status = ContactStatus::stick;
-      if (j == i)
-        states[j].plastic = displacement[j].tail<2>();
-    }
-  }
-}
-
 TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads, const double time,
                                   LineState &to) {
   TimeStep step;
@@ -316,8 +221,14 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
   bool changed = false;
   unsigned int at_once = 0;
   while (present < time) {
-    const double longest = std::min(time, loads.next_break(present)) - present;
-    const double length = motion.compute(loads, present, longest, unknowns, velocity, states);
+    const double next_break = loads.next_break(present),
+                 longest = std::min(time, next_break) - present;
+    double length = motion.compute(loads, present, longest, unknowns, velocity, states);
+    if (ground_may_jump) {
+      ground_may_jump = false;
+      if (meet_ground(length, step.energy, to))
+        length = motion.compute(loads, present, longest, unknowns, velocity, states);
+    }
     ++step.result.iterations;
     const Event event = next_event();
     if (changed && event.x > 0.)
@@ -339,8 +250,11 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
       const bool reaches = x == 1. && length == longest;
       const double goal = present + longest;
       go(x, length, to, step.energy);
-      if (reaches)
+      if (reaches) {
         present = goal;
+        ground_may_jump = goal == next_break;
+        at_rest_on_ground = false;
+      }
     }
     if (event.x <= 1.) {
       change(event, x, length, to, step.energy);
@@ -377,6 +291,8 @@ TimeStep EventIntegrator::hand_over(const LineState &from, const LoadCourse &loa
     now = to;
   }
   read_states(to, loads);
+  ground_may_jump = true;
+  at_rest_on_ground = loads.next_break(from.time) > time;
   return all;
 }
 

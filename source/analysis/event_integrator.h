@@ -47,9 +47,25 @@ private:
   void go(const double x, const double length, LineState &to, EnergyAccount &energy);
   void change(const Event &event, const double x, const double length, LineState &to,
               EnergyAccount &energy);
-  /// Contact @p i closes with velocities du/dt of all contacts. @return whether it stays closed.
-  void impact(const unsigned int i, const Vector &ground_velocity, EnergyAccount &energy,
-              LineState &to);
+  /// Velocities of all contacts' ground at x, as relative motions.
+  Vector ground_velocity(const double x, const double length) const;
+  /// Of contacts, line and ground together.
+  Vector velocities(const std::vector<unsigned int> &contacts, const Vector &of_ground) const;
+  /// Changes of the line's velocity by unit impulses, by columns.
+  Eigen::MatrixXd response_to_impulses(const std::vector<unsigned int> &contacts) const;
+  /// Have impulses act on the line.
+  void act(const std::vector<unsigned int> &contacts, const Vector &impulses,
+           const Eigen::MatrixXd &responses, const Vector &of_ground, EnergyAccount &energy,
+           LineState &to);
+  /// Contact @p i strikes, with all that are closed.
+  void impact(const unsigned int i, const Vector &of_ground, EnergyAccount &energy, LineState &to);
+  /// At an instant at which the ground's velocity may have jumped, rigid contacts that are closed
+  /// strike, let go or slide. @return whether anything changes
+  bool meet_ground(const double length, EnergyAccount &energy, LineState &to);
+  /// Take velocities relative to the ground away that contacts cannot have which are closed or
+  /// stick.
+  void settle(const Vector &of_ground, EnergyAccount &energy, LineState &to);
+  /// A rigid friction contact slips, or sticks if it is at rest.
   void set_sliding(const unsigned int i, const Eigen::Vector2d &rate);
   bool events_accumulate(const double time, const double step);
   double stored_energy() const;
@@ -66,7 +82,9 @@ private:
   std::vector<Eigen::Vector3d> displacement, force; ///< of contacts, at present
   Vector unknowns, velocity;
   double present = 0., fastest = 0.;
-  std::vector<double> recent; ///< instants of the last changes
+  bool ground_may_jump = true;    ///< at present
+  bool at_rest_on_ground = false; ///< what is closed, to the error of the steps before
+  std::vector<double> recent;     ///< instants of the last changes
   unsigned int n_events = 0, n_handed_over = 0;
   double first_handed_over = 0., time_handed_over = 0.;
   std::string reason;

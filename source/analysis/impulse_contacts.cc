@@ -9,6 +9,14 @@ namespace frictionbeam {
 namespace {
 constexpr double far = 1e30; // [m]
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Contact::Strains strain_of(const Contact &contact, const Vector &unknowns) {
+  Contact::Strains result = Contact::Strains::Zero();
+  for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+    result += unknowns[contact.unknowns[j]] * contact.B_reduced.col(j);
+  return result;
+}
+
 } // namespace
 
 ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model.contacts.size()) {
@@ -62,17 +70,47 @@ Vector ImpulseContacts::elastic_forces(const LineState &state) const {
   return forces;
 }
 
+void ImpulseContacts::set_ground_rates(const EquilibriumProblem &problem, const LineState &from,
+                                       const Vector &imposed_before, const bool may_jump) {
+  const bool is_next = from.time != step_begin, follows = from.time == step_end;
+  if (is_next)
+    ground_rate_before = ground_rate;
+  ground_rate.resize(kinds.size());
+  const Vector motion = problem.imposed - imposed_before;
+  for (unsigned int i = 0; i < kinds.size(); ++i)
+    ground_rate[i] = model.contacts[i].strain(motion) / problem.time_increment;
+  if ((is_next && !follows) || may_jump)
+    ground_rate_before = ground_rate;
+  step_begin = from.time;
+  step_end = problem.time;
+}
+
+bool ImpulseContacts::test_reversals(const LineState &from, const Vector &imposed,
+                                     const Vector &unknowns) {
+  bool any = false;
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Kind &kind = kinds[i];
+    const Contact &contact = model.contacts[i];
+    if (!kind.rigid_shear || kind.law.dynamic_friction == kind.law.static_friction)
+      continue;
+    double &was_slipping = shifted.internal[contact.state_offset + kind.law.was_slipping];
+    const Contact::Strains before = strain_of(contact, from.velocity) + ground_rate_before[i],
+                           motion = strain_of(contact, unknowns) + contact.strain(imposed);
+    const double slip_y = motion[1] - shifted.internal[contact.state_offset + kind.law.slip_y],
+                 slip_z = motion[2] - shifted.internal[contact.state_offset + kind.law.slip_z];
+    if (was_slipping != 0. && before[1] * slip_y + before[2] * slip_z < 0.) {
+      was_slipping = 0.;
+      any = true;
+    }
+  }
+  return any;
+}
+
 EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const LineState &from,
                                          const Vector &imposed_before, const Relation &relation,
                                          Vector &unknowns, ContactResponse &response) {
   const double step = problem.time_increment;
-  const auto strain = [](const Contact &contact, const Vector &q) {
-    Contact::Strains result = Contact::Strains::Zero();
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      result += q[contact.unknowns[j]] * contact.B_reduced.col(j);
-    return result;
-  };
-
+  set_ground_rates(problem, from, imposed_before, relation.may_jump);
   shifted = from.contacts;
   overrides.gap.assign(kinds.size(), 0.);
   overrides.friction_scale.assign(kinds.size(), 1.);
@@ -83,14 +121,13 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
     const Contact &contact = model.contacts[i];
     const double l = contact.length;
     overrides.gap[i] = kind.law.gap;
-    const Contact::Strains imposed = contact.strain(problem.imposed),
-                           ground_rate = (imposed - contact.strain(imposed_before)) / step,
-                           base = strain(contact, relation.base) + imposed -
-                                  relation.reach * ground_rate;
+    const Contact::Strains base = strain_of(contact, relation.base) +
+                                  contact.strain(problem.imposed) - relation.reach * ground_rate[i];
     if (kind.rigid_normal) {
-      const double approach = l * (strain(contact, from.velocity) + ground_rate)[0],
+      const double approach = l * (strain_of(contact, from.velocity) + ground_rate_before[i])[0],
                    gap = l * from.contacts.strain[i][0] + kind.law.gap;
-      const bool takes_part = gap + step / 2. * approach <= 1e-12 * l;
+      const bool takes_part =
+          from.contact_status[i] != ContactStatus::open || gap + step / 2. * approach <= 1e-12 * l;
       overrides.gap[i] =
           takes_part ? -l * base[0] + relation.reach * contact.restitution * std::min(approach, 0.)
                      : far;
@@ -103,7 +140,16 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
       overrides.friction_scale[i] = kind.rigid_normal ? relation.share : 1. / relation.share;
   }
   problem.overrides = &overrides;
-  const EquilibriumResult result = solver->solve(problem, shifted, unknowns, response);
+  const Vector guess = unknowns;
+  EquilibriumResult result = solver->solve(problem, shifted, unknowns, response);
+  while (result.converged && test_reversals(from, problem.imposed, unknowns)) {
+    const EquilibriumResult first = result;
+    unknowns = guess;
+    result = solver->solve(problem, shifted, unknowns, response);
+    result.iterations += first.iterations;
+    result.factorizations += first.factorizations;
+    result.back_substitutions += first.back_substitutions;
+  }
   if (!result.converged)
     return result;
 

@@ -5,6 +5,8 @@
 
 #include <frictionbeam/analysis/time_integrator.h>
 
+#include <limits>
+
 namespace frictionbeam {
 
 /**
@@ -13,13 +15,14 @@ namespace frictionbeam {
  *
  * A step whose displacements and velocities at its end hang together by q = base + reach v is a
  * static problem A q = b + H^T r in the displacements. What is rigid in a contact that takes part
- * (its gap, with half a step's motion, is closed) obeys Newton's law of impact and Coulomb's law of
- * friction on v:
+ * (it was closed, or its gap, with half a step's motion, is) obeys Newton's law of impact and
+ * Coulomb's law of friction on v, the ground's being its mean over the step:
  *   0 <= u_N + e u_N(before) perp P_N >= 0,   |P_T| <= f P_N,  against u_T,
  * which is the law of a static contact with another gap and another position of its slip. Elements
  * of finite stiffness, normal forces of platens and contacts of nodes without mass keep their laws
  * on displacements. P is the
- * impulse, share times the step times r.
+ * impulse, share times the step times r. Slip that reverses has come to rest within the step: it
+ * goes on only beyond static friction.
  */
 class ImpulseContacts {
 public:
@@ -29,9 +32,10 @@ public:
   void set_matrix(const SparseMatrix &matrix);
 
   struct Relation {
-    Vector base;       ///< of the unknowns
-    double reach = 0.; ///< [s]
-    double share = 0.; ///< of r that acts on average over the step
+    Vector base;           ///< of the unknowns
+    double reach = 0.;     ///< [s]
+    double share = 0.;     ///< of r that acts on average over the step
+    bool may_jump = false; ///< velocities of the ground, in the step or at its start
   };
   /**
    * Solve. @param problem with matrix, right hand side, imposed motions, times
@@ -42,10 +46,11 @@ public:
                           const Vector &imposed_before, const Relation &relation, Vector &unknowns,
                           ContactResponse &response);
 
-  /// What the solver keeps; the matrix must have been set before reading.
+  /// What the solver keeps, and the last step; the matrix must have been set before reading.
   void transfer(Archive &archive) {
     if (solver)
       solver->transfer(archive);
+    archive(step_begin, step_end, ground_rate, ground_rate_before);
   }
 
   /// Impulses of the rigid parts, H^T P, on the unknowns, of the last solution.
@@ -62,6 +67,13 @@ private:
     bool is_exact = false, rigid_normal = false, rigid_shear = false;
     FrictionThreshold law{};
   };
+  /// Rates of the contacts' strains by the motion that is imposed, means over a step: of this one,
+  /// and before it, of the step that ends where this one begins; after a jump, the same.
+  void set_ground_rates(const EquilibriumProblem &problem, const LineState &from,
+                        const Vector &imposed_before, const bool may_jump);
+  /// Have contacts that slip against the direction of the step before, which have been at rest in
+  /// between, overcome static friction first. @return whether there are any that did not
+  bool test_reversals(const LineState &from, const Vector &imposed, const Vector &unknowns);
   /// Part of the stress that comes from rigid or from elastic parts.
   Contact::Strains part(const unsigned int i, const Contact::Strains &stress,
                         const bool rigid) const;
@@ -69,6 +81,8 @@ private:
   const Model &model;
   std::vector<Kind> kinds;
   std::unique_ptr<ExactSolver> solver;
+  double step_begin = std::numeric_limits<double>::quiet_NaN(), step_end = step_begin;
+  std::vector<Contact::Strains> ground_rate, ground_rate_before;
   ContactOverrides overrides;
   ContactState shifted;
   Vector rigid_impulses;

@@ -106,4 +106,9 @@ double LoadCourse::next_break(const double time) const {
   return next;
 }
 
+bool LoadCourse::may_jump(const double start, const double end) const {
+  const double rounding = 1e-9 * (end - start);
+  return next_break(start - rounding) < end - rounding;
+}
+
 } // namespace frictionbeam

@@ -93,7 +93,8 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   to.unknowns = q0;
   take_over_contacts(from, to);
   step.result = contacts.solve(problem, from, loads.imposed(from.time),
-                               {from.unknowns + h * (1. - theta) * from.velocity, h * theta, theta},
+                               {from.unknowns + h * (1. - theta) * from.velocity, h * theta, theta,
+                                loads.may_jump(from.time, time)},
                                to.unknowns, response);
   if (!step.result.converged)
     return step;

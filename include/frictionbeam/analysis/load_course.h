@@ -38,6 +38,8 @@ public:
 
   /// The first instant after @p time at which something may jump or bend; infinity if none.
   double next_break(const double time) const;
+  /// Whether there is such an instant from @p start on and before @p end.
+  bool may_jump(const double start, const double end) const;
 
 private:
   /// The declared factors times a value of each load's history.

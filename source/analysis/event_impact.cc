@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "event_integrator.h"
+
+#include <frictionbeam/analysis/local_contact_problem.h>
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double at_rest = 1e-12;         ///< of the fastest velocity so far
+constexpr double rounding_of_rate = 1e-6; ///< of ground motions, of the fastest velocity
+
+} // namespace
+
+void EventIntegrator::set_sliding(const unsigned int i, const Eigen::Vector2d &rate) {
+  const bool slides =
+      rate.norm() > std::max(at_rest, line.ground_moves ? rounding_of_rate : 0.) * fastest;
+  states[i].status = slides ? ContactStatus::slip : ContactStatus::stick;
+  if (slides)
+    states[i].direction = rate / rate.norm();
+}
+
+Vector EventIntegrator::ground_velocity(const double x, const double length) const {
+  Vector result = Vector::Zero(3 * states.size());
+  if (line.ground_moves)
+    for (int c = 0; c < result.size(); ++c)
+      result[c] = value(derivative(motion.ground.col(c)), x) / length;
+  return result;
+}
+
+Vector EventIntegrator::velocities(const std::vector<unsigned int> &contacts,
+                                   const Vector &of_ground) const {
+  Vector u(3 * contacts.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    u.segment<3>(3 * k) =
+        line.contacts[contacts[k]].displacement(velocity) + of_ground.segment<3>(3 * contacts[k]);
+  return u;
+}
+
+Eigen::MatrixXd
+EventIntegrator::response_to_impulses(const std::vector<unsigned int> &contacts) const {
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(velocity.size(), 3 * contacts.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    for (int d = 0; d < 3; ++d) {
+      Vector unit = Vector::Zero(velocity.size());
+      line.add_contact_force(contacts[k], -Eigen::Vector3d::Unit(d), unit);
+      columns.col(3 * k + d) = line.accelerate(unit);
+    }
+  return columns;
+}
+
+void EventIntegrator::act(const std::vector<unsigned int> &contacts, const Vector &impulses,
+                          const Eigen::MatrixXd &responses, const Vector &of_ground,
+                          EnergyAccount &energy, LineState &to) {
+  const double kinetic = kinetic_energy();
+  const Vector before = velocities(contacts, of_ground);
+  velocity += responses * impulses;
+  const Vector mean = (before + velocities(contacts, of_ground)) / 2.;
+  const double gained = kinetic_energy() - kinetic;
+  energy.kinetic += gained;
+  energy.turnover += std::abs(gained);
+  energy.at_hand = std::max(energy.at_hand, kinetic_energy() + stored_energy());
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const unsigned int j = contacts[k];
+    const Eigen::Vector3d P = impulses.segment<3>(3 * k), way = mean.segment<3>(3 * k);
+    const double by_friction = -P.tail<2>().dot(way.tail<2>());
+    energy.external -= P.dot(of_ground.segment<3>(3 * j));
+    energy.impact -= P[0] * way[0];
+    energy.dissipated += by_friction;
+    to.contacts.dissipated[j] += by_friction;
+    to.contacts.impulse[j] += P[0];
+    to.contacts.wear[j] += P[0] * way.tail<2>().norm();
+  }
+}
+
+void EventIntegrator::impact(const unsigned int i, const Vector &of_ground, EnergyAccount &energy,
+                             LineState &to) {
+  std::vector<unsigned int> taking_part;
+  for (unsigned int j = 0; j < states.size(); ++j)
+    if (j == i || (states[j].is_closed() && line.contacts[j].normal == EventContact::Normal::rigid))
+      taking_part.push_back(j);
+  const unsigned int n = taking_part.size();
+  Vector u = velocities(taking_part, of_ground);
+  fastest = std::max(fastest, u.lpNorm<Eigen::Infinity>());
+  const auto place = std::find(taking_part.begin(), taking_part.end(), i) - taking_part.begin();
+  const double approach = u[3 * place];
+  if (approach < -at_rest * fastest) {
+    const Eigen::MatrixXd columns = response_to_impulses(taking_part);
+    LocalContactProblem problem;
+    Eigen::MatrixXd W(3 * n, 3 * n);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int c = 0; c < 3 * n; ++c)
+        W.block<3, 1>(3 * k, c) = line.contacts[taking_part[k]].displacement(columns.col(c));
+    W = ((W + W.transpose()) / 2.).eval();
+    problem.q = u;
+    problem.friction.resize(n);
+    for (unsigned int k = 0; k < n; ++k) {
+      const EventContact &contact = line.contacts[taking_part[k]];
+      problem.q[3 * k] += contact.contact->restitution * std::min(u[3 * k], 0.);
+      problem.friction[k] = contact.rigid_shear ? contact.law.dynamic_friction : 0.;
+      for (int d = 0; d < 3; ++d)
+        if (!contact.moves[d]) { // a direction that cannot move takes no part
+          W.row(3 * k + d).setZero();
+          W.col(3 * k + d).setZero();
+          W(3 * k + d, 3 * k + d) = 1.;
+          problem.q[3 * k + d] = 0.;
+        }
+    }
+    Vector impulses = Vector::Zero(3 * n);
+    if (n == 1 && problem.friction[0] == 0.)
+      impulses[0] = std::max(0., -problem.q[0] / W(0, 0));
+    else {
+      problem.W = W.sparseView();
+      impulses = solve_local_contact(problem, 1e-12).reactions;
+    }
+    act(taking_part, impulses, columns, of_ground, energy, to);
+    u = velocities(taking_part, of_ground);
+  }
+  for (unsigned int k = 0; k < n; ++k) {
+    const unsigned int j = taking_part[k];
+    const EventContact &contact = line.contacts[j];
+    if (u[3 * k] > std::max(at_rest * fastest, -1e-12 * approach)) {
+      states[j].status = ContactStatus::open;
+      force[j].setZero();
+      continue;
+    }
+    if (!states[j].is_closed())
+      states[j].offset = displacement[j][0] + contact.law.gap;
+    states[j].status = ContactStatus::closed;
+    if (contact.has_friction && contact.rigid_shear)
+      set_sliding(j, u.segment<2>(3 * k + 1));
+    else if (contact.has_friction) {
+      states[j].status = ContactStatus::stick;
+      if (j == i)
+        states[j].plastic = displacement[j].tail<2>();
+    }
+  }
+}
+
+bool EventIntegrator::meet_ground(const double length, EnergyAccount &energy, LineState &to) {
+  if (!line.ground_moves)
+    return false;
+  const Vector of_ground = ground_velocity(0., length);
+  if (at_rest_on_ground)
+    settle(of_ground, energy, to);
+  std::vector<ContactStatus> before;
+  for (const EventState &state : states)
+    before.push_back(state.status);
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    if (!states[i].is_closed())
+      continue;
+    const Vector u = velocities({i}, of_ground);
+    fastest = std::max(fastest, u.norm());
+    const double least = rounding_of_rate * fastest;
+    if (contact.normal == EventContact::Normal::rigid && contact.moves[0] && u[0] < -least)
+      impact(i, of_ground, energy, to);
+    else if (contact.normal == EventContact::Normal::rigid && contact.moves[0] && u[0] > least) {
+      states[i].status = ContactStatus::open;
+      force[i].setZero();
+    } else if (contact.has_friction && contact.rigid_shear)
+      set_sliding(i, u.tail<2>());
+  }
+  for (unsigned int i = 0; i < states.size(); ++i)
+    if (states[i].status != before[i])
+      to.events.push_back({present, i, states[i].status});
+  motion.state_changed();
+  return true;
+}
+
+void EventIntegrator::settle(const Vector &of_ground, EnergyAccount &energy, LineState &to) {
+  std::vector<unsigned int> contacts;
+  for (unsigned int i = 0; i < states.size(); ++i)
+    if (states[i].is_closed())
+      contacts.push_back(i);
+  if (contacts.empty())
+    return;
+  std::vector<int> held; // components
+  for (unsigned int k = 0; k < contacts.size(); ++k) {
+    const EventContact &contact = line.contacts[contacts[k]];
+    const bool sticks = contact.has_friction && contact.rigid_shear &&
+                        states[contacts[k]].status == ContactStatus::stick;
+    for (int d = 0; d < 3; ++d)
+      if (contact.moves[d] && (d == 0 ? contact.normal == EventContact::Normal::rigid : sticks))
+        held.push_back(3 * k + d);
+  }
+  const Eigen::MatrixXd columns = response_to_impulses(contacts);
+  const Vector u = velocities(contacts, of_ground);
+  Eigen::MatrixXd W(held.size(), held.size());
+  Vector left(held.size());
+  for (std::size_t a = 0; a < held.size(); ++a) {
+    const EventContact &contact = line.contacts[contacts[held[a] / 3]];
+    for (std::size_t b = 0; b < held.size(); ++b)
+      W(a, b) = contact.displacement(columns.col(held[b]))[held[a] % 3];
+    left[a] = -u[held[a]];
+  }
+  const Vector some = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(W).solve(left);
+  Vector impulses = Vector::Zero(3 * contacts.size());
+  for (std::size_t a = 0; a < held.size(); ++a)
+    impulses[held[a]] = some[a];
+  act(contacts, impulses, columns, of_ground, energy, to);
+}
+
+} // namespace frictionbeam
