@@ -7,6 +7,7 @@
 #include <frictionbeam/scene/user_error.h>
 
 #include <deal.II/base/timer.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,8 @@ namespace {
 constexpr double fastest = 1. / 3., slowest = 0.5; ///< ratios of changes that are believed
 constexpr double least_by_chance = 1. / 16.;       ///< of the change before, that d is taken for
 constexpr double first_share = 0.25; ///< of the tolerance, if there is one change only
+constexpr double by_energy = 10.;    ///< relative error of a quantity by the squared one in energy
+constexpr double least_share = 0.01; ///< of the largest quantity of its kind, that one counts for
 
 /// The solution on one mesh, with what is asked of it.
 template <int dim>
@@ -46,6 +49,9 @@ private:
   Solution<dim> solve(const ContinuumGuess *guess);
   /// Of the cells of the present mesh, and in its row of the table.
   void estimate_errors(const ContinuumSequence<dim> &sequence);
+  /// What changes of the quantities are relative to at least: a hundredth of the largest of their
+  /// kind, of the ends of zones a hundredth of the body.
+  std::vector<double> least_scales() const;
   /// Largest error of a quantity on the last of several meshes, estimated from its changes, which
   /// shall form a geometric series.
   double estimated_error() const;
@@ -76,6 +82,8 @@ Solution<dim> AdaptiveRun<dim>::solve(const ContinuumGuess *guess) {
   ContinuumLevel &level = solution.level;
   for (const ContinuumQuantity &quantity : body.continuum.quantities)
     level.quantities.push_back(evaluate_quantity(body, last, last_rows, quantity));
+  for (const double value : level.quantities)
+    AssertThrow(std::isfinite(value), ExcMessage("A quantity is not a number."));
   level.cells = body.triangulation->n_global_active_cells();
   level.unknowns = body.dof_handler.n_dofs();
   level.contacts =
@@ -104,11 +112,32 @@ void AdaptiveRun<dim>::estimate_errors(const ContinuumSequence<dim> &sequence) {
 }
 
 template <int dim>
+std::vector<double> AdaptiveRun<dim>::least_scales() const {
+  using Kind = ContinuumQuantity::Kind;
+  const auto &quantities = body.continuum.quantities;
+  const auto is_length = [](const ContinuumQuantity &quantity) {
+    return quantity.kind == Kind::slip_length || quantity.kind == Kind::slip_end ||
+           quantity.kind == Kind::open_end;
+  };
+  const double size = GridTools::diameter(*body.triangulation);
+  std::vector<double> result;
+  for (const ContinuumQuantity &quantity : quantities) {
+    double largest = is_length(quantity) ? size : 0.;
+    for (std::size_t j = 0; j < quantities.size() && !is_length(quantity); ++j)
+      if (unit_of(quantities[j]) == unit_of(quantity) && !is_length(quantities[j]))
+        largest = std::max(largest, std::abs(levels.back().quantities[j]));
+    result.push_back(least_share * largest);
+  }
+  return result;
+}
+
+template <int dim>
 double AdaptiveRun<dim>::estimated_error() const {
   const std::size_t n = levels.size() - 1;
+  const std::vector<double> least = least_scales();
   const auto change = [&](const std::size_t level, const std::size_t i) {
     const double now = levels[level].quantities[i], before = levels[level - 1].quantities[i];
-    return now == before ? 0. : std::abs(now - before) / std::abs(now);
+    return now == before ? 0. : std::abs(now - before) / std::max(std::abs(now), least[i]);
   };
   double largest = 0.;
   for (std::size_t i = 0; i < levels[n].quantities.size(); ++i) {
@@ -148,7 +177,8 @@ void AdaptiveRun<dim>::run() {
     if (!why.empty())
       break;
     ContinuumGuess guess = solution.sequence->as_guess();
-    estimate_errors(*solution.sequence);
+    if (!levels.back().estimate)
+      estimate_errors(*solution.sequence);
     refine(body, estimate, settings.refinement == Refinement::uniform ? 1. : settings.fraction,
            solution.sequence->ends().back(), guess);
     solution = solve(&guess);
@@ -156,6 +186,11 @@ void AdaptiveRun<dim>::run() {
     error = estimated_error();
     // Slip zones end where they will: one small change may be chance.
     reached = error <= (levels.size() == 2 ? first_share : 1.) * settings.tolerance;
+    if (reached) { // unless what has not been refined has not changed
+      estimate_errors(*solution.sequence);
+      error = std::max(error, by_energy * *levels.back().estimate * *levels.back().estimate);
+      reached = error <= settings.tolerance;
+    }
   }
   results.status = solution.converged && why.empty() ? RunStatus::converged : RunStatus::failed;
   if (!why.empty())
@@ -207,7 +242,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
   const std::string &folder = scene.output.directory;
   if (scene.output.vtu)
     write_continuum_vtu(body, sequence.ends(), folder);
-  if (scene.output.report)
+  if (scene.output.report && !levels.back().estimate)
     estimate_errors(sequence);
   if (this_process(body.communicator) > 0)
     return;

@@ -91,6 +91,7 @@ private:
   std::vector<accuracy::Refinable> list;
   std::vector<unsigned int> levels; ///< of the list
   std::vector<double> estimates;    ///< of the errors that they leave
+  bool coarsest_will_do = false;    ///< of what was refined last: finer ones change next to nothing
   double model_error = 0.;
   std::map<std::string, Results> solved; ///< runs that may be asked for again
   AccuracyAccount account;
@@ -156,6 +157,7 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
   accuracy::Convergence convergence;
   Trial before = solve_at(what, 0);
   unsigned int level = 1;
+  coarsest_will_do = false;
   while (true) {
     Trial now = solve_at(what, level);
     const bool converged = now.results.status == RunStatus::converged,
@@ -166,8 +168,16 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       convergence.add(before.level, level, differences);
       const double estimate = convergence.estimate();
       estimates[what] = estimate;
-      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance))
-        return now;
+      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance)) {
+        // What slips and turns within one increment may do so within two.
+        if (level > 1 || !list[what].coarsest_may_be_exact)
+          return now;
+        coarsest_will_do = true;
+        before = std::move(now);
+        level = 2;
+        continue;
+      }
+      coarsest_will_do = false;
     }
     if (!converged && before.results.status == RunStatus::converged) { // too fine to be solved?
       const unsigned int on = (level - before.level) / 2;
@@ -279,8 +289,7 @@ Results AccuracyControl::run_line() {
                is_last = i + (together ? 2 : 1) == list.size();
     const double tolerance = is_last ? demanded - estimate_without(i) : early_share * demanded;
     results = (together ? refine_together({i, i + 1}, tolerance) : refine(i, tolerance)).results;
-    // One increment is as good where two change next to nothing.
-    if (list[i].coarsest_may_be_exact && levels[i] == 1 && !is_last)
+    if (coarsest_will_do && levels[i] == 2 && !is_last)
       levels[i] = 0;
     i += together;
   }
@@ -336,8 +345,10 @@ Results AccuracyControl::run() {
                 " is demanded; chosen: " +
                 (chosen.empty() ? "nothing, since there is nothing to choose" : describe(chosen)) +
                 "."
-          : "Accuracy: " + rounded_number(demanded, 2) + " is not reached; the estimate is " +
-                rounded_number(account.estimate, 2) + " with " + describe(chosen) + ".");
+          : "Accuracy: " + rounded_number(demanded, 2) +
+                " is not reached; the estimate, which shall be below that by a factor of " +
+                rounded_number(margin, 2) + ", is " + rounded_number(account.estimate, 2) +
+                " with " + describe(chosen) + ".");
   if (choose)
     results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +
                               account.model_reason +

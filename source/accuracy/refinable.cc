@@ -53,19 +53,25 @@ double shortest_run(const Scene &scene) {
   return shortest > 0. ? shortest : 1.;
 }
 
+/// One to begin with, eight where a load has a history of its own within the step.
 Refinable increments_of(const Scene &scene, const std::string &section) {
-  std::vector<std::string> paths;
+  std::vector<std::pair<std::string, unsigned int>> paths;
   if (!section.empty())
-    paths.push_back(section + "/Increments");
+    paths.emplace_back(section + "/Increments", 1);
   else
     for (const LoadStep &step : scene.steps)
-      if (!step.transient)
-        paths.push_back("Step " + step.name + "/Increments");
+      if (!step.transient) {
+        const bool has_history =
+            std::any_of(step.loads.begin(), step.loads.end(), [&](const auto &load) {
+              return scene.loads[load.first].history.is_given();
+            });
+        paths.emplace_back("Step " + step.name + "/Increments", has_history ? 8 : 1);
+      }
   return {"increments of static steps",
           [=](const unsigned int level) {
             std::vector<std::string> settings;
-            for (const std::string &path : paths)
-              settings.push_back(path + " = " + whole(1u << level));
+            for (const auto &[path, coarsest] : paths)
+              settings.push_back(path + " = " + whole(coarsest << level));
             return settings;
           },
           true};

@@ -5,7 +5,8 @@ namespace frictionbeam {
 
 void EventIntegrator::transfer(Archive &archive) {
   archive(motion, fallback, states, displacement, force, unknowns, velocity, present, fastest,
-          ground_may_jump, at_rest_on_ground, recent, n_events, n_handed_over, first_handed_over, time_handed_over, reason);
+          ground_may_jump, at_rest_on_ground, recent, n_events, n_handed_over, first_handed_over,
+          time_handed_over, reason);
 }
 
 void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {

@@ -13,7 +13,7 @@ using namespace dealii;
 
 namespace {
 constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadratic in them
-}
+} // namespace
 
 LoadSequence::LoadSequence(const Model &model)
     : model(model),
@@ -29,7 +29,7 @@ std::string LoadSequence::integrator_name() const {
   return integrator ? integrator->name() : reduction ? reduction->integrator_name() : "";
 }
 
-void LoadSequence::set_initial_motion() {
+void LoadSequence::set_initial_motion(const bool displaced) {
   const VertexDofs &dofs = model.discretization.vertex_dofs();
   for (const InitialCondition &initial : model.scene.initial) {
     std::vector<unsigned int> vertices;
@@ -55,7 +55,8 @@ void LoadSequence::set_initial_motion() {
       for (unsigned int c = 0; c < 6; ++c)
         if (const auto dof = dofs.index(vertex, c); dof != numbers::invalid_dof_index)
           for (const auto &term : model.space.terms(dof)) {
-            current.unknowns[term.unknown] = displacement[c];
+            if (displaced)
+              current.unknowns[term.unknown] = displacement[c];
             current.velocity[term.unknown] = velocity[c];
           }
     }
@@ -63,12 +64,14 @@ void LoadSequence::set_initial_motion() {
 }
 
 void LoadSequence::initialize() {
+  check_time_steps(model);
   const unsigned int n = model.space.n_unknowns();
   current.unknowns = current.velocity = current.acceleration = current.auxiliary = Vector::Zero(n);
   current.load_factors = declared;
   if (model.corotational)
     current.turns = model.corotational->at_rest().turns;
-  set_initial_motion();
+  set_initial_motion(true);
+  has_moved = false;
   const auto expand = [&]() {
     model.space.expand(current.unknowns, current.dofs);
     model.contacts.add_ground_motion(0., current.dofs);
@@ -115,6 +118,9 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
     Factors target(model.scene.loads.size(), 0.);
     for (const auto &[load, factor] : declared_step.loads)
       target[load] += factor;
+    if (declared_step.transient && !has_moved && !is_resumed)
+      set_initial_motion(false);
+    has_moved = has_moved || declared_step.transient;
     // A step within which the run was cut was not reduced.
     const bool reduced =
         model.scene.time.reduction.modes != ReductionSettings::Modes::all && !is_resumed;
@@ -129,7 +135,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
 
 void LoadSequence::transfer(Archive &archive) {
   bool has_integrator = integrator != nullptr;
-  archive(position, declared, current, step_reports, time_step, last_error, *statics,
+  archive(position, declared, current, step_reports, time_step, last_error, has_moved, *statics,
           has_integrator);
   if (archive.reads() && has_integrator)
     integrator = make_time_integrator(model);
@@ -153,12 +159,19 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
   course.begin_step(from, target, start, declared_step.duration);
   for (std::size_t &i = position.next; i < declared_step.n_increments;) {
     ++i;
-    const double part = static_cast<double>(i) / declared_step.n_increments;
-    Factors to(target.size());
-    for (unsigned int l = 0; l < to.size(); ++l)
-      to[l] = i == declared_step.n_increments ? target[l] : from[l] + part * (target[l] - from[l]);
-    if (!advance(Factors(declared), to, start + part * declared_step.duration, 0))
-      return false;
+    const double end = start + declared_step.duration * i / declared_step.n_increments;
+    bool done = false;
+    while (!done) { // a history is followed to its corners
+      const double corner = course.next_break(current.time);
+      done = !(corner < end - 1e-9 * declared_step.duration);
+      const double time = done ? end : corner, part = (time - start) / declared_step.duration;
+      Factors to = target;
+      if (!done || i < declared_step.n_increments)
+        for (unsigned int l = 0; l < to.size(); ++l)
+          to[l] = from[l] + part * (target[l] - from[l]);
+      if (!advance(Factors(declared), to, time, 0))
+        return false;
+    }
     observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
     if (between_increments)
       between_increments();

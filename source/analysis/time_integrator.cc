@@ -4,6 +4,9 @@
 #include "event_integrator.h"
 #include "moreau_jean.h"
 
+#include <frictionbeam/scene/parameter_reader.h>
+#include <frictionbeam/scene/user_error.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,6 +48,16 @@ double time_step(const Model &model) {
     if (K.coeff(i, i) > 0. && M.coeff(i, i) > 0.)
       shortest = std::min(shortest, 6.283185 / 40. * std::sqrt(M.coeff(i, i) / K.coeff(i, i)));
   return shortest < 1e300 ? shortest : 0.01;
+}
+
+void check_time_steps(const Model &model) {
+  constexpr double most = 1e8;
+  for (const LoadStep &step : model.scene.steps)
+    if (step.transient && !(step.duration <= most * time_step(model)))
+      throw UserError("Step '" + step.name + "' would take too many time steps.\n  read:    " +
+                      to_text(step.duration) + " s in steps of " + to_text(time_step(model)) +
+                      " s\n  allowed: " + to_text(most) +
+                      " time steps\n  try:     a longer Time/Step or a shorter Duration");
 }
 
 std::vector<bool> unknowns_with_mass(const SparseMatrix &mass) {

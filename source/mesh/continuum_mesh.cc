@@ -92,6 +92,9 @@ void take_mesh(ContinuumMesh<dim> &mesh) {
     place[tags[i]] = i;
   const auto position = [&](const std::size_t tag) {
     Point<dim> p;
+    if (dim == 2 && std::abs(x[3 * place.at(tag) + 2]) > 1e-9)
+      throw UserError("The mesh has nodes off the plane z = 0. Draw a plane body in that plane, or "
+                      "set Continuum/Dimension = 3.");
     for (unsigned int d = 0; d < dim; ++d)
       p[d] = x[3 * place.at(tag) + d];
     return p;
@@ -114,6 +117,7 @@ void take_mesh(ContinuumMesh<dim> &mesh) {
   if (mesh.cells.empty())
     throw UserError("The mesh has no cells of dimension " + std::to_string(dim) + ".");
 
+  std::map<std::vector<unsigned int>, std::string> part_of;
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, dim - 1);
   for (const auto &[d, group] : groups) {
@@ -135,6 +139,10 @@ void take_mesh(ContinuumMesh<dim> &mesh) {
           face.vertices.push_back(vertex.at(faces[i + v]));
         }
         std::sort(face.vertices.begin(), face.vertices.end());
+        if (const auto found = part_of.emplace(face.vertices, name).first; found->second != name)
+          throw UserError("The mesh has faces that belong to the parts '" + found->second +
+                          "' and '" + name +
+                          "' both. Give each face of the boundary one physical group.");
         mesh.faces.push_back(face);
       }
     }
@@ -175,8 +183,10 @@ ContinuumMesh<dim> build_continuum_mesh(const Scene &scene) {
     mesh_box(*scene.continuum->box, mesh);
   else {
     const GmshSession session;
-    open_file(scene.mesh.file, dim);
-    take_mesh(mesh);
+    by_gmsh(scene.mesh.file, [&]() {
+      open_file(scene.mesh.file, dim);
+      take_mesh(mesh);
+    });
     GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
     GridTools::consistently_order_cells(mesh.cells);
   }

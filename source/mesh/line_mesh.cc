@@ -2,6 +2,7 @@
 #include <frictionbeam/mesh/line_mesh.h>
 
 #include "gmsh_line.h"
+#include "gmsh_session.h"
 
 #include <frictionbeam/scene/user_error.h>
 
@@ -166,21 +167,12 @@ private:
   std::vector<Vector3> tangents;
 };
 
-LineMesh mesh_by_gmsh(const Scene &scene) {
-  const std::string &file = scene.mesh.file;
-  try {
-    return file.empty() ? mesh_routes(scene) : mesh_file(scene);
-  } catch (const std::string &reason) { // what gmsh throws
-    throw UserError(file.empty() ? "gmsh cannot mesh the routes: " + reason
-                                 : "Mesh/File: gmsh cannot read or mesh '" + file + "': " + reason +
-                                       ". Open the file in gmsh to see what is wrong.");
-  }
-}
-
 } // namespace
 
 LineMesh build_line_mesh(const Scene &scene) {
-  LineMesh mesh = mesh_by_gmsh(scene);
+  const std::string &file = scene.mesh.file;
+  LineMesh mesh =
+      by_gmsh(file, [&]() { return file.empty() ? mesh_routes(scene) : mesh_file(scene); });
   add_free_points(scene, mesh);
   const Placer placer(scene, mesh);
   for (const FrictionSupport &support : scene.supports)

@@ -12,6 +12,7 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
@@ -103,9 +104,55 @@ Quadrature<dim - 1> rule_below(const double x, const double x_first, const doubl
   return Quadrature<dim - 1>(points, weights);
 }
 
-/// Force along x on the boundary below x: loads, and friction as nodal tractions.
+/// Whether the body is held along x below the section, so that the forces beyond it are known.
+/// @throws UserError if it is held on both sides, or has no such section
 template <int dim>
-double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, const double x) {
+bool is_held_below(const ContinuumBody<dim> &body, const ContinuumQuantity &quantity) {
+  const double x = quantity.x;
+  std::array<bool, 4> found{}; // body below and above, held below and above
+  const auto include = [&](const unsigned int first, const double place) {
+    found[first] = found[first] || place <= x;
+    found[first + 1] = found[first + 1] || place >= x;
+  };
+  for (const auto &cell : body.triangulation->active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      include(0, cell->vertex(v)[0]);
+  bool below = false, above = false;
+  for (const ContinuumHold &hold : body.continuum.holds) {
+    if (!hold.fixed[0])
+      continue;
+    if (const auto point = body.mesh.points.find(hold.part); point != body.mesh.points.end()) {
+      below = below || point->second[0] < x;
+      above = above || point->second[0] > x;
+      continue;
+    }
+    const types::boundary_id id = body.mesh.part(hold.part);
+    for (const auto &cell : body.triangulation->active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && face->boundary_id() == id) {
+          below = below || face->center()[0] < x;
+          above = above || face->center()[0] > x;
+        }
+  }
+  for (bool *const one : {&found[0], &found[1], &below, &above})
+    *one = Utilities::MPI::max(static_cast<unsigned int>(*one), body.communicator) > 0;
+  if (!found[0] || !found[1])
+    throw UserError("The quantity " + quantity.name + " is a force at x = " + rounded_number(x) +
+                    " m, where the body has no section.");
+  if (below && above)
+    throw UserError("The quantity " + quantity.name + " is a force at x = " + rounded_number(x) +
+                    " m, and the body is held along x on both sides of it. Ask for it where one "
+                    "side is free.");
+  return below;
+}
+
+/// Compression across the section at x, from the forces along x on the boundary on that side of it
+/// which nothing holds: loads, and friction as nodal tractions.
+template <int dim>
+double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state,
+                   const ContinuumQuantity &quantity) {
+  const bool held_below = is_held_below(body, quantity);
+  const double x = quantity.x;
   ContinuumVector traction;
   body.reinit(traction);
   for (unsigned int i = 0; i < body.nodes.size(); ++i)
@@ -116,13 +163,14 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
   const UpdateFlags flags =
       update_values | update_JxW_values | update_normal_vectors | update_quadrature_points;
   FEFaceValues<dim> whole(body.fe, QGauss<dim - 1>(body.fe.degree + 1), flags);
-  double force = 0.;
-  const auto add = [&](const FEFaceValues<dim> &values, const types::boundary_id id) {
+  double below = 0., all = 0.;
+  const auto add = [&](const FEFaceValues<dim> &values, const types::boundary_id id, double &force,
+                       const double end) {
     std::vector<Tensor<1, dim>> friction(values.n_quadrature_points);
     if (body.surface_of(id) >= 0)
       values[FEValuesExtractors::Vector(0)].get_function_values(traction, friction);
     for (const unsigned int q : values.quadrature_point_indices())
-      if (values.quadrature_point(q)[0] <= x)
+      if (values.quadrature_point(q)[0] <= end)
         force += (state.factor * body.traction(id, values.normal_vector(q))[0] + friction[q][0]) *
                  values.JxW(q) * body.thickness();
   };
@@ -138,44 +186,65 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state, 
           low = std::min(low, face->vertex(v)[0]);
           high = std::max(high, face->vertex(v)[0]);
         }
+        if (held_below) {
+          whole.reinit(cell, f);
+          add(whole, face->boundary_id(), all, 1e300);
+        }
         if (low > x || (low == x && high > x))
           continue;
         if (high <= x) {
           whole.reinit(cell, f);
-          add(whole, face->boundary_id());
+          add(whole, face->boundary_id(), below, x);
         } else {
           FEFaceValues<dim> cut(
               body.fe, rule_below<dim>(x, face->vertex(0)[0], face->vertex(1)[0], body.fe.degree),
               flags);
           cut.reinit(cell, f);
-          add(cut, face->boundary_id());
+          add(cut, face->boundary_id(), below, x);
         }
       }
-  return Utilities::MPI::sum(force, body.communicator);
+  return Utilities::MPI::sum(below - all, body.communicator);
+}
+
+/// The coordinate in which a surface extends furthest.
+unsigned int long_axis(const std::vector<ContactRow> &rows) {
+  unsigned int longest = 0;
+  double extent = 0.;
+  for (unsigned int d = 0; d < 3; ++d) {
+    const auto [least, most] = std::minmax_element(
+        rows.begin(), rows.end(),
+        [d](const ContactRow &a, const ContactRow &b) { return a.position[d] < b.position[d]; });
+    if (least != rows.end() && most->position[d] - least->position[d] > (1. + 1e-9) * extent) {
+      extent = most->position[d] - least->position[d];
+      longest = d;
+    }
+  }
+  return longest;
 }
 
 /// Where the zone of nodes @p in_zone that begins at the lower end ends, with @p size going to zero
 /// there as distance^(3/2): where a parabola through its power 2/3 at four nodes meets zero. The
 /// last node of the zone is left out, which feels that the next one does not move.
 template <typename InZone, typename Size>
-double end_of_zone(const std::vector<ContactRow> &rows, const InZone &in_zone, const Size &size) {
+double end_of_zone(const std::vector<ContactRow> &rows, const unsigned int axis,
+                   const InZone &in_zone, const Size &size) {
   constexpr unsigned int n_fit = 4;
   std::size_t n = 0;
   while (n < rows.size() && in_zone(rows[n]))
     ++n;
   if (n == 0)
-    return rows.empty() ? 0. : rows[0].position[0];
+    return rows.empty() ? 0. : rows[0].position[axis];
   if (n == rows.size())
-    return rows.back().position[0];
-  const double last = rows[n - 1].position[0], next = rows[n].position[0];
+    return rows.back().position[axis];
+  const double last = rows[n - 1].position[axis], next = rows[n].position[axis];
   if (n < n_fit + 1)
     return 0.5 * (last + next);
-  const double scale = last - rows[n - 1 - n_fit].position[0];
+  const double scale = last - rows[n - 1 - n_fit].position[axis];
   Eigen::Matrix<double, n_fit, 3> powers;
   Eigen::Matrix<double, n_fit, 1> values;
   for (unsigned int i = 0; i < n_fit; ++i) {
     const ContactRow &row = rows[n - 1 - n_fit + i];
-    const double x = (row.position[0] - last) / scale;
+    const double x = (row.position[axis] - last) / scale;
     powers.row(i) << 1., x, x * x;
     values[i] = std::pow(std::abs(size(row)), 2. / 3.);
   }
@@ -194,6 +263,10 @@ double of_rows(const std::vector<ContactRow> &all, const ContinuumScene &scene,
   for (const ContactRow &row : all)
     if (scene.contacts[row.surface].part == quantity.where)
       rows.push_back(row);
+  const unsigned int axis = long_axis(rows);
+  std::stable_sort(rows.begin(), rows.end(), [axis](const ContactRow &a, const ContactRow &b) {
+    return a.position[axis] < b.position[axis];
+  });
   const auto is_open = [](const ContactRow &row) { return row.status == ContactStatus::open; };
   const auto is_loose = [](const ContactRow &row) { return row.status != ContactStatus::stick; };
   const auto slip = [](const ContactRow &row) { return std::hypot(row.slip1, row.slip2); };
@@ -201,11 +274,11 @@ double of_rows(const std::vector<ContactRow> &all, const ContinuumScene &scene,
   double sum = 0.;
   switch (quantity.kind) {
   case Kind::slip_length:
-    return end_of_zone(rows, is_loose, slip) - (rows.empty() ? 0. : rows[0].position[0]);
+    return end_of_zone(rows, axis, is_loose, slip) - (rows.empty() ? 0. : rows[0].position[axis]);
   case Kind::slip_end:
-    return end_of_zone(rows, is_loose, slip);
+    return end_of_zone(rows, axis, is_loose, slip);
   case Kind::open_end:
-    return end_of_zone(rows, is_open, gap);
+    return end_of_zone(rows, axis, is_open, gap);
   case Kind::sum_normal:
     for (const ContactRow &row : rows)
       sum += row.area * row.pressure;
@@ -232,7 +305,7 @@ double evaluate_quantity(const ContinuumBody<dim> &body, const ContinuumState &s
   case Kind::mean_displacement:
     return mean_over(body, state, quantity);
   case Kind::axial_force:
-    return axial_force(body, state, quantity.x);
+    return axial_force(body, state, quantity);
   default:
     return of_rows(rows, body.continuum, quantity);
   }

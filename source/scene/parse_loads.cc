@@ -18,7 +18,8 @@ void declare_load(ParameterReader &in) {
                   "Of weight; of the ground for ground acceleration.");
   in.declare_text("History", "", time_function_form,
                   "Factor on the load, of the run's time; 0 before a table's beginning, its last "
-                  "value after its end. Empty: 1.");
+                  "value after its end. In a static step it multiplies the load, which goes evenly "
+                  "from its value before the step to that of the step. Empty: 1.");
   in.declare_number("Temperature", 20., "degC", -273.15, 1e300,
                     "Of operation; the pipe expands by its difference from 'Installation "
                     "temperature'.");

@@ -83,9 +83,9 @@ void declare_initial(ParameterReader &in) {
                   "Displacement and velocity are those of a rigid body at this point; empty: of "
                   "each node.");
   in.declare_text("Displacement", "0 0 0", "ux uy uz [m], or with rx ry rz [degrees]",
-                  "At the start of a transient analysis.");
+                  "At the start of the first step, which must be transient.");
   in.declare_text("Velocity", "0 0 0", "vx vy vz [m/s], or with three more [degrees/s]",
-                  "At the start of a transient analysis.");
+                  "At the start of the first transient step.");
 }
 
 void parse_initial(const ParameterReader &in, Scene &scene) {
@@ -102,7 +102,14 @@ void parse_initial(const ParameterReader &in, Scene &scene) {
   if (!initial.about.empty())
     check_point(in, "About", initial.about, scene);
   initial.displacement = parse_motion(in, "Displacement", true, {{"m", "rad"}});
+  if (initial.displacement != Motion{} && !scene.steps.empty() && !scene.steps.front().transient)
+    in.fail("Displacement", "none before a static step, which moves the line to its equilibrium",
+            "a load of kind displacement");
   initial.velocity = parse_motion(in, "Velocity", true, {{"m/s", "rad/s"}});
+  if (std::none_of(scene.steps.begin(), scene.steps.end(),
+                   [](const LoadStep &step) { return step.transient; }))
+    in.fail_section("a section Initial and no transient step", "Initial with a transient step",
+                    "set Analysis = transient in a step");
   scene.initial.push_back(initial);
 }
 

@@ -258,6 +258,9 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
   support.ground = in.text("Ground");
   if (!support.ground.empty()) {
     check_point(in, "Ground", support.ground, scene);
+    const auto &points = support.placement.points;
+    if (std::count(points.begin(), points.end(), support.ground) > 0)
+      in.fail("Ground", "another point than those of At", "a point of another pipe");
     if (support.normal_force > 0.)
       in.fail("Normal force", "either a platen with a normal force or a ground that is a pipe",
               "removing 'Ground' or 'Normal force'");

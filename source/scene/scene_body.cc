@@ -143,6 +143,23 @@ namespace {
       "'mean_ux at left; reference 0.012; source hand calculation'", "'" + read + "'");
 }
 
+/// What is asked of a surface with friction shall be one.
+void check_contact_part(const ParameterReader &in, const std::string &entry,
+                        const ContinuumQuantity &quantity, const ContinuumScene &body) {
+  using Kind = ContinuumQuantity::Kind;
+  if (quantity.kind == Kind::displacement || quantity.kind == Kind::mean_displacement ||
+      quantity.kind == Kind::axial_force)
+    return;
+  std::string known;
+  for (const ContinuumContact &contact : body.contacts) {
+    if (contact.part == quantity.where)
+      return;
+    known += (known.empty() ? "" : ", ") + contact.part;
+  }
+  in.fail(entry, "a part of the boundary with friction: " + known, "another part",
+          "'" + quantity.where + "'");
+}
+
 } // namespace
 
 void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
@@ -195,6 +212,9 @@ void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
       quantity.component = last == 'y' ? 1 : last == 'z' ? 2 : 0;
       if (quantity.kind == Kind::axial_force && !to_number(words[2], quantity.x))
         fail_form(in, entry.name, pieces[0]);
+      if (quantity.component >= scene.continuum->dimension)
+        in.fail(entry.name, "ux and uy in a plane body", "mean_uy", "'" + words[0] + "'");
+      check_contact_part(in, entry.name, quantity, *scene.continuum);
     }
     for (std::size_t i = first; i < pieces.size(); ++i) {
       const auto blank = pieces[i].find(' ');

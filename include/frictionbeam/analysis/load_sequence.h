@@ -77,7 +77,8 @@ private:
                const unsigned int halvings);
   bool solve_increment(const Factors &factors, const double time);
   bool solve_corotational_increment(const Factors &factors, const double time);
-  void set_initial_motion();
+  /// Of the sections Initial. @param displaced or velocities only
+  void set_initial_motion(const bool displaced);
   void commit(const Factors &factors, const double time);
   /// Instants at which a transient step is observed, ascending.
   std::vector<double> instants(const double start, const double end) const;
@@ -110,6 +111,7 @@ private:
   LineState next;
   double time_step = 0., longest_step = 0.; ///< at present, and never more [s]
   double last_error = 0.;                   ///< of the last time step [m]
+  bool has_moved = false;                   ///< in a transient step
 };
 
 } // namespace frictionbeam

@@ -40,6 +40,8 @@ std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model);
 
 /// Time/Step, or the one that the mesh gives if it is 0 [s].
 double time_step(const Model &model);
+/// @throws UserError if a transient step takes more time steps than any machine does
+void check_time_steps(const Model &model);
 
 /// Unknowns with mass.
 std::vector<bool> unknowns_with_mass(const SparseMatrix &mass);
