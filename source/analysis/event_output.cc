@@ -5,7 +5,8 @@ namespace frictionbeam {
 
 void EventIntegrator::transfer(Archive &archive) {
   archive(motion, fallback, states, displacement, force, unknowns, velocity, present, fastest,
-          ground_may_jump, at_rest_on_ground, recent, n_events, n_handed_over, first_handed_over, time_handed_over, reason);
+          ground_may_jump, at_rest_on_ground, recent, n_events, n_handed_over, first_handed_over,
+          time_handed_over, reason);
 }
 
 void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {
@@ -13,6 +14,7 @@ void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {
   to.unknowns = unknowns;
   to.velocity = velocity;
   to.load_factors = loads.factors(present);
+  loads.set_rates(to);
   const Vector imposed = loads.imposed(present);
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += imposed;
