@@ -20,10 +20,14 @@ PipeElement::Matrix12 mass_in_any_frame(const double mass) {
 } // namespace
 
 void FrameBuilder::find_cells_at_restraints() {
-  std::vector<bool> is_held(model.discretization.n_line_vertices(), false);
-  for (const auto &held : model.space.held())
-    if (held.vertex < is_held.size())
-      is_held[held.vertex] = true;
+  is_held.assign(model.discretization.n_line_vertices(), false);
+  for (const auto &sites : model.mesh.restraints)
+    for (const Site &site : sites)
+      is_held[site.vertex] = true;
+  for (const Load &load : model.scene.loads)
+    if (load.kind == Load::Kind::displacement)
+      for (const Load::AtPoint &at : load.at)
+        is_held[model.mesh.points.at(at.point)] = true;
   for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i) {
     const auto cell = model.discretization.pipe_cell(i);
     if (is_held[cell->vertex_index(0)] || is_held[cell->vertex_index(1)])
@@ -44,6 +48,10 @@ void FrameBuilder::add_inertia(const LineState &state) {
       velocity[dof] += state.load_rates[l] * value;
       acceleration[dof] += state.load_accelerations[l] * value;
     }
+  const auto add = [&](const unsigned int vertex, const unsigned int c, const double force) {
+    if (is_held[vertex])
+      vertex_forces[vertex][c] += force;
+  };
   const TimeSettings &time = model.scene.time;
   std::vector<types::global_dof_index> dofs(12);
   for (const unsigned int i : cells_at_restraints) {
@@ -63,7 +71,7 @@ void FrameBuilder::add_inertia(const LineState &state) {
       forces += time.stiffness_damping * (element.stiffness() * v);
     for (const unsigned int end : {0u, 1u})
       for (unsigned int c = 0; c < 6; ++c)
-        vertex_forces[cell->vertex_index(end)][c] += forces[6 * end + c];
+        add(cell->vertex_index(end), c, forces[6 * end + c]);
   }
   const VertexDofs &at = model.discretization.vertex_dofs();
   for (const PointMass &mass : model.scene.masses)
@@ -71,8 +79,7 @@ void FrameBuilder::add_inertia(const LineState &state) {
       for (unsigned int d = 0; d < 3; ++d) {
         const unsigned int vertex = model.mesh.points.at(point);
         const auto dof = at.index(vertex, d);
-        vertex_forces[vertex][d] +=
-            mass.mass * (acceleration[dof] + time.mass_damping * velocity[dof]);
+        add(vertex, d, mass.mass * (acceleration[dof] + time.mass_damping * velocity[dof]));
       }
   for (const Spring &spring : model.scene.springs)
     for (unsigned int c = 0; c < 6; ++c) {
@@ -84,9 +91,9 @@ void FrameBuilder::add_inertia(const LineState &state) {
       if (!spring.other.empty()) {
         const unsigned int other = model.mesh.points.at(spring.other);
         rate -= velocity[at.index(other, c)];
-        vertex_forces[other][c] -= damping * rate;
+        add(other, c, -damping * rate);
       }
-      vertex_forces[one][c] += damping * rate;
+      add(one, c, damping * rate);
     }
 }
 

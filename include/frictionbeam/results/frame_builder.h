@@ -62,6 +62,7 @@ private:
 
   const Model &model;
   const bool both_sides;
+  std::vector<bool> is_held;                     ///< vertices of restraints and imposed motions
   std::vector<unsigned int> cells_at_restraints; ///< in Discretization::pipe_cells()
   PipeElement element;
   dealii::FEValues<1, 3> station_values;
