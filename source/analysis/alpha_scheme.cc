@@ -168,6 +168,7 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   to.dofs += problem.imposed;
   to.time = time;
   to.load_factors = loads.factors(time);
+  loads.set_rates(to);
   commit_contacts(response, from, to);
   if (p.impulses)
     contacts.add_histories(from, h, to);

@@ -95,6 +95,40 @@ EnergyAccount account_contacts(const Model &model, const LineState &before, cons
   return account;
 }
 
+EnergyAccount account_imposed(const Model &model, const LineState &before, const LineState &after,
+                              const double h) {
+  EnergyAccount account;
+  const LinearPart &line = model.linear;
+  const Eigen::MatrixXd &damping = line.imposed_products().damping;
+  if (damping.size() == 0)
+    return account;
+  account.stored = line.stored_by_imposed(after.load_factors, after.unknowns) -
+                   line.stored_by_imposed(before.load_factors, before.unknowns);
+  account.external = account.stored;
+  if (after.load_rates.empty() || before.load_rates.empty())
+    return account;
+  account.kinetic = line.kinetic_by_imposed(after.load_rates, after.velocity) -
+                    line.kinetic_by_imposed(before.load_rates, before.velocity);
+  const auto as_vector = [](const std::vector<double> &values) {
+    return Eigen::Map<const Vector>(values.data(), values.size());
+  };
+  const Vector motion = after.unknowns - before.unknowns, change = after.velocity - before.velocity,
+               mean_velocity = (after.velocity + before.velocity) / 2.,
+               rates = (as_vector(after.load_rates) + as_vector(before.load_rates)) / 2.,
+               rate_changes = as_vector(after.load_rates) - as_vector(before.load_rates);
+  // The forces on the unknowns do not work, the reactions do.
+  account.external += rates.dot(line.imposed_products().mass * rate_changes);
+  account.damping = h * rates.dot(damping * rates);
+  for (int l = 0; l < rates.size(); ++l)
+    if (line.accelerates(l)) {
+      account.external -= rate_changes[l] * line.inertia(l).dot(motion) / h +
+                          rates[l] * line.inertia(l).dot(change);
+      account.damping -= rates[l] * line.drag(l).dot(motion + h * mean_velocity);
+    }
+  account.external += account.damping;
+  return account;
+}
+
 EnergyAccount account_increment(const Model &model, const LineState &before, const LineState &after,
                                 const Vector &loads_before, const Vector &loads_after) {
   EnergyAccount account;
@@ -102,6 +136,7 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
   account.external = (loads_before + loads_after).dot(motion) / 2.;
   account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
   account.turnover = std::abs(account.external) + std::abs(account.stored);
+  account += account_imposed(model, before, after, 0.);
   return account += account_contacts(model, before, after, {});
 }
 
@@ -118,9 +153,12 @@ EnergyAccount account_motion(const Model &model, const LineState &before, const 
   account.kinetic = kinetic - before.velocity.dot(products.momentum_before) / 2.;
   if (model.linear.damping().nonZeros() > 0)
     account.damping = (before.velocity + after.velocity).dot(model.linear.damping() * motion) / 2.;
-  account.at_hand = stored + kinetic;
+  account.at_hand = stored + kinetic +
+                    model.linear.stored_by_imposed(after.load_factors, after.unknowns) +
+                    model.linear.kinetic_by_imposed(after.load_rates, after.velocity);
   account.turnover =
       std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
+  account += account_imposed(model, before, after, after.time - before.time);
   return account += account_contacts(model, before, after, work);
 }
 

@@ -56,7 +56,11 @@ void EventIntegrator::act(const std::vector<unsigned int> &contacts, const Vecto
                           EnergyAccount &energy, LineState &to) {
   const double kinetic = kinetic_energy();
   const Vector before = velocities(contacts, of_ground);
-  velocity += responses * impulses;
+  const Vector jump = responses * impulses;
+  velocity += jump;
+  for (unsigned int l = 0; l < imposed_rates.size(); ++l)
+    if (model.linear.accelerates(l)) // what holds the moved nodes has its impulse too
+      energy.external -= imposed_rates[l] * model.linear.inertia(l).dot(jump);
   const Vector mean = (before + velocities(contacts, of_ground)) / 2.;
   const double gained = kinetic_energy() - kinetic;
   energy.kinetic += gained;
@@ -143,6 +147,7 @@ bool EventIntegrator::meet_ground(const double length, EnergyAccount &energy, Li
   if (!line.ground_moves)
     return false;
   const Vector of_ground = ground_velocity(0., length);
+  set_imposed(0., length);
   if (at_rest_on_ground)
     settle(of_ground, energy, to);
   std::vector<ContactStatus> before;

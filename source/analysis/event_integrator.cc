@@ -74,41 +74,11 @@ void EventIntegrator::read_states(const LineState &state, const LoadCourse &load
   motion.state_changed();
 }
 
-double EventIntegrator::kinetic_energy() const {
-  return velocity.dot(model.linear.mass() * velocity) / 2.;
-}
-
-double EventIntegrator::stored_energy() const {
-  double energy = unknowns.dot(model.linear.stiffness() * unknowns) / 2.;
-  for (unsigned int i = 0; i < states.size(); ++i) {
-    const EventContact &contact = line.contacts[i];
-    if (!states[i].is_closed())
-      continue;
-    if (contact.normal == EventContact::Normal::elastic)
-      energy += force[i][0] * force[i][0] / (2. * contact.normal_stiffness);
-    if (!contact.rigid_shear)
-      energy += force[i].tail<2>().squaredNorm() / (2. * contact.shear_stiffness);
-  }
-  return energy;
-}
-
 void EventIntegrator::go(const double x, const double length, LineState &to,
                          EnergyAccount &energy) {
+  set_imposed(0., length);
   const double before = kinetic_energy(), stored_before = stored_energy();
-  energy.external += length * integral_of_product(Polynomial::Ones(1),
-                                                  motion.v.transpose() * model.linear.preload(), x);
-  for (int l = 0; l < motion.factors.cols(); ++l)
-    if (!motion.factors.col(l).isZero(0.)) {
-      const Polynomial power = motion.v.transpose() * model.linear.forces(l);
-      energy.external += length * integral_of_product(motion.factors.col(l), power, x);
-      if (!model.linear.accelerates(l))
-        continue;
-      const Polynomial rate = derivative(motion.factors.col(l));
-      energy.external +=
-          integral_of_product(rate, motion.v.transpose() * model.linear.drag(l), x) +
-          integral_of_product(derivative(rate), motion.v.transpose() * model.linear.inertia(l), x) /
-              length;
-    }
+  energy.external += work_of_loads(x, length);
   for (unsigned int i = 0; i < states.size(); ++i) {
     const EventContact &contact = line.contacts[i];
     const Eigen::MatrixXd &g = motion.g[i], &r = motion.r[i];
@@ -137,18 +107,11 @@ void EventIntegrator::go(const double x, const double length, LineState &to,
     displacement[i] = TaylorMotion::at(g, x);
     force[i] = TaylorMotion::at(r, x);
   }
-  if (line.damped) { // Gauss' rule of order 6 on pieces: the motion is smooth
-    constexpr int n_pieces = 24;
-    const std::array<std::pair<double, double>, 3> gauss = {
-        {{0.5 - std::sqrt(0.15), 5. / 18.}, {0.5, 4. / 9.}, {0.5 + std::sqrt(0.15), 5. / 18.}}};
-    for (int k = 0; k < n_pieces; ++k)
-      for (const auto &[place, weight] : gauss) {
-        const Vector now = TaylorMotion::at(motion.v, x * (k + place) / n_pieces);
-        energy.damping += length * x / n_pieces * weight * now.dot(model.linear.damping() * now);
-      }
-  }
+  if (line.damped)
+    energy.damping += work_of_dampers(x, length);
   unknowns = TaylorMotion::at(motion.q, x);
   velocity = TaylorMotion::at(motion.v, x);
+  set_imposed(x, length);
   present += x * length;
   const double kinetic = kinetic_energy(), stored = stored_energy();
   energy.kinetic += kinetic - before;
@@ -162,6 +125,7 @@ void EventIntegrator::change(const Event &event, const double x, const double le
   const unsigned int i = event.contact;
   const EventContact &contact = line.contacts[i];
   EventState &state = states[i];
+  set_imposed(x, length);
   displacement[i] = TaylorMotion::at(motion.g[i], x);
   force[i] = TaylorMotion::at(motion.r[i], x);
   const auto rate = [&](const unsigned int j) {

@@ -68,6 +68,12 @@ private:
   /// A rigid friction contact slips, or sticks if it is at rest.
   void set_sliding(const unsigned int i, const Eigen::Vector2d &rate);
   bool events_accumulate(const double time, const double step);
+  /// Factors of loads that impose motions, and their rates, at x.
+  void set_imposed(const double x, const double length);
+  /// Work of the loads up to x, and of the reactions on the motions that they impose.
+  double work_of_loads(const double x, const double length) const;
+  /// Lost in dampers up to x.
+  double work_of_dampers(const double x, const double length) const;
   double stored_energy() const;
   double kinetic_energy() const;
   TimeStep hand_over(const LineState &from, const LoadCourse &loads, const double time,
@@ -81,6 +87,7 @@ private:
   std::vector<EventState> states;
   std::vector<Eigen::Vector3d> displacement, force; ///< of contacts, at present
   Vector unknowns, velocity;
+  std::vector<double> imposed_factors, imposed_rates; ///< by load; of one instant
   double present = 0., fastest = 0.;
   bool ground_may_jump = true;    ///< at present
   bool at_rest_on_ground = false; ///< what is closed, to the error of the steps before

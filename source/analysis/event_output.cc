@@ -14,6 +14,7 @@ void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {
   to.unknowns = unknowns;
   to.velocity = velocity;
   to.load_factors = loads.factors(present);
+  loads.set_rates(to);
   const Vector imposed = loads.imposed(present);
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += imposed;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/analysis/load_course.h>
+#include <frictionbeam/analysis/time_integrator.h>
 
 #include <algorithm>
 #include <limits>
@@ -58,19 +59,35 @@ Vector LoadCourse::forces(const Factors &factors) const {
 
 Vector LoadCourse::forces(const double time) const { return forces(factors(time)); }
 
-void LoadCourse::add_inertia(const double time, Vector &forces) const {
+LoadCourse::Derivatives LoadCourse::derivatives(const double time) const {
   bool any = false;
   for (unsigned int l = 0; l < to.size(); ++l)
     any = any || model.linear.accelerates(l);
   if (!any)
-    return;
-  const double h = model.scene.time.step, middle = std::max(time, h); // nothing is known before 0
+    return {};
+  const double h = time_step(model), middle = std::max(time, h); // nothing is known before 0
   const Factors before = factors(middle - h), now = factors(middle), after = factors(middle + h);
-  for (unsigned int l = 0; l < now.size(); ++l)
+  Derivatives result{Factors(to.size(), 0.), Factors(to.size(), 0.)};
+  for (unsigned int l = 0; l < to.size(); ++l)
     if (model.linear.accelerates(l)) {
-      forces += (after[l] - 2. * now[l] + before[l]) / (h * h) * model.linear.inertia(l);
-      forces += (after[l] - before[l]) / (2. * h) * model.linear.drag(l);
+      result.first[l] = (after[l] - before[l]) / (2. * h);
+      result.second[l] = (after[l] - 2. * now[l] + before[l]) / (h * h);
     }
+  return result;
+}
+
+void LoadCourse::add_inertia(const double time, Vector &forces) const {
+  const Derivatives factors = derivatives(time);
+  for (unsigned int l = 0; l < factors.first.size(); ++l)
+    if (model.linear.accelerates(l))
+      forces +=
+          factors.second[l] * model.linear.inertia(l) + factors.first[l] * model.linear.drag(l);
+}
+
+void LoadCourse::set_rates(LineState &state) const {
+  const Derivatives factors = derivatives(state.time);
+  state.load_rates = factors.first;
+  state.load_accelerations = factors.second;
 }
 
 Vector LoadCourse::imposed(const double time) const {

@@ -154,6 +154,8 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     current.velocity.setZero();
     current.acceleration.setZero();
     current.auxiliary.setZero();
+    current.load_rates.clear();
+    current.load_accelerations.clear();
   }
   is_resumed = false;
   course.begin_step(from, target, start, declared_step.duration);
@@ -215,6 +217,7 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
   if (!is_resumed) {
     declared = course.declared(start);
     current.load_factors = course.factors(start);
+    course.set_rates(current);
     integrator->start(current, course);
     time_step = integrator->is_exact() ? longest_step : times.front() - start;
   }

@@ -210,6 +210,10 @@ LineState ModalAnalysis::displaced(const Vector &unknowns) const {
   state.with_preload = false;
   model.space.expand(unknowns, state.dofs);
   state.load_factors.assign(state.load_factors.size(), 0.);
+  state.load_rates.clear();
+  state.load_accelerations.clear();
+  state.velocity.setZero();
+  state.acceleration.setZero();
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     state.contacts.strain[i] = model.contacts[i].strain(state.dofs);
     state.contacts.touch[i].setZero();

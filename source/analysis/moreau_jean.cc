@@ -106,6 +106,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   to.dofs += problem.imposed;
   to.time = time;
   to.load_factors = last_factors;
+  loads.set_rates(to);
   commit_contacts(response, from, to);
   contacts.add_histories(from, h, to);
   step.energy = account_motion(

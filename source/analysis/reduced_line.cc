@@ -269,7 +269,8 @@ LinearPart::Matrices ReducedLine::make_matrices() const {
       C.add(p, share);
     }
   }
-  LinearPart::Matrices matrices{K.matrix(), M.matrix(), C.matrix(), Vector(), {}, {}, {}, {}};
+  LinearPart::Matrices matrices{
+      K.matrix(), M.matrix(), C.matrix(), Vector(), {}, {}, {}, {}, line.linear.imposed_products()};
   matrices.preload = reduce_forces(line.linear.preload());
   for (unsigned int l = 0; l < line.scene.loads.size(); ++l) {
     matrices.forces.push_back(reduce_forces(line.linear.forces(l)));
@@ -337,6 +338,8 @@ Vector ReducedLine::all_unknowns(const Vector &reduced_unknowns) const {
 void ReducedLine::expand(const LineState &state, const bool everything, LineState &full) const {
   full.time = state.time;
   full.load_factors = state.load_factors;
+  full.load_rates = state.load_rates;
+  full.load_accelerations = state.load_accelerations;
   full.contacts = state.contacts;
   full.contact_stress = state.contact_stress;
   full.contact_status = state.contact_status;

@@ -7,11 +7,8 @@
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace frictionbeam {
 
@@ -113,19 +110,22 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
       load_inertia(scene.loads.size()), load_drag(scene.loads.size()),
       imposed_motions(scene.loads.size()), nodal_loads(scene.loads.size()) {
   check_pressure(scene);
-  find_imposed_motions(scene, mesh, discretization, space);
+  find_imposed_motions(scene, mesh, discretization, space, with_mass);
   find_nodal_loads(scene, mesh, discretization, space);
   make_pattern(discretization, space, contacts, scene, mesh);
   if (with_mass)
     M = K;
   add_pipes(scene, discretization, space, with_mass);
-  add_springs(scene, mesh, discretization, space);
+  add_springs(scene, mesh, discretization, space, with_mass);
   if (with_mass) {
     for (const PointMass &mass : scene.masses)
       for (const std::string &point : mass.points) {
         const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), {mesh.points.at(point)});
-        add_local(mass.mass * Eigen::Matrix3d::Identity(), {dofs.begin(), dofs.begin() + 3}, space,
-                  M);
+        const std::vector<types::global_dof_index> places(dofs.begin(), dofs.begin() + 3);
+        const Eigen::Matrix3d local = mass.mass * Eigen::Matrix3d::Identity();
+        add_local(local, places, space, M);
+        add_imposed(local, places, space, load_inertia, products.mass);
+        add_imposed(scene.time.mass_damping * local, places, space, load_drag, products.damping);
       }
     make_damping(scene, mesh, discretization, space);
   }
@@ -135,7 +135,8 @@ LinearPart::LinearPart(Matrices matrices)
     : K(std::move(matrices.stiffness)), M(std::move(matrices.mass)), C(std::move(matrices.damping)),
       spring_preload(std::move(matrices.preload)), load_forces(std::move(matrices.forces)),
       load_inertia(std::move(matrices.inertia)), load_drag(std::move(matrices.drag)),
-      imposed_motions(std::move(matrices.imposed)), nodal_loads(load_forces.size()) {}
+      imposed_motions(std::move(matrices.imposed)), products(std::move(matrices.products)),
+      nodal_loads(load_forces.size()) {}
 
 void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
                               const Discretization &discretization, const ReducedSpace &space) {
@@ -159,52 +160,11 @@ void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
         local << 1., -1., -1., 1.;
         local *= spring.damping[c];
         add_local(local, dofs, space, dashpots);
+        add_imposed(local, dofs, space, load_drag, products.damping);
         any = true;
       }
   if (any)
     C = C + dashpots;
-}
-
-void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
-                                      const Discretization &discretization,
-                                      const ReducedSpace &space) {
-  for (unsigned int l = 0; l < scene.loads.size(); ++l) {
-    if (scene.loads[l].kind != Load::Kind::displacement)
-      continue;
-    for (const Load::AtPoint &at : scene.loads[l].at) {
-      const unsigned int vertex = mesh.points.at(at.point);
-      // The smallest motion of the vertex that has the given values and respects all that is held.
-      Eigen::MatrixXd rows(0, 6);
-      Eigen::VectorXd values(0);
-      const auto append = [&](const Tensor<1, 6> &direction, const double value) {
-        rows.conservativeResize(rows.rows() + 1, 6);
-        values.conservativeResize(values.size() + 1);
-        for (unsigned int c = 0; c < 6; ++c)
-          rows(rows.rows() - 1, c) = direction[c];
-        values[values.size() - 1] = value;
-      };
-      for (const auto &held : space.held()) {
-        if (held.vertex != vertex)
-          continue;
-        double value = 0.; // what is held along an axis moves with it, either way it points
-        for (unsigned int c = 0; c < 6; ++c)
-          if (at.given[c] && std::abs(std::abs(held.direction[c]) - 1.) < 1e-12)
-            value = held.direction[c] * at.value[c];
-        append(held.direction, value);
-      }
-      const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
-      if ((rows * motion - values).norm() > 1e-9 * values.norm())
-        throw UserError("Load " + scene.loads[l].name + ": the motion imposed at point '" +
-                        at.point +
-                        "' contradicts a restraint there. Impose it only in directions "
-                        "that are free otherwise.");
-      for (unsigned int c = 0; c < 6; ++c) {
-        const auto dof = discretization.vertex_dofs().index(vertex, c);
-        if (motion[c] != 0. && dof != numbers::invalid_dof_index)
-          imposed_motions[l].emplace_back(dof, motion[c]);
-      }
-    }
-  }
 }
 
 void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
@@ -275,16 +235,6 @@ void LinearPart::make_pattern(const Discretization &discretization, const Reduce
 
 void LinearPart::add_pipes(const Scene &scene, const Discretization &discretization,
                            const ReducedSpace &space, const bool with_mass) {
-  std::unordered_map<unsigned int, std::vector<std::pair<unsigned int, double>>>
-      imposed; // dof: load
-  for (unsigned int l = 0; l < imposed_motions.size(); ++l)
-    for (const auto &[dof, value] : imposed_motions[l])
-      imposed[dof].emplace_back(l, value);
-  if (with_mass)
-    for (unsigned int l = 0; l < imposed_motions.size(); ++l)
-      if (!imposed_motions[l].empty())
-        load_inertia[l] = load_drag[l] = Vector::Zero(space.n_unknowns());
-
   PipeElement element(discretization);
   std::vector<types::global_dof_index> dofs(12);
   for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
@@ -296,10 +246,13 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
     element.reinit(cell);
     const PipeElement::Matrix12 stiffness = element.stiffness();
     add_local(stiffness, dofs, space, K);
-    PipeElement::Matrix12 mass;
+    add_imposed(stiffness, dofs, space, load_forces, products.stiffness);
     if (with_mass) {
-      mass = element.mass(cell);
+      const PipeElement::Matrix12 mass = element.mass(cell);
       add_local(mass, dofs, space, M);
+      add_imposed(mass, dofs, space, load_inertia, products.mass);
+      add_imposed(scene.time.mass_damping * mass + scene.time.stiffness_damping * stiffness, dofs,
+                  space, load_drag, products.damping);
     }
 
     const auto line = element.unit_line_loads();
@@ -318,26 +271,12 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
         for (const auto &term : space.terms(dofs[i]))
           load_forces[l][term.unknown] += term.weight * forces[i];
     }
-    if (!imposed.empty())
-      for (unsigned int j = 0; j < 12; ++j)
-        if (const auto found = imposed.find(dofs[j]); found != imposed.end())
-          for (const auto &[l, value] : found->second)
-            for (unsigned int i = 0; i < 12; ++i)
-              for (const auto &term : space.terms(dofs[i])) {
-                load_forces[l][term.unknown] -= term.weight * stiffness(i, j) * value;
-                if (with_mass) {
-                  const double inertia = term.weight * mass(i, j) * value;
-                  load_inertia[l][term.unknown] -= inertia;
-                  load_drag[l][term.unknown] -=
-                      scene.time.mass_damping * inertia +
-                      scene.time.stiffness_damping * term.weight * stiffness(i, j) * value;
-                }
-              }
   }
 }
 
 void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
-                             const Discretization &discretization, const ReducedSpace &space) {
+                             const Discretization &discretization, const ReducedSpace &space,
+                             const bool with_mass) {
   const VertexDofs &vertex_dofs = discretization.vertex_dofs();
   spring_preload = Vector::Zero(space.n_unknowns());
   for (const Spring &spring : scene.springs)
@@ -359,13 +298,9 @@ void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
       local << 1., -1., -1., 1.;
       local *= spring.stiffness[c];
       add_local(local, dofs, space, K);
-      for (unsigned int l = 0; l < imposed_motions.size(); ++l)
-        for (const auto &[dof, value] : imposed_motions[l])
-          for (unsigned int j = 0; j < dofs.size(); ++j)
-            if (dofs[j] == dof)
-              for (unsigned int i = 0; i < dofs.size(); ++i)
-                for (const auto &term : space.terms(dofs[i]))
-                  load_forces[l][term.unknown] -= term.weight * local(i, j) * value;
+      add_imposed(local, dofs, space, load_forces, products.stiffness);
+      if (with_mass)
+        add_imposed(scene.time.stiffness_damping * local, dofs, space, load_drag, products.damping);
     }
 }
 

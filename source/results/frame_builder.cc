@@ -36,6 +36,7 @@ FrameBuilder::FrameBuilder(const Model &model, const bool both_sides)
   for (unsigned int i = 0; i < cells.size(); ++i)
     if (cells[i].position == 0)
       first_cell.push_back(i);
+  find_cells_at_restraints();
 }
 
 std::vector<SupportInfo> FrameBuilder::support_infos() const {
@@ -143,6 +144,7 @@ Frame FrameBuilder::make(const LineState &state) {
   for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
     add_pipe(state, p, frame.line);
   add_vertex_forces(state);
+  add_inertia(state);
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
     frame.supports.push_back(support_state(state, i));
   // Restraints that share a point each report what acts in their own directions.

@@ -10,6 +10,7 @@
 //   --figures TOLERANCE PART   of all whose reference exceeds PART times the largest of that unit
 //   --value NAME BOUND         absolute value of one quantity
 //   --check NAME BOUND         line of the certificate
+//   --energy NAME VALUE TOLERANCE  of the account of energy [J], relative; absolute if VALUE is 0
 //   --ratio NAME LOW HIGH A B  its value with --set A over the one with --set B
 //   --same-as OTHER TOLERANCE  all quantities as those of another parameter file
 //   --expect TEXT              the program's output has it in it
@@ -177,6 +178,14 @@ void check_case(Words &words) {
       checks.push_back([=](const Run &run) {
         const double value = run.certificate.at(name);
         expect(value <= bound, "certificate: " + name + " = " + text(value) + " > " + text(bound));
+      });
+    } else if (word == "--energy") {
+      const std::string name = words.take();
+      const double reference = words.take_number(), tolerance = words.take_number();
+      checks.push_back([=](const Run &run) {
+        const double size = reference == 0. ? 1. : std::abs(reference);
+        expect(std::abs(run.energy.at(name) - reference) <= tolerance * size,
+               "energy: " + name + " = " + text(run.energy.at(name)) + ", not " + text(reference));
       });
     } else if (word == "--ratio") {
       const std::string name = words.take();

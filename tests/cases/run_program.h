@@ -35,7 +35,7 @@ struct Run {
   std::string status;   ///< the rest is from summary.json
   double wall_seconds = 0.;
   std::vector<Quantity> quantities;
-  std::map<std::string, double> certificate;
+  std::map<std::string, double> certificate, energy;
 
   const Quantity &quantity(const std::string &name) const {
     for (const Quantity &q : quantities)
@@ -90,6 +90,9 @@ inline void read_summary(const std::filesystem::path &folder, Run &run) {
   run.wall_seconds = tree.get<double>("cost.wall_seconds");
   for (const auto &[key, entry] : tree.get_child("certificate"))
     run.certificate[key] = std::stod(entry.data());
+  if (const auto account = tree.get_child_optional("energy"))
+    for (const auto &[key, entry] : *account)
+      run.energy[key] = std::stod(entry.data());
   for (const auto &[key, entry] : tree.get_child("quantities"))
     run.quantities.push_back(
         {entry.get<std::string>("name"), entry.get<std::string>("unit"),

@@ -60,6 +60,14 @@ EnergyAccount account_motion(const Model &model, const LineState &before, const 
                              const MotionProducts &products, const Vector &loads_before,
                              const Vector &loads_after, const std::vector<ContactWork> &work);
 
+/**
+ * What motions that loads impose add to the share of the unknowns: the mixed and quadratic terms of
+ * the energies and of damping, and as work the same and what inertia takes.
+ * @param h time from before to after; of no meaning in statics
+ */
+EnergyAccount account_imposed(const Model &model, const LineState &before, const LineState &after,
+                              const double h);
+
 /// The contacts' share of either.
 EnergyAccount account_contacts(const Model &model, const LineState &before, const LineState &after,
                                const std::vector<ContactWork> &work);

@@ -28,6 +28,9 @@ struct LineState {
   std::vector<Contact::Strains> contact_stress;
   std::vector<ContactStatus> contact_status;
   std::vector<double> load_factors; ///< beside Scene::loads
+  /// First and second derivatives in time of the factors; empty in statics, and where no load moves
+  /// what has mass.
+  std::vector<double> load_rates, load_accelerations;
   double time = 0.;
   Vector auxiliary;                 ///< of the time integrator
   std::vector<ContactEvent> events; ///< of the last increment

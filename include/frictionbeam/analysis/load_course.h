@@ -33,6 +33,8 @@ public:
   /// Add the inertia and damping of motions that loads impose, by differences in time over the
   /// length of a step: the impulse of a velocity that jumps comes out whole over the steps.
   void add_inertia(const double time, Vector &forces) const;
+  /// The same derivatives of the factors, of a state at its time.
+  void set_rates(LineState &state) const;
   /// Motions of all degrees of freedom that loads and the ground impose.
   Vector imposed(const double time) const;
 
@@ -42,6 +44,11 @@ public:
   bool may_jump(const double start, const double end) const;
 
 private:
+  /// Of the factors, by time; both empty if no load moves what has mass.
+  struct Derivatives {
+    Factors first, second;
+  };
+  Derivatives derivatives(const double time) const;
   /// The declared factors times a value of each load's history.
   Factors declared_times(const double time,
                          const std::function<double(const TimeFunction &)> &value) const;

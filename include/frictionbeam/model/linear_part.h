@@ -3,6 +3,8 @@
 
 #include <frictionbeam/model/contacts.h>
 
+#include <unordered_map>
+
 namespace frictionbeam {
 
 /**
@@ -14,6 +16,12 @@ public:
   LinearPart(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
              const ReducedSpace &space, const Contacts &contacts, const bool with_mass);
 
+  /// Of the motions b_l that loads impose, by pairs of loads: b_k^T A b_l; without entries if no
+  /// load imposes any.
+  struct Products {
+    Eigen::MatrixXd stiffness, mass, damping;
+  };
+
   /// Of a model whose matrices come from elsewhere; damping may be without entries.
   struct Matrices {
     SparseMatrix stiffness, mass, damping;
@@ -21,6 +29,7 @@ public:
     std::vector<Vector> forces;                                        ///< by load
     std::vector<Vector> inertia, drag;                                 ///< likewise, or empty
     std::vector<std::vector<std::pair<unsigned int, double>>> imposed; ///< likewise
+    Products products;
   };
   explicit LinearPart(Matrices matrices);
 
@@ -45,12 +54,25 @@ public:
   const std::vector<std::pair<unsigned int, double>> &imposed(const unsigned int l) const {
     return imposed_motions[l];
   }
+  const Products &imposed_products() const { return products; }
+  /// What stored energy has besides q^T K q / 2, at factors x of the loads: -sum x_l f_l . q +
+  /// x^T b^T K b x / 2 over the loads that impose motions.
+  double stored_by_imposed(const std::vector<double> &factors, const Vector &unknowns) const;
+  /// What kinetic energy has besides v^T M v / 2, likewise of the factors' rates.
+  double kinetic_by_imposed(const std::vector<double> &rates, const Vector &velocity) const;
   /// Forces and moments that load @p l puts on vertices by itself (point loads, weight of masses).
   const std::map<unsigned int, Motion> &nodal(const unsigned int l) const { return nodal_loads[l]; }
 
 private:
   void find_imposed_motions(const Scene &scene, const LineMesh &mesh,
-                            const Discretization &discretization, const ReducedSpace &space);
+                            const Discretization &discretization, const ReducedSpace &space,
+                            const bool with_mass);
+  /// What a matrix on a few degrees of freedom is to motions that loads impose there: @p forces on
+  /// the unknowns and products.
+  void add_imposed(const Eigen::MatrixXd &local,
+                   const std::vector<dealii::types::global_dof_index> &dofs,
+                   const ReducedSpace &space, std::vector<Vector> &forces,
+                   Eigen::MatrixXd &products_of_motions) const;
   void find_nodal_loads(const Scene &scene, const LineMesh &mesh,
                         const Discretization &discretization, const ReducedSpace &space);
   void make_pattern(const Discretization &discretization, const ReducedSpace &space,
@@ -58,7 +80,7 @@ private:
   void add_pipes(const Scene &scene, const Discretization &discretization,
                  const ReducedSpace &space, const bool with_mass);
   void add_springs(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
-                   const ReducedSpace &space);
+                   const ReducedSpace &space, const bool with_mass);
   void make_damping(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
                     const ReducedSpace &space);
 
@@ -66,6 +88,10 @@ private:
   Vector spring_preload;
   std::vector<Vector> load_forces, load_inertia, load_drag;
   std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;
+  /// The same by degree of freedom: loads and values.
+  std::unordered_map<dealii::types::global_dof_index, std::vector<std::pair<unsigned int, double>>>
+      imposed_at;
+  Products products;
   std::vector<std::map<unsigned int, Motion>> nodal_loads;
 };
 

@@ -41,8 +41,11 @@ public:
   std::array<double, 7> momentum_and_energy(const LineState &state) const;
 
 private:
+  void find_cells_at_restraints();
   void add_pipe(const LineState &state, const unsigned int pipe, std::vector<Station> &line);
   void add_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
+  /// Forces M a + C v of a state in motion on the nodes of restraints, of imposed motions too.
+  void add_inertia(const LineState &state);
   /// The same in corotational kinematics: section forces in the axes that turn with the cell.
   void add_turned_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
   /// Sum of a state's loads on a pipe cell.
@@ -59,6 +62,8 @@ private:
 
   const Model &model;
   const bool both_sides;
+  std::vector<bool> is_held;                     ///< vertices of restraints and imposed motions
+  std::vector<unsigned int> cells_at_restraints; ///< in Discretization::pipe_cells()
   PipeElement element;
   dealii::FEValues<1, 3> station_values;
   std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()
