@@ -195,6 +195,6 @@ for no less than an eighth of the one before, level by level (of a continuum, a 
 increments are doubled twice before they count as not mattering: one and two agree where something slips and
 turns within them. Histories of loads are followed to the corners of their tables. Only what a refinement
 touches can change: a slab that sticks everywhere, refined at the worse of its two corners, seemed known to
-1e-7 when it was wrong by 1.8e-3 at the other. A continuum therefore answers for ten times the square of its
-error in the energy norm, too, which is what the displacement under the load is wrong by there.
+1e-7 when it was wrong by 1.8e-3 at the other. The estimate is therefore at least ten times the squared error in
+the energy norm that cells of the first mesh have left, which is what the displacement is wrong by there.
 """)

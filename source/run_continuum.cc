@@ -7,7 +7,6 @@
 #include <frictionbeam/scene/user_error.h>
 
 #include <deal.II/base/timer.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +118,9 @@ std::vector<double> AdaptiveRun<dim>::least_scales() const {
     return quantity.kind == Kind::slip_length || quantity.kind == Kind::slip_end ||
            quantity.kind == Kind::open_end;
   };
-  const double size = GridTools::diameter(*body.triangulation);
+  double size = 0.;
+  for (const Point<dim> &vertex : mesh.vertices)
+    size = std::max(size, vertex.distance(mesh.vertices.front()));
   std::vector<double> result;
   for (const ContinuumQuantity &quantity : quantities) {
     double largest = is_length(quantity) ? size : 0.;
@@ -177,20 +178,17 @@ void AdaptiveRun<dim>::run() {
     if (!why.empty())
       break;
     ContinuumGuess guess = solution.sequence->as_guess();
-    if (!levels.back().estimate)
-      estimate_errors(*solution.sequence);
-    refine(body, estimate, settings.refinement == Refinement::uniform ? 1. : settings.fraction,
-           solution.sequence->ends().back(), guess);
+    estimate_errors(*solution.sequence);
+    const double by_all = by_energy * *levels.back().estimate * *levels.back().estimate;
+    const double untouched =
+        by_all * refine(body, estimate,
+                        settings.refinement == Refinement::uniform ? 1. : settings.fraction,
+                        solution.sequence->ends().back(), guess);
     solution = solve(&guess);
     levels.push_back(solution.level);
-    error = estimated_error();
+    error = std::max(estimated_error(), untouched);
     // Slip zones end where they will: one small change may be chance.
     reached = error <= (levels.size() == 2 ? first_share : 1.) * settings.tolerance;
-    if (reached) { // unless what has not been refined has not changed
-      estimate_errors(*solution.sequence);
-      error = std::max(error, by_energy * *levels.back().estimate * *levels.back().estimate);
-      reached = error <= settings.tolerance;
-    }
   }
   results.status = solution.converged && why.empty() ? RunStatus::converged : RunStatus::failed;
   if (!why.empty())
@@ -242,7 +240,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
   const std::string &folder = scene.output.directory;
   if (scene.output.vtu)
     write_continuum_vtu(body, sequence.ends(), folder);
-  if (scene.output.report && !levels.back().estimate)
+  if (scene.output.report)
     estimate_errors(sequence);
   if (this_process(body.communicator) > 0)
     return;

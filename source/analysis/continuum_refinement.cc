@@ -140,24 +140,34 @@ void refine_flagged(ContinuumBody<dim> &body, ContinuumGuess &guess) {
 } // namespace
 
 template <int dim>
-void refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate, const double fraction,
-            const ContinuumState &state, ContinuumGuess &guess) {
+double refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate,
+              const double fraction, const ContinuumState &state, ContinuumGuess &guess) {
   const double least = fraction < 1. ? threshold(body, estimate, fraction) : -1.;
   for (const auto &cell : body.triangulation->active_cell_iterators())
     if (cell->is_locally_owned() && estimate[cell->active_cell_index()] >= least)
       cell->set_refine_flag();
   const std::vector<Point<dim>> fronts = flag_fronts(body, state);
+  double untouched = 0., all = 0.;
+  for (const auto &cell : body.triangulation->active_cell_iterators())
+    if (cell->is_locally_owned()) {
+      const double own = estimate[cell->active_cell_index()];
+      all += own;
+      untouched += cell->level() == 0 && !cell->refine_flag_set() ? own : 0.;
+    }
+  untouched = Utilities::MPI::sum(untouched, body.communicator);
+  all = Utilities::MPI::sum(all, body.communicator);
   refine_flagged(body, guess);
   if (fraction < 1. && !fronts.empty()) { // twice: where a zone ends is the last to be known
     flag_cells_at(fronts, body);
     refine_flagged(body, guess);
   }
   body.constrain();
+  return all > 0. ? untouched / all : 0.;
 }
 
-template void refine<2>(ContinuumBody<2> &, const dealii::Vector<float> &, const double,
-                        const ContinuumState &, ContinuumGuess &);
-template void refine<3>(ContinuumBody<3> &, const dealii::Vector<float> &, const double,
-                        const ContinuumState &, ContinuumGuess &);
+template double refine<2>(ContinuumBody<2> &, const dealii::Vector<float> &, const double,
+                          const ContinuumState &, ContinuumGuess &);
+template double refine<3>(ContinuumBody<3> &, const dealii::Vector<float> &, const double,
+                          const ContinuumState &, ContinuumGuess &);
 
 } // namespace frictionbeam

@@ -109,40 +109,36 @@ Quadrature<dim - 1> rule_below(const double x, const double x_first, const doubl
 template <int dim>
 bool is_held_below(const ContinuumBody<dim> &body, const ContinuumQuantity &quantity) {
   const double x = quantity.x;
-  std::array<bool, 4> found{}; // body below and above, held below and above
-  const auto include = [&](const unsigned int first, const double place) {
-    found[first] = found[first] || place <= x;
-    found[first + 1] = found[first + 1] || place >= x;
-  };
-  for (const auto &cell : body.triangulation->active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      include(0, cell->vertex(v)[0]);
+  const std::string what =
+      "The quantity " + quantity.name + " is a force at x = " + rounded_number(x) + " m";
+  const auto &vertices = body.mesh.vertices;
+  const auto [first, last] =
+      std::minmax_element(vertices.begin(), vertices.end(),
+                          [](const Point<dim> &a, const Point<dim> &b) { return a[0] < b[0]; });
+  if (x < (*first)[0] || x > (*last)[0])
+    throw UserError(what + ", where the body has no section. It reaches from " +
+                    rounded_number((*first)[0]) + " to " + rounded_number((*last)[0]) + " m.");
   bool below = false, above = false;
+  const auto hold_at = [&](const double place) {
+    below = below || place < x;
+    above = above || place > x;
+  };
   for (const ContinuumHold &hold : body.continuum.holds) {
     if (!hold.fixed[0])
       continue;
     if (const auto point = body.mesh.points.find(hold.part); point != body.mesh.points.end()) {
-      below = below || point->second[0] < x;
-      above = above || point->second[0] > x;
+      hold_at(point->second[0]);
       continue;
     }
     const types::boundary_id id = body.mesh.part(hold.part);
-    for (const auto &cell : body.triangulation->active_cell_iterators())
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() && face->boundary_id() == id) {
-          below = below || face->center()[0] < x;
-          above = above || face->center()[0] > x;
-        }
+    for (const auto &face : body.mesh.faces)
+      if (face.part == id)
+        for (const unsigned int v : face.vertices)
+          hold_at(vertices[v][0]);
   }
-  for (bool *const one : {&found[0], &found[1], &below, &above})
-    *one = Utilities::MPI::max(static_cast<unsigned int>(*one), body.communicator) > 0;
-  if (!found[0] || !found[1])
-    throw UserError("The quantity " + quantity.name + " is a force at x = " + rounded_number(x) +
-                    " m, where the body has no section.");
   if (below && above)
-    throw UserError("The quantity " + quantity.name + " is a force at x = " + rounded_number(x) +
-                    " m, and the body is held along x on both sides of it. Ask for it where one "
-                    "side is free.");
+    throw UserError(what + ", and the body is held along x on both sides of it. Ask for it where "
+                           "one side is free.");
   return below;
 }
 

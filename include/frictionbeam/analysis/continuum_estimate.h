@@ -22,9 +22,10 @@ dealii::Vector<float> estimate_error(const ContinuumBody<dim> &body, const Conti
  * Refine the cells that hold @p fraction of the squared estimate, and those at ends of slipping or
  * open zones twice (unless @p fraction is 1: all cells), and carry @p guess over. The same cells
  * whatever the number of processes.
+ * @return the share of the squared estimate in cells of the first mesh that are left as they are
  */
 template <int dim>
-void refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate, const double fraction,
-            const ContinuumState &state, ContinuumGuess &guess);
+double refine(ContinuumBody<dim> &body, const dealii::Vector<float> &estimate,
+              const double fraction, const ContinuumState &state, ContinuumGuess &guess);
 
 } // namespace frictionbeam
