@@ -156,7 +156,8 @@ double AccuracyControl::estimate_without(const std::size_t what) const {
 Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
   accuracy::Convergence convergence;
   Trial before = solve_at(what, 0);
-  unsigned int level = 1;
+  // One increment and two agree where something slips and turns within both.
+  unsigned int level = list[what].coarsest_may_be_exact ? 2 : 1;
   coarsest_will_do = false;
   while (true) {
     Trial now = solve_at(what, level);
@@ -169,15 +170,9 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       const double estimate = convergence.estimate();
       estimates[what] = estimate;
       if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance)) {
-        // What slips and turns within one increment may do so within two.
-        if (level > 1 || !list[what].coarsest_may_be_exact)
-          return now;
-        coarsest_will_do = true;
-        before = std::move(now);
-        level = 2;
-        continue;
+        coarsest_will_do = list[what].coarsest_may_be_exact && before.level == 0;
+        return now;
       }
-      coarsest_will_do = false;
     }
     if (!converged && before.results.status == RunStatus::converged) { // too fine to be solved?
       const unsigned int on = (level - before.level) / 2;
@@ -289,7 +284,7 @@ Results AccuracyControl::run_line() {
                is_last = i + (together ? 2 : 1) == list.size();
     const double tolerance = is_last ? demanded - estimate_without(i) : early_share * demanded;
     results = (together ? refine_together({i, i + 1}, tolerance) : refine(i, tolerance)).results;
-    if (coarsest_will_do && levels[i] == 2 && !is_last)
+    if (coarsest_will_do && !is_last)
       levels[i] = 0;
     i += together;
   }
