@@ -192,7 +192,8 @@ and a thousand corotational steps take seconds (flying_beam, spinning_beam).
 What it does not do: choose the number of cells in a mesh of the user's own, or the increments of a
 continuum. An estimate from differences can be deceived by chance agreement; a difference is therefore taken
 for no less than an eighth of the one before, level by level (of a continuum, a sixteenth, mesh by mesh), and
-one increment is compared to four: one and two agree where something slips and turns within both. Histories of loads are followed to the corners of their tables. Only what a refinement
+one increment is compared to four: one and two agree where something slips and turns within
+both. Histories of loads are followed to the corners of their tables. Only what a refinement
 touches can change: a slab that sticks everywhere, refined at the worse of its two corners, seemed known to
 1e-7 when it was wrong by 1.8e-3 at the other. The estimate is therefore at least ten times the squared error in
 the energy norm that cells of the first mesh have left, which is what the displacement is wrong by there.
