@@ -148,11 +148,10 @@ bool EventIntegrator::meet_ground(const double length, EnergyAccount &energy, Li
     return false;
   const Vector of_ground = ground_velocity(0., length);
   set_imposed(0., length);
+  bool changed = at_rest_on_ground;
   if (at_rest_on_ground)
     settle(of_ground, energy, to);
-  std::vector<ContactStatus> before;
-  for (const EventState &state : states)
-    before.push_back(state.status);
+  const std::vector<EventState> before = states;
   for (unsigned int i = 0; i < states.size(); ++i) {
     const EventContact &contact = line.contacts[i];
     if (!states[i].is_closed())
@@ -168,11 +167,15 @@ bool EventIntegrator::meet_ground(const double length, EnergyAccount &energy, Li
     } else if (contact.has_friction && contact.rigid_shear)
       set_sliding(i, u.tail<2>());
   }
-  for (unsigned int i = 0; i < states.size(); ++i)
-    if (states[i].status != before[i])
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    if (states[i].status != before[i].status)
       to.events.push_back({present, i, states[i].status});
-  motion.state_changed();
-  return true;
+    changed = changed || states[i].status != before[i].status ||
+              states[i].direction != before[i].direction;
+  }
+  if (changed)
+    motion.state_changed();
+  return changed;
 }
 
 void EventIntegrator::settle(const Vector &of_ground, EnergyAccount &energy, LineState &to) {

@@ -71,7 +71,6 @@ void LoadSequence::initialize() {
   if (model.corotational)
     current.turns = model.corotational->at_rest().turns;
   set_initial_motion(true);
-  has_moved = false;
   const auto expand = [&]() {
     model.space.expand(current.unknowns, current.dofs);
     model.contacts.add_ground_motion(0., current.dofs);
@@ -118,9 +117,11 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
     Factors target(model.scene.loads.size(), 0.);
     for (const auto &[load, factor] : declared_step.loads)
       target[load] += factor;
-    if (declared_step.transient && !has_moved && !is_resumed)
+    const auto steps = model.scene.steps.begin();
+    if (declared_step.transient && !is_resumed &&
+        std::none_of(steps, steps + position.step,
+                     [](const LoadStep &step) { return step.transient; }))
       set_initial_motion(false);
-    has_moved = has_moved || declared_step.transient;
     // A step within which the run was cut was not reduced.
     const bool reduced =
         model.scene.time.reduction.modes != ReductionSettings::Modes::all && !is_resumed;
@@ -135,7 +136,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
 
 void LoadSequence::transfer(Archive &archive) {
   bool has_integrator = integrator != nullptr;
-  archive(position, declared, current, step_reports, time_step, last_error, has_moved, *statics,
+  archive(position, declared, current, step_reports, time_step, last_error, *statics,
           has_integrator);
   if (archive.reads() && has_integrator)
     integrator = make_time_integrator(model);

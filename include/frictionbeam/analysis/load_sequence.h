@@ -111,7 +111,6 @@ private:
   LineState next;
   double time_step = 0., longest_step = 0.; ///< at present, and never more [s]
   double last_error = 0.;                   ///< of the last time step [m]
-  bool has_moved = false;                   ///< in a transient step
 };
 
 } // namespace frictionbeam
