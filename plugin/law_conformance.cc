@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/law_closed_form.h>
 #include <frictionbeam/law_conformance.h>
 
 #include <algorithm>
@@ -206,6 +207,8 @@ std::vector<std::string> check_law(const LawDescription &law,
       checker.walk(magnitude, seed);
   if (checker.n_successes == 0)
     checker.violations.push_back("it fails in every increment of the test");
+  for (const std::string &fault : closed_form_faults(law, parameters))
+    checker.violations.push_back(fault);
   return checker.violations;
 }
 

@@ -19,7 +19,8 @@ namespace frictionbeam {
  *  - dissipation is never negative,
  *  - stress and state do not depend on the tangent asked for, and none is written unasked,
  *  - the old state is not written, and all results are written and finite,
- *  - it does not fail everywhere.
+ *  - it does not fail everywhere,
+ *  - its closed form, if it has one, is the same law (closed_form_faults()).
  *
  * @param parameters values in the order of the law's list.
  * @return what was violated, in plain words; empty if the law conforms.

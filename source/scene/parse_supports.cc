@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "parts.h"
 
+#include <frictionbeam/law_closed_form.h>
+
 #include <algorithm>
 
 namespace frictionbeam::parts {
@@ -200,6 +202,15 @@ std::vector<std::string> law_entries(const LawDescription &law) {
   return entries;
 }
 
+/// The method exact believes a law's closed form, the others its integrate(): they must agree.
+void check_closed_form(const ParameterReader &in, const LawDescription &law,
+                       const std::vector<double> &parameters) {
+  const std::vector<std::string> faults = closed_form_faults(law, parameters);
+  if (!faults.empty())
+    in.fail("Law", "a law that does not contradict itself: " + faults.front(),
+            "another law, or mend this one until frictionbeam-check-law says that it conforms");
+}
+
 } // namespace
 
 void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
@@ -247,6 +258,7 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
   support.law = law.name;
   for (const std::string &entry : own_entries)
     support.parameters.push_back(in.number(entry));
+  check_closed_form(in, law, support.parameters);
   support.length = in.number("Length");
   using Rotations = FrictionSupport::Rotations;
   const std::string rotations = in.text("Rotations");

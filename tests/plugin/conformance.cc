@@ -159,6 +159,53 @@ void faults(const LawDescription &coulomb) {
   named(violations(Fault::none, true), "announced as symmetric");
 }
 
+/// The law coulomb with another closed form.
+std::vector<std::string> closed_form(const LawDescription &coulomb, const Probe::Values &values,
+                                     void (*other)(FrictionThreshold &)) {
+  static void (*honest)(const double *, FrictionThreshold &) = nullptr;
+  static void (*change)(FrictionThreshold &) = nullptr;
+  honest = coulomb.threshold;
+  change = other;
+  LawDescription description = coulomb;
+  description.threshold = [](const double *parameters, FrictionThreshold &form) {
+    honest(parameters, form);
+    change(form);
+  };
+  return check_law(description, Probe(coulomb, values).parameters);
+}
+
+/// Each figure of a closed form matters: a change of it is found, and no change is none.
+void closed_forms(const LawDescription &coulomb) {
+  const Probe::Values values = {{"Axial rigidity", 3e6},
+                                {"Shear rigidity", 2e6},
+                                {"Gap", 0.02},
+                                {"Dynamic friction coefficient", 0.2},
+                                {"Torsional rigidity", 70.},
+                                {"Patch radius", 0.2}};
+  const auto found = [&](const std::vector<std::string> &violations, const std::string &words) {
+    CHECK(violations.size() == 1);
+    if (!violations.empty() && violations[0].find(words) == std::string::npos)
+      std::cerr << "'" << words << "' is not in: " << violations[0] << '\n';
+    CHECK(!violations.empty() && violations[0].find(words) != std::string::npos);
+  };
+  using Form = FrictionThreshold;
+  CHECK(closed_form(coulomb, values, [](Form &) {}).empty());
+  const std::string differs = "disagrees with integrate()";
+  found(closed_form(coulomb, values, [](Form &f) { f.static_friction *= 5.; }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.dynamic_friction *= 0.99; }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.gap *= 1.001; }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.axial_rigidity *= 1.0001; }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.shear_rigidity_y *= 1.0001; }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.shear_rigidity_z *= 1.0001; }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.torsional_rigidity *= 1.0001; }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.patch_radius *= 1.0001; }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.slip_y = 77; }), "slip_y outside");
+  found(closed_form(coulomb, values, [](Form &f) { f.twist = -1; }), "twist outside");
+  found(closed_form(coulomb, values, [](Form &f) { std::swap(f.slip_y, f.slip_z); }), differs);
+  found(closed_form(coulomb, values, [](Form &f) { f.slip_y = f.slip_z; }), "twice");
+  found(closed_form(coulomb, values, [](Form &f) { f.dynamic_friction = 7.; }), "outside of 0");
+}
+
 } // namespace
 
 int main() {
@@ -166,5 +213,6 @@ int main() {
   library.load_builtin();
   built_in(library);
   faults(library.find("coulomb"));
+  closed_forms(library.find("coulomb"));
   return check::report();
 }

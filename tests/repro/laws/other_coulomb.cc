@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The law coulomb under another name and with a closed form that is not its own: by LIAR five times
+// the friction, by WILD a place in the state that does not exist.
+#define frictionbeam_law frictionbeam_honest_law
+#include "../../../plugin/law_coulomb.cc"
+#undef frictionbeam_law
+
+namespace {
+
+void other_threshold(const double *p, FrictionThreshold &t) {
+  threshold(p, t);
+#ifdef LIAR
+  t.static_friction *= 5.;
+  t.dynamic_friction *= 5.;
+#else
+  t.slip_y = 77;
+#endif
+}
+
+} // namespace
+
+extern "C" __attribute__((visibility("default")))
+const frictionbeam::LawDescription frictionbeam_law = {
+    frictionbeam::law_interface_version,
+    frictionbeam::LawKind::support,
+    frictionbeam::n_support_strains,
+    n_states,
+    false,
+    "other",
+    "a law of the tests",
+    n_parameters,
+    parameters,
+    &law,
+    &other_threshold};
