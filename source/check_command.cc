@@ -161,7 +161,7 @@ void check(const RunOptions &options, const LawLibrary &laws, Scene &scene) {
   scene.steps.push_back(built);
   Frame frame = builder.make(state);
   frame.step = scene.steps.size() - 1;
-  const std::string picture = scene.output.directory + "/line.svg";
+  const std::string picture = scene.output.directory + "/model.svg";
   if (!frame.line.empty()) {
     write_file(picture, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
                             draw_line(scene, results, frame, 1.));

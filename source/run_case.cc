@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run_case.h"
 #include "run_continuum.h"
+#include "run_folder.h"
 #include "size_hangers.h"
 #include "solve_scene.h"
 #include "solve_to_accuracy.h"
 
+#include <frictionbeam/analysis/interruption.h>
 #include <frictionbeam/model/processes.h>
 #include <frictionbeam/results/both_models.h>
 #include <frictionbeam/results/checkpoint.h>
+#include <frictionbeam/results/finite.h>
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
 #include <frictionbeam/results/report_modes.h>
@@ -24,6 +27,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 #include <set>
 
 namespace frictionbeam {
@@ -36,7 +40,7 @@ double peak_memory_mb() {
   return usage.ru_maxrss / 1024.;
 }
 
-void print_summary(const Scene &scene, const Results &results, const std::string &folder) {
+void print_summary(const Scene &scene, const Results &results) {
   for (const std::string &remark : all_remarks(scene, results))
     std::cout << "Note: " << remark << '\n';
   for (const StepReport &step : results.steps) {
@@ -55,7 +59,6 @@ void print_summary(const Scene &scene, const Results &results, const std::string
       std::cout << " (reference " << *quantity.reference << ", error " << *quantity.error << ')';
     std::cout << '\n';
   }
-  std::cout << "Results are in " << folder << ", the report is report.html\n";
 }
 
 /// The scene with all friction coefficients multiplied.
@@ -150,17 +153,17 @@ void prepare_folder(const std::string &folder) {
     MPI_Barrier(MPI_COMM_WORLD);
 }
 
-/// Write summary and report, and say what came out.
+/// Write summary and report.
 void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
+  refuse_not_finite(results);
   results.cost.peak_memory_mb = peak_memory_mb();
   results.cost.wall_seconds = wall.wall_time();
   if (this_process() > 0)
     return;
   write_modes(results, scene.output.directory);
-  write_summary(scene, results, scene.output.directory);
   if (scene.output.report)
     write_report(scene, results, scene.output.directory);
-  print_summary(scene, results, scene.output.directory);
+  write_summary(scene, results, scene.output.directory); // the last: it says that all is there
 }
 
 /// Solve the scene as beams and as a continuum, each into a folder of its own.
@@ -174,6 +177,8 @@ Results run_both(const Scene &scene, const LawLibrary &laws) {
     const dealii::Timer wall;
     Results results = model == "line" ? run_line(part, laws) : run_continuum(part, laws);
     conclude(part, results, wall);
+    if (this_process() == 0)
+      print_summary(part, results);
     include_model(both, results, model);
   }
   both.sections.push_back({"models", "Line and continuum", side_by_side(both)});
@@ -189,24 +194,45 @@ std::vector<std::string> folders_of_runs(const Scene &scene) {
   return folders;
 }
 
-/// A checkpoint counts only if it is asked for.
-void begin_or_resume(const bool resume, Scene &scene) {
-  scene.output.resume = resume;
-  const std::vector<std::string> folders = folders_of_runs(scene);
-  if (!resume) {
-    for (const std::string &folder : folders)
-      Checkpoint::remove(folder);
-    return;
-  }
-  if (scene.model != ModelKind::line || scene.accuracy > 0.)
+bool may_be_resumed(const Scene &scene) {
+  return scene.model == ModelKind::line && scene.accuracy == 0.;
+}
+
+void check_resumable(const Scene &scene) {
+  if (!may_be_resumed(scene))
     throw UserError("A run cannot be resumed here.\n  read:    --resume with " +
                     std::string(scene.accuracy > 0. ? "an Accuracy, which takes many runs"
                                                     : "a continuum, which has no checkpoints") +
                     "\n  allowed: --resume with Model = line, without Accuracy\n  try:     the run "
                     "without --resume, from its beginning");
-  if (std::none_of(folders.begin(), folders.end(), &Checkpoint::is_in))
-    std::cout << "There is no checkpoint in " << scene.output.directory
-              << ": the run begins at its beginning.\n";
+}
+
+/// The solution of a scene, its files written into the folder of the scene's output.
+Results solve(const RunOptions &options, LawLibrary &laws, Scene &scene,
+              const dealii::Timer &wall) {
+  const auto solve_once = [&](Scene &read) {
+    return read.model == ModelKind::line        ? run_line(read, laws)
+           : read.model == ModelKind::continuum ? run_continuum(read, laws)
+                                                : run_both(read, laws);
+  };
+  Results results =
+      scene.accuracy > 0. ? solve_to_accuracy(options, laws, scene, solve_once) : solve_once(scene);
+  conclude(scene, results, wall);
+  return results;
+}
+
+/// Keep the folder for this run, on the first process.
+std::unique_ptr<RunFolder> take_folder(const std::string &folder, const Scene &scene) {
+  std::unique_ptr<RunFolder> run;
+  if (this_process() == 0) {
+    run = std::make_unique<RunFolder>(folder, scene.output.resume);
+    const std::vector<std::string> folders = folders_of_runs(scene);
+    if (scene.output.resume && std::none_of(folders.begin(), folders.end(), &Checkpoint::is_in))
+      std::cout << "There is no checkpoint in " << folder << ": the run begins at its beginning.\n";
+  }
+  if (n_processes() > 1)
+    MPI_Barrier(MPI_COMM_WORLD);
+  return run;
 }
 
 } // namespace
@@ -216,20 +242,39 @@ int run_case(const RunOptions &options) {
   LawLibrary laws;
   laws.load_builtin();
   Scene scene = read_scene(options.parameter_file, options.overrides, laws);
-  scene.output.directory =
+  const std::string folder =
       options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
-  begin_or_resume(options.resume, scene);
-  prepare_folder(scene.output.directory);
-  const auto solve = [&](Scene &read) {
-    return read.model == ModelKind::line        ? run_line(read, laws)
-           : read.model == ModelKind::continuum ? run_continuum(read, laws)
-                                                : run_both(read, laws);
+  scene.output.directory = RunFolder::work(folder);
+  scene.output.resume = options.resume;
+  if (options.resume)
+    check_resumable(scene);
+  const std::unique_ptr<RunFolder> run = take_folder(folder, scene);
+  const auto with_what_is_whole = [&](const std::exception &error) {
+    return error.what() + (run ? '\n' + run->what_is_whole(may_be_resumed(scene)) : "");
   };
-  Results results =
-      scene.accuracy > 0. ? solve_to_accuracy(options, laws, scene, solve) : solve(scene);
-  conclude(scene, results, wall);
-  for (const std::string &folder : folders_of_runs(scene))
-    Checkpoint::remove(folder);
+  Results results;
+  try {
+    results = solve(options, laws, scene, wall);
+    if (n_processes() > 1)
+      MPI_Barrier(MPI_COMM_WORLD); // all have written
+    if (run) {
+      for (const std::string &part : folders_of_runs(scene))
+        Checkpoint::remove(part);
+      run->publish();
+    }
+  } catch (const UserError &) {
+    if (run && !options.resume)
+      run->discard();
+    throw;
+  } catch (const OutputError &error) {
+    throw OutputError(with_what_is_whole(error));
+  } catch (const Interrupted &interrupted) {
+    throw Interrupted(interrupted.signal, with_what_is_whole(interrupted));
+  }
+  if (this_process() == 0) {
+    print_summary(scene, results);
+    std::cout << "Results are in " << folder << ", the report is report.html\n";
+  }
   return results.status == RunStatus::converged ? 0 : 2;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solve_scene.h"
 
+#include <frictionbeam/analysis/interruption.h>
 #include <frictionbeam/analysis/load_sequence.h>
 #include <frictionbeam/model/corotational_line.h>
 #include <frictionbeam/model/mechanism.h>
@@ -212,6 +213,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
     converged = sequence.run(
         [&](const LoadSequence::Progress &progress, const LineState &state) {
           output_timer.start();
+          interruption::end_if_overdue();
           progress_line.show(progress);
           collector.observe(progress.step, progress.increment, progress.n_increments, state);
           if (progress.increment == progress.n_increments &&
@@ -226,13 +228,20 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
           output_timer.stop();
         },
         [&]() {
-          if (!checkpoint.is_due())
+          const int signal = interruption::received();
+          if (!checkpoint.is_due() && signal == 0)
             return;
           output_timer.start();
-          Archive archive;
-          transfer_all(archive);
-          checkpoint.write(archive);
+          if (scene.accuracy == 0.) { // else there are many runs, which are not resumed
+            Archive archive;
+            transfer_all(archive);
+            checkpoint.write(archive);
+          }
           output_timer.stop();
+          if (signal != 0)
+            throw Interrupted(signal, "Interrupted at time " +
+                                          rounded_number(sequence.state().time) + " s of step " +
+                                          sequence.reports().back().step + ".");
         },
         [&](const LoadSequence::Progress &progress, const double time) {
           return collector.needs_line(progress.step, progress.increment, progress.n_increments,

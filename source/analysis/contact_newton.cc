@@ -2,6 +2,8 @@
 #include "contact_newton.h"
 #include "halving_search.h"
 
+#include <frictionbeam/analysis/interruption.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -204,6 +206,7 @@ ContactNewton::Outcome ContactNewton::solve_proximal(Vector &x, ContactResponse 
                                                      EquilibriumResult &result) {
   Vector forces = evaluate(x, response);
   for (unsigned int iteration = 0;; ++iteration) {
+    interruption::end_if_overdue();
     if (response.failed) {
       result.remark = "a law had no answer";
       return Outcome::stalled;
@@ -235,6 +238,7 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
   double before = energy_together(x, response);
   unsigned int stalls = 0;
   for (unsigned int iteration = 0;; ++iteration) {
+    interruption::end_if_overdue();
     if (response.failed || !(before < std::numeric_limits<double>::max()))
       return Outcome::stalled;
     // A tenth of the tolerance is aimed at, and the whole accepted where rounding bars the way.

@@ -2,6 +2,7 @@
 #include "halving_search.h"
 
 #include <frictionbeam/analysis/continuum_newton.h>
+#include <frictionbeam/analysis/interruption.h>
 
 #include <Eigen/LU>
 
@@ -146,6 +147,7 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
   double before = evaluate();
   unsigned int stalls = 0;
   for (unsigned int iteration = 0;; ++iteration) {
+    interruption::end_if_overdue();
     if (Utilities::MPI::max(static_cast<unsigned int>(response.failed), body.communicator) > 0) {
       result.remark = "a law had no answer";
       return false;

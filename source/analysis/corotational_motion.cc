@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "corotational_motion.h"
 
+#include <frictionbeam/analysis/interruption.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -76,6 +78,7 @@ EquilibriumResult CorotationalMotion::solve(const LineState &state, const LoadCo
   Vector change;
   bool judged = false;
   for (;;) {
+    interruption::end_if_overdue();
     evaluate(state, step);
     if (!step.residual.allFinite()) {
       result.remark = "the iteration diverges";

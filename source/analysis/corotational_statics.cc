@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "corotational_statics.h"
 
+#include <frictionbeam/analysis/interruption.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -102,6 +104,7 @@ EquilibriumResult CorotationalStatics::solve(const LineState &from, const LoadCo
   Vector change, dofs, moved = Vector::Zero(from.unknowns.size());
   bool judged = false; // whether the contacts' forces are those at the pose
   for (;;) {
+    interruption::end_if_overdue();
     line.evaluate(pose, to.load_factors, balance);
     const Vector forces = balance.forces + model.contacts.platen_forces();
     if (!forces.allFinite()) {

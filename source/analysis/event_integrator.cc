@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "event_integrator.h"
 
+#include <frictionbeam/analysis/interruption.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -185,6 +187,7 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
   bool changed = false;
   unsigned int at_once = 0;
   while (present < time) {
+    interruption::end_if_overdue();
     const double next_break = loads.next_break(present),
                  longest = std::min(time, next_break) - present;
     double length = motion.compute(loads, present, longest, unknowns, velocity, states);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "return_mapping_solver.h"
 
+#include <frictionbeam/analysis/interruption.h>
+
 namespace frictionbeam {
 
 ReturnMappingSolver::ReturnMappingSolver(const SolverSettings &settings,
@@ -60,6 +62,7 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
 
   Vector forces = residual(unknowns, wanted, response);
   for (;;) {
+    interruption::end_if_overdue();
     const double size = forces.lpNorm<Eigen::Infinity>();
     const double largest = residual.largest_force(response);
     result.residual = largest > 0. ? size / largest : size;

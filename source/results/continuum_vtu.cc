@@ -5,7 +5,7 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
-#include <fstream>
+#include <sstream>
 
 namespace frictionbeam {
 
@@ -90,27 +90,25 @@ void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<Conti
     const auto piece = [&](const unsigned int i) {
       return name + (n_ranks > 1 ? "_" + std::to_string(i) : "") + ".vtu";
     };
-    {
-      OutputFile file(folder + "/" + piece(rank));
-      out.write_vtu(file.stream());
-      file.flush();
-    }
+    std::ostringstream text; // deal.II has words of its own for a stream that fails
+    out.write_vtu(text);
+    write_file(folder + "/" + piece(rank), text.str());
     std::string entry = piece(0);
     if (n_ranks > 1 && rank == 0) {
       std::vector<std::string> pieces;
       for (unsigned int i = 0; i < n_ranks; ++i)
         pieces.push_back(piece(i));
       entry = name + ".pvtu";
-      OutputFile file(folder + "/" + entry);
-      out.write_pvtu_record(file.stream(), pieces);
-      file.flush();
+      std::ostringstream record;
+      out.write_pvtu_record(record, pieces);
+      write_file(folder + "/" + entry, record.str());
     }
     records.emplace_back(state.time, entry);
   }
   if (rank == 0) {
-    OutputFile file(folder + "/continuum.pvd");
-    DataOutBase::write_pvd_record(file.stream(), records);
-    file.flush();
+    std::ostringstream text;
+    DataOutBase::write_pvd_record(text, records);
+    write_file(folder + "/continuum.pvd", text.str());
   }
 }
 

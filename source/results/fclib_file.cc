@@ -3,6 +3,7 @@
 
 #include "hdf5_file.h"
 
+#include <frictionbeam/results/output_file.h>
 #include <frictionbeam/scene/user_error.h>
 
 #include <unistd.h>
@@ -174,10 +175,14 @@ void replace_contact_solution(const std::string &path, const LocalContactSolutio
   const fs::path copy = original.string() + ".new-" + std::to_string(getpid());
   if (!error)
     fs::copy_file(original, copy, fs::copy_options::overwrite_existing, error);
-  if (error)
-    throw UserError("The solution cannot be written: no copy of '" + path +
-                    "' can be made beside it: " + error.message() +
-                    ". Move the file to a folder that may be written to.");
+  if (error) {
+    const std::string reason = error.message();
+    fs::remove(copy, error); // what there is of it
+    throw OutputError("The solution cannot be written: no copy of '" + path +
+                      "' can be made beside it: " + reason +
+                      ". The file is as it was. Move it to a folder that may be written to, on a "
+                      "disk that is not full.");
+  }
   try {
     Hdf5File file(copy.string(), Hdf5File::Mode::change);
     if (file.has("/solution"))
@@ -188,7 +193,7 @@ void replace_contact_solution(const std::string &path, const LocalContactSolutio
     file.write_attribute("/solution", "natural map", solution.residual.natural_map);
     file.write_attribute("/solution", "converged", solution.converged ? 1. : 0.);
     file.flush();
-  } catch (const UserError &) {
+  } catch (const OutputError &) {
     fs::remove(copy, error);
     throw;
   }
@@ -196,7 +201,7 @@ void replace_contact_solution(const std::string &path, const LocalContactSolutio
   if (error) {
     const std::string reason = error.message();
     fs::remove(copy, error);
-    throw UserError("The solution cannot be written to '" + path + "': " + reason + ".");
+    throw OutputError("The solution cannot be written to '" + path + "': " + reason + ".");
   }
 }
 

@@ -36,6 +36,10 @@ FrameBuilder::FrameBuilder(const Model &model, const bool both_sides)
   for (unsigned int i = 0; i < cells.size(); ++i)
     if (cells[i].position == 0)
       first_cell.push_back(i);
+  // deal.II takes over what it computed of a like cell before, which differs by rounding: the first
+  // frame of a resumed run shall be computed as one among many.
+  for (unsigned int i = 0; i < cells.size(); ++i)
+    element.reinit(model.discretization.pipe_cell(i));
   find_cells_at_restraints();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hdf5_file.h"
 
+#include <frictionbeam/results/output_file.h>
 #include <frictionbeam/scene/user_error.h>
 
 #include <filesystem>
@@ -23,9 +24,10 @@ Hdf5File::Hdf5File(const std::string &path, const Mode mode)
   if (file >= 0)
     return;
   if (mode == Mode::create)
-    throw UserError("The file '" + path +
-                    "' cannot be written. See to it that its folder may be written to and that the "
-                    "disk is not full.");
+    throw OutputError(
+        "The file '" + path +
+        "' cannot be written. See to it that its folder may be written to and that the "
+        "disk is not full.");
   if (!std::filesystem::exists(path))
     throw UserError("There is no file '" + path + "'. Give the path of an FCLIB file (HDF5).");
   throw UserError("The file '" + path +
@@ -77,8 +79,8 @@ std::vector<double> Hdf5File::numbers(const std::string &name) const {
 }
 
 void Hdf5File::fail_to_write(const std::string &name) const {
-  throw UserError("'" + name + "' cannot be written to the file '" + path +
-                  "'. See to it that it may be written to and that the disk is not full.");
+  throw OutputError("'" + name + "' cannot be written to the file '" + path +
+                    "'. See to it that it may be written to and that the disk is not full.");
 }
 
 void Hdf5File::make_group(const std::string &name) {

@@ -13,44 +13,47 @@ namespace frictionbeam {
 
 namespace {
 
-[[noreturn]] void throw_unwritable(const std::string &what, const std::string &path,
-                                   const std::string &reason) {
-  throw UserError("The " + what + " '" + path + "' cannot be written: " + reason +
-                  ". Choose another folder with --output-directory, or see to it that this one may "
-                  "be written to and "
-                  "that the disk is not full.");
+std::string unwritable(const std::string &what, const std::string &path, const int error) {
+  return "The " + what + " '" + path + "' cannot be written: " +
+         (error != 0 ? std::strerror(error) : "the system gives no reason") +
+         ". Choose another folder with --output-directory, or see to it that this one may be "
+         "written to and that the disk is not full.";
 }
 
-std::string system_reason(const int error) {
-  return error != 0 ? std::strerror(error) : "the system gives no reason";
+bool is_full(const int error) {
+  return error == ENOSPC || error == EDQUOT || error == EFBIG || error == EIO;
 }
 
 } // namespace
+
+void throw_unwritable(const std::string &what, const std::string &path, const int error) {
+  throw OutputError(unwritable(what, path, error));
+}
 
 void prepare_output_folder(const std::string &folder) {
   namespace fs = std::filesystem;
   if (folder.empty())
     throw UserError("The name of the output folder is empty. Give one, for example 'results'.");
+  const auto check = [&](const bool good, const int error) {
+    if (!good && is_full(error))
+      throw_unwritable("output folder", folder, error);
+    if (!good) // a wrong name, or no right to write there
+      throw UserError(unwritable("output folder", folder, error));
+  };
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error)
-    throw_unwritable("output folder", folder, error.message());
+  check(!error, error.value());
 
   // of one name, so that what a run leaves that is killed right here, the next one removes
   const fs::path probe = fs::path(folder) / ".write-test";
   errno = 0;
   std::ofstream file(probe);
   file << "test\n" << std::flush;
-  if (!file)
-    throw_unwritable("output folder", folder, system_reason(errno));
+  const bool good = !file.fail();
+  const int reason = errno;
   file.close();
   fs::remove(probe, error);
-
-  for (const char *name : {"summary.json", "report.html", "line.svg"}) {
-    fs::remove(fs::path(folder) / name, error);
-    if (error)
-      throw_unwritable("file", (fs::path(folder) / name).string(), error.message());
-  }
+  check(good, reason);
 }
 
 namespace {
@@ -62,7 +65,7 @@ void hand_to_disk(const std::string &path) {
     const int error = errno;
     if (descriptor >= 0)
       close(descriptor);
-    throw_unwritable("file", path, system_reason(error));
+    throw_unwritable("file", path, error);
   }
   close(descriptor);
 }
@@ -74,7 +77,7 @@ OutputFile::OutputFile(const std::string &path, const bool keep) : path(path) {
   file.imbue(std::locale::classic());
   file.open(path, std::ios::binary | (keep ? std::ios::app : std::ios::trunc));
   if (!file)
-    throw_unwritable("file", path, system_reason(errno));
+    throw_unwritable("file", path, errno);
 }
 
 void OutputFile::transfer(Archive &archive) {
@@ -99,10 +102,11 @@ void OutputFile::transfer(Archive &archive) {
 }
 
 void OutputFile::flush() {
-  errno = 0;
+  if (file) // else the reason is there since it failed
+    errno = 0;
   file.flush();
   if (!file)
-    throw_unwritable("file", path, system_reason(errno));
+    throw_unwritable("file", path, errno);
 }
 
 void write_file(const std::string &path, const std::string &text) {
@@ -115,12 +119,17 @@ std::string file_beside(const std::string &path) { return path + ".new"; }
 
 void replace_file(const std::string &path, const std::string &text) {
   const std::string beside = file_beside(path);
-  write_file(beside, text);
-  hand_to_disk(beside);
   std::error_code error;
+  try {
+    write_file(beside, text);
+    hand_to_disk(beside);
+  } catch (const OutputError &) {
+    std::filesystem::remove(beside, error);
+    throw;
+  }
   std::filesystem::rename(beside, path, error);
   if (error)
-    throw_unwritable("file", path, error.message());
+    throw_unwritable("file", path, error.value());
   const std::string folder = std::filesystem::path(path).parent_path().string();
   hand_to_disk(folder.empty() ? "." : folder);
 }

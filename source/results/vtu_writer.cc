@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <sstream>
 
 namespace frictionbeam {
 
@@ -58,9 +59,9 @@ void write(PatchesOut<dim> &out, const double time, const std::string &path) {
   flags.print_date_and_time = false;
   flags.compression_level = DataOutBase::VtkFlags::best_speed;
   out.set_flags(flags);
-  OutputFile file(path);
-  out.write_vtu(file.stream());
-  file.flush();
+  std::ostringstream text; // deal.II has words of its own for a stream that fails
+  out.write_vtu(text);
+  write_file(path, text.str());
 }
 
 /// Data at one end of the cell between two stations.
@@ -129,9 +130,9 @@ void write_supports(const std::vector<SupportInfo> &infos, const Frame &frame,
 }
 
 void write_pvd(const std::vector<std::pair<double, std::string>> &frames, const std::string &path) {
-  OutputFile file(path);
-  DataOutBase::write_pvd_record(file.stream(), frames);
-  file.flush();
+  std::ostringstream text;
+  DataOutBase::write_pvd_record(text, frames);
+  write_file(path, text.str());
 }
 
 } // namespace

@@ -82,7 +82,7 @@ void tell_others(const std::set<fs::path> &have, const std::set<fs::path> &wante
 
 int main(int argc, char **argv) {
   const program::TemporaryFolder work;
-  const fs::path whole = work.path / "whole", cut = work.path / "cut";
+  const fs::path whole = work.path / "whole", cut = work.path / "cut", at_work = cut / "unfinished";
   const std::vector<std::string> options(argv + 3, argv + argc);
   std::vector<std::string> never = options, always = options;
   never.insert(never.end(), {"--set", "Output/Checkpoint interval = 0"});
@@ -95,29 +95,31 @@ int main(int argc, char **argv) {
   std::vector<std::string> words{argv[1], argv[2], "--output-directory", cut.string()};
   words.insert(words.end(), always.begin(), always.end());
   for (const double part : {0.01, 0.3, 0.62, 0.9}) {
-    CHECK(run_until(words, cut, static_cast<std::size_t>(part * n_rows)));
+    CHECK(run_until(words, at_work, static_cast<std::size_t>(part * n_rows)));
     CHECK(!fs::exists(cut / "summary.json"));
     if (part == 0.01)
       words.push_back("--resume");
     else
-      CHECK(fs::exists(cut / "checkpoint.bin"));
+      CHECK(fs::exists(at_work / "checkpoint.bin"));
   }
 
-  const std::string written = program::text_of(cut / "checkpoint.bin");
+  const std::string written = program::text_of(at_work / "checkpoint.bin");
   std::vector<std::string> other = always;
   other.insert(other.end(), {"--resume", "--set", "Solver/Tolerance = 1e-9"});
   const program::Run refused = program::run(argv[1], argv[2], other, cut);
   CHECK(refused.exit_status == 1);
   CHECK(refused.output.find("is of another case: its options --set") != std::string::npos);
-  std::ofstream(cut / "checkpoint.bin", std::ios::binary) << written.substr(0, written.size() / 2);
+  std::ofstream(at_work / "checkpoint.bin", std::ios::binary)
+      << written.substr(0, written.size() / 2);
   std::vector<std::string> resumed = always;
   resumed.push_back("--resume");
   const program::Run damaged = program::run(argv[1], argv[2], resumed, cut);
   CHECK(damaged.exit_status == 1);
   CHECK(damaged.output.find("cannot be used") != std::string::npos);
-  std::ofstream(cut / "checkpoint.bin", std::ios::binary) << written;
+  std::ofstream(at_work / "checkpoint.bin", std::ios::binary) << written;
 
-  for (const fs::path &folder : {cut, cut / "vtu"}) // as a run killed right at its start leaves them
+  for (const fs::path &folder :
+       {cut, at_work, at_work / "vtu"}) // as a run killed right at its start leaves them
     std::ofstream(folder / ".write-test") << "test\n";
   const program::Run last = program::run(argv[1], argv[2], resumed, cut);
   CHECK(last.exit_status == 0);

@@ -4,20 +4,32 @@
 #include <frictionbeam/analysis/archive.h>
 
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 namespace frictionbeam {
 
+/// Results that cannot be written: the path, the system's reason, what is whole, what to try. The
+/// program prints the text and ends with exit status 4.
+class OutputError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// @param what a file or a folder @param error of errno
+[[noreturn]] void throw_unwritable(const std::string &what, const std::string &path,
+                                   const int error);
+
 /**
  * Create the folder for a run's results, with the folders above it, and prove that files can be
- * written there, before an analysis of an hour finds out. Summary, report and picture of an earlier
- * run are removed, so that a run that dies does not leave those of another one.
+ * written there, before an analysis of an hour finds out. What it holds stays.
  *
- * Throws UserError that names the folder, the system's reason and what to try.
+ * Throws UserError that names the folder, the system's reason and what to try; OutputError if the
+ * disk is full.
  */
 void prepare_output_folder(const std::string &folder);
 
-/// A file being written. Everything that goes wrong is a UserError with the file's path, the
+/// A file being written. Everything that goes wrong is an OutputError with the file's path, the
 /// system's reason and what to try.
 class OutputFile {
 public:
