@@ -37,12 +37,15 @@ FE_Line::hp_line_dof_identities(const FiniteElement<1, 3> &) const {
 }
 
 FiniteElementDomination::Domination
-FE_Line::compare_for_domination(const FiniteElement<1, 3> &other, const unsigned int) const {
-  if (n_dofs_per_vertex() == other.n_dofs_per_vertex())
+FE_Line::compare_for_domination(const FiniteElement<1, 3> &other, const unsigned int codim) const {
+  const unsigned int own = n_dofs_per_vertex(), others = other.n_dofs_per_vertex();
+  if (own == others)
     return FiniteElementDomination::either_element_can_dominate;
-  return n_dofs_per_vertex() < other.n_dofs_per_vertex()
-             ? FiniteElementDomination::this_element_dominates
-             : FiniteElementDomination::other_element_dominates;
+  const bool more = own > others;
+  // DoFHandler joins all elements at a vertex to the dominating one, each by its identities with
+  // that one alone: only one that has every unknown there joins them all.
+  return (codim == 0 ? !more : more) ? FiniteElementDomination::this_element_dominates
+                                     : FiniteElementDomination::other_element_dominates;
 }
 
 std::unique_ptr<FiniteElement<1, 3>::InternalDataBase> FE_Line::get_data(const UpdateFlags flags,

@@ -29,6 +29,13 @@ public:
   std::vector<std::pair<unsigned int, unsigned int>>
   hp_line_dof_identities(const dealii::FiniteElement<1, 3> &other) const override;
   bool hp_constraints_are_implemented() const override { return true; }
+  /**
+   * At a vertex (@p codim 1) the element with more unknowns dominates: DoFHandler of deal.II 9.4
+   * joins every element there to the dominating one and to no other, so if that were a friction
+   * element with three unknowns, the rotations of an arc and of a straight beam beside it would
+   * come apart. On a cell (@p codim 0) the smaller space dominates, as everywhere in deal.II.
+   * FE_Nothing belongs behind these elements in the collection if it was made to dominate.
+   */
   dealii::FiniteElementDomination::Domination
   compare_for_domination(const dealii::FiniteElement<1, 3> &other,
                          const unsigned int codim = 0) const override;
