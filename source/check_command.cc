@@ -131,8 +131,10 @@ void check(const RunOptions &options, const LawLibrary &laws, Scene &scene) {
   list_steps(scene);
   std::cout << "Quantities: " << scene.quantities.size() << '\n'
             << "Unknowns: " << space.n_unknowns() << ", contacts: " << contacts.size() << '\n';
-  for (const std::string &remark : scene.remarks)
-    std::cout << "Note: " << remark << '\n';
+  for (const std::vector<std::string> *const remarks :
+       {&std::as_const(scene.remarks), &mesh.remarks})
+    for (const std::string &remark : *remarks)
+      std::cout << "Note: " << remark << '\n';
   const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
                                      [](const LoadStep &step) { return step.transient; });
   if (!transient)

@@ -140,6 +140,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   results.units = scene.units;
   dealii::Timer timer;
   const LineMesh mesh = build_line_mesh(scene);
+  results.remarks = mesh.remarks;
   results.cost.mesh_seconds = timer.wall_time();
 
   timer.restart();

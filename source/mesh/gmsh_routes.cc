@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "gmsh_line.h"
+#include "pipe_junctions.h"
 
 #include <frictionbeam/mesh/pipe_path.h>
+#include <frictionbeam/scene/in_units.h>
 #include <frictionbeam/scene/user_error.h>
 
 #include <gmsh.h>
@@ -33,39 +35,6 @@ int whole(const double cells) {
   return std::max(1, static_cast<int>(std::ceil(cells - 1e-9)));
 }
 
-/// Points that are the same within a tolerance get one number.
-class PointSet {
-public:
-  explicit PointSet(const double tolerance) : cell(4. * tolerance), tolerance(tolerance) {}
-
-  int insert(const Point3 &p) {
-    std::array<long, 3> key;
-    for (unsigned int d = 0; d < 3; ++d)
-      key[d] = std::lround(p[d] / cell);
-    for (long i = -1; i <= 1; ++i)
-      for (long j = -1; j <= 1; ++j)
-        for (long k = -1; k <= 1; ++k) {
-          const auto range = grid.equal_range(hash({key[0] + i, key[1] + j, key[2] + k}));
-          for (auto it = range.first; it != range.second; ++it)
-            if (points[it->second].distance(p) <= tolerance)
-              return it->second;
-        }
-    grid.emplace(hash(key), points.size());
-    points.push_back(p);
-    return points.size() - 1;
-  }
-
-  std::vector<Point3> points;
-
-private:
-  static std::size_t hash(const std::array<long, 3> &key) {
-    return key[0] * 73856093ul ^ key[1] * 19349663ul ^ key[2] * 83492791ul;
-  }
-
-  const double cell, tolerance;
-  std::unordered_multimap<std::size_t, int> grid;
-};
-
 double extent(const std::vector<PipePath> &paths) {
   Point3 low = paths.front().point(0.), high = low;
   for (const PipePath &path : paths)
@@ -79,13 +48,15 @@ double extent(const std::vector<PipePath> &paths) {
 
 double named_position(const PipePath &path, const std::string &pipe, const std::string &name,
                       const Scene &scene, const double tolerance) {
-  for (const auto &named : path.named_points())
+  for (const auto &named : path.route_points())
     if (named.name == name)
       return named.s;
   for (const NamedPoint &point : scene.points)
-    if (point.name == name)
-      if (const auto s = path.locate(point.position, tolerance))
-        return *s;
+    if (point.name == name) {
+      const std::vector<double> places = path.all_places(point.position, tolerance);
+      if (!places.empty())
+        return places.front();
+    }
   throw UserError("The point '" + name + "' is not on pipe '" + pipe +
                   "', where a repeated support is to begin or end. Name a point of that pipe in "
                   "From and To, or leave them out for the whole pipe.");
@@ -94,22 +65,16 @@ double named_position(const PipePath &path, const std::string &pipe, const std::
 /// Arc lengths at which a pipe must have a vertex.
 class Breaks {
 public:
-  Breaks(const Scene &scene, const std::vector<PipePath> &paths, const double tolerance)
+  Breaks(const Scene &scene, const std::vector<PipePath> &paths, const PipeJunctions &junctions,
+         const double tolerance)
       : s(paths.size()), tolerance(tolerance) {
     for (unsigned int p = 0; p < paths.size(); ++p) {
       for (const auto &segment : paths[p].segments())
         s[p].push_back(segment.start);
       s[p].push_back(paths[p].length());
-      for (const auto &named : paths[p].named_points())
-        s[p].push_back(named.s);
+      for (const auto &node : junctions.nodes(p))
+        s[p].push_back(node.s);
     }
-    for (const NamedPoint &point : scene.points)
-      add_where_it_lies(paths, point.position);
-    if (paths.size() > 1) // tees: where another pipe begins or ends
-      for (const PipePath &path : paths) {
-        add_where_it_lies(paths, path.point(0.));
-        add_where_it_lies(paths, path.point(path.length()));
-      }
     for (const FrictionSupport &support : scene.supports)
       add_repeated(scene, paths, support.placement);
     for (const Restraint &restraint : scene.restraints)
@@ -125,12 +90,6 @@ public:
   std::vector<std::vector<double>> s;
 
 private:
-  void add_where_it_lies(const std::vector<PipePath> &paths, const Point3 &position) {
-    for (unsigned int p = 0; p < paths.size(); ++p)
-      if (const auto at = paths[p].locate(position, tolerance))
-        s[p].push_back(*at);
-  }
-
   void add_repeated(const Scene &scene, const std::vector<PipePath> &paths,
                     const Placement &placement) {
     if (placement.pipe.empty())
@@ -183,26 +142,34 @@ int cells_of_piece(const MeshSettings &settings, const PipePath::Segment &segmen
 LineMesh mesh_routes(const Scene &scene) {
   std::vector<PipePath> paths;
   for (const Pipe &pipe : scene.pipes)
-    paths.emplace_back(pipe);
+    paths.emplace_back(pipe, scene.units);
   if (paths.empty())
     return {};
   const double tolerance = 1e-7 * extent(paths);
-  const Breaks breaks(scene, paths, tolerance);
+  const PipeJunctions junctions(scene, paths, tolerance);
+  const Breaks breaks(scene, paths, junctions, tolerance);
 
   const GmshSession session;
   gmsh::model::add(scene.name);
-  PointSet corners(tolerance);
-  const auto gmsh_point = [&](const Point3 &p) {
-    const auto n_before = corners.points.size();
-    const int tag = corners.insert(p) + 1;
-    if (corners.points.size() > n_before)
-      gmsh::model::geo::addPoint(p[0], p[1], p[2], 0., tag);
+  const auto add_point = [](const Point3 &p) {
+    return gmsh::model::geo::addPoint(p[0], p[1], p[2]);
+  };
+  std::vector<int> tag_of_node(junctions.n_nodes(), 0);
+  // Only the nodes of the junctions are common to several pipes.
+  const auto point_at = [&](const unsigned int pipe, const double s) {
+    const std::optional<unsigned int> node = junctions.node(pipe, s);
+    if (!node)
+      return add_point(paths[pipe].point(s));
+    int &tag = tag_of_node[*node];
+    if (tag == 0)
+      tag = add_point(paths[pipe].point(s));
     return tag;
   };
 
   std::vector<std::vector<Piece>> pieces(paths.size());
   for (unsigned int p = 0; p < paths.size(); ++p) {
     auto segment = paths[p].segments().begin();
+    int last = point_at(p, 0.);
     for (unsigned int i = 0; i + 1 < breaks.s[p].size(); ++i) {
       const double begin = breaks.s[p][i], end = breaks.s[p][i + 1];
       while (begin >= segment->start + segment->length - tolerance &&
@@ -222,10 +189,10 @@ LineMesh mesh_routes(const Scene &scene) {
           piece.arc_centre = segment->centre;
         }
       }
-      const int first = gmsh_point(segment->point(begin - segment->start));
-      const int last = gmsh_point(segment->point(end - segment->start));
+      const int first = last;
+      last = point_at(p, end);
       piece.curve = segment->radius > 0.
-                        ? gmsh::model::geo::addCircleArc(first, gmsh_point(segment->centre), last)
+                        ? gmsh::model::geo::addCircleArc(first, add_point(segment->centre), last)
                         : gmsh::model::geo::addLine(first, last);
       pieces[p].push_back(piece);
     }
@@ -281,26 +248,29 @@ LineMesh mesh_routes(const Scene &scene) {
       }
     }
 
-  for (unsigned int p = 0; p < paths.size(); ++p) {
-    const auto vertex_at = [&](const double s) {
-      const auto &list = mesh.pipes[p].s;
-      return mesh.pipes[p]
-          .vertices[std::lower_bound(list.begin(), list.end(), s - tolerance) - list.begin()];
-    };
-    for (const auto &named : paths[p].named_points()) {
-      const unsigned int v = vertex_at(named.s);
+  const auto vertex_at = [&](const unsigned int p, const double s) {
+    const auto &list = mesh.pipes[p].s;
+    return mesh.pipes[p]
+        .vertices[std::lower_bound(list.begin(), list.end(), s - tolerance) - list.begin()];
+  };
+  for (unsigned int p = 0; p < paths.size(); ++p)
+    for (const auto &named : paths[p].route_points()) {
+      if (named.name.empty())
+        continue;
+      const unsigned int v = vertex_at(p, named.s);
       const auto [entry, is_new] = mesh.points.emplace(named.name, v);
       if (!is_new && entry->second != v)
-        throw UserError("The point '" + named.name + "' of pipe '" + scene.pipes[p].name +
-                        "' stands for another place already: the name of a bend's corner is that "
-                        "of the middle of the bend, " +
-                        std::to_string(mesh.vertices[v].distance(mesh.vertices[entry->second])) +
-                        " m away. Give the two places two names.");
+        throw UserError(
+            "The point '" + named.name + "' of pipe '" + scene.pipes[p].name +
+            "' stands for another place already: the name of a bend's corner is that "
+            "of the middle of the bend, " +
+            in_units(scene.units, mesh.vertices[v].distance(mesh.vertices[entry->second]), "m") +
+            " away. Give the two places two names.");
     }
-    for (const NamedPoint &point : scene.points)
-      if (const auto s = paths[p].locate(point.position, tolerance))
-        mesh.points[point.name] = vertex_at(*s);
-  }
+  for (const NamedPoint &point : scene.points)
+    if (const auto place = junctions.place(point.name))
+      mesh.points[point.name] = vertex_at(place->pipe, place->s);
+  mesh.remarks = junctions.remarks();
   return mesh;
 }
 

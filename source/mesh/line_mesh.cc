@@ -4,6 +4,7 @@
 #include "gmsh_line.h"
 #include "gmsh_session.h"
 
+#include <frictionbeam/scene/in_units.h>
 #include <frictionbeam/scene/user_error.h>
 
 #include <algorithm>
@@ -29,12 +30,6 @@ Vector3 MeshedPipe::tangent(const std::vector<Point3> &points, const unsigned in
 
 namespace {
 
-std::string text(const Point3 &p) {
-  std::ostringstream out;
-  out << '(' << p[0] << ", " << p[1] << ", " << p[2] << ')';
-  return out.str();
-}
-
 /// "Nearest is ..." for messages about points off the line.
 std::string nearest_pipe(const Scene &scene, const LineMesh &mesh, const Point3 &p) {
   double best = std::numeric_limits<double>::max();
@@ -48,8 +43,8 @@ std::string nearest_pipe(const Scene &scene, const LineMesh &mesh, const Point3 
         continue;
       best = foot.distance(p);
       std::ostringstream out;
-      out << "the nearest place is " << best << " m away at " << text(foot) << " on pipe '"
-          << scene.pipes[i].name << "'";
+      out << "the nearest place is " << in_units(scene.units, best, "m") << " away at "
+          << in_units(scene.units, foot) << " on pipe '" << scene.pipes[i].name << "'";
       message = out.str();
     }
   return message;
@@ -75,12 +70,12 @@ void add_free_points(const Scene &scene, LineMesh &mesh) {
     const bool carried = carried_points.count(point.name) > 0;
     if (!carried && support.empty())
       throw UserError(
-          "Point " + point.name + ": no pipe reaches the position " + text(point.position) + "; " +
-          nearest_pipe(scene, mesh, point.position) +
+          "Point " + point.name + ": no pipe reaches the position " +
+          in_units(scene.units, point.position) + "; " + nearest_pipe(scene, mesh, point.position) +
           ". Move the point onto a pipe, or carry it by a spring or a friction support.");
     if (!carried && !scene.pipes.empty())
       throw UserError("Support " + support + " is off the line: its point '" + point.name +
-                      "' is at " + text(point.position) + ", and " +
+                      "' is at " + in_units(scene.units, point.position) + ", and " +
                       nearest_pipe(scene, mesh, point.position) + ". Move the point onto a pipe.");
     mesh.points[point.name] = mesh.vertices.size();
     mesh.vertices.push_back(point.position);
@@ -142,14 +137,15 @@ public:
           std::lower_bound(pipe.s.begin(), pipe.s.end(), s - tolerance) - pipe.s.begin();
       if (at == pipe.s.size() || std::abs(pipe.s[at] - s) > tolerance)
         throw UserError("Support " + support + ": the mesh file has no node at " +
-                        std::to_string(s) + " m along pipe '" + placement.pipe +
+                        in_units(scene.units, s, "m") + " along pipe '" + placement.pipe +
                         "'. Place the support at named points of the file.");
       result.push_back({pipe.vertices[at], tangents[pipe.vertices[at]], 1.});
     }
     if (result.empty())
-      throw UserError("Support " + support + ": every " + std::to_string(placement.every) +
-                      " m gives no place on the " + std::to_string(to - from) +
-                      " m of pipe between From and To. Give a smaller distance.");
+      throw UserError("Support " + support + ": every " +
+                      in_units(scene.units, placement.every, "m") + " gives no place on the " +
+                      in_units(scene.units, to - from, "m") +
+                      " of pipe between From and To. Give a smaller distance.");
     return result;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/mesh/pipe_path.h>
+#include <frictionbeam/scene/in_units.h>
 #include <frictionbeam/scene/user_error.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ Vector3 PipePath::Segment::tangent(const double s) const {
   return std::cos(angle) * first_tangent + std::sin(angle) * inward;
 }
 
-PipePath::PipePath(const Pipe &pipe) {
+PipePath::PipePath(const Pipe &pipe, const UnitSystem &units) {
   const auto &route = pipe.route;
   const auto where = [&](const unsigned int i) {
     return "point " +
@@ -32,14 +33,12 @@ PipePath::PipePath(const Pipe &pipe) {
   };
 
   Point3 begin = route.front().position;
-  if (!route.front().name.empty())
-    names.push_back({route.front().name, 0.});
+  places.push_back({route.front().name, 0.});
   for (unsigned int i = 1; i < route.size(); ++i) {
     const Vector3 leg = route[i].position - begin;
     if (leg.norm() <= 1e-9 * total_length && !parts.empty() && parts.back().radius > 0. &&
         route[i].bend_radius == 0.) { // the end of the bend before, by its name
-      if (!route[i].name.empty())
-        names.push_back({route[i].name, total_length});
+      places.push_back({route[i].name, total_length});
       continue;
     }
     if (leg.norm() == 0.)
@@ -61,12 +60,13 @@ PipePath::PipePath(const Pipe &pipe) {
                         ": a bend needs an angle below 180 degrees. Use two corners.");
       cut = route[i].bend_radius * std::tan(angle / 2.);
       const double next_length = (route[i + 1].position - route[i].position).norm();
-      if (cut > leg.norm() * (1. + 1e-12) || cut > next_length * (1. + 1e-12))
-        throw UserError("The bend of radius " + std::to_string(route[i].bend_radius) + " m at " +
-                        where(i) + " takes " + std::to_string(cut) +
-                        " m of each leg, and what is left of the legs is " +
-                        std::to_string(leg.norm()) + " m and " + std::to_string(next_length) +
-                        " m. Give a smaller radius or longer legs.");
+      if (cut > leg.norm() * (1. + 1e-9) || cut > next_length * (1. + 1e-9)) {
+        const auto length = [&](const double value) { return in_units(units, value, "m"); };
+        throw UserError("The bend of radius " + length(route[i].bend_radius) + " at " + where(i) +
+                        " takes " + length(cut) + " of each leg, and what is left of the legs is " +
+                        length(leg.norm()) + " and " + length(next_length) +
+                        ". Give a smaller radius or longer legs.");
+      }
     }
     if (leg.norm() - cut > 1e-9 * leg.norm()) {
       Segment straight;
@@ -89,9 +89,10 @@ PipePath::PipePath(const Pipe &pipe) {
       bend.centre = bend.begin + bend.radius * bend.inward;
       append(bend);
     }
-    if (!route[i].name.empty())
-      names.push_back(
-          {route[i].name, angle > 1e-9 ? total_length - parts.back().length / 2. : total_length});
+    if (angle <= 1e-9)
+      places.push_back({route[i].name, total_length});
+    else if (!route[i].name.empty())
+      places.push_back({route[i].name, total_length - parts.back().length / 2.});
   }
 }
 
@@ -113,7 +114,8 @@ Point3 PipePath::point(const double s) const {
   return part.point(s - part.start);
 }
 
-std::optional<double> PipePath::locate(const Point3 &position, const double tolerance) const {
+std::vector<double> PipePath::all_places(const Point3 &position, const double tolerance) const {
+  std::vector<double> result;
   for (const Segment &part : parts) {
     double s = (position - part.begin) * part.first_tangent;
     if (part.radius > 0.) {
@@ -121,10 +123,12 @@ std::optional<double> PipePath::locate(const Point3 &position, const double tole
       s = part.radius * std::atan2(arm * part.first_tangent, -(arm * part.inward));
     }
     s = std::clamp(s, 0., part.length);
-    if (part.point(s).distance(position) <= tolerance)
-      return part.start + s;
+    if (part.point(s).distance(position) > tolerance)
+      continue;
+    if (result.empty() || part.start + s > result.back() + 2. * tolerance)
+      result.push_back(part.start + s);
   }
-  return {};
+  return result;
 }
 
 } // namespace frictionbeam

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fit_bends.h"
 #include "parts.h"
+
+#include <frictionbeam/scene/in_units.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,22 +142,59 @@ RoutePoint parse_route_point(const ParameterReader &in, const std::string &text,
   return point;
 }
 
-/// Length that a bend takes from either leg of its corner [m]; also checks the corner itself.
-double tangent_length(const ParameterReader &in, const std::vector<RoutePoint> &route,
-                      const unsigned int i) {
+std::string name_of(const std::vector<RoutePoint> &route, const unsigned int i) {
+  return route[i].name.empty() ? "point " + std::to_string(i + 1) : "'" + route[i].name + "'";
+}
+
+/// What bends need of their corner.
+void check_corner(const ParameterReader &in, const std::vector<RoutePoint> &route,
+                  const unsigned int i) {
   const RoutePoint &corner = route[i];
   if (corner.bend_radius == 0.)
-    return 0.;
-  const std::string which = "the bend at " + (corner.name.empty() ? "point " + std::to_string(i + 1)
-                                                                  : "'" + corner.name + "'");
+    return;
+  const std::string which = "the bend at " + name_of(route, i);
   if (i == 0 || i + 1 == route.size())
     fail_point(in, which, "bends between two points of a route", "removing 'bend' at its end");
   const Vector3 a = corner.position - route[i - 1].position,
                 b = route[i + 1].position - corner.position;
-  const double cosine = a * b / (a.norm() * b.norm());
-  if (cosine < -1. + 1e-9)
+  if (a * b < (-1. + 1e-9) * a.norm() * b.norm())
     fail_point(in, which, "corners of less than 180 degrees", "a route that does not turn back");
-  return corner.bend_radius * std::sqrt((1. - cosine) / (1. + cosine));
+}
+
+/// Bends that overlap by the rounding of their dimensions are made to meet, which is said.
+void fit_route(const ParameterReader &in, const std::string &pipe, std::vector<RoutePoint> &route,
+               Scene &scene) {
+  const auto length = [&](const double value) { return in_units(scene.units, value, "m"); };
+  const std::vector<RoutePoint> given = route;
+  std::optional<BendOverlap> too_long;
+  const std::vector<BendOverlap> met = fit_bends(route, too_long);
+  if (too_long) {
+    const unsigned int i = too_long->leg,
+                       corner =
+                           tangent_length(route, i) >= tangent_length(route, i + 1) ? i : i + 1;
+    const double leg = route[i].position.distance(route[i + 1].position);
+    fail_point(in,
+               "bend " + to_text(route[corner].bend_radius / in.si("m")) + " at " +
+                   name_of(route, corner),
+               "bends that fit their legs: from point " + std::to_string(i + 1) + " to " +
+                   std::to_string(i + 2) + " there are " + length(leg) + ", the bends take " +
+                   length(leg + too_long->overlap) + "; " + length(largest_overlap(leg)) +
+                   " more than there are pass for rounding",
+               "a smaller radius, or points further apart");
+  }
+  for (const BendOverlap &overlap : met) {
+    std::string text;
+    for (const unsigned int i : {overlap.leg, overlap.leg + 1})
+      if (given[i].bend_radius > 0.)
+        text += (text.empty() ? "" : ", ") + name_of(route, i) + " " +
+                length(route[i].bend_radius) + " instead of " + length(given[i].bend_radius);
+    scene.remarks.push_back("Pipe " + pipe + ": from point " + std::to_string(overlap.leg + 1) +
+                            " to " + std::to_string(overlap.leg + 2) +
+                            " of its route the bends take " + length(overlap.overlap) +
+                            " more than there is, which passes for the rounding of a "
+                            "drawing: they were made to meet, with these radii: " +
+                            text + ".");
+  }
 }
 
 void check_route(const ParameterReader &in, const std::vector<RoutePoint> &route) {
@@ -166,20 +206,8 @@ void check_route(const ParameterReader &in, const std::vector<RoutePoint> &route
                  "points " + std::to_string(i + 1) + " and " + std::to_string(i + 2) +
                      " at the same place",
                  "points apart from each other", "removing one of them");
-  for (unsigned int i = 0; i + 1 < route.size(); ++i) {
-    const double leg = route[i].position.distance(route[i + 1].position);
-    const double before = tangent_length(in, route, i), after = tangent_length(in, route, i + 1);
-    if (before + after > leg * (1. + tolerance)) {
-      const unsigned int corner = before >= after ? i : i + 1;
-      const std::string name = route[corner].name.empty() ? "point " + std::to_string(corner + 1)
-                                                          : "'" + route[corner].name + "'";
-      fail_point(in, "bend " + to_text(route[corner].bend_radius) + " at " + name,
-                 "bends that fit their legs: from point " + std::to_string(i + 1) + " to " +
-                     std::to_string(i + 2) + " there are " + to_text(leg) + " m, the bends take " +
-                     to_text(before + after) + " m",
-                 "a smaller radius, or points further apart");
-    }
-  }
+  for (unsigned int i = 0; i < route.size(); ++i)
+    check_corner(in, route, i);
 }
 
 /// The part that an entry names; the only one if the entry is empty.
@@ -202,6 +230,8 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
       pipe.route.push_back(parse_route_point(in, point, scene, pipe));
   if (!pipe.route.empty() || scene.mesh.file.empty())
     check_route(in, pipe.route);
+  if (!pipe.route.empty())
+    fit_route(in, name, pipe.route, scene);
   if (!in.text("End section").empty())
     pipe.end_section =
         in.find("End section", in.text("End section"), names(scene.sections), "section");

@@ -36,6 +36,7 @@ struct LineMesh {
   std::map<std::string, unsigned int> points; ///< vertex of each named point
   std::vector<std::vector<Site>> supports;    ///< beside Scene::supports
   std::vector<std::vector<Site>> restraints;  ///< beside Scene::restraints
+  std::vector<std::string> remarks;           ///< where pipes were joined, and where not
 };
 
 /**

@@ -20,30 +20,33 @@ public:
     Vector3 tangent(const double s) const;
   };
 
+  /// @param units of messages
   /// @throws UserError if a bend does not fit between its neighbours or the route turns back.
-  explicit PipePath(const Pipe &pipe);
+  PipePath(const Pipe &pipe, const UnitSystem &units);
 
   double length() const { return total_length; }
   const std::vector<Segment> &segments() const { return parts; }
 
   Point3 point(const double s) const;
 
-  /// Arc length of the point of the path at @p position, within @p tolerance [m].
-  std::optional<double> locate(const Point3 &position, const double tolerance) const;
+  /// Arc lengths of the path's points at @p position, within @p tolerance [m], rising; a place
+  /// between two segments once.
+  std::vector<double> all_places(const Point3 &position, const double tolerance) const;
 
-  /// Where the name of a route point lies: the point itself, the middle of its bend.
-  struct Named {
-    std::string name;
+  /// A point of the route that is on the path: its ends, a sharp corner, the middle of a bend whose
+  /// corner has a name.
+  struct RoutePlace {
+    std::string name; ///< may be empty
     double s;
   };
-  const std::vector<Named> &named_points() const { return names; }
+  const std::vector<RoutePlace> &route_points() const { return places; }
 
 private:
   const Segment &segment_at(const double s) const;
   void append(Segment segment);
 
   std::vector<Segment> parts;
-  std::vector<Named> names;
+  std::vector<RoutePlace> places;
   double total_length = 0.;
 };
 
