@@ -146,40 +146,67 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
   return quantity.scale * (quantity.absolute ? std::abs(value) : value);
 }
 
-const Station &Collector::station_at(const Quantity &quantity, const Frame &made) const {
+namespace {
+
+/// The station of a point on the asked side; null if no pipe, or none of the asked name, has it. A
+/// pipe that ends at the point has nothing after it; another one may.
+const Station *find_station(const Model &model, const Quantity &quantity, const Frame &made) {
+  using Side = Quantity::Side;
   const unsigned int vertex = model.mesh.points.at(quantity.where);
   for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p) {
     if (!quantity.pipe.empty() && model.scene.pipes[p].name != quantity.pipe)
       continue;
     const MeshedPipe &pipe = model.mesh.pipes[p];
-    const auto found = std::find(pipe.vertices.begin(), pipe.vertices.end(), vertex);
-    if (found == pipe.vertices.end())
-      continue;
-    const double s = pipe.s[found - pipe.vertices.begin()];
-    const Station *last = nullptr;
-    for (const Station &station : made.line)
-      if (station.pipe == p && station.node && std::abs(station.s - s) <= 1e-9 * pipe.s.back()) {
-        last = &station;
-        if (quantity.side != Quantity::Side::after)
-          break;
-      }
-    Assert(last != nullptr, dealii::ExcInternalError());
-    return *last;
+    for (unsigned int i = 0; i < pipe.vertices.size(); ++i) {
+      const bool nothing_there = quantity.side != Side::any &&
+                                 i == (quantity.side == Side::after ? pipe.vertices.size() - 1 : 0);
+      if (pipe.vertices[i] != vertex || nothing_there)
+        continue;
+      const Station *last = nullptr;
+      for (const Station &station : made.line)
+        if (station.pipe == p && station.node &&
+            std::abs(station.s - pipe.s[i]) <= 1e-9 * pipe.s.back()) {
+          last = &station;
+          if (quantity.side != Side::after)
+            break;
+        }
+      Assert(last != nullptr, dealii::ExcInternalError());
+      return last;
+    }
   }
-  throw UserError("Quantity " + quantity.name + ": the point '" + quantity.where +
-                  "' is on no pipe" + (quantity.pipe.empty() ? "" : " called " + quantity.pipe) +
-                  ", and so has no section forces.");
+  return nullptr;
+}
+
+} // namespace
+
+const Station &Collector::station_at(const Quantity &quantity, const Frame &made) const {
+  if (const Station *const station = find_station(model, quantity, made))
+    return *station;
+  const std::string on = quantity.pipe.empty() ? "" : " called '" + quantity.pipe + "'",
+                    name = "Quantity " + quantity.name;
+  Quantity any = quantity;
+  any.side = Quantity::Side::any;
+  if (find_station(model, any, made) == nullptr)
+    throw UserError(name + ": the point '" + quantity.where + "' is on no pipe" + on +
+                    ", and so has no section forces.");
+  const bool after = quantity.side == Quantity::Side::after;
+  throw UserError(name + ": there is no pipe" + on + (after ? " after" : " before") +
+                  " the point '" + quantity.where + "', where the route " +
+                  (after ? "ends. Take 'before'" : "begins. Take 'after'") + " or 'at'.");
 }
 
 double Collector::section_force(const Quantity &quantity, const Frame &made,
                                 const unsigned int component) const {
   if (component < 6)
     return station_at(quantity, made).force[component];
-  Quantity side = quantity; // N_mean
+  Quantity side = quantity; // N_mean; at an end, that of the one side there is
   side.side = Quantity::Side::before;
-  const double before = station_at(side, made).force[0];
+  const Station *const before = find_station(model, side, made);
   side.side = Quantity::Side::after;
-  return 0.5 * (before + station_at(side, made).force[0]);
+  const Station *const after = find_station(model, side, made);
+  if (before == nullptr || after == nullptr)
+    return station_at(quantity, made).force[0];
+  return 0.5 * (before->force[0] + after->force[0]);
 }
 
 double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
