@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "eigenpairs.h"
+#include "opposed_contacts.h"
 
 #include <frictionbeam/analysis/modal_analysis.h>
 #include <frictionbeam/scene/user_error.h>
@@ -67,6 +68,7 @@ ModalAnalysis::ModalAnalysis(const Model &model, const LineState &state,
 void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
   const Contacts &contacts = model.contacts;
   contacts.prepare(held);
+  const std::vector<bool> idle = idle_halves(contacts, state);
   const double stiffest = K.diagonal().size() > 0 ? K.diagonal().maxCoeff() : 1.;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
@@ -74,7 +76,7 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
     // Vibrations take time, which is when a snubber locks.
     contacts.evaluate_law(i, state.contacts, state.time, 1., LawTangent::elastic, held);
     held.status[i] = state.contact_status[i];
-    const bool closed = held.status[i] != ContactStatus::open,
+    const bool closed = held.status[i] != ContactStatus::open && !idle[i],
                sticks = closed && friction && held.status[i] == ContactStatus::stick;
     auto &D = held.tangent[i];
     const double rigidity = rigid * stiffest * contact.length * contact.length / contact.weight;

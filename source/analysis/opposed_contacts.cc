@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "opposed_contacts.h"
+
+#include <cmath>
+#include <map>
+
+namespace frictionbeam {
+
+std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) {
+  const auto force = [&](const unsigned int i) { // [N]
+    return contacts[i].weight / contacts[i].length * std::abs(state.contact_stress[i][0]);
+  };
+  constexpr double opposite = -1. + 1e-9, no_force = 1e-9; // of the other's
+  std::vector<bool> idle(contacts.size(), false);
+  std::map<unsigned int, std::vector<unsigned int>> closed; // by the pipe's node
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    if (state.contact_status[i] == ContactStatus::open)
+      continue;
+    auto &others = closed[contacts[i].vertices[0]];
+    for (const unsigned int k : others)
+      if (!idle[k] && contacts[k].axes.x * contacts[i].axes.x < opposite) {
+        if (force(i) <= no_force * force(k))
+          idle[i] = true;
+        else if (force(k) <= no_force * force(i))
+          idle[k] = true;
+      }
+    others.push_back(i);
+  }
+  return idle;
+}
+
+} // namespace frictionbeam

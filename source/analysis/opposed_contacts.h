@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/analysis/line_state.h>
+#include <frictionbeam/model/contacts.h>
+
+namespace frictionbeam {
+
+/**
+ * Contacts that touch without force while another one at the same node touches from the other side:
+ * the idle half of a stop or guide that holds both ways. To either side only one of the two
+ * resists, so what is linear about a state with both closed counts one of them; of two without
+ * force, the later one is idle.
+ */
+std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state);
+
+} // namespace frictionbeam
