@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "eigenpairs.h"
 #include "opposed_contacts.h"
+#include "rigid_holds.h"
 
 #include <frictionbeam/analysis/modal_analysis.h>
 #include <frictionbeam/scene/user_error.h>
@@ -17,12 +18,18 @@ using namespace dealii;
 
 namespace {
 
-constexpr double shift = 1.; ///< (rad/s)^2 below zero: a line that floats can be factored
-constexpr double rigid = 1e8;
+constexpr double shift = 1.;  ///< (rad/s)^2 below zero: a line that floats can be factored
+constexpr double stiff = 1e3; ///< times the line's largest stiffness: as good as rigid
 constexpr unsigned int largest_dense = 300;
 
 double frequency_of(const double eigenvalue) {
   return std::sqrt(std::max(eigenvalue, 0.)) / (2. * numbers::PI);
+}
+
+void add_shifted_mass(const Eigen::SparseMatrix<double> &M, SparseMatrix &A) {
+  for (int column = 0; column < M.outerSize(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(M, column); entry; ++entry)
+      add_to(A, entry.row(), entry.col(), shift * entry.value());
 }
 
 } // namespace
@@ -35,9 +42,7 @@ ModalAnalysis::ModalAnalysis(const Model &model, const LineState &state,
       K(model.linear.stiffness()) {
   hold_contacts(state, settings.friction_holds);
   SparseMatrix A = K;
-  for (int column = 0; column < M.outerSize(); ++column)
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(M, column); entry; ++entry)
-      add_to(A, entry.row(), entry.col(), shift * entry.value());
+  add_shifted_mass(M, A);
   shifted.analyze(A);
   factors.analyze(K);
   if (!shifted.factorize(A))
@@ -69,7 +74,8 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
   const Contacts &contacts = model.contacts;
   contacts.prepare(held);
   const std::vector<bool> idle = idle_halves(contacts, state);
-  const double stiffest = K.diagonal().size() > 0 ? K.diagonal().maxCoeff() : 1.;
+  std::vector<HeldStrains> rigid(contacts.size());
+  const double stiffest = K.rows() > 0 ? K.diagonal().maxCoeff() : 1.;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
     held.state.strain[i] = state.contacts.strain[i];
@@ -79,24 +85,31 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
     const bool closed = held.status[i] != ContactStatus::open && !idle[i],
                sticks = closed && friction && held.status[i] == ContactStatus::stick;
     auto &D = held.tangent[i];
-    const double rigidity = rigid * stiffest * contact.length * contact.length / contact.weight;
-    if (contact.law->threshold == nullptr)
-      D(0, 0) = std::min(D(0, 0), rigidity);
-    else {
+    if (contact.law->threshold != nullptr) {
       FrictionThreshold law{};
       contact.law->threshold(contact.parameters->data(), law);
-      const auto of = [&](const double own) { return std::min(own, rigidity); };
       D.setZero();
-      D(0, 0) = of(law.axial_rigidity);
-      D(1, 1) = of(law.shear_rigidity_y);
-      D(2, 2) = of(law.shear_rigidity_z);
-      D(3, 3) = of(law.torsional_rigidity);
+      D(0, 0) = law.axial_rigidity;
+      D(1, 1) = law.shear_rigidity_y;
+      D(2, 2) = law.shear_rigidity_z;
+      D(3, 3) = law.torsional_rigidity;
     }
     for (unsigned int r = 0; r < 4; ++r)
       for (unsigned int c = 0; c < 4; ++c)
         if (!closed || ((r > 0 || c > 0) && !sticks))
           D(r, c) = 0.;
+    for (unsigned int r = 0; r < 4; ++r)
+      rigid[i][r] =
+          D(r, r) > 0. &&
+          !(D(r, r) * contact.weight * contact.B_reduced.row(r).squaredNorm() <= stiff * stiffest);
   }
+  SparseMatrix A = K;
+  add_shifted_mass(M, A);
+  const auto holds = rigid_holds(A, contacts, rigid);
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (unsigned int r = 0; r < 4; ++r)
+      if (rigid[i][r])
+        held.tangent[i](r, r) = holds[i][r] / contacts[i].weight;
   contacts.add_tangent(held, K);
 }
 

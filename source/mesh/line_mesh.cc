@@ -24,6 +24,11 @@ Vector3 MeshedPipe::tangent(const std::vector<Point3> &points, const unsigned in
   if (const auto arc = arc_centre.find(cell); arc != arc_centre.end()) {
     const Vector3 axis = cross_product_3d(begin - arc->second, end - arc->second);
     along = cross_product_3d(axis, (at_end ? end : begin) - arc->second);
+  } else if (const auto bend = bend_axis.find(cell); bend != bend_axis.end()) {
+    // A chord of the bend, turned to its tangent by half the angle, sin(angle/2) = chord/(2 R).
+    const double sine = std::min(1., along.norm() / (2. * bend_radius[cell]));
+    along = std::sqrt(1. - sine * sine) * along +
+            (at_end ? sine : -sine) * cross_product_3d(bend->second, along);
   }
   return along / along.norm();
 }

@@ -19,7 +19,7 @@ struct Mode {
 /**
  * Free vibrations K q = w^2 M q of the line with the supports that hold in a given state: a contact
  * that is open does not, a closed one holds along its normal, one that sticks sideways too if
- * friction is to hold. A rigid contact is held by a stiffness 1e8 times the line's largest.
+ * friction is to hold. A rigid contact is held as rigid_holds() says.
  *
  * Large problems go to ARPACK through deal.II, in shift-invert mode; small ones, and those that ask
  * for a large part of all modes, to Eigen's dense solver. Sylvester's law of inertia then counts
