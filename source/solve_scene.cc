@@ -209,6 +209,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   };
   if (saved)
     transfer_all(*saved);
+  if (collector.wants_pieces())
+    sequence.watch([&](const MotionPiece &piece) { collector.observe_piece(piece); });
   {
     ProgressLine progress_line(scene);
     converged = sequence.run(

@@ -139,7 +139,7 @@ void LoadSequence::transfer(Archive &archive) {
   archive(position, declared, current, step_reports, time_step, last_error, *statics,
           has_integrator);
   if (archive.reads() && has_integrator)
-    integrator = make_time_integrator(model);
+    integrator = make_time_integrator(model, piece_observer);
   if (has_integrator)
     archive(*integrator);
   if (archive.reads())
@@ -210,7 +210,7 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
   const unsigned int step = position.step;
   const LoadStep &declared_step = model.scene.steps[step];
   if (!integrator)
-    integrator = make_time_integrator(model);
+    integrator = make_time_integrator(model, piece_observer);
   longest_step = frictionbeam::time_step(model);
   const double start = position.start, end = start + declared_step.duration;
   course.begin_step(position.from, target, start, declared_step.ramp);
@@ -247,7 +247,8 @@ bool LoadSequence::run_reduced(const Factors &target, const Observer &observer) 
   if (!reduction->prepare(start, current, *report.reduction))
     return run_transient(target, observer);
   course.begin_step(position.from, target, position.start, model.scene.steps[position.step].ramp);
-  const bool done = reduction->run(start, course, current, report, observer, observer_needs_line);
+  const bool done = reduction->run(start, course, current, report,
+                                   {observer, observer_needs_line, piece_observer});
   declared = course.declared(current.time);
   return done;
 }

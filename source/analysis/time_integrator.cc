@@ -12,7 +12,8 @@
 
 namespace frictionbeam {
 
-std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model) {
+std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model,
+                                                     const PieceObserver &observer) {
   using Integrator = TimeSettings::Integrator;
   const TimeSettings &time = model.scene.time;
   if (model.corotational)
@@ -27,7 +28,7 @@ std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model) {
   case Integrator::nonsmooth_alpha:
     return std::make_unique<AlphaScheme>(model, AlphaScheme::nonsmooth(time));
   default:
-    return std::make_unique<EventIntegrator>(model);
+    return std::make_unique<EventIntegrator>(model, observer);
   }
 }
 

@@ -116,6 +116,11 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
 }
 
 double Collector::evaluate(const Quantity &quantity, const LineState &state) {
+  const double value = evaluate_signed(quantity, state);
+  return !quantity.absolute ? value : std::copysign(value, quantity.scale);
+}
+
+double Collector::evaluate_signed(const Quantity &quantity, const LineState &state) {
   const std::string &what = quantity.what;
   double value = 0.;
   if (const int c = place(motions, what); c >= 0)
@@ -143,7 +148,7 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
       throw UserError("Quantity " + quantity.name + ": there is no friction support called '" +
                       quantity.where + "'. A repeated support's names are numbered: name.1, ...");
   }
-  return quantity.scale * (quantity.absolute ? std::abs(value) : value);
+  return quantity.scale * value;
 }
 
 namespace {

@@ -41,6 +41,11 @@ public:
   bool run(const Observer &observer, const Observer &each = {}, const Pause &pause = {},
            const NeedsLine &needs_line = {});
 
+  /// Have @p observer called with every smooth piece of transient steps, of integrators that have
+  /// them (TimeIntegrator::watch()), before the end of the piece is observed. To be called before
+  /// run().
+  void watch(const PieceObserver &observer) { piece_observer = observer; }
+
   /// Everything that the increments to come depend on. After reading, run() goes on from there, and
   /// its numbers are those of a run that was never cut, to the last bit.
   void transfer(Archive &archive);
@@ -99,6 +104,7 @@ private:
   LineState current;
   std::vector<StepReport> step_reports;
   Observer each_increment;
+  PieceObserver piece_observer;
   Pause between_increments;
   Position position;
   bool is_resumed = false;

@@ -4,6 +4,7 @@
 #include <frictionbeam/analysis/energy_account.h>
 #include <frictionbeam/analysis/equilibrium.h>
 #include <frictionbeam/analysis/load_course.h>
+#include <frictionbeam/analysis/motion_piece.h>
 
 namespace frictionbeam {
 
@@ -35,8 +36,9 @@ public:
   virtual std::string remark() const { return ""; }
 };
 
-/// The integrator that Time/Integrator names.
-std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model);
+/// The integrator that Time/Integrator names. @param observer of smooth pieces, where it has them
+std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model,
+                                                     const PieceObserver &observer = {});
 
 /// Time/Step, or the one that the mesh gives if it is 0 [s].
 double time_step(const Model &model);
