@@ -81,6 +81,27 @@ std::string several_equilibria(const Results &results) {
          supports + ". The answer is the one reached along the declared load sequence.";
 }
 
+/// Which rigid supports were struck, and what that means for their forces; empty if none was.
+std::string struck_supports(const Results &results) {
+  std::set<unsigned int> struck;
+  for (const StepReport &step : results.steps)
+    struck.insert(step.struck.begin(), step.struck.end());
+  if (struck.empty())
+    return "";
+  constexpr std::size_t most_named = 5;
+  std::string names;
+  std::size_t n = 0;
+  for (const unsigned int contact : struck)
+    if (++n <= most_named)
+      names += (names.empty() ? "" : ", ") + results.supports[contact].name;
+  if (n > most_named)
+    names += " and " + std::to_string(n - most_named) + " more";
+  return "Rigid supports were struck: " + names +
+         ". The force of such an impact is infinite for no time, so that it has no largest value "
+         "and tables of forces at instants miss it: its impulse is the answer, or give the "
+         "support an Axial rigidity.";
+}
+
 /// Whether the end of this step says which supports hold when the line vibrates.
 bool wants_modes_after(const Scene &scene, const unsigned int step) {
   return scene.modal.n_modes > 0 &&
@@ -301,6 +322,12 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   for (const StepReport &step : results.steps)
     if (step.reduction)
       results.remarks.push_back(describe_reduction(step.step, *step.reduction));
+  std::set<std::string> warnings;
+  for (const StepReport &step : results.steps)
+    if (!step.warning.empty() && warnings.insert(step.warning).second)
+      results.remarks.push_back(step.warning);
+  if (const std::string remark = struck_supports(results); !remark.empty())
+    results.remarks.push_back(remark);
   if (const std::string remark = several_equilibria(results); !remark.empty())
     results.remarks.push_back(remark);
   results.certify(scene);

@@ -2,7 +2,11 @@
 #include <frictionbeam/analysis/load_sequence.h>
 
 #include "corotational_statics.h"
+#include "load_jumps.h"
+#include "time_instants.h"
 #include "transient_reduction.h"
+
+#include <frictionbeam/analysis/contact_watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,40 +33,6 @@ std::string LoadSequence::integrator_name() const {
   return integrator ? integrator->name() : reduction ? reduction->integrator_name() : "";
 }
 
-void LoadSequence::set_initial_motion(const bool displaced) {
-  const VertexDofs &dofs = model.discretization.vertex_dofs();
-  for (const InitialCondition &initial : model.scene.initial) {
-    std::vector<unsigned int> vertices;
-    for (const std::string &point : initial.points)
-      vertices.push_back(model.mesh.points.at(point));
-    for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
-      if (std::count(initial.pipes.begin(), initial.pipes.end(), model.scene.pipes[p].name) > 0)
-        vertices.insert(vertices.end(), model.mesh.pipes[p].vertices.begin(),
-                        model.mesh.pipes[p].vertices.end());
-    const auto at = [&](Motion motion, const unsigned int vertex) {
-      if (initial.about.empty())
-        return motion;
-      const Vector3 arm =
-          model.mesh.vertices[vertex] - model.mesh.vertices[model.mesh.points.at(initial.about)];
-      const Vector3 turned = cross_product_3d(Vector3({motion[3], motion[4], motion[5]}), arm);
-      for (unsigned int d = 0; d < 3; ++d)
-        motion[d] += turned[d];
-      return motion;
-    };
-    for (const unsigned int vertex : vertices) {
-      const Motion displacement = at(initial.displacement, vertex),
-                   velocity = at(initial.velocity, vertex);
-      for (unsigned int c = 0; c < 6; ++c)
-        if (const auto dof = dofs.index(vertex, c); dof != numbers::invalid_dof_index)
-          for (const auto &term : model.space.terms(dof)) {
-            if (displaced)
-              current.unknowns[term.unknown] = displacement[c];
-            current.velocity[term.unknown] = velocity[c];
-          }
-    }
-  }
-}
-
 void LoadSequence::initialize() {
   check_time_steps(model);
   const unsigned int n = model.space.n_unknowns();
@@ -71,9 +41,10 @@ void LoadSequence::initialize() {
   if (model.corotational)
     current.turns = model.corotational->at_rest().turns;
   set_initial_motion(true);
+  const Vector imposed = course.imposed(0.);
   const auto expand = [&]() {
     model.space.expand(current.unknowns, current.dofs);
-    model.contacts.add_ground_motion(0., current.dofs);
+    current.dofs += imposed;
   };
   expand();
   current.contacts = model.contacts.initial_state(current.dofs);
@@ -89,7 +60,7 @@ void LoadSequence::commit(const Factors &factors, const double time) {
   const LineState before = current;
   current.time = time;
   declared = factors;
-  current.load_factors = course.factors(time);
+  current.load_factors = course.factors_at(time, side);
   commit_contacts(response, before, current);
 }
 
@@ -159,12 +130,17 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     current.load_accelerations.clear();
   }
   is_resumed = false;
-  course.begin_step(from, target, start, declared_step.duration);
+  course.begin_step(step, from, target, start, declared_step.duration);
   for (std::size_t &i = position.next; i < declared_step.n_increments;) {
     ++i;
-    const double end = start + declared_step.duration * i / declared_step.n_increments;
+    const double end = i == declared_step.n_increments
+                           ? start + declared_step.duration
+                           : start + declared_step.duration * i / declared_step.n_increments;
     bool done = false;
-    while (!done) { // a history is followed to its corners
+    while (!done) { // a history is followed to its corners, and on both sides of its jumps
+      if (course.factors_before(current.time) != course.factors_after(current.time) &&
+          !advance_to_other_side())
+        return false;
       const double corner = course.next_break(current.time);
       done = !(corner < end - 1e-9 * declared_step.duration);
       const double time = done ? end : corner, part = (time - start) / declared_step.duration;
@@ -184,28 +160,6 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
   return true;
 }
 
-std::vector<double> LoadSequence::instants(const double start, const double end) const {
-  const double step = longest_step;
-  const unsigned int n = std::max(1., std::ceil((end - start) / step - 1e-9));
-  std::vector<double> result;
-  for (unsigned int i = 1; i <= n; ++i)
-    result.push_back(i == n ? end : start + (end - start) * i / n);
-  if (!integrator->is_exact())
-    return result;
-  for (const Quantity &quantity : model.scene.quantities)
-    if (quantity.time && *quantity.time > start && *quantity.time < end)
-      result.push_back(*quantity.time);
-  std::sort(result.begin(), result.end());
-  const double least = 1e-9 * step;
-  std::vector<double> apart;
-  for (const double instant : result) // of two that are next to one, the later
-    if (!apart.empty() && instant - apart.back() < least)
-      apart.back() = instant;
-    else
-      apart.push_back(instant);
-  return apart;
-}
-
 bool LoadSequence::run_transient(const Factors &target, const Observer &observer) {
   const unsigned int step = position.step;
   const LoadStep &declared_step = model.scene.steps[step];
@@ -213,14 +167,17 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
     integrator = make_time_integrator(model, piece_observer);
   longest_step = frictionbeam::time_step(model);
   const double start = position.start, end = start + declared_step.duration;
-  course.begin_step(position.from, target, start, declared_step.ramp);
-  const std::vector<double> times = instants(start, end);
+  course.begin_step(step, position.from, target, start, declared_step.ramp);
+  const std::vector<double> times = integrator->is_exact()
+                                        ? instants_of_output(model, start, end, longest_step)
+                                        : instants_of_steps(course, start, end, longest_step);
   if (!is_resumed) {
     declared = course.declared(start);
-    current.load_factors = course.factors(start);
-    course.set_rates(current);
+    current.load_factors = course.factors_after(start);
+    course.set_rates(current, LoadCourse::Side::after);
     integrator->start(current, course);
-    time_step = integrator->is_exact() ? longest_step : times.front() - start;
+    time_step = longest_step;
+    jump_met = start;
   }
   is_resumed = false;
   for (std::size_t &i = position.next; i < times.size(); ++i) {
@@ -235,6 +192,7 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
       return false;
   }
   step_reports.back().remark = integrator->remark();
+  step_reports.back().warning = integrator->warning();
   return true;
 }
 
@@ -246,7 +204,8 @@ bool LoadSequence::run_reduced(const Factors &target, const Observer &observer) 
   const TransientReduction::Start start{position.step, position.from, target};
   if (!reduction->prepare(start, current, *report.reduction))
     return run_transient(target, observer);
-  course.begin_step(position.from, target, position.start, model.scene.steps[position.step].ramp);
+  course.begin_step(position.step, position.from, target, position.start,
+                    model.scene.steps[position.step].ramp);
   const bool done = reduction->run(start, course, current, report,
                                    {observer, observer_needs_line, piece_observer});
   declared = course.declared(current.time);
@@ -302,6 +261,11 @@ bool LoadSequence::move_to(const double time, const std::function<void()> &after
 }
 
 bool LoadSequence::take_time_step(const double time) {
+  if (!integrator->is_exact() && jump_met != current.time) {
+    jump_met = current.time;
+    if (course.jumps(current.time))
+      step_reports.back().energy += meet_jump(model, course, *integrator, current);
+  }
   const TimeStep step = integrator->advance(current, course, time, next);
   if (!report(step.result))
     return false;
@@ -313,7 +277,15 @@ bool LoadSequence::take_time_step(const double time) {
     return false;
   declared = course.declared(next.time);
   step_reports.back().energy += step.energy;
+  watch_contacts(model, current, next, step_reports.back());
   return true;
+}
+
+bool LoadSequence::advance_to_other_side() {
+  side = LoadCourse::Side::after;
+  const bool done = advance(Factors(declared), Factors(declared), current.time, 0);
+  side = LoadCourse::Side::before;
+  return done;
 }
 
 bool LoadSequence::advance(const Factors &from, const Factors &to, const double time,
@@ -363,7 +335,7 @@ bool LoadSequence::report(const EquilibriumResult &result) {
 bool LoadSequence::solve_corotational_increment(const Factors &factors, const double time) {
   LineState to = current;
   to.time = time;
-  to.load_factors = course.factors(time);
+  to.load_factors = course.factors_at(time, side);
   if (!report(corotational_statics->solve(current, course, to, response)))
     return false;
   const LineState before = current;
@@ -377,7 +349,7 @@ bool LoadSequence::solve_corotational_increment(const Factors &factors, const do
 bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   if (corotational_statics)
     return solve_corotational_increment(factors, time);
-  const Factors full = course.factors(time);
+  const Factors full = course.factors_at(time, side);
   EquilibriumProblem increment{model.linear.stiffness(), course.forces(full), course.imposed(time)};
   increment.time = time;
   trial = current.unknowns;

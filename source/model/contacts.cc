@@ -183,9 +183,10 @@ void Contacts::prepare(ContactResponse &response) const {
   response.state.impulse.resize(n);
 }
 
-void Contacts::add_ground_motion(const double time, Vector &imposed) const {
+void Contacts::add_ground_motion(const std::function<double(const TimeFunction &)> &value,
+                                 Vector &imposed) const {
   for (const auto &[dof, course] : moving)
-    imposed[dof] += (*course)(time);
+    imposed[dof] += value(*course);
 }
 
 void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed, const double time,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "impact_forces.h"
 #include "support_quantities.h"
 
 #include <frictionbeam/results/collector.h>
@@ -317,6 +318,7 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
                (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
       pending[i].value = evaluate(quantity, state);
   }
+  watch_impacts(!start && model.scene.steps[step].transient, state);
   previous_time = state.time;
 
   current_step = step;
@@ -341,7 +343,7 @@ void Collector::put_out(const LineState &state, const bool keep) {
 
 void Collector::transfer(Archive &archive) {
   archive(results.frames, results.histories, results.remarks, pending, is_put_out, current_step,
-          current_increment, previous_time, last_output, largest_error);
+          current_increment, previous_time, last_output, largest_error, previous_status);
   frame_is_current = false;
 }
 
@@ -377,6 +379,9 @@ void Collector::finish(const LineState &state) {
       result.error =
           *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
     }
+    result.of_impact = pending[i].struck;
+    if (result.of_impact)
+      results.remarks.push_back(remark_on_impact(quantity));
     results.quantities.push_back(result);
   }
 }

@@ -15,9 +15,9 @@ const std::vector<std::string> kinds = {"anchor", "restraint", "guide",    "line
 /// Friction coefficients in use for sliding pairs; a design takes its supplier's.
 const std::vector<std::pair<std::string, double>> pads = {
     {"steel", 0.3}, {"ptfe", 0.1}, {"graphite", 0.15}, {"concrete", 0.5}, {"roller", 0.03}};
-const std::vector<std::string> element_entries = {"Law",       "Normal",      "Length",
-                                                  "Rotations", "Torsion",     "Normal force",
-                                                  "Ground",    "Restitution", "Ground motion"};
+const std::vector<std::string> element_entries = {
+    "Law",          "Normal", "Length",      "Rotations",     "Torsion",
+    "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time"};
 
 bool is_restraint(const std::string &kind) { return kind == "anchor" || kind == "restraint"; }
 bool is_pair(const std::string &kind) {
@@ -104,8 +104,12 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
                     "Newton's coefficient of an impact on a rigid contact, in transient steps: "
                     "relative velocity after over the one before.");
   in.declare_text("Ground motion", "", "x; y; z, each " + std::string(time_function_form),
-                  "Displacement of the ground in global axes [m] at the run's time: a belt, one "
-                  "support's motion in an earthquake, a gap that changes. Empty: it stands still.");
+                  "Displacement of the ground in global axes [m]: a belt, one support's motion in "
+                  "an earthquake, a gap that changes. Empty: it stands still.");
+  in.declare_choice("Ground motion time", "step", {"step", "run"},
+                    "Where the time of Ground motion begins. step: with the step, or with the "
+                    "first of the steps, all transient or all static, that follow each other; run: "
+                    "with the run.");
   std::vector<std::string> pad_names = {"none"};
   for (const auto &pad : pads)
     pad_names.push_back(pad.first);
@@ -282,8 +286,11 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     const std::vector<std::string> courses = split(motion, ';');
     if (courses.size() != 3)
       in.fail("Ground motion", "three courses in time, x; y; z", "'0.1*t; 0; 0'");
-    for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int d = 0; d < 3; ++d) {
       support.ground_motion[d] = parse_time_function(in, "Ground motion", courses[d]);
+      if (in.text("Ground motion time") == "run")
+        support.ground_motion[d].clock = TimeFunction::Clock::run;
+    }
     if (!support.ground.empty())
       in.fail("Ground motion", "either a ground that moves or one that is a pipe",
               "removing 'Ground'");

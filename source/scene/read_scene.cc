@@ -314,6 +314,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   parts::check_model(in, scene);
   parts::parse_monitors(in, scene);
   parts::check_kinematics(in, scene);
+  parts::check_histories(scene);
   check_unique_names(in, scene);
   in.enter("Exact");
   parts::declare_exact(in);

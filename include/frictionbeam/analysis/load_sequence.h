@@ -6,6 +6,7 @@
 #include <frictionbeam/analysis/time_integrator.h>
 
 #include <functional>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -80,13 +81,13 @@ private:
   /// Go to the declared factors and time given, in one static increment or in halves of it.
   bool advance(const Factors &from, const Factors &to, const double time,
                const unsigned int halvings);
+  /// An increment that takes no time, to what the loads are after a jump.
+  bool advance_to_other_side();
   bool solve_increment(const Factors &factors, const double time);
   bool solve_corotational_increment(const Factors &factors, const double time);
   /// Of the sections Initial. @param displaced or velocities only
   void set_initial_motion(const bool displaced);
   void commit(const Factors &factors, const double time);
-  /// Instants at which a transient step is observed, ascending.
-  std::vector<double> instants(const double start, const double end) const;
   /// Go to @p time in time steps no longer than the one at present, which may change on the way.
   bool move_to(const double time, const std::function<void()> &after_each);
   /// One time step. @return whether it was taken; if not, a shorter one may be.
@@ -115,8 +116,10 @@ private:
   Vector trial;
   ContactResponse response;
   LineState next;
-  double time_step = 0., longest_step = 0.; ///< at present, and never more [s]
-  double last_error = 0.;                   ///< of the last time step [m]
+  double time_step = 0., longest_step = 0.;         ///< at present, and never more [s]
+  double last_error = 0.;                           ///< of the last time step [m]
+  LoadCourse::Side side = LoadCourse::Side::before; ///< of a jump at the end of an increment
+  double jump_met = std::numeric_limits<double>::quiet_NaN(); ///< time of the last one looked at
 };
 
 } // namespace frictionbeam

@@ -34,6 +34,8 @@ public:
   virtual bool is_exact() const { return false; }
   /// What the user should know about the motion so far; empty if nothing.
   virtual std::string remark() const { return ""; }
+  /// What it may do wrong in this model, to be said once; empty if nothing is known.
+  virtual std::string warning() const { return ""; }
 };
 
 /// The integrator that Time/Integrator names. @param observer of smooth pieces, where it has them

@@ -6,6 +6,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <functional>
+
 namespace frictionbeam {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
@@ -86,8 +88,9 @@ public:
   void add_forces(const ContactResponse &response, Vector &forces) const;
   /// matrix += weight B^T D B; the pattern has the entries (add_pattern()).
   void add_tangent(const ContactResponse &response, SparseMatrix &matrix) const;
-  /// imposed += motion of the ground at @p time, on all degrees of freedom.
-  void add_ground_motion(const double time, Vector &imposed) const;
+  /// imposed += motion of the ground, on all degrees of freedom; @p value says that of a course.
+  void add_ground_motion(const std::function<double(const TimeFunction &)> &value,
+                         Vector &imposed) const;
   bool ground_moves() const { return !moving.empty(); }
 
   /// Forces of platens on the unknowns, present from the start.

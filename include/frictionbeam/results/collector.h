@@ -51,7 +51,7 @@ private:
     double previous = 0., since = 0.;   ///< value before, and the time that it belongs to
     double sum = 0., duration = 0.;     ///< integrals over time
     double at_start = 0., largest = 0.; ///< largest: by size
-    bool begun = false;
+    bool begun = false, struck = false; ///< struck: a rigid support whose force it is an extreme of
   };
 
   /// Follow a quantity over an interval of time.
@@ -60,6 +60,9 @@ private:
   void follow(const unsigned int quantity, const SmoothCourses &courses, const unsigned int number,
               const MotionPiece &piece);
   void find_change(const Quantity &quantity, const LineState &state, Pending &pending) const;
+
+  /// Note for extremes of forces which rigid supports were struck.
+  void watch_impacts(const bool transient, const LineState &state);
 
   double evaluate(const Quantity &quantity, const LineState &state);
   /// The same, where the absolute value is asked for without that.
@@ -82,6 +85,7 @@ private:
   Frame frame;
   bool frame_is_current = false, is_put_out = true;
   unsigned int current_step = 0, current_increment = 0;
+  std::vector<ContactStatus> previous_status; ///< of the contacts
   double previous_time = 0., last_output = 0., largest_error = 0.;
 };
 

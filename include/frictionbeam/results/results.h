@@ -114,8 +114,10 @@ struct QuantityResult {
   std::string name, unit, source;
   double value = 0.;
   std::optional<double> reference,
-      error; ///< error relative to the reference (absolute if that is 0)
+      error;         ///< error relative to the reference (absolute if that is 0)
   double whole = 0.; ///< of a change or rate: the largest of what changes; else 0
+  /// An extreme of a force that a rigid support has in an impact: there is no such number.
+  bool of_impact = false;
 };
 
 /// A line of the certificate: the worst of all increments.
