@@ -1,7 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "return_mapping_solver.h"
 
+#include <algorithm>
+#include <sstream>
+
 namespace frictionbeam {
+
+namespace {
+
+constexpr unsigned int most_at_rounding = 5;
+constexpr double most_rounding = 1e-3; ///< of the largest force, that is taken for rounding
+
+std::string to_text(const double value) {
+  std::ostringstream text;
+  text.precision(2);
+  text << value;
+  return text.str();
+}
+
+} // namespace
 
 ReturnMappingSolver::ReturnMappingSolver(const SolverSettings &settings,
                                          const SolverSettings::Method method,
@@ -58,6 +75,7 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
   const unsigned int most = newton ? settings.max_iterations : settings.max_elastic_iterations;
   const LawTangent wanted = newton ? LawTangent::consistent : LawTangent::none;
 
+  unsigned int n_at_rounding = 0; // iterations one after the other
   Vector forces = residual(unknowns, wanted, response);
   for (;;) {
     const double size = forces.lpNorm<Eigen::Infinity>();
@@ -72,8 +90,18 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
       result.remark = response.failed ? "a law had no answer" : "the iteration diverges";
       return result;
     }
-    if (result.iterations == most) {
-      result.remark = "no convergence in " + std::to_string(most) + " iterations";
+    const bool at_rounding = size <= Residual::rounding(elastic_diagonal, unknowns) &&
+                             size <= most_rounding * std::max(largest, problem.force_so_far);
+    n_at_rounding = at_rounding ? n_at_rounding + 1 : 0;
+    if (n_at_rounding == most_at_rounding) {
+      result.rounding_bars = true;
+      result.remark = "rounding of the line's forces, " + to_text(size) +
+                      " N, is too large beside the largest force, " + to_text(largest) +
+                      " N: Method = exact knows more digits";
+      return result;
+    }
+    if (result.iterations == std::min(most, problem.most_iterations)) {
+      result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
       return result;
     }
     ++result.iterations;

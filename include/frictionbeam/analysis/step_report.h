@@ -3,6 +3,7 @@
 
 #include <frictionbeam/analysis/energy_account.h>
 #include <frictionbeam/analysis/reduction_account.h>
+#include <frictionbeam/analysis/resolution.h>
 #include <frictionbeam/analysis/uniqueness.h>
 
 #include <string>
@@ -22,10 +23,14 @@ struct StepReport {
   std::vector<BeyondUniqueness> several_equilibria; ///< at its end
   std::string remark;                               ///< why it was cut or stopped, in plain words
   std::optional<ReductionAccount> reduction;        ///< of a transient step that might be reduced
+  Resolution resolution;                            ///< of the motion by increments and cells
+  /// Contacts that a static increment took from sticking, with friction on them, to open.
+  std::vector<unsigned int> torn_off;
 
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
-            contact, energy, converged, no_equilibrium, several_equilibria, remark, reduction);
+            contact, energy, converged, no_equilibrium, several_equilibria, remark, reduction,
+            resolution, torn_off);
   }
 };
 

@@ -39,8 +39,8 @@ public:
 private:
   struct Pending {
     std::optional<double> value;
-    double previous = 0., since = 0.; ///< value before, and the time that it belongs to
-    double sum = 0., duration = 0.;   ///< integrals over time
+    double previous = 0., since = 0.;   ///< value before, and the time that it belongs to
+    double sum = 0., duration = 0.;     ///< integrals over time
     double at_start = 0., largest = 0.; ///< largest: by size
     bool begun = false;
   };
