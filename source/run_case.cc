@@ -53,6 +53,10 @@ void print_summary(const Scene &scene, const Results &results) {
       std::cout << "; " << step.remark;
     std::cout << '\n';
   }
+  if (results.status == RunStatus::converged)
+    std::cout << "Known to: load increments " << in_words(results.known.increments)
+              << ", time step " << in_words(results.known.time_step) << ", cells "
+              << in_words(results.known.cells) << '\n';
   for (const QuantityResult &quantity : results.quantities) {
     std::cout << quantity.name << " = " << quantity.value << ' ' << quantity.unit;
     if (quantity.error)
@@ -160,6 +164,8 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   results.cost.wall_seconds = wall.wall_time();
   if (this_process() > 0)
     return;
+  include_accuracy(results);
+  add_remarks(results.known, results);
   write_modes(results, scene.output.directory);
   if (scene.output.report)
     write_report(scene, results, scene.output.directory);

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solve_scene.h"
+#include "support_remarks.h"
 
 #include <frictionbeam/analysis/interruption.h>
 #include <frictionbeam/analysis/load_sequence.h>
 #include <frictionbeam/model/corotational_line.h>
+#include <frictionbeam/model/finite_rigidity.h>
 #include <frictionbeam/model/mechanism.h>
 #include <frictionbeam/results/checkpoint.h>
 #include <frictionbeam/results/collector.h>
 #include <frictionbeam/results/contact_problem_writer.h>
 #include <frictionbeam/results/csv_writer.h>
 #include <frictionbeam/results/derived_cases.h>
+#include <frictionbeam/results/energy_judgement.h>
 #include <frictionbeam/results/reduction_text.h>
 #include <frictionbeam/results/stresses.h>
 #include <frictionbeam/results/text.h>
@@ -169,7 +172,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                      [](const LoadStep &step) { return step.transient; });
   const Discretization discretization(scene, mesh, laws);
   const ReducedSpace space(scene, mesh, discretization);
-  const Contacts contacts(scene, mesh, discretization, space, laws);
+  Contacts contacts(scene, mesh, discretization, space, laws);
   if (!transient)
     for (const std::string &warning :
          check_mechanisms(scene, mesh, discretization, space, contacts))
@@ -184,6 +187,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                 "' has no threshold in closed form: the exact "
                                 "method evaluates it as it is, by Newton's method.");
   const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
+  if (scene.solver.method == SolverSettings::Method::newton && !transient)
+    make_rigid_contacts_finite(linear.stiffness(), contacts);
   std::optional<CorotationalLine> corotational;
   if (scene.kinematics == Kinematics::corotational)
     corotational.emplace(scene, mesh, discretization, space, linear);
@@ -194,6 +199,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                     contacts,
                     linear,
                     corotational ? &*corotational : nullptr};
+  add_remarks_on_model(model, results);
   LoadSequence sequence(model);
   results.cost.setup_seconds = timer.wall_time();
 
@@ -331,6 +337,9 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   if (const std::string remark = several_equilibria(results); !remark.empty())
     results.remarks.push_back(remark);
   results.certify(scene);
+  judge_energy(scene, results);
+  results.known = how_well_known(scene, results);
+  add_remarks_on_supports(model, results);
   results.cost.unknowns = space.n_unknowns();
   results.cost.cells = discretization.pipe_cells().size();
   results.cost.contacts = contacts.size();

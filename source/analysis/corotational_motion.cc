@@ -96,7 +96,8 @@ EquilibriumResult CorotationalMotion::solve(const LineState &state, const LoadCo
                    largest =
                        std::max(step.largest, largest_contact_force(model.contacts, response));
       result.residual = largest > 0. ? size / largest : size;
-      result.converged = size <= corotational_tolerance(model, step.matrix, step.to, largest);
+      // The residual has twice the mean of the forces at both ends.
+      result.converged = is_balanced(model, size, largest, step.to, step.factors);
       if (result.converged)
         return result;
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces

@@ -4,6 +4,7 @@
 #include "corotational_statics.h"
 #include "load_jumps.h"
 #include "time_instants.h"
+#include "follow_resolution.h"
 #include "transient_reduction.h"
 
 #include <frictionbeam/analysis/contact_watch.h>
@@ -16,7 +17,8 @@ namespace frictionbeam {
 using namespace dealii;
 
 namespace {
-constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadratic in them
+constexpr double not_solved = -1.;          ///< in place of a time step's error
+constexpr unsigned int most_failures = 200; ///< of time steps from one instant to the next
 } // namespace
 
 LoadSequence::LoadSequence(const Model &model)
@@ -69,6 +71,8 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
   each_increment = each;
   between_increments = pause;
   observer_needs_line = needs_line;
+  if (!resolution)
+    resolution = std::make_unique<FollowResolution>(model);
   if (!is_resumed) {
     initialize();
     observer({0, 0, 0}, current);
@@ -107,8 +111,10 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
 
 void LoadSequence::transfer(Archive &archive) {
   bool has_integrator = integrator != nullptr;
-  archive(position, declared, current, step_reports, time_step, last_error, *statics,
-          has_integrator);
+  if (!resolution)
+    resolution = std::make_unique<FollowResolution>(model);
+  archive(position, declared, current, step_reports, time_step, last_error, force_so_far,
+          in_equilibrium, *statics, *resolution, has_integrator);
   if (archive.reads() && has_integrator)
     integrator = make_time_integrator(model, piece_observer);
   if (has_integrator)
@@ -117,47 +123,6 @@ void LoadSequence::transfer(Archive &archive) {
     is_resumed = true;
 }
 
-bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
-  const unsigned int step = position.step;
-  const LoadStep &declared_step = model.scene.steps[step];
-  const Factors &from = position.from;
-  const double start = position.start;
-  if (!is_resumed) {
-    current.velocity.setZero();
-    current.acceleration.setZero();
-    current.auxiliary.setZero();
-    current.load_rates.clear();
-    current.load_accelerations.clear();
-  }
-  is_resumed = false;
-  course.begin_step(step, from, target, start, declared_step.duration);
-  for (std::size_t &i = position.next; i < declared_step.n_increments;) {
-    ++i;
-    const double end = i == declared_step.n_increments
-                           ? start + declared_step.duration
-                           : start + declared_step.duration * i / declared_step.n_increments;
-    bool done = false;
-    while (!done) { // a history is followed to its corners, and on both sides of its jumps
-      if (course.factors_before(current.time) != course.factors_after(current.time) &&
-          !advance_to_other_side())
-        return false;
-      const double corner = course.next_break(current.time);
-      done = !(corner < end - 1e-9 * declared_step.duration);
-      const double time = done ? end : corner, part = (time - start) / declared_step.duration;
-      Factors to = target;
-      if (!done || i < declared_step.n_increments)
-        for (unsigned int l = 0; l < to.size(); ++l)
-          to[l] = from[l] + part * (target[l] - from[l]);
-      if (!advance(Factors(declared), to, time, 0))
-        return false;
-    }
-    observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
-    if (between_increments)
-      between_increments();
-  }
-  if (model.contacts.size() <= most_contacts_for_uniqueness && !model.corotational)
-    step_reports.back().several_equilibria = statics->beyond_uniqueness(current.contact_status);
-  return true;
 }
 
 bool LoadSequence::run_transient(const Factors &target, const Observer &observer) {
@@ -179,7 +144,7 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
     time_step = longest_step;
     jump_met = start;
   }
-  is_resumed = false;
+  is_resumed = in_equilibrium = false;
   for (std::size_t &i = position.next; i < times.size(); ++i) {
     const auto observe = [&]() {
       const unsigned int increment = ++position.increment;
@@ -206,6 +171,7 @@ bool LoadSequence::run_reduced(const Factors &target, const Observer &observer) 
     return run_transient(target, observer);
   course.begin_step(position.step, position.from, target, position.start,
                     model.scene.steps[position.step].ramp);
+  in_equilibrium = false;
   const bool done = reduction->run(start, course, current, report,
                                    {observer, observer_needs_line, piece_observer});
   declared = course.declared(current.time);
@@ -229,6 +195,7 @@ bool LoadSequence::move_to(const double time, const std::function<void()> &after
   const double tolerance = model.scene.time.tolerance, longest = longest_step,
                least = longest / std::pow(2., model.scene.solver.max_halvings);
   StepReport &report = step_reports.back();
+  unsigned int failures = 0;
   while (current.time < time) {
     const double left = time - current.time;
     const double step = left <= 1.5 * time_step ? left : time_step;
@@ -236,6 +203,12 @@ bool LoadSequence::move_to(const double time, const std::function<void()> &after
     const bool taken = take_time_step(goal);
     if (!taken && report.no_equilibrium)
       return false;
+    if (!taken && last_error == not_solved && ++failures == most_failures) {
+      report.remark = "stopped at time " + std::to_string(current.time) + ": " + report.remark +
+                      ", " + std::to_string(failures) + " times within " + std::to_string(longest) +
+                      " s, and that is all there are";
+      return false;
+    }
     if (!taken && step <= least * (1. + 1e-9)) {
       report.remark = "stopped at time " + std::to_string(current.time) + ": " + report.remark +
                       ", also with a time step of " + std::to_string(step) + " s";
@@ -267,6 +240,7 @@ bool LoadSequence::take_time_step(const double time) {
       step_reports.back().energy += meet_jump(model, course, *integrator, current);
   }
   const TimeStep step = integrator->advance(current, course, time, next);
+  last_error = not_solved;
   if (!report(step.result))
     return false;
   const double tolerance = model.scene.time.tolerance,
@@ -278,42 +252,10 @@ bool LoadSequence::take_time_step(const double time) {
   declared = course.declared(next.time);
   step_reports.back().energy += step.energy;
   watch_contacts(model, current, next, step_reports.back());
+  if (resolution)
+    resolution->add_time_step(current, next, integrator->is_exact(),
+                              step_reports.back().resolution);
   return true;
-}
-
-bool LoadSequence::advance_to_other_side() {
-  side = LoadCourse::Side::after;
-  const bool done = advance(Factors(declared), Factors(declared), current.time, 0);
-  side = LoadCourse::Side::before;
-  return done;
-}
-
-bool LoadSequence::advance(const Factors &from, const Factors &to, const double time,
-                           const unsigned int halvings) {
-  StepReport &report = step_reports.back();
-  const double start = current.time;
-  if (solve_increment(to, time)) {
-    ++report.increments;
-    if (each_increment)
-      each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
-                     current);
-    return true;
-  }
-  if (report.no_equilibrium) {
-    report.remark = "stopped at time " + std::to_string(start) + ": " + report.remark;
-    return false;
-  }
-  if (halvings == model.scene.solver.max_halvings) {
-    report.remark = "stopped at time " + std::to_string(start) + ": " + report.remark +
-                    ", also after halving the increment " + std::to_string(halvings) + " times";
-    return false;
-  }
-  ++report.halvings;
-  Factors middle(to.size());
-  for (unsigned int l = 0; l < to.size(); ++l)
-    middle[l] = (from[l] + to[l]) / 2.;
-  return advance(from, middle, (start + time) / 2., halvings + 1) &&
-         advance(middle, to, time, halvings + 1);
 }
 
 bool LoadSequence::report(const EquilibriumResult &result) {
@@ -329,40 +271,6 @@ bool LoadSequence::report(const EquilibriumResult &result) {
   report.residual = std::max(report.residual, result.residual);
   if (result.check)
     report.contact.include(*result.check);
-  return true;
-}
-
-bool LoadSequence::solve_corotational_increment(const Factors &factors, const double time) {
-  LineState to = current;
-  to.time = time;
-  to.load_factors = course.factors_at(time, side);
-  if (!report(corotational_statics->solve(current, course, to, response)))
-    return false;
-  const LineState before = current;
-  current = to;
-  current.time = before.time;
-  commit(factors, time);
-  step_reports.back().energy += corotational_statics->account(before, current, course);
-  return true;
-}
-
-bool LoadSequence::solve_increment(const Factors &factors, const double time) {
-  if (corotational_statics)
-    return solve_corotational_increment(factors, time);
-  const Factors full = course.factors_at(time, side);
-  EquilibriumProblem increment{model.linear.stiffness(), course.forces(full), course.imposed(time)};
-  increment.time = time;
-  trial = current.unknowns;
-  if (!report(statics->solve(increment, current.contacts, trial, response)))
-    return false;
-  const Vector loads_before = course.forces(current.load_factors);
-  LineState before = current;
-  current.unknowns = trial;
-  model.space.expand(current.unknowns, current.dofs);
-  current.dofs += increment.imposed;
-  commit(factors, time);
-  step_reports.back().energy +=
-      account_increment(model, before, current, loads_before, increment.right_hand_side);
   return true;
 }
 

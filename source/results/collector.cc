@@ -51,6 +51,8 @@ std::string unit_of(const std::string &what) {
     return "m";
   if (const int velocity = place(velocities, what); velocity >= 0)
     return velocity < 3 ? "m/s" : "rad/s";
+  if (what == "mt")
+    return "N m";
   if (what == "impulse")
     return "N s";
   if (const int c = place(of_motion, what); c >= 0)
@@ -105,7 +107,9 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
       return now.reactions[i][component];
   for (unsigned int i = 0; i < results.supports.size(); ++i)
     if (results.supports[i].name == quantity.where)
-      return component < 3 ? builder.support_force(state, i)[component] : 0.;
+      return component < 3
+                 ? builder.support_force(state, i)[component]
+                 : builder.support_state(state, i).mt * results.supports[i].normal[component - 3];
   const auto point = model.mesh.points.find(quantity.where);
   if (point == model.mesh.points.end())
     throw UserError("Quantity " + quantity.name +
@@ -230,10 +234,11 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
            results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.))
         value += made.reactions[i][c];
     for (unsigned int i = 0; i < results.supports.size(); ++i)
-      if (results.supports[i].name == quantity.where && c < 3) {
+      if (results.supports[i].name == quantity.where) {
         const SupportState &s = made.supports[i];
         const SupportInfo &info = results.supports[i];
-        value += s.fn * info.normal[c] + s.ft1 * info.t1[c] + s.ft2 * info.t2[c];
+        value += c < 3 ? s.fn * info.normal[c] + s.ft1 * info.t1[c] + s.ft2 * info.t2[c]
+                       : s.mt * info.normal[c - 3];
       }
   } else if (quantity.where.empty())
     value = value_of_supports(results.supports, made.supports, what);

@@ -20,7 +20,7 @@ void for_each_number(AnyFrame &frame, const Function &function) {
   }
   for (auto &support : frame.supports)
     for (auto *value : {&support.fn, &support.ft1, &support.ft2, &support.gap, &support.slip1,
-                        &support.slip2, &support.work_friction})
+                        &support.slip2, &support.work_friction, &support.mt})
       function(*value);
   for (auto &reaction : frame.reactions)
     for (auto &value : reaction)

@@ -120,6 +120,7 @@ SupportState FrameBuilder::support_state(const LineState &state, const unsigned 
   result.fn = -share * stress[0];
   result.ft1 = share * stress[2];
   result.ft2 = share * stress[1];
+  result.mt = -share * stress[3];
   result.work_friction = state.contacts.dissipated[i];
   result.wear = state.contacts.wear[i];
   result.impulse = state.contacts.impulse[i];
@@ -363,15 +364,11 @@ void FrameBuilder::add_vertex_forces(const LineState &state) {
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     const Contact::Strains stress = contact.weight * state.contact_stress[i];
-    const unsigned int per_vertex = contact.dofs.size() / 2;
-    for (unsigned int j = 0; j < contact.dofs.size(); ++j) {
-      const unsigned int vertex = contact.vertices[0];
-      const unsigned int other = contact.vertices[1];
-      const auto &at = model.discretization.vertex_dofs();
-      for (const unsigned int v : {vertex, other})
-        if (v < vertex_forces.size() && at.index(v, j % per_vertex) == contact.dofs[j])
-          vertex_forces[v][j % per_vertex] += contact.B.col(j).dot(stress);
-    }
+    for (const unsigned int vertex : contact.vertices)
+      for (unsigned int c = 0; c < 6 && vertex < vertex_forces.size(); ++c)
+        for (unsigned int j = 0; j < contact.dofs.size(); ++j)
+          if (model.discretization.vertex_dofs().index(vertex, c) == contact.dofs[j])
+            vertex_forces[vertex][c] += contact.B.col(j).dot(stress);
   }
 }
 

@@ -46,7 +46,10 @@ std::string status_box(const Results &results) {
   switch (results.status) {
   case RunStatus::converged:
     word = "\u2713 Converged";
-    sentence = "Every step of the load sequence came to its end.";
+    sentence = "Every step of the load sequence came to its end. Displacements are known to: load "
+               "increments " +
+               in_words(results.known.increments) + ", time step " +
+               in_words(results.known.time_step) + ", cells " + in_words(results.known.cells) + ".";
     break;
   case RunStatus::no_equilibrium:
     word = "\u26a0 No equilibrium";

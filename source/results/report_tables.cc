@@ -100,22 +100,22 @@ std::string support_table(const Results &results, const Frame &frame) {
     status.push_back(status_cell(state.status));
     ratio.push_back(state.fn > 0. ? fixed_number(friction_force(state) / state.fn, 3) : dash);
   }
-  return HtmlTable(results.units)
-             .text("support", names)
-             .text("kind", kinds)
-             .html("status", status)
-             .numbers("fn", "N", column([](const SupportState &s) { return s.fn; }), force.value())
-             .numbers("ft1", "N", column([](const SupportState &s) { return s.ft1; }),
-                      force.value())
-             .numbers("ft2", "N", column([](const SupportState &s) { return s.ft2; }),
-                      force.value())
-             .right("|ft| / fn", ratio)
-             .numbers("gap", "m", column([](const SupportState &s) { return s.gap; }),
-                      length.value())
-             .numbers("slip1", "m", column([](const SupportState &s) { return s.slip1; }),
-                      length.value())
-             .numbers("slip2", "m", column([](const SupportState &s) { return s.slip2; }),
-                      length.value())
+  const bool any_moment = std::any_of(frame.supports.begin(), frame.supports.end(),
+                                      [](const SupportState &state) { return state.mt != 0.; });
+  HtmlTable table(results.units);
+  table.text("support", names)
+      .text("kind", kinds)
+      .html("status", status)
+      .numbers("fn", "N", column([](const SupportState &s) { return s.fn; }), force.value())
+      .numbers("ft1", "N", column([](const SupportState &s) { return s.ft1; }), force.value())
+      .numbers("ft2", "N", column([](const SupportState &s) { return s.ft2; }), force.value())
+      .right("|ft| / fn", ratio)
+      .numbers("gap", "m", column([](const SupportState &s) { return s.gap; }), length.value())
+      .numbers("slip1", "m", column([](const SupportState &s) { return s.slip1; }), length.value())
+      .numbers("slip2", "m", column([](const SupportState &s) { return s.slip2; }), length.value());
+  if (any_moment)
+    table.numbers("mt", "N m", column([](const SupportState &s) { return s.mt; }));
+  return table
              .numbers("friction work", "J",
                       column([](const SupportState &s) { return s.work_friction; }))
              .str() +
@@ -271,6 +271,17 @@ std::string energy_table(const Results &results) {
              .str();
 }
 
+std::string known_table(const Results &results) {
+  const HowWellKnown &known = results.known;
+  return "<h3>How well known</h3>\n" +
+         HtmlTable()
+             .text("displacements", {"load increments", "time step", "cells"})
+             .right("error",
+                    {in_words(known.increments), in_words(known.time_step), in_words(known.cells)})
+             .text("", {known.increments.reason, known.time_step.reason, known.cells.reason})
+             .str();
+}
+
 } // namespace
 
 std::string solver_tables(const Results &results) {
@@ -311,7 +322,7 @@ std::string solver_tables(const Results &results) {
   const auto seconds = [](const double value) { return rounded_number(value, 3) + " s"; };
   text += "<div class=\"columns\">\n<div><h3>Certificate</h3>\n" +
           HtmlTable().text("check", checks).text("", meanings).right("worst", values).str() +
-          energy_table(results) + "</div>\n<div><h3>Cost</h3>\n" +
+          energy_table(results) + known_table(results) + "</div>\n<div><h3>Cost</h3>\n" +
           HtmlTable()
               .text("time", {"all", "mesh", "setup", "solution"})
               .right("", {seconds(cost.wall_seconds), seconds(cost.mesh_seconds),

@@ -189,6 +189,18 @@ void write_summary(const Scene &scene, const Results &results, const std::string
         .add("missed_friction", results.energy->missed_friction)
         .add("imbalance", results.energy->imbalance());
 
+  List known('{', '}', "  "), reasons('{', '}', "    ");
+  for (const auto &[name, one] : {std::make_pair("increments", &results.known.increments),
+                                  std::make_pair("time_step", &results.known.time_step),
+                                  std::make_pair("cells", &results.known.cells)}) {
+    if (one->error)
+      known.add(name, *one->error);
+    else
+      known.add(name, std::string("not estimated"));
+    reasons.add(name, one->reason);
+  }
+  known.add_list("reasons", reasons);
+
   const Cost &cost = results.cost;
   List costs('{', '}', "  ");
   costs.add("wall_seconds", cost.wall_seconds)
@@ -237,6 +249,7 @@ void write_summary(const Scene &scene, const Results &results, const std::string
   member("certificate", certificate.str());
   if (results.energy)
     member("energy", energy.str());
+  member("known", known.str());
   member("cost", costs.str());
   if (results.accuracy)
     member("accuracy", accuracy_text(*results.accuracy));

@@ -11,6 +11,7 @@
 namespace frictionbeam {
 
 class CorotationalStatics;
+class FollowResolution;
 class TransientReduction;
 
 /**
@@ -85,6 +86,13 @@ private:
   bool advance_to_other_side();
   bool solve_increment(const Factors &factors, const double time);
   bool solve_corotational_increment(const Factors &factors, const double time);
+  /// After a static increment: its account of energy, its slips, contacts that it tore off.
+  void judge_increment(const LineState &before, EnergyAccount account);
+  /// Forces that a state before the first static increment, or the motion before it, leaves
+  /// unbalanced; zero if it is in equilibrium.
+  Vector unbalanced_at_start() const;
+  /// Take the present forces into account for force_so_far.
+  void measure_forces(const Vector &loads);
   /// Of the sections Initial. @param displaced or velocities only
   void set_initial_motion(const bool displaced);
   void commit(const Factors &factors, const double time);
@@ -112,8 +120,14 @@ private:
   NeedsLine observer_needs_line;
   std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for
 
+  std::unique_ptr<FollowResolution> resolution; ///< null on a reduced line
+  double force_so_far = 0.;    ///< largest load or contact force of the sequence [N]
+  bool in_equilibrium = false; ///< whether the present state is one of statics
+  unsigned int iterations_left = 0, halvings_left = 0; ///< of the declared increment
+
   // of the increment being solved
   Vector trial;
+  EquilibriumResult last_result;
   ContactResponse response;
   LineState next;
   double time_step = 0., longest_step = 0.;         ///< at present, and never more [s]

@@ -3,6 +3,7 @@
 
 #include <frictionbeam/analysis/energy_account.h>
 #include <frictionbeam/analysis/reduction_account.h>
+#include <frictionbeam/analysis/resolution.h>
 #include <frictionbeam/analysis/uniqueness.h>
 
 #include <limits>
@@ -38,11 +39,14 @@ struct StepReport {
   /// Rigid contacts that closed in a transient step: an impact, in which their force is infinite
   /// for no time, and only its impulse is a number.
   std::vector<unsigned int> struck;
+  Resolution resolution; ///< of the motion by increments and cells
+  /// Contacts that a static increment took from sticking, with friction on them, to open.
+  std::vector<unsigned int> torn_off;
 
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
             contact, energy, converged, no_equilibrium, several_equilibria, remark, warning,
-            reduction, margins, struck);
+            reduction, margins, struck, resolution, torn_off);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 
 #include <functional>
+#include <memory>
 
 namespace frictionbeam {
 
@@ -97,6 +98,8 @@ public:
   const Vector &platen_forces() const { return preload; }
   /// Add the positions at which platens are in equilibrium with a line at rest.
   void place_platens(Vector &unknowns) const;
+  /// Take other parameters for the law of contact @p i from here on.
+  void set_parameters(const unsigned int i, const std::vector<double> &parameters);
   /// The state at the start: no shear force at the displacements @p all_dofs.
   ContactState initial_state(const Vector &all_dofs) const;
 
@@ -105,6 +108,7 @@ private:
   unsigned int n_internal = 0;
   std::vector<std::pair<unsigned int, const TimeFunction *>> moving; ///< degrees of freedom
   Vector preload;
+  std::vector<std::shared_ptr<const std::vector<double>>> own_parameters; ///< not the scene's
   std::vector<std::pair<int, double>> platen_positions; ///< unknown, its value in equilibrium
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <frictionbeam/analysis/step_report.h>
+#include <frictionbeam/results/how_well_known.h>
 #include <frictionbeam/scene/scene.h>
 
 /**
@@ -29,6 +30,7 @@ struct SupportState {
   double work_friction = 0.;          ///< dissipated so far [J]
   double wear = 0.;    ///< integral of fn times the sliding velocity so far, transient steps [J]
   double impulse = 0.; ///< of fn so far, transient steps, impacts included [N s]
+  double mt = 0.;      ///< moment about the normal, of Torsion [N m]
 };
 
 /// A restraint or spring in place; its forces on the pipe in global axes are in Frame::reactions.
@@ -177,6 +179,7 @@ struct Results {
   std::vector<Check> certificate;
   std::optional<EnergyAccount> energy; ///< of all steps together
   std::vector<std::string> remarks;    ///< warnings to the user
+  HowWellKnown known;
   std::optional<AccuracyAccount> accuracy;
   std::string method;     ///< in plain words
   std::string integrator; ///< of transient steps, likewise; empty if there is none
