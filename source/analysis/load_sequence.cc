@@ -123,8 +123,6 @@ void LoadSequence::transfer(Archive &archive) {
     is_resumed = true;
 }
 
-}
-
 bool LoadSequence::run_transient(const Factors &target, const Observer &observer) {
   const unsigned int step = position.step;
   const LoadStep &declared_step = model.scene.steps[step];
