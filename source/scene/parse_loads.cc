@@ -63,7 +63,8 @@ Load::AtPoint parse_force(const ParameterReader &in, const std::string &text, co
       in.fail("Forces", "a point and numbers", "a number in place of '" + words[i] + "'",
               "'" + text + "'");
     else
-      at.value[i - 1] *= in.si(i <= 3 ? "N" : "N m");
+      at.value[i - 1] = in.in_bounds("Forces", at.value[i - 1] * in.si(i <= 3 ? "N" : "N m"),
+                                     i <= 3 ? "N" : "N m");
   return at;
 }
 
@@ -83,7 +84,8 @@ Load::AtPoint parse_displacement(const ParameterReader &in, const std::string &t
       in.fail("Displacements", form, "another text than '" + words[i] + " " + words[i + 1] + "'",
               "'" + text + "'");
     at.given[motion] = true;
-    at.value[motion] *= motion >= 3 ? degree : in.si("m");
+    at.value[motion] =
+        in.in_bounds("Displacements", at.value[motion] * (motion >= 3 ? degree : in.si("m")), "m");
   }
   return at;
 }

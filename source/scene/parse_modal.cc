@@ -24,7 +24,7 @@ double Spectrum::at(const double frequency, const bool logarithmic) const {
 namespace parts {
 
 void declare_modes(ParameterReader &in) {
-  in.declare_count("Number", 0, 0, "Of modes, from the lowest frequency on; 0: none.");
+  in.declare_count("Number", 0, 0, "Of modes, from the lowest frequency on; 0: none.", 10000);
   in.declare_choice("Mass", "consistent", {"consistent", "lumped"},
                     "consistent: of the elements, with rotary inertia; lumped: half the mass of "
                     "each cell at either end, without rotary inertia.");

@@ -104,6 +104,9 @@ void check_histories(Scene &scene);
 void declare_quantities(ParameterReader &in);
 void parse_quantities(const ParameterReader &in, Scene &scene);
 
+/// After everything else: scenes that would run for hours are refused, unless that is allowed.
+void check_size(ParameterReader &in, const Scene &scene);
+
 /// Path of the file that an entry names. @throws UserError if there is none.
 std::string existing_file(const ParameterReader &in, const std::string &entry);
 

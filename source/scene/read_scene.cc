@@ -315,6 +315,8 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   parts::parse_monitors(in, scene);
   parts::check_kinematics(in, scene);
   parts::check_histories(scene);
+  parts::check_size(in, scene);
+  in.enter("");
   check_unique_names(in, scene);
   in.enter("Exact");
   parts::declare_exact(in);
