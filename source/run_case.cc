@@ -10,6 +10,7 @@
 #include <frictionbeam/model/processes.h>
 #include <frictionbeam/results/both_models.h>
 #include <frictionbeam/results/checkpoint.h>
+#include <frictionbeam/results/envelope_tables.h>
 #include <frictionbeam/results/finite.h>
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
@@ -145,6 +146,7 @@ Results run_line(Scene &scene, const LawLibrary &laws) {
     results.remarks.push_back("A line is solved by one process: the others have waited.");
   study_friction(as_read, laws, results);
   write_stresses(scene, results, scene.output.directory);
+  write_envelopes(scene, results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
   return results;
 }

@@ -13,6 +13,8 @@
 #include <frictionbeam/results/csv_writer.h>
 #include <frictionbeam/results/derived_cases.h>
 #include <frictionbeam/results/energy_judgement.h>
+#include <frictionbeam/results/envelope.h>
+#include <frictionbeam/results/envelope_tables.h>
 #include <frictionbeam/results/reduction_text.h>
 #include <frictionbeam/results/stresses.h>
 #include <frictionbeam/results/text.h>
@@ -112,6 +114,17 @@ bool wants_modes_after(const Scene &scene, const unsigned int step) {
                                    : scene.steps[step].name == scene.modal.step);
 }
 
+/// A case of a combination: over all instants where it has any.
+CaseRange range_of(const Results &results, const Frame &end) {
+  for (const CombinationRange &range : results.combination_ranges)
+    if (range.step == end.step)
+      return {&range.least, &range.largest};
+  const StepEnvelope *const envelope = results.envelope_of(end.step);
+  if (envelope != nullptr && envelope->least_frame)
+    return {&*envelope->least_frame, &*envelope->largest_frame};
+  return {&end, &end};
+}
+
 /// Modes, spectra and combinations; their names become steps of the scene, for the writers.
 void add_derived_cases(const Model &model, const std::optional<LineState> &modal_state,
                        Scene &scene, Collector &collector, Results &results) {
@@ -143,16 +156,29 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     collector.observe_case("spectrum", *response);
   }
   for (const Combination &combination : scene.combinations) {
-    std::vector<const Frame *> frames;
+    std::vector<CaseRange> cases;
+    std::string over_steps;
     for (const auto &part : combination.cases)
-      for (const Frame &frame : results.frames)
-        if (frame.end_of_step && step_name(scene, frame) == part.first)
-          frames.push_back(&frame);
-    if (frames.size() != combination.cases.size())
+      for (const Frame &end : results.frames)
+        if (end.end_of_step && step_name(scene, end) == part.first) {
+          cases.push_back(range_of(results, end));
+          if (cases.back().least != cases.back().largest)
+            over_steps += (over_steps.empty() ? "" : ", ") + part.first;
+        }
+    if (cases.size() != combination.cases.size())
       continue; // a transient step may have been left out
-    Frame frame = combine(combination, frames);
+    CombinationRange range;
+    range.step = next;
+    Frame frame = combine(combination, cases, &range);
     frame.step = next++;
     collector.observe_case(combination.name, frame);
+    if (over_steps.empty())
+      continue;
+    results.combination_ranges.push_back(range);
+    results.remarks.push_back(
+        "Combination " + combination.name + " takes of " + over_steps +
+        " the least and the largest value of each component over the step, at whatever instants: "
+        "it is a bound. So are its stresses, the largest of all these values together.");
   }
 }
 
@@ -211,6 +237,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
     if (vtu)
       vtu->append(shown);
   });
+  Envelope envelope(model, results);
+  bool line_is_known = true; // of a reduced line, not at every instant
   Checkpoint checkpoint(model);
   std::optional<Archive> saved;
   if (scene.output.resume)
@@ -228,7 +256,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   bool converged;
   std::optional<LineState> modal_state; // at the end of the step that modes start from
   const auto transfer_all = [&](Archive &archive) {
-    archive(sequence, collector, *csv, modal_state);
+    archive(sequence, collector, envelope, *csv, modal_state);
     if (vtu)
       archive(*vtu);
     if (contact_problems)
@@ -246,6 +274,9 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
           interruption::end_if_overdue();
           progress_line.show(progress);
           collector.observe(progress.step, progress.increment, progress.n_increments, state);
+          envelope.observe(progress.step, progress.increment, progress.n_increments, state,
+                           line_is_known);
+          line_is_known = true;
           if (progress.increment == progress.n_increments &&
               wants_modes_after(scene, progress.step))
             modal_state = state;
@@ -274,8 +305,10 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                           sequence.reports().back().step + ".");
         },
         [&](const LoadSequence::Progress &progress, const double time) {
-          return collector.needs_line(progress.step, progress.increment, progress.n_increments,
-                                      time);
+          line_is_known =
+              envelope.needs_line(progress.step) ||
+              collector.needs_line(progress.step, progress.increment, progress.n_increments, time);
+          return line_is_known;
         });
   }
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
@@ -286,6 +319,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                          return pressure_in(scene, step, pipe);
                                        });
   results.nozzles = evaluate_nozzles(scene, results);
+  add_envelope_remarks(scene, results);
   collector.finish(sequence.state());
   csv->finish();
   if (vtu) {

@@ -53,7 +53,7 @@ std::string csv_field(const std::string &text) {
 
 void remove_line_tables(const std::string &folder) {
   std::error_code error; // there may be none
-  for (const char *const name : {"supports.csv", "line.csv", "reactions.csv"})
+  for (const char *const name : {"supports.csv", "line.csv", "reactions.csv", "envelope.csv"})
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
 }
 

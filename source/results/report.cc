@@ -96,7 +96,10 @@ std::string pictures(const Scene &scene, const Results &results,
     panels.emplace_back(step_name(scene, *frame), "<div class=\"picture\">" +
                                                       draw_line(scene, results, *frame, scale) +
                                                       "</div>\n");
-  return html_tabs("line-of", panels);
+  return html_tabs("line-of", panels) +
+         (results.envelopes.empty()
+              ? ""
+              : html_note("Of a transient step the line is shown as it is at the step's end."));
 }
 
 std::string input(const Scene &scene) {

@@ -140,7 +140,8 @@ void declare_combination(ParameterReader &in) {
       "srss: square root of the sum of squares; absolute: sum of absolute values.");
   in.declare_text("Cases", "", "names of steps or combinations, each with a factor if not 1",
                   "What is combined, after the load sequence: 'hot, cold -1'. The result of the "
-                  "spectra is called 'spectrum'.");
+                  "spectra is called 'spectrum'. Of a transient step, the least and the largest "
+                  "value of each component over the step count.");
 }
 
 void parse_combination(const ParameterReader &in, const std::string &name, Scene &scene) {
