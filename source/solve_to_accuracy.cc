@@ -162,6 +162,8 @@ double AccuracyControl::estimate_without(const std::size_t what) const {
 }
 
 bool AccuracyControl::sees_events(const Results &coarse, const Results &fine) {
+  if (scene.time.integrator == TimeSettings::Integrator::event)
+    return true; // which steps over none
   missed = accuracy::nearly_missed(coarse, fine);
   return missed.empty() || n_missed++ >= most_levels_for_events;
 }

@@ -138,8 +138,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
                            : start + declared_step.duration * i / declared_step.n_increments;
     bool done = false;
     while (!done) { // a history is followed to its corners, and on both sides of its jumps
-      if (course.factors_before(current.time) != course.factors_after(current.time) &&
-          !advance_to_other_side())
+      if (course.forces_jump(current.time) && !advance_to_other_side())
         return false;
       const double corner = course.next_break(current.time);
       done = !(corner < end - 1e-9 * declared_step.duration);

@@ -58,14 +58,14 @@ void TaylorMotion::make_rows(const std::vector<EventState> &states) {
 bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
                                      const double length) {
   // A jump at the end belongs to the next piece.
-  const double last = std::nextafter(loads.next_break(time), time);
+  const double end = loads.next_break(time), last = std::nextafter(end, time);
   bool smooth = true;
   const auto powers = [&](Noise &noise, const std::function<Vector(const double)> &function) {
     return interpolate([&](const double t) { return function(std::min(t, last)); }, time, length,
                        noise.level, noise.before, smooth);
   };
   factors = powers(factor_noise, [&](const double t) {
-    const LoadCourse::Factors f = loads.factors(t);
+    const LoadCourse::Factors f = t < last ? loads.factors(t) : loads.factors_before(end);
     return Vector(Eigen::Map<const Vector>(f.data(), f.size()));
   });
   if (model.ground_moves)
