@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random lines with friction, static and moving, with an Accuracy, against much finer answers.
 
-  prm/benchmark/random_accuracy.py [--program build/bin/frictionbeam] [--seeds 1-100]
+  prm/benchmark/random_accuracy.py [--program build/bin/frictionbeam] [--seeds 1-100,200]
       [--demanded 1e-2,1e-3] [--jobs 2] [--keep FOLDER] [--cache FILE] [--most 0]
 
 An odd seed is a static line: pipes of one to three legs on rests and guides, heated, pushed, moved
@@ -279,8 +279,10 @@ def main():
     parser.add_argument("--cache", help="file of references, so that they are solved once")
     parser.add_argument("--most", type=int, default=0)
     arguments = parser.parse_args()
-    first, _, last = arguments.seeds.partition("-")
-    seeds = range(int(first), int(last or first) + 1)
+    seeds = []
+    for word in arguments.seeds.split(","):
+        first, _, last = word.partition("-")
+        seeds += range(int(first), int(last or first) + 1)
     cache = {}
     if arguments.cache and os.path.exists(arguments.cache):
         with open(arguments.cache) as text:

@@ -195,8 +195,7 @@ bool LoadCourse::forces_jump(const double time) const {
     return false;
   const Factors before = factors_before(time), after = factors_after(time);
   for (unsigned int l = 0; l < to.size(); ++l)
-    if (std::abs(after[l] - before[l]) >
-        1e-9 * std::max(std::abs(after[l]), std::abs(before[l])))
+    if (std::abs(after[l] - before[l]) > 1e-9 * std::max(std::abs(after[l]), std::abs(before[l])))
       return true;
   return false;
 }
