@@ -24,7 +24,7 @@ namespace frictionbeam {
 namespace {
 
 constexpr double margin = 1.1;        ///< by which an estimate must be below what is demanded
-constexpr double first_share = 0.25;  ///< of the tolerance, that one difference alone must be below
+constexpr double first_share = 1e-3;  ///< of the tolerance, that one difference alone must be below
 constexpr double early_share = 0.2;   ///< of what is demanded, for what is chosen before others
 constexpr double most_of_model = 0.7; ///< of what is demanded, that the line model may use up
 constexpr unsigned int highest_level = 14;
@@ -97,9 +97,9 @@ private:
   /// wants some more levels first.
   bool sees_events(const Results &coarse, const Results &fine);
 
-  unsigned int n_missed = 0;        ///< levels that were added for such an event
-  std::string missed;               ///< the event, if the last level may still have missed it
-  bool coarsest_will_do = false;    ///< of what was refined last: finer ones change next to nothing
+  unsigned int n_missed = 0;     ///< levels that were added for such an event
+  std::string missed;            ///< the event, if the last level may still have missed it
+  bool coarsest_will_do = false; ///< of what was refined last: finer ones change next to nothing
   double model_error = 0.;
   std::map<std::string, Results> solved; ///< runs that may be asked for again
   AccuracyAccount account;
@@ -162,6 +162,8 @@ double AccuracyControl::estimate_without(const std::size_t what) const {
 }
 
 bool AccuracyControl::sees_events(const Results &coarse, const Results &fine) {
+  if (scene.time.integrator == TimeSettings::Integrator::event)
+    return true; // which steps over none
   missed = accuracy::nearly_missed(coarse, fine);
   return missed.empty() || n_missed++ >= most_levels_for_events;
 }
@@ -182,8 +184,7 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       convergence.add(before.level, level, differences);
       const double estimate = convergence.estimate();
       estimates[what] = estimate;
-      if (margin * estimate <=
-              (convergence.knows_orders() ? tolerance : first_share * tolerance) &&
+      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance) &&
           sees_events(before.results, now.results)) {
         coarsest_will_do = list[what].coarsest_may_be_exact && before.level == 0;
         return now;
@@ -347,8 +348,8 @@ Results AccuracyControl::run() {
   account.chosen = chosen;
   for (const QuantityResult &quantity : results.quantities)
     if (quantity.of_impact)
-      account.left_out.push_back(quantity.name +
-                                 ": the force of an impact on a rigid support has no largest value");
+      account.left_out.push_back(
+          quantity.name + ": the force of an impact on a rigid support has no largest value");
   if (!missed.empty())
     results.remarks.push_back("Accuracy: " + missed +
                               " is nearer than the time step can tell, and was not seen.");

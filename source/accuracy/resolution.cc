@@ -15,7 +15,8 @@ constexpr unsigned int n_points = 16384;  ///< of a transient step
 constexpr double shortest_part = 1. / 8192.;
 constexpr double safety = 2.; ///< of a difference of two answers, as a measure of their error
 
-/// Largest distance of a history from straight lines between instants @p step apart, over its range.
+/// Largest distance of a history from straight lines between instants @p step apart, over its
+/// range.
 double deviation(const TimeFunction &history, const double start, const double end,
                  const double step) {
   double low = history.after(start), high = low, largest = 0.;

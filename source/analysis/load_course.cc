@@ -190,16 +190,28 @@ bool LoadCourse::may_jump(const double start, const double end) const {
   return next_break(start - rounding) < end - rounding;
 }
 
-bool LoadCourse::jumps(const double time) const {
-  const double rounding = 1e-9 * time_step(model);
-  if (next_break(time - rounding) > time + rounding)
+bool LoadCourse::forces_jump(const double time) const {
+  if (!is_break(time))
     return false;
   const Factors before = factors_before(time), after = factors_after(time);
   for (unsigned int l = 0; l < to.size(); ++l)
-    if (model.linear.accelerates(l) ||
-        std::abs(after[l] - before[l]) > 1e-9 * std::max(std::abs(after[l]), std::abs(before[l])))
+    if (std::abs(after[l] - before[l]) > 1e-9 * std::max(std::abs(after[l]), std::abs(before[l])))
       return true;
   return false;
+}
+
+bool LoadCourse::jumps(const double time) const {
+  if (!is_break(time))
+    return false;
+  for (unsigned int l = 0; l < to.size(); ++l)
+    if (model.linear.accelerates(l))
+      return true;
+  return forces_jump(time);
+}
+
+bool LoadCourse::is_break(const double time) const {
+  const double rounding = 8. * std::numeric_limits<double>::epsilon() * std::abs(time);
+  return next_break(time - rounding) <= time + rounding;
 }
 
 } // namespace frictionbeam

@@ -44,8 +44,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     while (!done) { // a history is followed to its corners, and on both sides of its jumps
       iterations_left = most_iterations;
       halvings_left = most_halvings;
-      if (course.factors_before(current.time) != course.factors_after(current.time) &&
-          !advance_to_other_side())
+      if (course.forces_jump(current.time) && !advance_to_other_side())
         return false;
       const double corner = course.next_break(current.time);
       done = !(corner < end - 1e-9 * declared_step.duration);

@@ -60,16 +60,18 @@ void TaylorMotion::make_rows(const std::vector<EventState> &states) {
 bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
                                      const double length) {
   // A jump at the end belongs to the next piece, and one at the start is over.
-  const double same = same_instant(time), start = loads.next_break(time - same);
+  const double same = same_instant(time), start = loads.next_break(time - same),
+               end = loads.next_break(time + same);
   first_instant = start <= time + same ? std::nextafter(start, start + 1.) : time;
-  last_instant = std::nextafter(loads.next_break(time + same), time);
+  last_instant = std::nextafter(end, time);
   bool smooth = true;
   const auto powers = [&](Noise &noise, const std::function<Vector(const double)> &function) {
     return interpolate([&](const double t) { return function(within(t)); }, time, length,
                        noise.level, noise.before, smooth);
   };
   factors = powers(factor_noise, [&](const double t) {
-    const LoadCourse::Factors f = loads.factors(t);
+    const LoadCourse::Factors f =
+        t < last_instant ? loads.factors(within(t)) : loads.factors_before(end);
     return Vector(Eigen::Map<const Vector>(f.data(), f.size()));
   });
   if (model.ground_moves)

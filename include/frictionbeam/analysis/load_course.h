@@ -49,6 +49,8 @@ public:
   double next_break(const double time) const;
   /// Whether there is such an instant from @p start on and before @p end.
   bool may_jump(const double start, const double end) const;
+  /// Whether forces jump at @p time.
+  bool forces_jump(const double time) const;
   /// Whether forces, or velocities of nodes with mass that loads move, jump at @p time.
   bool jumps(const double time) const;
 
@@ -63,6 +65,7 @@ private:
                       const Side side);
   /// The declared factors times the loads' histories.
   double factor(const unsigned int load, const double time, const Side side) const;
+  bool is_break(const double time) const;
   /// The last instant before @p time at which something may jump or bend; minus infinity if none.
   double last_break(const double time) const;
   /// Call for each history that acts, with the origin of its time.
