@@ -29,10 +29,10 @@ constexpr double infinity = 1e300;
 constexpr LawParameter parameters[n_parameters] = {
     {"Axial rigidity", "N", 0., 0., infinity,
      "ES of the friction element; ES over its length is the contact's normal stiffness. 0: rigid "
-     "(methods of return mapping then take 1e9 N)"},
+     "(return mapping alone then takes 1e9 N)"},
     {"Shear rigidity", "N", 0., 0., infinity,
      "GS_y of the friction element; GS over its length is the tangential stiffness. 0: rigid "
-     "(methods of return mapping then take 1e9 N)"},
+     "(return mapping alone then takes 1e9 N)"},
     {"Shear rigidity ratio", "-", 1., 1e-6, 1e6, "GS_z over GS_y"},
     {"Friction coefficient", "-", 0.3, 0., 100., "f at which sticking ends"},
     {"Dynamic friction coefficient", "-", -1., -1., 100.,

@@ -6,6 +6,7 @@
 
 /**
  * A snubber along the normal: nothing in static steps, free in slow motion, stiff in fast motion.
+ * A static step, which takes no time, is the slowest motion: one that was locked lets go in it.
  *
  * With a locking velocity of 0 it locks as soon as time passes. Otherwise, while the rate of its
  * length stays below the locking velocity (and its change below the locking acceleration, where one
@@ -51,7 +52,7 @@ public:
     const bool fast =
         std::abs(rate) > p[velocity] || (p[acceleration] > 0. && change > p[acceleration]);
     const double before = d - rate * dt;
-    bool locked = in.old_state[is_locked] != 0.;
+    bool locked = in.old_state[is_locked] != 0. && dt > 0.;
     double lock = in.old_state[position];
     if (!locked && fast) {
       locked = true;

@@ -176,7 +176,7 @@ int compare_runs(const std::string &first, const std::string &second) {
     std::cout << "  " << n_same << " are the same\n";
   compare("Supports", read_table(first + "/supports.csv", 4, true),
           read_table(second + "/supports.csv", 4, true),
-          {"fn", "ft1", "ft2", "gap", "slip1", "slip2"});
+          {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "mt"});
   compare("Reactions", read_table(first + "/reactions.csv", 4, false),
           read_table(second + "/reactions.csv", 4, false), {"fx", "fy", "fz", "mx", "my", "mz"});
   compare("Line", read_table(first + "/line.csv", 3, false),

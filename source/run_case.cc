@@ -10,6 +10,7 @@
 #include <frictionbeam/model/processes.h>
 #include <frictionbeam/results/both_models.h>
 #include <frictionbeam/results/checkpoint.h>
+#include <frictionbeam/results/envelope_tables.h>
 #include <frictionbeam/results/finite.h>
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report.h>
@@ -53,6 +54,10 @@ void print_summary(const Scene &scene, const Results &results) {
       std::cout << "; " << step.remark;
     std::cout << '\n';
   }
+  if (results.status == RunStatus::converged)
+    std::cout << "Known to: load increments " << in_words(results.known.increments)
+              << ", time step " << in_words(results.known.time_step) << ", cells "
+              << in_words(results.known.cells) << '\n';
   for (const QuantityResult &quantity : results.quantities) {
     std::cout << quantity.name << " = " << quantity.value << ' ' << quantity.unit;
     if (quantity.error)
@@ -141,6 +146,7 @@ Results run_line(Scene &scene, const LawLibrary &laws) {
     results.remarks.push_back("A line is solved by one process: the others have waited.");
   study_friction(as_read, laws, results);
   write_stresses(scene, results, scene.output.directory);
+  write_envelopes(scene, results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
   return results;
 }
@@ -160,6 +166,8 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   results.cost.wall_seconds = wall.wall_time();
   if (this_process() > 0)
     return;
+  include_accuracy(results);
+  add_remarks(results.known, results);
   write_modes(results, scene.output.directory);
   if (scene.output.report)
     write_report(scene, results, scene.output.directory);

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solve_scene.h"
+#include "support_remarks.h"
 
 #include <frictionbeam/analysis/interruption.h>
 #include <frictionbeam/analysis/load_sequence.h>
 #include <frictionbeam/model/corotational_line.h>
+#include <frictionbeam/model/finite_rigidity.h>
 #include <frictionbeam/model/mechanism.h>
 #include <frictionbeam/results/checkpoint.h>
 #include <frictionbeam/results/collector.h>
 #include <frictionbeam/results/contact_problem_writer.h>
 #include <frictionbeam/results/csv_writer.h>
 #include <frictionbeam/results/derived_cases.h>
+#include <frictionbeam/results/energy_judgement.h>
+#include <frictionbeam/results/envelope.h>
+#include <frictionbeam/results/envelope_tables.h>
 #include <frictionbeam/results/reduction_text.h>
 #include <frictionbeam/results/stresses.h>
 #include <frictionbeam/results/text.h>
@@ -81,11 +86,43 @@ std::string several_equilibria(const Results &results) {
          supports + ". The answer is the one reached along the declared load sequence.";
 }
 
+/// Which rigid supports were struck, and what that means for their forces; empty if none was.
+std::string struck_supports(const Results &results) {
+  std::set<unsigned int> struck;
+  for (const StepReport &step : results.steps)
+    struck.insert(step.struck.begin(), step.struck.end());
+  if (struck.empty())
+    return "";
+  constexpr std::size_t most_named = 5;
+  std::string names;
+  std::size_t n = 0;
+  for (const unsigned int contact : struck)
+    if (++n <= most_named)
+      names += (names.empty() ? "" : ", ") + results.supports[contact].name;
+  if (n > most_named)
+    names += " and " + std::to_string(n - most_named) + " more";
+  return "Rigid supports were struck: " + names +
+         ". The force of such an impact is infinite for no time, so that it has no largest value "
+         "and tables of forces at instants miss it: its impulse is the answer, or give the "
+         "support an Axial rigidity.";
+}
+
 /// Whether the end of this step says which supports hold when the line vibrates.
 bool wants_modes_after(const Scene &scene, const unsigned int step) {
   return scene.modal.n_modes > 0 &&
          (scene.modal.step.empty() ? !scene.steps[step].transient
                                    : scene.steps[step].name == scene.modal.step);
+}
+
+/// A case of a combination: over all instants where it has any.
+CaseRange range_of(const Results &results, const Frame &end) {
+  for (const CombinationRange &range : results.combination_ranges)
+    if (range.step == end.step)
+      return {&range.least, &range.largest};
+  const StepEnvelope *const envelope = results.envelope_of(end.step);
+  if (envelope != nullptr && envelope->least_frame)
+    return {&*envelope->least_frame, &*envelope->largest_frame};
+  return {&end, &end};
 }
 
 /// Modes, spectra and combinations; their names become steps of the scene, for the writers.
@@ -119,16 +156,29 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     collector.observe_case("spectrum", *response);
   }
   for (const Combination &combination : scene.combinations) {
-    std::vector<const Frame *> frames;
+    std::vector<CaseRange> cases;
+    std::string over_steps;
     for (const auto &part : combination.cases)
-      for (const Frame &frame : results.frames)
-        if (frame.end_of_step && step_name(scene, frame) == part.first)
-          frames.push_back(&frame);
-    if (frames.size() != combination.cases.size())
+      for (const Frame &end : results.frames)
+        if (end.end_of_step && step_name(scene, end) == part.first) {
+          cases.push_back(range_of(results, end));
+          if (cases.back().least != cases.back().largest)
+            over_steps += (over_steps.empty() ? "" : ", ") + part.first;
+        }
+    if (cases.size() != combination.cases.size())
       continue; // a transient step may have been left out
-    Frame frame = combine(combination, frames);
+    CombinationRange range;
+    range.step = next;
+    Frame frame = combine(combination, cases, &range);
     frame.step = next++;
     collector.observe_case(combination.name, frame);
+    if (over_steps.empty())
+      continue;
+    results.combination_ranges.push_back(range);
+    results.remarks.push_back(
+        "Combination " + combination.name + " takes of " + over_steps +
+        " the least and the largest value of each component over the step, at whatever instants: "
+        "it is a bound. So are its stresses, the largest of all these values together.");
   }
 }
 
@@ -148,7 +198,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                      [](const LoadStep &step) { return step.transient; });
   const Discretization discretization(scene, mesh, laws);
   const ReducedSpace space(scene, mesh, discretization);
-  const Contacts contacts(scene, mesh, discretization, space, laws);
+  Contacts contacts(scene, mesh, discretization, space, laws);
   if (!transient)
     for (const std::string &warning :
          check_mechanisms(scene, mesh, discretization, space, contacts))
@@ -163,6 +213,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                 "' has no threshold in closed form: the exact "
                                 "method evaluates it as it is, by Newton's method.");
   const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
+  if (scene.solver.method == SolverSettings::Method::newton && !transient)
+    make_rigid_contacts_finite(linear.stiffness(), contacts);
   std::optional<CorotationalLine> corotational;
   if (scene.kinematics == Kinematics::corotational)
     corotational.emplace(scene, mesh, discretization, space, linear);
@@ -173,6 +225,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                     contacts,
                     linear,
                     corotational ? &*corotational : nullptr};
+  add_remarks_on_model(model, results);
   LoadSequence sequence(model);
   results.cost.setup_seconds = timer.wall_time();
 
@@ -184,6 +237,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
     if (vtu)
       vtu->append(shown);
   });
+  Envelope envelope(model, results);
+  bool line_is_known = true; // of a reduced line, not at every instant
   Checkpoint checkpoint(model);
   std::optional<Archive> saved;
   if (scene.output.resume)
@@ -201,7 +256,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   bool converged;
   std::optional<LineState> modal_state; // at the end of the step that modes start from
   const auto transfer_all = [&](Archive &archive) {
-    archive(sequence, collector, *csv, modal_state);
+    archive(sequence, collector, envelope, *csv, modal_state);
     if (vtu)
       archive(*vtu);
     if (contact_problems)
@@ -209,6 +264,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   };
   if (saved)
     transfer_all(*saved);
+  if (collector.wants_pieces())
+    sequence.watch([&](const MotionPiece &piece) { collector.observe_piece(piece); });
   {
     ProgressLine progress_line(scene);
     converged = sequence.run(
@@ -217,6 +274,9 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
           interruption::end_if_overdue();
           progress_line.show(progress);
           collector.observe(progress.step, progress.increment, progress.n_increments, state);
+          envelope.observe(progress.step, progress.increment, progress.n_increments, state,
+                           line_is_known);
+          line_is_known = true;
           if (progress.increment == progress.n_increments &&
               wants_modes_after(scene, progress.step))
             modal_state = state;
@@ -245,8 +305,10 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                           sequence.reports().back().step + ".");
         },
         [&](const LoadSequence::Progress &progress, const double time) {
-          return collector.needs_line(progress.step, progress.increment, progress.n_increments,
-                                      time);
+          line_is_known =
+              envelope.needs_line(progress.step) ||
+              collector.needs_line(progress.step, progress.increment, progress.n_increments, time);
+          return line_is_known;
         });
   }
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
@@ -257,6 +319,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                          return pressure_in(scene, step, pipe);
                                        });
   results.nozzles = evaluate_nozzles(scene, results);
+  add_envelope_remarks(scene, results);
   collector.finish(sequence.state());
   csv->finish();
   if (vtu) {
@@ -299,9 +362,18 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   for (const StepReport &step : results.steps)
     if (step.reduction)
       results.remarks.push_back(describe_reduction(step.step, *step.reduction));
+  std::set<std::string> warnings;
+  for (const StepReport &step : results.steps)
+    if (!step.warning.empty() && warnings.insert(step.warning).second)
+      results.remarks.push_back(step.warning);
+  if (const std::string remark = struck_supports(results); !remark.empty())
+    results.remarks.push_back(remark);
   if (const std::string remark = several_equilibria(results); !remark.empty())
     results.remarks.push_back(remark);
   results.certify(scene);
+  judge_energy(scene, results);
+  results.known = how_well_known(scene, results);
+  add_remarks_on_supports(model, results);
   results.cost.unknowns = space.n_unknowns();
   results.cost.cells = discretization.pipe_cells().size();
   results.cost.contacts = contacts.size();

@@ -4,6 +4,7 @@
 #include "accuracy/convergence.h"
 #include "accuracy/difference.h"
 #include "accuracy/refinable.h"
+#include "accuracy/resolution.h"
 
 #include <frictionbeam/model/processes.h>
 #include <frictionbeam/results/csv_writer.h>
@@ -23,10 +24,11 @@ namespace frictionbeam {
 namespace {
 
 constexpr double margin = 1.1;        ///< by which an estimate must be below what is demanded
-constexpr double first_share = 0.25;  ///< of the tolerance, that one difference alone must be below
+constexpr double first_share = 1e-3;  ///< of the tolerance, that one difference alone must be below
 constexpr double early_share = 0.2;   ///< of what is demanded, for what is chosen before others
 constexpr double most_of_model = 0.7; ///< of what is demanded, that the line model may use up
 constexpr unsigned int highest_level = 14;
+constexpr unsigned int most_levels_for_events = 5;
 
 /// A run at some level of what is being refined.
 struct Trial {
@@ -91,7 +93,13 @@ private:
   std::vector<accuracy::Refinable> list;
   std::vector<unsigned int> levels; ///< of the list
   std::vector<double> estimates;    ///< of the errors that they leave
-  bool coarsest_will_do = false;    ///< of what was refined last: finer ones change next to nothing
+  /// Whether the finer of two answers may be taken for the last: an event that both may have missed
+  /// wants some more levels first.
+  bool sees_events(const Results &coarse, const Results &fine);
+
+  unsigned int n_missed = 0;     ///< levels that were added for such an event
+  std::string missed;            ///< the event, if the last level may still have missed it
+  bool coarsest_will_do = false; ///< of what was refined last: finer ones change next to nothing
   double model_error = 0.;
   std::map<std::string, Results> solved; ///< runs that may be asked for again
   AccuracyAccount account;
@@ -153,6 +161,13 @@ double AccuracyControl::estimate_without(const std::size_t what) const {
   return sum;
 }
 
+bool AccuracyControl::sees_events(const Results &coarse, const Results &fine) {
+  if (scene.time.integrator == TimeSettings::Integrator::event)
+    return true; // which steps over none
+  missed = accuracy::nearly_missed(coarse, fine);
+  return missed.empty() || n_missed++ >= most_levels_for_events;
+}
+
 Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
   accuracy::Convergence convergence;
   Trial before = solve_at(what, 0);
@@ -169,7 +184,8 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       convergence.add(before.level, level, differences);
       const double estimate = convergence.estimate();
       estimates[what] = estimate;
-      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance)) {
+      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance) &&
+          sees_events(before.results, now.results)) {
         coarsest_will_do = list[what].coarsest_may_be_exact && before.level == 0;
         return now;
       }
@@ -219,8 +235,12 @@ Trial AccuracyControl::refine_together(const std::array<std::size_t, 2> &both,
       account.runs.back().change = largest;
     }
     const bool known = convergence[0].knows_orders() && convergence[1].knows_orders();
-    if (usable[0] && usable[1] && margin * sum <= (known ? tolerance : first_share * tolerance))
-      return base;
+    if (usable[0] && usable[1] && margin * sum <= (known ? tolerance : first_share * tolerance)) {
+      if (sees_events(coarser[0].results, base.results))
+        return base;
+      ++levels[both[0]];
+      continue;
+    }
     const double share = tolerance / (2. * margin);
     for (unsigned int i = 0; i < 2; ++i)
       if (base.results.status != RunStatus::converged) // for which a shorter time step may help
@@ -326,6 +346,13 @@ Results AccuracyControl::run() {
   }
   Results results = model == ModelKind::continuum ? run_continuum() : run_line();
   account.chosen = chosen;
+  for (const QuantityResult &quantity : results.quantities)
+    if (quantity.of_impact)
+      account.left_out.push_back(
+          quantity.name + ": the force of an impact on a rigid support has no largest value");
+  if (!missed.empty())
+    results.remarks.push_back("Accuracy: " + missed +
+                              " is nearer than the time step can tell, and was not seen.");
   const Cost last = results.cost;
   results.cost = cost;
   results.cost.unknowns = last.unknowns;

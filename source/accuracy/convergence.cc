@@ -8,9 +8,10 @@ namespace frictionbeam::accuracy {
 
 namespace {
 
-constexpr double lowest_order = 0.5, highest_order = 2., order_of_chance = 3.;
+constexpr double lowest_order = 0.5, highest_order = 2., order_of_chance = 3.,
+                 order_of_first_chance = 2., largest_change_of_order = 0.75;
 constexpr double rounding = 1e-11;
-constexpr double longest_jump = 3.;
+constexpr double longest_jump = 2.;
 
 /// Levels of the coarser and of the finer answer.
 struct Pair {
@@ -47,16 +48,26 @@ void Convergence::add(const unsigned int coarse, const unsigned int fine,
   for (std::size_t i = 0; i < differences.size(); ++i) {
     Sequence &quantity = quantities[i];
     double d = differences[i].value <= rounding ? 0. : differences[i].value;
-    const double before = quantity.last * quantity.scale / differences[i].scale;
+    const double rescaled = quantity.scale / differences[i].scale,
+                 before = quantity.last * rescaled,
+                 shrink = n > 1 && is_finer ? std::pow(2., -1. * (fine - last_fine)) : 0.;
     if (is_finer && before > 0. && d > 0.) {
       const double measured = order_of(d / before, now, last);
       quantity.order = n > 2 ? std::min(measured, std::max(1., quantity.measured)) : measured;
+      if (n > 2 && std::abs(measured - quantity.measured) > largest_change_of_order)
+        quantity.irregular = true;
       quantity.measured = measured;
-      d = std::max(d, before * ratio(order_of_chance, now, last));
+      d = std::max(d, before * ratio(n > 2 ? order_of_chance : order_of_first_chance, now, last));
     }
+    quantity.envelope = std::max(d, (is_finer ? shrink : 1.) * quantity.envelope * rescaled);
     quantity.last = d;
     quantity.scale = differences[i].scale;
     quantity.estimate = d / (std::pow(2., quantity.order * (fine - coarse)) - 1.);
+    if (quantity.irregular) {
+      quantity.order = 1.;
+      quantity.estimate = std::max(quantity.estimate,
+                                   quantity.envelope / (std::pow(2., 1. * (fine - coarse)) - 1.));
+    }
   }
   last_coarse = coarse;
   last_fine = fine;
@@ -76,9 +87,12 @@ unsigned int Convergence::levels_to(const double tolerance) const {
   double levels = 1.;
   if (knows_orders())
     for (const Sequence &quantity : quantities)
-      if (quantity.estimate > tolerance)
+      if (quantity.estimate > tolerance) {
+        if (quantity.irregular)
+          return 1; // and see
         levels =
             std::max(levels, std::ceil(std::log2(quantity.estimate / tolerance) / quantity.order));
+      }
   return static_cast<unsigned int>(std::min(levels, longest_jump));
 }
 

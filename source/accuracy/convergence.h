@@ -15,7 +15,13 @@ namespace frictionbeam::accuracy {
  * within bounds, quantity by quantity, and from four answers on no more than 1 unless the last two
  * orders agree that it is: with a high one a long way is soon taken for gone. With one difference
  * only it is taken for 1. A difference may be small by chance: it is taken for no less than what
- * the one before leaves at order 3, unless the two answers are the same but for rounding.
+ * the one before leaves at order 3 (the second one at order 2), unless the two answers are the same
+ * but for rounding.
+ *
+ * Where the order jumps by more than 0.75 from one pair of differences to the next, as it does
+ * where instants of slip and stick fall now here, now there between instants, the error is C_l h
+ * with a C_l that is anything up to some bound. From then on the estimate is no less than what the
+ * largest of all differences would have become at order 1, and no level is left out.
  */
 class Convergence {
 public:
@@ -35,6 +41,8 @@ private:
   struct Sequence {
     double last = 0., scale = 1.; ///< difference, relative to the scale
     double measured = 1., order = 1., estimate = 0.;
+    double envelope = 0.; ///< of the differences, each halved from level to level
+    bool irregular = false;
   };
   std::vector<Sequence> quantities;
   unsigned int n = 0;                          ///< differences so far that tell something new

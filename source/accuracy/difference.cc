@@ -88,7 +88,7 @@ std::vector<Difference> differences(const Scene &scene, const Results &coarse,
   std::vector<Difference> result;
   for (const QuantityResult &one : fine.quantities) {
     const Quantity *const quantity = find(scene, one.name);
-    if (quantity == nullptr || is_count(quantity->what))
+    if (quantity == nullptr || is_count(quantity->what) || one.of_impact)
       continue;
     if (quantity->what == "max_error") {
       if (scene.exact)
@@ -96,7 +96,7 @@ std::vector<Difference> differences(const Scene &scene, const Results &coarse,
       continue;
     }
     for (const QuantityResult &other : coarse.quantities)
-      if (other.name == one.name) {
+      if (other.name == one.name && !other.of_impact) {
         double scale =
             std::max({std::abs(one.value), floor_of_unit * std::max(largest[one.unit], one.whole),
                       floor_of_line * of_line[one.unit]});

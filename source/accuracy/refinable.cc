@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "refinable.h"
+#include "resolution.h"
 
 #include <frictionbeam/results/text.h>
 
@@ -77,29 +78,12 @@ Refinable increments_of(const Scene &scene, const std::string &section) {
           true};
 }
 
-/// Of the integrator `event`, which has no time step, the instants at which extremes are looked
-/// for.
+/// The integrator `event` takes steps only where slip follows a curve or events accumulate; of
+/// these, and of the instants at which it is looked at, one or few are mostly enough.
 std::optional<Refinable> time_step_of(const Scene &scene) {
-  double shortest = 0.;
-  for (const LoadStep &step : scene.steps)
-    if (step.transient)
-      shortest = shortest == 0. ? step.duration : std::min(shortest, step.duration);
+  const double longest = longest_time_step(scene);
   const bool is_event = scene.time.integrator == TimeSettings::Integrator::event,
-             is_followed = std::any_of(
-                 scene.quantities.begin(), scene.quantities.end(), [](const Quantity &one) {
-                   return one.over != Quantity::Over::end && one.over != Quantity::Over::time_of;
-                 });
-  if (is_event && !is_followed)
-    return {};
-  const double longest = shortest / 64.;
-  if (is_event)
-    return Refinable{"output interval",
-                     [=](const unsigned int level) {
-                       return std::vector<std::string>{"Time/Output interval = " +
-                                                       exact_number(longest / (1u << level))};
-                     },
-                     false, false};
-  const bool thin = scene.time.output_interval == 0.; // steps get too short to write them all
+             thin = scene.time.output_interval == 0.; // steps get too short to write them all
   return Refinable{"time step",
                    [=](const unsigned int level) {
                      std::vector<std::string> settings = {"Time/Step = " +
@@ -108,7 +92,7 @@ std::optional<Refinable> time_step_of(const Scene &scene) {
                        settings.push_back("Time/Output interval = " + exact_number(longest / 4.));
                      return settings;
                    },
-                   false, true};
+                   is_event, !is_event};
 }
 
 /// Cells of straight runs, and of bends that are made of straight cells.

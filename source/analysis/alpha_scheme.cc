@@ -8,6 +8,11 @@ namespace frictionbeam {
 
 using namespace dealii;
 
+namespace {
+/// (h omega)^2 of the swing in a friction element's shear beyond which steps do not follow it.
+constexpr double most_stiff_shear = 4.;
+} // namespace
+
 AlphaScheme::Parameters AlphaScheme::newmark(const TimeSettings &settings) {
   return {0.,
           0.,
@@ -57,16 +62,102 @@ Vector AlphaScheme::contact_forces(const LineState &state) const {
   if (p.impulses)
     return contacts.elastic_forces(state);
   ContactResponse response;
-  model.contacts.evaluate(state.dofs, state.contacts, state.time, 0., LawTangent::none, response);
+  response.stress = state.contact_stress;
   Vector forces = Vector::Zero(state.unknowns.size());
   model.contacts.add_forces(response, forces);
   return forces;
 }
 
+void AlphaScheme::settle(LineState &state, const Vector &imposed) const {
+  ContactState committed = state.contacts;
+  bool differs = false;
+  ContactResponse response;
+  model.contacts.prepare(response);
+  response.state.strain = state.contacts.strain;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (contact.law->threshold == nullptr || state.contact_status[i] == ContactStatus::open)
+      continue;
+    FrictionThreshold law{};
+    contact.law->threshold(contact.parameters->data(), law);
+    const Contact::Strains &stress = state.contact_stress[i];
+    model.contacts.evaluate_law(i, state.contacts, state.time, 0., LawTangent::elastic, response);
+    if ((response.stress[i] - stress).norm() <= 1e-6 * stress.norm())
+      continue;
+    differs = true;
+    if (std::isinf(law.shear_rigidity_y)) // the elastic shear that carries the friction
+      for (const auto &[e, place] : {std::pair(1, law.slip_y), std::pair(2, law.slip_z)})
+        committed.internal[contact.state_offset + place] =
+            state.contacts.strain[i][e] - stress[e] / response.tangent[i](e, e);
+  }
+  if (!differs)
+    return;
+  const Vector forces = model.linear.stiffness() * state.unknowns + contact_forces(state);
+  EquilibriumProblem problem{model.linear.stiffness(), forces, imposed};
+  problem.time = state.time;
+  Vector unknowns = state.unknowns;
+  const auto solver =
+      make_equilibrium_solver(model.scene.solver, SolverSettings::Method::newton, model.contacts,
+                              model.space, model.linear.stiffness());
+  if (!solver->solve(problem, committed, unknowns, response).converged)
+    return; // the motion begins with what the elements make of the displacements
+  state.unknowns = unknowns;
+  model.space.expand(state.unknowns, state.dofs);
+  state.dofs += imposed;
+  response.state.wear = state.contacts.wear;
+  response.state.impulse = state.contacts.impulse;
+  response.state.dissipated = state.contacts.dissipated;
+  std::swap(state.contacts, response.state);
+  state.contact_stress = response.stress;
+  state.contact_status = response.status;
+}
+
+std::string AlphaScheme::warning() const {
+  if (p.impulses)
+    return "";
+  const double h = time_step(model);
+  std::vector<unsigned int> supports;
+  ContactResponse response;
+  model.contacts.prepare(response);
+  const ContactState at_rest = model.contacts.initial_state(Vector::Zero(model.space.n_dofs()));
+  response.state.strain = at_rest.strain;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (contact.law->threshold == nullptr ||
+        std::count(supports.begin(), supports.end(), contact.support) > 0)
+      continue;
+    FrictionThreshold law{};
+    contact.law->threshold(contact.parameters->data(), law);
+    model.contacts.evaluate_law(i, at_rest, 0., 0., LawTangent::elastic, response);
+    for (unsigned int j = 0; j < contact.unknowns.size() && law.static_friction > 0.; ++j) {
+      const double b = contact.B_reduced.col(j).segment<2>(1).squaredNorm(),
+                   m = model.linear.mass().coeff(contact.unknowns[j], contact.unknowns[j]);
+      if (m > 0. && contact.weight * response.tangent[i](1, 1) * b * h * h > most_stiff_shear * m) {
+        supports.push_back(contact.support);
+        break;
+      }
+    }
+  }
+  if (supports.empty())
+    return "";
+  std::string names;
+  for (std::size_t k = 0; k < std::min<std::size_t>(5, supports.size()); ++k)
+    names += (k > 0 ? ", " : "") + model.scene.supports[supports[k]].name;
+  if (supports.size() > 5)
+    names += " and " + std::to_string(supports.size() - 5) + " more";
+  return p.name.substr(0, p.name.find(':')) +
+         " may not let stick where static friction holds: at " + names +
+         ", whose friction elements are too stiff for the time step, so that what has stopped goes "
+         "on to swing in them. Take moreau_jean, nonsmooth_alpha or event, a Shear rigidity that "
+         "belongs to the support, or a shorter Time/Step.";
+}
+
 void AlphaScheme::start(LineState &state, const LoadCourse &loads) {
-  Vector forces =
-      loads.forces(state.time) - model.linear.stiffness() * state.unknowns - contact_forces(state);
-  loads.add_inertia(state.time, forces);
+  if (!p.impulses)
+    settle(state, loads.imposed(state.time));
+  Vector forces = loads.forces(loads.factors_after(state.time)) -
+                  model.linear.stiffness() * state.unknowns - contact_forces(state);
+  loads.add_inertia(state.time, forces, LoadCourse::Side::after);
   if (model.linear.damping().nonZeros() > 0)
     forces -= model.linear.damping() * state.velocity;
   for (int i = 0; i < forces.size(); ++i)
@@ -110,9 +201,11 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   const Vector q = from.unknowns + h * from.velocity + h * h * (0.5 - beta) * a0,
                v = from.velocity + h * (1. - gamma) * a0,
                rest = (p.alpha_m * a0 - p.alpha_f * from.acceleration) / (1. - p.alpha_f);
-  Vector forces_before = loads.forces(from.time), forces = loads.forces(time);
-  loads.add_inertia(from.time, forces_before);
-  loads.add_inertia(time, forces);
+  const LoadCourse::Factors factors = loads.factors_before(time);
+  Vector forces_before = loads.forces(loads.factors_after(from.time)),
+         forces = loads.forces(factors);
+  loads.add_inertia(from.time, forces_before, LoadCourse::Side::after);
+  loads.add_inertia(time, forces, LoadCourse::Side::before);
   Vector moved; // a1
   const Vector stiff_before = stiff(from.unknowns), momentum_before = momentum(from.velocity);
   // Return mapping does not keep what rounding takes from the unknowns.
@@ -167,8 +260,8 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += problem.imposed;
   to.time = time;
-  to.load_factors = loads.factors(time);
-  loads.set_rates(to);
+  to.load_factors = factors;
+  loads.set_rates(to, LoadCourse::Side::before);
   commit_contacts(response, from, to);
   if (p.impulses)
     contacts.add_histories(from, h, to);

@@ -41,10 +41,15 @@ public:
   TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
                    LineState &to) override;
   void transfer(Archive &archive) override;
+  std::string warning() const override;
 
 private:
   void set_step(const double step);
   Vector contact_forces(const LineState &state) const;
+  /// Where friction elements would not carry, at the displacements of @p state, the contact forces
+  /// that it has, since another method took them for rigid: give them the elastic shear that does,
+  /// and the line the displacements at which they balance what they balanced.
+  void settle(LineState &state, const Vector &imposed) const;
 
   const Model &model;
   const Parameters p;

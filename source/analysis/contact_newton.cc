@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace frictionbeam {
 
@@ -15,6 +16,8 @@ namespace {
 
 constexpr unsigned int most_proximal = 15, most_stalls = 4;
 constexpr double stiffness_of_direction = 1e6;
+/// Part of the largest force up to which rounding may be left to the refinement on the whole line.
+constexpr double most_rounding = 1e-4;
 
 Vector positive_diagonal(const SparseMatrix &matrix) {
   Vector diagonal = matrix.diagonal();
@@ -24,6 +27,13 @@ Vector positive_diagonal(const SparseMatrix &matrix) {
   for (double &d : diagonal)
     d = d > 0. ? d : mean;
   return diagonal;
+}
+
+std::string rounded(const double value) {
+  std::ostringstream text;
+  text.precision(2);
+  text << value;
+  return text.str();
 }
 
 /// Place of an entry among the values.
@@ -55,10 +65,13 @@ ContactNewton::ContactNewton(const SolverSettings &settings, const Contacts &con
   }
 }
 
-void ContactNewton::begin(const Vector &forces, const double largest, const Vector &dofs,
-                          const ContactState &state, const double t, const double dt) {
+void ContactNewton::begin(const Vector &forces, const double largest, const double so_far,
+                          const Vector &dofs, const ContactState &state, const double t,
+                          const double dt) {
   loads = line.condense(forces);
   largest_load = largest;
+  force_so_far = so_far;
+  is_barred = false;
   committed = &state;
   time = t;
   time_increment = dt;
@@ -97,7 +110,7 @@ Vector ContactNewton::forces_left(const Vector &x, const ContactResponse &respon
 }
 
 bool ContactNewton::balanced(const Vector &forces, const Vector &x, const ContactResponse &response,
-                             EquilibriumResult &result) const {
+                             EquilibriumResult &result) {
   double largest = largest_load;
   for (unsigned int i = 0; i < contacts.size(); ++i)
     largest = std::max(largest, contacts[i].weight / contacts[i].length *
@@ -110,8 +123,16 @@ bool ContactNewton::balanced(const Vector &forces, const Vector &x, const Contac
       stiffest =
           std::max(stiffest, contacts[i].weight / contacts[i].length *
                                  std::abs(response.tangent[i](0, 0) * response.state.strain[i][0]));
-  const double rounding = 8. * std::numeric_limits<double>::epsilon() * stiffest;
-  return size <= std::max(settings.tolerance * largest, std::min(rounding, 1e-8 * largest));
+  force_left = size;
+  largest_force = std::max(largest, force_so_far);
+  rounding = 8. * std::numeric_limits<double>::epsilon() * stiffest;
+  return size <= std::max(settings.tolerance * largest, std::min(rounding, 1e-8 * largest_force));
+}
+
+std::string ContactNewton::rounding_remark() const {
+  return "rounding of the line's forces, " + rounded(force_left) +
+         " N, is too large beside the largest force, " + rounded(largest_force) +
+         " N: the line is too stiff for its loads";
 }
 
 double ContactNewton::energy(const Vector &forces) const {
@@ -246,8 +267,15 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
     if (balanced(forces_left(x, response), x, response, result) &&
         check(response).natural_map <= (last ? 1. : 0.1) * settings.contact_tolerance)
       return Outcome::solved;
-    if (last)
+    if (last) {
+      if (force_left > rounding || check(response).natural_map > settings.contact_tolerance)
+        return Outcome::stalled;
+      // As good as rounding lets it be: what is left is solved for once more, on the whole line.
+      if (force_left <= most_rounding * largest_force)
+        return Outcome::solved;
+      is_barred = true;
       return Outcome::stalled;
+    }
 
     for (unsigned int i = 0; i < contacts.size(); ++i) {
       if (!proximal.is_exact(i)) {

@@ -21,10 +21,12 @@ public:
   /**
    * Begin from the displacements q.
    * @param forces on the unknowns that the line at q does not balance, without those of contacts
+   * @param largest_load to measure them by; @param force_so_far largest of the load sequence
    * @param dofs all displacements at q
    */
-  void begin(const Vector &forces, const double largest_load, const Vector &dofs,
-             const ContactState &committed, const double time, const double time_increment);
+  void begin(const Vector &forces, const double largest_load, const double force_so_far,
+             const Vector &dofs, const ContactState &committed, const double time,
+             const double time_increment);
 
   /// Newton's method on the contacts around a fixed centre, with a line search.
   Outcome solve_proximal(Vector &x, ContactResponse &response, EquilibriumResult &result);
@@ -41,6 +43,11 @@ public:
   Outcome solve_together(const unsigned int most_iterations, Vector &x, ContactResponse &response,
                          EquilibriumResult &result);
 
+  /// Whether solve_together() stalled at a solution of the contact laws because of rounding, which
+  /// is too large beside the forces to be excused.
+  bool rounding_bars() const { return is_barred; }
+  std::string rounding_remark() const;
+
   /// The tangents that are factored, and reading them, their factors.
   void transfer(Archive &archive);
 
@@ -52,7 +59,7 @@ private:
   Vector evaluate(const Vector &x, ContactResponse &response);
   Vector forces_left(const Vector &x, const ContactResponse &response) const;
   bool balanced(const Vector &forces, const Vector &x, const ContactResponse &response,
-                EquilibriumResult &result) const;
+                EquilibriumResult &result);
   Contact::Strains strain_of(const unsigned int i, const Vector &motion) const;
   void add_to_forces(const unsigned int i, const Contact::Strains &stress, Vector &forces) const;
   double energy(const Vector &forces) const;
@@ -89,7 +96,9 @@ private:
 
   // of the increment
   Vector loads; ///< g
-  double largest_load = 0.;
+  double largest_load = 0., force_so_far = 0.;
+  double force_left = 0., rounding = 0., largest_force = 0.; ///< as last judged [N]
+  bool is_barred = false;
   std::vector<Contact::Strains> start_strain;
   double start_displacement = 0., largest_displacement = 0.;
   const ContactState *committed = nullptr;

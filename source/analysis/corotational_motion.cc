@@ -96,7 +96,8 @@ EquilibriumResult CorotationalMotion::solve(const LineState &state, const LoadCo
                    largest =
                        std::max(step.largest, largest_contact_force(model.contacts, response));
       result.residual = largest > 0. ? size / largest : size;
-      result.converged = size <= corotational_tolerance(model, step.matrix, step.to, largest);
+      // The residual has twice the mean of the forces at both ends.
+      result.converged = is_balanced(model, size, largest, step.to, step.factors);
       if (result.converged)
         return result;
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
@@ -142,7 +143,7 @@ void CorotationalMotion::finish(const LineState &state, const LoadCourse &loads,
   to.acceleration = (to.velocity - state.velocity) / h;
   to.auxiliary = to.acceleration;
   to.time = time;
-  to.load_factors = loads.factors(time);
+  to.load_factors = loads.factors_before(time);
   commit_contacts(response, state, to);
   if (model.contacts.size() > 0)
     contacts.add_histories(state, h, to);
@@ -178,8 +179,8 @@ TimeStep CorotationalMotion::advance(const LineState &from, const LoadCourse &lo
   step.from = {from.dofs, from.turns};
   step.moved = step.h * from.velocity;
   step.imposed = loads.imposed(time) - loads.imposed(from.time);
-  step.factors = loads.factors(time);
-  const std::vector<double> before = loads.factors(from.time);
+  step.factors = loads.factors_before(time);
+  const std::vector<double> before = loads.factors_after(from.time);
   for (unsigned int l = 0; l < step.factors.size(); ++l)
     step.factors[l] = (step.factors[l] + before[l]) / 2.;
   model.space.expand(from.velocity, step.velocity);

@@ -34,9 +34,10 @@ private:
   bool analyzed = false;
 };
 
-/// When residual forces of a pose count as zero, as in Residual.
-double corotational_tolerance(const Model &model, const SparseMatrix &stiffness, const Pose &pose,
-                              const double largest);
+/// Whether residual forces of a pose count as zero: below the tolerance times the largest force, or
+/// below what rounding of the pose itself makes of the line's forces, which is measured.
+bool is_balanced(const Model &model, const double size, const double largest, const Pose &pose,
+                 const std::vector<double> &factors);
 
 /// Largest force of the contacts on the line.
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response);
@@ -53,9 +54,10 @@ class CorotationalStatics {
 public:
   explicit CorotationalStatics(const Model &model) : model(model), linearized(model) {}
 
+  /// @param least_force that residuals are measured by, even where all loads are taken off
   /// @param to in: its time and load factors; out: the solution, but for its contacts
-  EquilibriumResult solve(const LineState &from, const LoadCourse &course, LineState &to,
-                          ContactResponse &response);
+  EquilibriumResult solve(const LineState &from, const LoadCourse &course, const double least_force,
+                          LineState &to, ContactResponse &response);
   /// Of an increment: stored energy exactly, work by the forces halfway, so that what is left over
   /// measures the increment.
   EnergyAccount account(const LineState &before, const LineState &after,

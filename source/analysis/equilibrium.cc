@@ -63,13 +63,17 @@ double Residual::largest_force(const ContactResponse &response) const {
   return largest;
 }
 
+double Residual::rounding(const Vector &diagonal, const Vector &unknowns) {
+  return 8. * std::numeric_limits<double>::epsilon() *
+         diagonal.cwiseProduct(unknowns).lpNorm<Eigen::Infinity>();
+}
+
 double Residual::tolerance(const double relative, const Vector &diagonal, const Vector &unknowns,
                            const ContactResponse &response) const {
-  const double rounding = 8. * std::numeric_limits<double>::epsilon() *
-                          diagonal.cwiseProduct(unknowns).lpNorm<Eigen::Infinity>();
   // A solution that runs away has rounding errors of any size: they excuse nothing then.
   const double largest = largest_force(response);
-  return std::max(relative * largest, std::min(rounding, 1e-8 * largest));
+  return std::max(relative * largest, std::min(rounding(diagonal, unknowns),
+                                               1e-8 * std::max(largest, problem.force_so_far)));
 }
 
 double search_line(Residual &residual, const Vector &direction, const Vector &diagonal,

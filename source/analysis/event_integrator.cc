@@ -11,11 +11,16 @@ namespace frictionbeam {
 namespace {
 
 constexpr unsigned int steps_handed_over = 40;
+constexpr double part_handed_over = 0.01; ///< of a step
+/// So many pieces between two events get on by at least such a part of a step.
+constexpr unsigned int most_pieces = 20000;
+constexpr double least_progress = 1e-6;
 
 } // namespace
 
-EventIntegrator::EventIntegrator(const Model &model)
-    : model(model), line(model), motion(line), fallback(model), output_step(time_step(model)) {}
+EventIntegrator::EventIntegrator(const Model &model, const PieceObserver &observer)
+    : model(model), line(model), motion(line, 1e-9 * time_step(model)), fallback(model),
+      piece_observer(observer), output_step(time_step(model)) {}
 
 std::string EventIntegrator::remark() const {
   std::string text = std::to_string(n_events) + " events";
@@ -29,8 +34,17 @@ std::string EventIntegrator::remark() const {
 void EventIntegrator::start(LineState &state, const LoadCourse &loads) {
   state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
   read_states(state, loads);
+  bounces.assign(states.size(), {});
   at_rest_on_ground = false;
   ground_may_jump = true;
+  imposed_rates.clear();
+  if (present <= output_step) // nothing is known before 0
+    return;
+  const double before = 1e-6 * output_step;
+  const LoadCourse::Factors now = loads.factors_before(present),
+                            earlier = loads.factors(present - before);
+  for (std::size_t l = 0; l < now.size(); ++l)
+    imposed_rates.push_back(model.linear.accelerates(l) ? (now[l] - earlier[l]) / before : 0.);
 }
 
 void EventIntegrator::read_states(const LineState &state, const LoadCourse &loads) {
@@ -76,43 +90,80 @@ void EventIntegrator::read_states(const LineState &state, const LoadCourse &load
   motion.state_changed();
 }
 
-void EventIntegrator::go(const double x, const double length, LineState &to,
-                         EnergyAccount &energy) {
+double EventIntegrator::add_histories(const double x, const double length,
+                                      ContactState &contacts) const {
+  double dissipated = 0.;
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    if (!states[i].is_closed())
+      continue;
+    const Polynomial N = -TaylorMotion::row(motion.r[i], 0);
+    contacts.impulse[i] += length * integral_of_product(N, Polynomial::Ones(1), x);
+    if (states[i].status != ContactStatus::slip)
+      continue;
+    const double wear = integral_of_product(N, slip_rate(i), x),
+                 work = line.contacts[i].law.dynamic_friction * wear;
+    contacts.wear[i] += wear;
+    contacts.dissipated[i] += work;
+    dissipated += work;
+  }
+  return dissipated;
+}
+
+void EventIntegrator::turn_slip(const double x, const double length) {
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    EventState &state = states[i];
+    if (state.status != ContactStatus::slip || !(state.curved || begins_to_turn[i]))
+      continue;
+    if (!line.contacts[i].rigid_shear && state.curved)
+      state.direction = TaylorMotion::at(motion.s[i], x).normalized();
+    else {
+      Eigen::Vector2d rate;
+      for (int d = 0; d < 2; ++d)
+        rate[d] = value(derivative(TaylorMotion::row(motion.g[i], d + 1)), x) / length;
+      if (rate.dot(state.direction) > 0.)
+        state.direction = rate.normalized();
+      if (!is_fast(rate.norm()))
+        state.curved = false;
+    }
+    motion.state_changed();
+  }
+}
+
+void EventIntegrator::go(const LoadCourse &loads, const double x, const double length,
+                         LineState &to, EnergyAccount &energy) {
+  if (piece_observer) {
+    LineState within = to;
+    const auto state_at = [&](const double time) -> const LineState & {
+      write_within(loads, std::clamp((time - present) / length, 0., x), length, to.contacts,
+                   within);
+      return within;
+    };
+    piece_observer({present, present + x * length, state_at});
+  }
   set_imposed(0., length);
   const double before = kinetic_energy(), stored_before = stored_energy();
   energy.external += work_of_loads(x, length);
+  energy.dissipated += add_histories(x, length, to.contacts);
   for (unsigned int i = 0; i < states.size(); ++i) {
     const EventContact &contact = line.contacts[i];
     const Eigen::MatrixXd &g = motion.g[i], &r = motion.r[i];
-    if (states[i].is_closed()) {
-      for (int d = 0; d < 3; ++d) {
-        if (d == 0 && contact.normal == EventContact::Normal::platen)
-          energy.external -=
-              integral_of_product(TaylorMotion::row(r, 0), derivative(TaylorMotion::row(g, 0)), x);
-        else if (line.ground_moves)
-          energy.external += integral_of_product(TaylorMotion::row(r, d),
-                                                 derivative(motion.ground.col(3 * i + d)), x);
-      }
-      const Polynomial N = -TaylorMotion::row(r, 0);
-      to.contacts.impulse[i] += length * integral_of_product(N, Polynomial::Ones(1), x);
-      if (states[i].status == ContactStatus::slip) {
-        const Eigen::Vector2d s = states[i].direction;
-        Polynomial path = s[0] * TaylorMotion::row(g, 1) + s[1] * TaylorMotion::row(g, 2);
-        if (!contact.rigid_shear)
-          path -= contact.law.dynamic_friction / contact.shear_stiffness * N;
-        const double wear = integral_of_product(N, derivative(path), x);
-        to.contacts.wear[i] += wear;
-        to.contacts.dissipated[i] += contact.law.dynamic_friction * wear;
-        energy.dissipated += contact.law.dynamic_friction * wear;
-      }
-    }
+    for (int d = 0; d < 3 && states[i].is_closed(); ++d)
+      if (d == 0 && contact.normal == EventContact::Normal::platen)
+        energy.external -=
+            integral_of_product(TaylorMotion::row(r, 0), derivative(TaylorMotion::row(g, 0)), x);
+      else if (line.ground_moves)
+        energy.external += integral_of_product(TaylorMotion::row(r, d),
+                                               derivative(motion.ground.col(3 * i + d)), x);
     displacement[i] = TaylorMotion::at(g, x);
     force[i] = TaylorMotion::at(r, x);
   }
   if (line.damped)
     energy.damping += work_of_dampers(x, length);
+  turn_slip(x, length);
   unknowns = TaylorMotion::at(motion.q, x);
   velocity = TaylorMotion::at(motion.v, x);
+  for (const EventContact &contact : line.contacts)
+    fastest = std::max(fastest, contact.displacement(velocity).lpNorm<Eigen::Infinity>());
   set_imposed(x, length);
   present += x * length;
   const double kinetic = kinetic_energy(), stored = stored_energy();
@@ -136,12 +187,15 @@ void EventIntegrator::change(const Event &event, const double x, const double le
       result[d] = value(derivative(TaylorMotion::row(motion.g[j], d)), x) / length;
     return result;
   };
+  std::vector<unsigned int> striking;
   const ContactStatus resting = contact.has_friction ? ContactStatus::stick : ContactStatus::closed;
   switch (event.kind) {
   case Kind::closing:
-    if (contact.normal == EventContact::Normal::rigid)
-      impact(i, ground_velocity(x, length), energy, to);
-    else {
+    if (contact.normal == EventContact::Normal::rigid) {
+      const Vector of_ground = ground_velocity(x, length);
+      striking = closing_with(i, x, of_ground);
+      impact(striking, of_ground, energy, to);
+    } else {
       state.status = resting;
       state.plastic = displacement[i].tail<2>();
       if (contact.has_friction && contact.rigid_shear)
@@ -156,6 +210,7 @@ void EventIntegrator::change(const Event &event, const double x, const double le
     const Eigen::Vector2d T = force[i].tail<2>(), u = rate(i).tail<2>();
     const double f = contact.law.dynamic_friction, N = -force[i][0];
     const bool has_force = T.norm() > 1e-9 * contact.law.static_friction * std::abs(N) && N > 0.;
+    state.curved = false;
     state.direction = has_force       ? T / T.norm()
                       : u.norm() > 0. ? u / u.norm()
                                       : Eigen::Vector2d(1., 0.);
@@ -169,13 +224,24 @@ void EventIntegrator::change(const Event &event, const double x, const double le
   }
   default:
     state.status = ContactStatus::stick;
+    state.curved = false;
     if (!contact.rigid_shear)
       state.plastic = displacement[i].tail<2>() - force[i].tail<2>() / contact.shear_stiffness;
+    else if (rate(i).tail<2>().norm() > 1e-13 * fastest) // it came to rest along a curve
+      settle(ground_velocity(x, length), energy, to);
   }
-  if (event.kind == Kind::closing && !state.is_closed()) // it bounces
-    to.events.push_back({present, i, ContactStatus::closed});
+  for (const unsigned int j : striking)
+    if (!states[j].is_closed()) // it bounces
+      to.events.push_back({present, j, ContactStatus::closed});
+    else if (j != i)
+      to.events.push_back({present, j, states[j].status});
   to.events.push_back({present, i, state.status});
   motion.state_changed();
+}
+
+double EventIntegrator::compute_motion(const LoadCourse &loads, const double longest) {
+  motion_length = motion.compute(loads, present, longest, unknowns, velocity, states);
+  return motion_length;
 }
 
 TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads, const double time,
@@ -185,45 +251,64 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
   to = from;
   to.events.clear();
   bool changed = false;
-  unsigned int at_once = 0;
+  unsigned int at_once = 0, n_pieces = 0;
+  double progress = present;
   while (present < time) {
     interruption::end_if_overdue();
-    const double next_break = loads.next_break(present),
-                 longest = std::min(time, next_break) - present;
-    double length = motion.compute(loads, present, longest, unknowns, velocity, states);
+    if (++n_pieces % most_pieces == 0) {
+      if (present - progress < least_progress * output_step) {
+        step.result.converged = false;
+        step.result.remark = "event: the motion does not get on, after " +
+                             std::to_string(n_pieces) + " pieces without a change of state";
+        return step;
+      }
+      progress = present;
+    }
+    const double next_break = loads.next_break(present + same_instant(present));
+    const bool breaks = next_break <= time + same_instant(time);
+    const double goal = breaks && next_break < time - same_instant(time) ? next_break : time,
+                 longest = goal - present;
+    double length = compute_motion(loads, longest);
     if (ground_may_jump) {
       ground_may_jump = false;
+      if (meet_imposed_jump(length, step.energy))
+        length = compute_motion(loads, longest);
       if (meet_ground(length, step.energy, to))
-        length = motion.compute(loads, present, longest, unknowns, velocity, states);
+        length = compute_motion(loads, longest);
+    }
+    begins_to_turn.assign(states.size(), false);
+    const unsigned int n_curves = count_curves();
+    double valid = find_curves();
+    if (count_curves() > n_curves) {
+      length = compute_motion(loads, longest);
+      valid = find_curves();
     }
     ++step.result.iterations;
     const Event event = next_event();
     if (changed && event.x > 0.)
       break; // the new state holds
-    const bool curved = slips_along_a_curve();
-    const bool busy =
-        event.x <= 1. && (++at_once, events_accumulate(present + event.x * length, output_step));
-    if (curved || busy || at_once > 20 + 10 * states.size()) {
-      reason = curved ? "slip along a curve" : "events accumulate";
+    if (event.x <= 1. && ++at_once > 20 + 10 * states.size()) {
+      reason = "states change without end";
       write(loads, to);
       LineState middle = to;
-      TimeStep rest = hand_over(middle, loads, time, to);
+      const double end = std::min(time, present + part_handed_over * output_step);
+      TimeStep rest = hand_over(middle, loads, end, to);
       rest.energy += step.energy;
       rest.result.iterations += step.result.iterations;
       return rest;
     }
-    const double x = std::min(event.x, 1.);
+    const double x = std::min(event.x, valid);
     if (x > 0.) {
       const bool reaches = x == 1. && length == longest;
-      const double goal = present + longest;
-      go(x, length, to, step.energy);
+      go(loads, x, length, to, step.energy);
+      at_once = 0;
       if (reaches) {
         present = goal;
-        ground_may_jump = goal == next_break;
+        ground_may_jump = breaks;
         at_rest_on_ground = false;
       }
     }
-    if (event.x <= 1.) {
+    if (event.x <= valid) {
       change(event, x, length, to, step.energy);
       ++n_events;
       changed = true;
@@ -239,7 +324,6 @@ TimeStep EventIntegrator::hand_over(const LineState &from, const LoadCourse &loa
     first_handed_over = from.time;
   ++n_handed_over;
   time_handed_over += time - from.time;
-  recent.clear();
   TimeStep all;
   LineState now = from;
   fallback.start(now, loads);

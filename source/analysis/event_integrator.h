@@ -10,14 +10,19 @@ namespace frictionbeam {
  * From one change of a contact's state to the next: in between the motion is linear and known to
  * rounding (TaylorMotion), and so are the instants of slip, stick, closing and opening, roots of
  * polynomials. Contacts and friction may be rigid or on elastic elements, with static and dynamic
- * coefficients; rigid ones that close have Newton's impact. advance() returns at each change.
+ * coefficients; rigid ones that close have Newton's impact, all that close at one instant together.
+ * advance() returns at each change.
  *
- * Slip along a curve is not linear, and changes may accumulate (a ball that comes to rest): the
- * time up to the next instant of output is then left to MoreauJean, and remark() says so.
+ * Impacts of a contact that accumulate end when their intervals and speeds have followed a
+ * geometric law and its sum says that what is left is shorter than a millionth of a step: the
+ * contact then stays closed. Where states change at one instant without end, a hundredth of a step
+ * is left to MoreauJean, and remark() says so.
  */
 class EventIntegrator final : public TimeIntegrator {
 public:
-  explicit EventIntegrator(const Model &model);
+  /// @param observer called with every smooth piece of the motion before advance() returns; may be
+  /// empty
+  EventIntegrator(const Model &model, const PieceObserver &observer);
 
   std::string name() const override { return "event: exact from event to event"; }
   void start(LineState &state, const LoadCourse &loads) override;
@@ -39,12 +44,32 @@ private:
   void read_states(const LineState &state, const LoadCourse &loads);
   /// Write the line at the present into a state.
   void write(const LoadCourse &loads, LineState &to) const;
+  /// The same at x of the motion at hand, with what the contacts' histories are at its beginning.
+  void write_within(const LoadCourse &loads, const double x, const double length,
+                    const ContactState &histories, LineState &to) const;
+  /// Displacements, and contacts under these forces.
+  void write_contacts(const Vector &imposed, const std::vector<Eigen::Vector3d> &forces,
+                      LineState &to) const;
 
   Event next_event() const;
   Event next_event(const unsigned int i) const;
-  bool slips_along_a_curve() const;
+  /// Find contacts that begin to slip along a curve. @return how far the motion holds in which they
+  /// do not: where slip is too slow to have a direction, it goes straight on for a while
+  double find_curves();
+  bool can_turn(const unsigned int i) const;
+  /// Whether slip of that velocity has a direction of its own.
+  bool is_fast(const double rate) const;
+  unsigned int count_curves() const;
+  /// Rate of a contact's slip, elastic part left out.
+  Polynomial slip_rate(const unsigned int i) const;
+  double compute_motion(const LoadCourse &loads, const double longest);
   /// Take over the motion up to x, and account for it.
-  void go(const double x, const double length, LineState &to, EnergyAccount &energy);
+  void go(const LoadCourse &loads, const double x, const double length, LineState &to,
+          EnergyAccount &energy);
+  /// Impulses, wear and friction work up to x. @return what friction dissipates [J]
+  double add_histories(const double x, const double length, ContactState &contacts) const;
+  /// Directions of slip along curves, at the present.
+  void turn_slip(const double x, const double length);
   void change(const Event &event, const double x, const double length, LineState &to,
               EnergyAccount &energy);
   /// Velocities of all contacts' ground at x, as relative motions.
@@ -57,8 +82,19 @@ private:
   void act(const std::vector<unsigned int> &contacts, const Vector &impulses,
            const Eigen::MatrixXd &responses, const Vector &of_ground, EnergyAccount &energy,
            LineState &to);
-  /// Contact @p i strikes, with all that are closed.
-  void impact(const unsigned int i, const Vector &of_ground, EnergyAccount &energy, LineState &to);
+  /// Rigid contacts that close now, or as good as now, @p i one of them.
+  std::vector<unsigned int> closing_with(const unsigned int i, const double x,
+                                         const Vector &of_ground) const;
+  /// Contacts strike, with all that are closed.
+  void impact(const std::vector<unsigned int> &striking, const Vector &of_ground,
+              EnergyAccount &energy, LineState &to);
+  /// Whether a contact left at this instant, and comes back with a velocity that is rounding.
+  bool returns_at_once(const unsigned int i, const double speed) const;
+  /// Restitution of a contact that closes now with this speed: 0 where its impacts come to an end.
+  double restitution(const unsigned int i, const double speed);
+  /// At an instant at which a velocity that a load imposes may have jumped, the jump's impulse.
+  /// @return whether there is any
+  bool meet_imposed_jump(const double length, EnergyAccount &energy);
   /// At an instant at which the ground's velocity may have jumped, rigid contacts that are closed
   /// strike, let go or slide. @return whether anything changes
   bool meet_ground(const double length, EnergyAccount &energy, LineState &to);
@@ -67,7 +103,6 @@ private:
   void settle(const Vector &of_ground, EnergyAccount &energy, LineState &to);
   /// A rigid friction contact slips, or sticks if it is at rest.
   void set_sliding(const unsigned int i, const Eigen::Vector2d &rate);
-  bool events_accumulate(const double time, const double step);
   /// Factors of loads that impose motions, and their rates, at x.
   void set_imposed(const double x, const double length);
   /// Work of the loads up to x, and of the reactions on the motions that they impose.
@@ -82,16 +117,26 @@ private:
   const Model &model;
   EventModel line;
   TaylorMotion motion;
+  /// Impacts of one contact, the last ones.
+  struct Bounces {
+    std::vector<double> time, speed; ///< [s], [m/s]
+    double left = -1.;               ///< when the contact opened [s]
+    void transfer(Archive &archive) { archive(time, speed, left); }
+  };
+
   MoreauJean fallback;
+  const PieceObserver piece_observer;
   const double output_step; ///< [s]
   std::vector<EventState> states;
   std::vector<Eigen::Vector3d> displacement, force; ///< of contacts, at present
   Vector unknowns, velocity;
   std::vector<double> imposed_factors, imposed_rates; ///< by load; of one instant
   double present = 0., fastest = 0.;
-  bool ground_may_jump = true;    ///< at present
-  bool at_rest_on_ground = false; ///< what is closed, to the error of the steps before
-  std::vector<double> recent;     ///< instants of the last changes
+  double motion_length = 0.;        ///< of the motion at hand, for x = 1 [s]
+  bool ground_may_jump = true;      ///< at present
+  bool at_rest_on_ground = false;   ///< what is closed, to the error of the steps before
+  std::vector<Bounces> bounces;     ///< by contact
+  std::vector<bool> begins_to_turn; ///< contacts that slip straight on for a while
   unsigned int n_events = 0, n_handed_over = 0;
   double first_handed_over = 0., time_handed_over = 0.;
   std::string reason;

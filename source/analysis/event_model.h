@@ -35,10 +35,11 @@ struct EventState {
   ContactStatus status = ContactStatus::open;
   Eigen::Vector2d plastic = Eigen::Vector2d::Zero();   ///< slip p, of elastic shear [m]
   Eigen::Vector2d direction = Eigen::Vector2d::Zero(); ///< of slip, unit
-  double offset = 0.; ///< by which a rigid contact that is closed misses its gap, as is [m]
+  bool curved = false; ///< slip changes its direction: TaylorMotion expands that as well
+  double offset = 0.;  ///< by which a rigid contact that is closed misses its gap, as is [m]
 
   bool is_closed() const { return status != ContactStatus::open; }
-  void transfer(Archive &archive) { archive(status, plastic, direction, offset); }
+  void transfer(Archive &archive) { archive(status, plastic, direction, curved, offset); }
 };
 
 /**

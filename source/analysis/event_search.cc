@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "event_integrator.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
 
 namespace {
+
+/// Slip that is slower than this has no direction of its own, of the fastest velocity so far.
+constexpr double slowest = 1e-8;
+/// How far slip goes straight on when it begins, of the length of a step: where it begins without a
+/// jump of the force, its velocity grows with the square of time.
+constexpr double smooth_start = 1e-3, steep_start = 1e-5;
 
 /// Sum of the sizes that a polynomial is the difference of, times rounding.
 constexpr double eps = 1e-13;
@@ -63,39 +70,71 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
       look(f * f * product(N, N) - product(T1, T1) - product(T2, T2), scale * rounding,
            Kind::slipping);
     }
-  } else {
-    Polynomial path =
-        state.direction[0] * TaylorMotion::row(g, 1) + state.direction[1] * TaylorMotion::row(g, 2);
-    const double largest = path.lpNorm<Eigen::Infinity>();
-    if (!contact.rigid_shear)
-      path -= contact.law.dynamic_friction / contact.shear_stiffness * N;
-    look(derivative(path), eps * largest, Kind::sticking);
-  }
+  } else if (!state.curved || !contact.rigid_shear) // a curve has no end: its speed, not its rate
+    look(slip_rate(i),
+         eps * (std::abs(state.direction[0]) * size(g, 1) +
+                std::abs(state.direction[1]) * size(g, 2)),
+         Kind::sticking);
   return first;
 }
 
-bool EventIntegrator::slips_along_a_curve() const {
+Polynomial EventIntegrator::slip_rate(const unsigned int i) const {
+  const EventContact &contact = line.contacts[i];
+  const Eigen::MatrixXd &g = motion.g[i], &s = motion.s[i];
+  Polynomial rate;
+  if (s.cols() == 0) {
+    const Eigen::Vector2d d = states[i].direction;
+    rate = derivative(d[0] * TaylorMotion::row(g, 1) + d[1] * TaylorMotion::row(g, 2));
+  } else
+    rate = product(TaylorMotion::row(s, 0), derivative(TaylorMotion::row(g, 1))) +
+           product(TaylorMotion::row(s, 1), derivative(TaylorMotion::row(g, 2)));
+  if (contact.rigid_shear)
+    return rate;
+  const Polynomial released = derivative(contact.law.dynamic_friction / contact.shear_stiffness *
+                                         TaylorMotion::row(motion.r[i], 0));
+  rate.head(released.size()) += released;
+  return rate;
+}
+
+double EventIntegrator::find_curves() {
+  double valid = 1.;
   for (unsigned int i = 0; i < states.size(); ++i) {
     const EventContact &contact = line.contacts[i];
-    if (states[i].status != ContactStatus::slip || !contact.has_friction)
+    EventState &state = states[i];
+    if (state.status != ContactStatus::slip || !contact.has_friction || state.curved)
       continue;
-    const Eigen::Vector2d s = states[i].direction;
+    const Eigen::Vector2d s = state.direction;
     const Polynomial g1 = TaylorMotion::row(motion.g[i], 1), g2 = TaylorMotion::row(motion.g[i], 2);
     const double along = derivative(s[0] * g1 + s[1] * g2).lpNorm<Eigen::Infinity>(),
                  across = derivative(s[0] * g2 - s[1] * g1).lpNorm<Eigen::Infinity>();
-    if (across > 1e-9 * along &&
-        across > 1e-12 * (g1.lpNorm<Eigen::Infinity>() + g2.lpNorm<Eigen::Infinity>()))
-      return true;
+    if (across <= 1e-9 * along ||
+        across <= 1e-12 * (g1.lpNorm<Eigen::Infinity>() + g2.lpNorm<Eigen::Infinity>()))
+      continue;
+    if (can_turn(i))
+      state.curved = true;
+    else {
+      begins_to_turn[i] = true;
+      valid = std::min(valid, contact.law.dynamic_friction < contact.law.static_friction
+                                  ? steep_start
+                                  : smooth_start);
+    }
   }
-  return false;
+  return valid;
 }
 
-bool EventIntegrator::events_accumulate(const double time, const double step) {
-  const std::size_t most = 30 + 4 * states.size();
-  recent.push_back(time);
-  if (recent.size() > most)
-    recent.erase(recent.begin());
-  return recent.size() == most && recent.back() - recent.front() < 1e-4 * step;
+bool EventIntegrator::can_turn(const unsigned int i) const {
+  const EventContact &contact = line.contacts[i];
+  if (!contact.rigid_shear)
+    return -motion.r[i](0, 0) > slowest * size(motion.r[i], 0);
+  const Eigen::Vector2d rate(motion.g[i](1, 1), motion.g[i](2, 1));
+  return is_fast(rate.norm() / motion_length);
+}
+
+bool EventIntegrator::is_fast(const double rate) const { return rate > slowest * fastest; }
+
+unsigned int EventIntegrator::count_curves() const {
+  return std::count_if(states.begin(), states.end(),
+                       [](const EventState &state) { return state.curved; });
 }
 
 } // namespace frictionbeam

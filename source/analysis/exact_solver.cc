@@ -31,6 +31,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      ContactResponse &response) {
   EquilibriumResult result;
   proximal.begin(committed, problem.overrides);
+  most_iterations = problem.most_iterations;
   const Residual residual(problem, contacts, space, {});
   const auto centre_before = proximal.centre;
   const Vector unknowns_before = unknowns;
@@ -44,10 +45,10 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     const Vector forces = unbalanced_forces(problem, unknowns, low);
     newton.begin(forces,
                  std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
-                 dofs, committed, problem.time, problem.time_increment);
+                 problem.force_so_far, dofs, committed, problem.time, problem.time_increment);
     Vector x = Vector::Zero(line.n_kept());
     Outcome outcome = solve_contacts(x, response, result);
-    if (outcome == Outcome::stalled)
+    if (outcome == Outcome::stalled && !gives_up(result))
       outcome = solve_from_elsewhere(
           problem.time_increment > 0. ? most_restarts_in_motion : most_restarts, x, response,
           result); // in motion, a shorter step helps as well
@@ -56,6 +57,10 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
       if (result.no_equilibrium)
         result.remark = "there is no equilibrium: the loads exceed what friction can hold, and the "
                         "line slides away";
+      else if (newton.rounding_bars()) {
+        result.rounding_bars = true;
+        result.remark = newton.rounding_remark();
+      }
       break;
     }
     const Vector before = unknowns, change = low + line.expand(x, forces);
@@ -77,6 +82,8 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     }
     result.remark = "rounding errors leave forces unbalanced";
   }
+  if (result.iterations >= most_iterations && !result.no_equilibrium)
+    result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
   proximal.centre = centre_before;
   unknowns = unknowns_before;
   return result;
@@ -96,7 +103,7 @@ ExactSolver::Outcome ExactSolver::solve_contacts(Vector &x, ContactResponse &res
       x = trial;
       first_factor = c;
     }
-    if (outcome != Outcome::stalled)
+    if (outcome != Outcome::stalled || gives_up(result))
       return outcome;
     proximal.centre = centre_before;
   }
@@ -111,7 +118,7 @@ ExactSolver::Outcome ExactSolver::solve_from_elsewhere(const unsigned int most, 
   std::minstd_rand random; // always the same sequence: equal inputs give equal results
   std::uniform_real_distribution<double> portion(0., 1.), multiple(0., 2.);
   Outcome outcome = Outcome::stalled;
-  for (unsigned int k = 0; k < most && outcome == Outcome::stalled; ++k) {
+  for (unsigned int k = 0; k < most && outcome == Outcome::stalled && !gives_up(result); ++k) {
     for (unsigned int i = 0; i < centre.size(); ++i)
       proximal.centre[i] = multiple(random) * centre[i];
     std::vector<double> reduced = coefficients;
@@ -131,7 +138,7 @@ ExactSolver::Outcome ExactSolver::solve_by_proximal_steps(Vector &x, ContactResp
                                                           EquilibriumResult &result) {
   double factor = first_proximal, growth = first_growth;
   unsigned int failures = 0;
-  for (unsigned int outer = 0; outer < most_outer; ++outer) {
+  for (unsigned int outer = 0; outer < most_outer && !gives_up(result); ++outer) {
     proximal.stiffness_factor = factor;
     Vector trial = x;
     const Outcome outcome = newton.solve_proximal(trial, response, result);

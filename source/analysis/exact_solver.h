@@ -42,6 +42,11 @@ private:
                                EquilibriumResult &result);
   Outcome solve_by_proximal_steps(Vector &x, ContactResponse &response, EquilibriumResult &result);
 
+  /// Whether no further attempt is worth its iterations.
+  bool gives_up(const EquilibriumResult &result) const {
+    return newton.rounding_bars() || result.iterations >= most_iterations;
+  }
+
   const SolverSettings &settings;
   const Contacts &contacts;
   const ReducedSpace &space;
@@ -50,6 +55,7 @@ private:
   ContactNewton newton;
   Vector diagonal; ///< of the line's stiffness
   double first_factor;
+  unsigned int most_iterations = 0; ///< of the present problem
 };
 
 } // namespace frictionbeam

@@ -2,7 +2,12 @@
 #include <frictionbeam/analysis/load_sequence.h>
 
 #include "corotational_statics.h"
+#include "load_jumps.h"
+#include "time_instants.h"
+#include "follow_resolution.h"
 #include "transient_reduction.h"
+
+#include <frictionbeam/analysis/contact_watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +17,8 @@ namespace frictionbeam {
 using namespace dealii;
 
 namespace {
-constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadratic in them
+constexpr double not_solved = -1.;          ///< in place of a time step's error
+constexpr unsigned int most_failures = 200; ///< of time steps from one instant to the next
 } // namespace
 
 LoadSequence::LoadSequence(const Model &model)
@@ -29,40 +35,6 @@ std::string LoadSequence::integrator_name() const {
   return integrator ? integrator->name() : reduction ? reduction->integrator_name() : "";
 }
 
-void LoadSequence::set_initial_motion(const bool displaced) {
-  const VertexDofs &dofs = model.discretization.vertex_dofs();
-  for (const InitialCondition &initial : model.scene.initial) {
-    std::vector<unsigned int> vertices;
-    for (const std::string &point : initial.points)
-      vertices.push_back(model.mesh.points.at(point));
-    for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
-      if (std::count(initial.pipes.begin(), initial.pipes.end(), model.scene.pipes[p].name) > 0)
-        vertices.insert(vertices.end(), model.mesh.pipes[p].vertices.begin(),
-                        model.mesh.pipes[p].vertices.end());
-    const auto at = [&](Motion motion, const unsigned int vertex) {
-      if (initial.about.empty())
-        return motion;
-      const Vector3 arm =
-          model.mesh.vertices[vertex] - model.mesh.vertices[model.mesh.points.at(initial.about)];
-      const Vector3 turned = cross_product_3d(Vector3({motion[3], motion[4], motion[5]}), arm);
-      for (unsigned int d = 0; d < 3; ++d)
-        motion[d] += turned[d];
-      return motion;
-    };
-    for (const unsigned int vertex : vertices) {
-      const Motion displacement = at(initial.displacement, vertex),
-                   velocity = at(initial.velocity, vertex);
-      for (unsigned int c = 0; c < 6; ++c)
-        if (const auto dof = dofs.index(vertex, c); dof != numbers::invalid_dof_index)
-          for (const auto &term : model.space.terms(dof)) {
-            if (displaced)
-              current.unknowns[term.unknown] = displacement[c];
-            current.velocity[term.unknown] = velocity[c];
-          }
-    }
-  }
-}
-
 void LoadSequence::initialize() {
   check_time_steps(model);
   const unsigned int n = model.space.n_unknowns();
@@ -71,9 +43,10 @@ void LoadSequence::initialize() {
   if (model.corotational)
     current.turns = model.corotational->at_rest().turns;
   set_initial_motion(true);
+  const Vector imposed = course.imposed(0.);
   const auto expand = [&]() {
     model.space.expand(current.unknowns, current.dofs);
-    model.contacts.add_ground_motion(0., current.dofs);
+    current.dofs += imposed;
   };
   expand();
   current.contacts = model.contacts.initial_state(current.dofs);
@@ -89,7 +62,7 @@ void LoadSequence::commit(const Factors &factors, const double time) {
   const LineState before = current;
   current.time = time;
   declared = factors;
-  current.load_factors = course.factors(time);
+  current.load_factors = course.factors_at(time, side);
   commit_contacts(response, before, current);
 }
 
@@ -98,6 +71,8 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
   each_increment = each;
   between_increments = pause;
   observer_needs_line = needs_line;
+  if (!resolution)
+    resolution = std::make_unique<FollowResolution>(model);
   if (!is_resumed) {
     initialize();
     observer({0, 0, 0}, current);
@@ -136,93 +111,38 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
 
 void LoadSequence::transfer(Archive &archive) {
   bool has_integrator = integrator != nullptr;
-  archive(position, declared, current, step_reports, time_step, last_error, *statics,
-          has_integrator);
+  if (!resolution)
+    resolution = std::make_unique<FollowResolution>(model);
+  archive(position, declared, current, step_reports, time_step, last_error, force_so_far,
+          in_equilibrium, *statics, *resolution, has_integrator);
   if (archive.reads() && has_integrator)
-    integrator = make_time_integrator(model);
+    integrator = make_time_integrator(model, piece_observer);
   if (has_integrator)
     archive(*integrator);
   if (archive.reads())
     is_resumed = true;
 }
 
-bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
-  const unsigned int step = position.step;
-  const LoadStep &declared_step = model.scene.steps[step];
-  const Factors &from = position.from;
-  const double start = position.start;
-  if (!is_resumed) {
-    current.velocity.setZero();
-    current.acceleration.setZero();
-    current.auxiliary.setZero();
-    current.load_rates.clear();
-    current.load_accelerations.clear();
-  }
-  is_resumed = false;
-  course.begin_step(from, target, start, declared_step.duration);
-  for (std::size_t &i = position.next; i < declared_step.n_increments;) {
-    ++i;
-    const double end = start + declared_step.duration * i / declared_step.n_increments;
-    bool done = false;
-    while (!done) { // a history is followed to its corners
-      const double corner = course.next_break(current.time);
-      done = !(corner < end - 1e-9 * declared_step.duration);
-      const double time = done ? end : corner, part = (time - start) / declared_step.duration;
-      Factors to = target;
-      if (!done || i < declared_step.n_increments)
-        for (unsigned int l = 0; l < to.size(); ++l)
-          to[l] = from[l] + part * (target[l] - from[l]);
-      if (!advance(Factors(declared), to, time, 0))
-        return false;
-    }
-    observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
-    if (between_increments)
-      between_increments();
-  }
-  if (model.contacts.size() <= most_contacts_for_uniqueness && !model.corotational)
-    step_reports.back().several_equilibria = statics->beyond_uniqueness(current.contact_status);
-  return true;
-}
-
-std::vector<double> LoadSequence::instants(const double start, const double end) const {
-  const double step = longest_step;
-  const unsigned int n = std::max(1., std::ceil((end - start) / step - 1e-9));
-  std::vector<double> result;
-  for (unsigned int i = 1; i <= n; ++i)
-    result.push_back(i == n ? end : start + (end - start) * i / n);
-  if (!integrator->is_exact())
-    return result;
-  for (const Quantity &quantity : model.scene.quantities)
-    if (quantity.time && *quantity.time > start && *quantity.time < end)
-      result.push_back(*quantity.time);
-  std::sort(result.begin(), result.end());
-  const double least = 1e-9 * step;
-  std::vector<double> apart;
-  for (const double instant : result) // of two that are next to one, the later
-    if (!apart.empty() && instant - apart.back() < least)
-      apart.back() = instant;
-    else
-      apart.push_back(instant);
-  return apart;
-}
-
 bool LoadSequence::run_transient(const Factors &target, const Observer &observer) {
   const unsigned int step = position.step;
   const LoadStep &declared_step = model.scene.steps[step];
   if (!integrator)
-    integrator = make_time_integrator(model);
+    integrator = make_time_integrator(model, piece_observer);
   longest_step = frictionbeam::time_step(model);
   const double start = position.start, end = start + declared_step.duration;
-  course.begin_step(position.from, target, start, declared_step.ramp);
-  const std::vector<double> times = instants(start, end);
+  course.begin_step(step, position.from, target, start, declared_step.ramp);
+  const std::vector<double> times = integrator->is_exact()
+                                        ? instants_of_output(model, start, end, longest_step)
+                                        : instants_of_steps(course, start, end, longest_step);
   if (!is_resumed) {
     declared = course.declared(start);
-    current.load_factors = course.factors(start);
-    course.set_rates(current);
+    current.load_factors = course.factors_after(start);
+    course.set_rates(current, LoadCourse::Side::after);
     integrator->start(current, course);
-    time_step = integrator->is_exact() ? longest_step : times.front() - start;
+    time_step = longest_step;
+    jump_met = start;
   }
-  is_resumed = false;
+  is_resumed = in_equilibrium = false;
   for (std::size_t &i = position.next; i < times.size(); ++i) {
     const auto observe = [&]() {
       const unsigned int increment = ++position.increment;
@@ -235,6 +155,7 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
       return false;
   }
   step_reports.back().remark = integrator->remark();
+  step_reports.back().warning = integrator->warning();
   return true;
 }
 
@@ -246,8 +167,11 @@ bool LoadSequence::run_reduced(const Factors &target, const Observer &observer) 
   const TransientReduction::Start start{position.step, position.from, target};
   if (!reduction->prepare(start, current, *report.reduction))
     return run_transient(target, observer);
-  course.begin_step(position.from, target, position.start, model.scene.steps[position.step].ramp);
-  const bool done = reduction->run(start, course, current, report, observer, observer_needs_line);
+  course.begin_step(position.step, position.from, target, position.start,
+                    model.scene.steps[position.step].ramp);
+  in_equilibrium = false;
+  const bool done = reduction->run(start, course, current, report,
+                                   {observer, observer_needs_line, piece_observer});
   declared = course.declared(current.time);
   return done;
 }
@@ -269,6 +193,7 @@ bool LoadSequence::move_to(const double time, const std::function<void()> &after
   const double tolerance = model.scene.time.tolerance, longest = longest_step,
                least = longest / std::pow(2., model.scene.solver.max_halvings);
   StepReport &report = step_reports.back();
+  unsigned int failures = 0;
   while (current.time < time) {
     const double left = time - current.time;
     const double step = left <= 1.5 * time_step ? left : time_step;
@@ -276,6 +201,12 @@ bool LoadSequence::move_to(const double time, const std::function<void()> &after
     const bool taken = take_time_step(goal);
     if (!taken && report.no_equilibrium)
       return false;
+    if (!taken && last_error == not_solved && ++failures == most_failures) {
+      report.remark = "stopped at time " + std::to_string(current.time) + ": " + report.remark +
+                      ", " + std::to_string(failures) + " times within " + std::to_string(longest) +
+                      " s, and that is all there are";
+      return false;
+    }
     if (!taken && step <= least * (1. + 1e-9)) {
       report.remark = "stopped at time " + std::to_string(current.time) + ": " + report.remark +
                       ", also with a time step of " + std::to_string(step) + " s";
@@ -301,7 +232,13 @@ bool LoadSequence::move_to(const double time, const std::function<void()> &after
 }
 
 bool LoadSequence::take_time_step(const double time) {
+  if (!integrator->is_exact() && jump_met != current.time) {
+    jump_met = current.time;
+    if (course.jumps(current.time))
+      step_reports.back().energy += meet_jump(model, course, *integrator, current);
+  }
   const TimeStep step = integrator->advance(current, course, time, next);
+  last_error = not_solved;
   if (!report(step.result))
     return false;
   const double tolerance = model.scene.time.tolerance,
@@ -312,35 +249,11 @@ bool LoadSequence::take_time_step(const double time) {
     return false;
   declared = course.declared(next.time);
   step_reports.back().energy += step.energy;
+  watch_contacts(model, current, next, step_reports.back());
+  if (resolution)
+    resolution->add_time_step(current, next, integrator->is_exact(),
+                              step_reports.back().resolution);
   return true;
-}
-
-bool LoadSequence::advance(const Factors &from, const Factors &to, const double time,
-                           const unsigned int halvings) {
-  StepReport &report = step_reports.back();
-  const double start = current.time;
-  if (solve_increment(to, time)) {
-    ++report.increments;
-    if (each_increment)
-      each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
-                     current);
-    return true;
-  }
-  if (report.no_equilibrium) {
-    report.remark = "stopped at time " + std::to_string(start) + ": " + report.remark;
-    return false;
-  }
-  if (halvings == model.scene.solver.max_halvings) {
-    report.remark = "stopped at time " + std::to_string(start) + ": " + report.remark +
-                    ", also after halving the increment " + std::to_string(halvings) + " times";
-    return false;
-  }
-  ++report.halvings;
-  Factors middle(to.size());
-  for (unsigned int l = 0; l < to.size(); ++l)
-    middle[l] = (from[l] + to[l]) / 2.;
-  return advance(from, middle, (start + time) / 2., halvings + 1) &&
-         advance(middle, to, time, halvings + 1);
 }
 
 bool LoadSequence::report(const EquilibriumResult &result) {
@@ -356,40 +269,6 @@ bool LoadSequence::report(const EquilibriumResult &result) {
   report.residual = std::max(report.residual, result.residual);
   if (result.check)
     report.contact.include(*result.check);
-  return true;
-}
-
-bool LoadSequence::solve_corotational_increment(const Factors &factors, const double time) {
-  LineState to = current;
-  to.time = time;
-  to.load_factors = course.factors(time);
-  if (!report(corotational_statics->solve(current, course, to, response)))
-    return false;
-  const LineState before = current;
-  current = to;
-  current.time = before.time;
-  commit(factors, time);
-  step_reports.back().energy += corotational_statics->account(before, current, course);
-  return true;
-}
-
-bool LoadSequence::solve_increment(const Factors &factors, const double time) {
-  if (corotational_statics)
-    return solve_corotational_increment(factors, time);
-  const Factors full = course.factors(time);
-  EquilibriumProblem increment{model.linear.stiffness(), course.forces(full), course.imposed(time)};
-  increment.time = time;
-  trial = current.unknowns;
-  if (!report(statics->solve(increment, current.contacts, trial, response)))
-    return false;
-  const Vector loads_before = course.forces(current.load_factors);
-  LineState before = current;
-  current.unknowns = trial;
-  model.space.expand(current.unknowns, current.dofs);
-  current.dofs += increment.imposed;
-  commit(factors, time);
-  step_reports.back().energy +=
-      account_increment(model, before, current, loads_before, increment.right_hand_side);
   return true;
 }
 

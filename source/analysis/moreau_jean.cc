@@ -17,6 +17,7 @@ MoreauJean::MoreauJean(const Model &model)
 
 void MoreauJean::start(LineState &state, const LoadCourse &) {
   state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
+  last_time = std::numeric_limits<double>::quiet_NaN();
 }
 
 void MoreauJean::set_step(const double h) {
@@ -47,12 +48,12 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
       last_time != from.time || factors != last_factors) {
     last_factors = factors;
     last_forces = loads.forces(factors);
-    loads.add_inertia(from.time, last_forces);
+    loads.add_inertia(from.time, last_forces, LoadCourse::Side::after);
   }
   const Vector forces_before = last_forces;
   last_factors = loads.factors_before(time);
   last_forces = loads.forces(last_factors);
-  loads.add_inertia(time, last_forces);
+  loads.add_inertia(time, last_forces, LoadCourse::Side::before);
   last_time = time;
   const Vector &forces = last_forces;
   const Vector &q0 = from.unknowns, &v0 = from.velocity;
@@ -106,7 +107,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   to.dofs += problem.imposed;
   to.time = time;
   to.load_factors = last_factors;
-  loads.set_rates(to);
+  loads.set_rates(to, LoadCourse::Side::before);
   commit_contacts(response, from, to);
   contacts.add_histories(from, h, to);
   step.energy = account_motion(

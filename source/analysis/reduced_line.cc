@@ -32,6 +32,31 @@ std::set<unsigned int> monitored_vertices(const Model &model) {
   return vertices;
 }
 
+/// Vertices whose motion decides the forces of restraints and springs: those of the cells at
+/// restraints and at nodes that loads move, and the springs' own.
+std::set<unsigned int> vertices_of_reactions(const Model &model) {
+  std::set<unsigned int> held, result;
+  for (const auto &sites : model.mesh.restraints)
+    for (const Site &site : sites)
+      held.insert(site.vertex);
+  for (const Load &load : model.scene.loads)
+    if (load.kind == Load::Kind::displacement)
+      for (const Load::AtPoint &at : load.at)
+        held.insert(model.mesh.points.at(at.point));
+  for (const Spring &spring : model.scene.springs)
+    for (const std::string &point : {spring.point, spring.other})
+      if (!point.empty())
+        held.insert(model.mesh.points.at(point));
+  for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i) {
+    const auto cell = model.discretization.pipe_cell(i);
+    const unsigned int one = cell->vertex_index(0), other = cell->vertex_index(1);
+    if (held.count(one) + held.count(other) > 0)
+      result.insert({one, other});
+  }
+  result.insert(held.begin(), held.end());
+  return result;
+}
+
 } // namespace
 
 ReducedLine::ReducedLine(const Model &line, const LineParts &parts, const LineParts::Choice &modes,
@@ -152,6 +177,13 @@ void ReducedLine::make_dofs() {
     }
     monitored_dofs.push_back(places);
   }
+  for (const unsigned int vertex : vertices_of_reactions(line))
+    for (unsigned int c = 0; c < 6; ++c)
+      if (const auto dof = at.index(vertex, c); dof != dealii::numbers::invalid_dof_index) {
+        take(dof);
+        for (const auto &term : line.space.terms(dof))
+          unknowns.insert(term.unknown);
+      }
   for (const int unknown : unknowns)
     monitored_unknowns.emplace_back(unknown, terms(unknown));
 }
@@ -351,10 +383,11 @@ void ReducedLine::expand(const LineState &state, const bool everything, LineStat
     return;
   }
   for (const auto &[unknown, depends_on] : monitored_unknowns) {
-    full.unknowns[unknown] = full.velocity[unknown] = 0.;
+    full.unknowns[unknown] = full.velocity[unknown] = full.acceleration[unknown] = 0.;
     for (const auto &term : depends_on) {
       full.unknowns[unknown] += term.weight * state.unknowns[term.unknown];
       full.velocity[unknown] += term.weight * state.velocity[term.unknown];
+      full.acceleration[unknown] += term.weight * state.acceleration[term.unknown];
     }
   }
   for (unsigned int d = 0; d < dofs.size(); ++d)

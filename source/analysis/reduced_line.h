@@ -16,7 +16,7 @@ namespace frictionbeam {
  * they follow slowly. Modes and static shapes are orthogonal in K and M. The unknowns eta come
  * first, then the kept ones.
  *
- * Its degrees of freedom are those of contacts and of monitored points alone; states of contacts
+ * Its degrees of freedom are those of contacts, of monitored points and at restraints alone; states of contacts
  * are those of the line.
  */
 class ReducedLine {
@@ -36,7 +36,8 @@ public:
   /// A state of the line on the reduced unknowns.
   LineState reduce(const LineState &state) const;
   /**
-   * A state of the line from a reduced one: contacts, and what monitored points do.
+   * A state of the line from a reduced one: contacts, what monitored points do, and what the forces
+   * of restraints and springs come from.
    * @param everything all unknowns; then dofs are left to the caller
    */
   void expand(const LineState &state, const bool everything, LineState &full) const;

@@ -2,8 +2,24 @@
 #include "return_mapping_solver.h"
 
 #include <frictionbeam/analysis/interruption.h>
+#include <algorithm>
+#include <sstream>
 
 namespace frictionbeam {
+
+namespace {
+
+constexpr unsigned int most_at_rounding = 5;
+constexpr double most_rounding = 1e-3; ///< of the largest force, that is taken for rounding
+
+std::string to_text(const double value) {
+  std::ostringstream text;
+  text.precision(2);
+  text << value;
+  return text.str();
+}
+
+} // namespace
 
 ReturnMappingSolver::ReturnMappingSolver(const SolverSettings &settings,
                                          const SolverSettings::Method method,
@@ -60,6 +76,7 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
   const unsigned int most = newton ? settings.max_iterations : settings.max_elastic_iterations;
   const LawTangent wanted = newton ? LawTangent::consistent : LawTangent::none;
 
+  unsigned int n_at_rounding = 0; // iterations one after the other
   Vector forces = residual(unknowns, wanted, response);
   for (;;) {
     interruption::end_if_overdue();
@@ -75,8 +92,18 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
       result.remark = response.failed ? "a law had no answer" : "the iteration diverges";
       return result;
     }
-    if (result.iterations == most) {
-      result.remark = "no convergence in " + std::to_string(most) + " iterations";
+    const bool at_rounding = size <= Residual::rounding(elastic_diagonal, unknowns) &&
+                             size <= most_rounding * std::max(largest, problem.force_so_far);
+    n_at_rounding = at_rounding ? n_at_rounding + 1 : 0;
+    if (n_at_rounding == most_at_rounding) {
+      result.rounding_bars = true;
+      result.remark = "rounding of the line's forces, " + to_text(size) +
+                      " N, is too large beside the largest force, " + to_text(largest) +
+                      " N: Method = exact knows more digits";
+      return result;
+    }
+    if (result.iterations == std::min(most, problem.most_iterations)) {
+      result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
       return result;
     }
     ++result.iterations;

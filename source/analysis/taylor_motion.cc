@@ -11,6 +11,8 @@ constexpr int order = 30;
 constexpr double rounding = 1e-17;
 } // namespace
 
+double same_instant(const double time) { return 1e-12 * std::abs(time); }
+
 Vector TaylorMotion::at(const Eigen::MatrixXd &m, const double x) {
   Vector result = Vector::Zero(m.rows());
   for (Eigen::Index k = m.cols(); k-- > 0;)
@@ -57,15 +59,19 @@ void TaylorMotion::make_rows(const std::vector<EventState> &states) {
 
 bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
                                      const double length) {
-  // A jump at the end belongs to the next piece.
-  const double last = std::nextafter(loads.next_break(time), time);
+  // A jump at the end belongs to the next piece, and one at the start is over.
+  const double same = same_instant(time), start = loads.next_break(time - same),
+               end = loads.next_break(time + same);
+  first_instant = start <= time + same ? std::nextafter(start, start + 1.) : time;
+  last_instant = std::nextafter(end, time);
   bool smooth = true;
   const auto powers = [&](Noise &noise, const std::function<Vector(const double)> &function) {
-    return interpolate([&](const double t) { return function(std::min(t, last)); }, time, length,
+    return interpolate([&](const double t) { return function(within(t)); }, time, length,
                        noise.level, noise.before, smooth);
   };
   factors = powers(factor_noise, [&](const double t) {
-    const LoadCourse::Factors f = loads.factors(t);
+    const LoadCourse::Factors f =
+        t < last_instant ? loads.factors(within(t)) : loads.factors_before(end);
     return Vector(Eigen::Map<const Vector>(f.data(), f.size()));
   });
   if (model.ground_moves)
@@ -86,6 +92,13 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
   for (unsigned int i = 0; i < states.size(); ++i) {
     g[i].setZero(3, order + 1);
     r[i].setZero(3, order + 1);
+    s[i].resize(2, 0);
+    if (states[i].status != ContactStatus::slip || !states[i].curved)
+      continue;
+    s[i].setZero(2, order + 2);
+    s[i].col(0) = states[i].direction;
+    curves[i] = {Eigen::MatrixXd::Zero(2, order + 1), Eigen::MatrixXd::Zero(2, order + 1),
+                 Vector::Zero(order + 1), Vector::Zero(order + 1)};
   }
   for (int k = 0; k <= order; ++k) {
     Vector forces = k == 0 ? linear.preload() : Vector(Vector::Zero(n));
@@ -114,9 +127,12 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
         known[0] = k == 0 ? -contact.contact->platen_force : 0.;
       else if (contact.normal == EventContact::Normal::elastic)
         known[0] = contact.normal_stiffness * (g[i](0, k) + (k == 0 ? contact.law.gap : 0.));
-      if (state.status == ContactStatus::slip)
-        known.tail<2>() = -contact.law.dynamic_friction * known[0] * state.direction;
-      else if (state.status == ContactStatus::stick && !contact.rigid_shear) {
+      if (state.status == ContactStatus::slip) {
+        r[i](0, k) = known[0];
+        if (s[i].cols() > 0)
+          expand_direction(i, k, length);
+        known.tail<2>() = friction(i, k, state);
+      } else if (state.status == ContactStatus::stick && !contact.rigid_shear) {
         Eigen::Vector2d elastic = g[i].col(k).tail<2>();
         if (k == 0)
           elastic -= state.plastic;
@@ -144,6 +160,9 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
                                     multipliers[j] * state.direction;
       }
     }
+    for (unsigned int i = 0; i < states.size(); ++i)
+      if (s[i].cols() > 0 && !model.contacts[i].rigid_shear)
+        expand_turn(i, k, length);
     if (k == order)
       break;
     v.col(k + 1) = length / (k + 1.) * acceleration;
@@ -153,6 +172,57 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
     if (!model.has_mass[u])
       for (int k = 0; k < order; ++k)
         v(u, k) = (k + 1.) / length * q(u, k + 1);
+}
+
+Eigen::Vector2d TaylorMotion::friction(const unsigned int i, const int k,
+                                       const EventState &state) const {
+  const double f = model.contacts[i].law.dynamic_friction;
+  if (s[i].cols() == 0)
+    return -f * r[i](0, k) * state.direction;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int j = 0; j <= k; ++j)
+    sum -= f * r[i](0, j) * s[i].col(k - j);
+  return sum;
+}
+
+void TaylorMotion::expand_direction(const unsigned int i, const int k, const double length) {
+  const EventContact &contact = model.contacts[i];
+  Curve &curve = curves[i];
+  curve.rate.col(k) = contact.displacement(v.col(k)).tail<2>();
+  if (k + 1 < ground.rows())
+    curve.rate.col(k) += (k + 1.) / length * ground.row(k + 1).segment<2>(3 * i + 1).transpose();
+  if (!contact.rigid_shear)
+    return;
+  if (k == 0) {
+    curve.speed[0] = curve.rate.col(0).norm();
+    s[i].col(0) = curve.rate.col(0) / curve.speed[0];
+    return;
+  }
+  double square = 0.;
+  for (int j = 0; j <= k; ++j)
+    square += curve.rate.col(j).dot(curve.rate.col(k - j));
+  for (int j = 1; j < k; ++j)
+    square -= curve.speed[j] * curve.speed[k - j];
+  curve.speed[k] = square / (2. * curve.speed[0]);
+  Eigen::Vector2d left = curve.rate.col(k);
+  for (int j = 1; j <= k; ++j)
+    left -= curve.speed[j] * s[i].col(k - j);
+  s[i].col(k) = left / curve.speed[0];
+}
+
+void TaylorMotion::expand_turn(const unsigned int i, const int k, const double length) {
+  const EventContact &contact = model.contacts[i];
+  Curve &curve = curves[i];
+  for (int j = 0; j <= k; ++j)
+    curve.along[k] += curve.rate.col(j).dot(s[i].col(k - j));
+  Eigen::Vector2d left = curve.rate.col(k);
+  for (int j = 0; j <= k; ++j)
+    left -= curve.along[j] * s[i].col(k - j);
+  for (int j = 1; j <= k; ++j)
+    left += r[i](0, j) * curve.turn.col(k - j);
+  curve.turn.col(k) = left / -r[i](0, 0);
+  s[i].col(k + 1) = length * contact.shear_stiffness / contact.law.dynamic_friction *
+                    curve.turn.col(k) / (k + 1.);
 }
 
 double TaylorMotion::valid_part() const {
@@ -192,6 +262,8 @@ void TaylorMotion::shorten_all(const double x) {
     shorten_columns(m);
   for (Eigen::MatrixXd &m : r)
     shorten_columns(m);
+  for (Eigen::MatrixXd &m : s)
+    shorten_columns(m);
   for (Eigen::MatrixXd *const m : {&factors, &ground}) {
     double power = 1.;
     for (int k = 0; k < m->rows(); ++k, power *= x)
@@ -206,9 +278,10 @@ double TaylorMotion::compute(const LoadCourse &loads, const double time, const d
     make_rows(states);
   g.resize(states.size());
   r.resize(states.size());
+  s.resize(states.size());
+  curves.resize(states.size());
   const int n = unknowns.size();
   double length = guess > 0. ? std::min(longest, guess) : longest;
-  const double least = 1e-9 * longest;
   factor_noise.before.resize(0);
   ground_noise.before.resize(0);
   for (;;) {

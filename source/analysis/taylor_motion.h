@@ -6,7 +6,13 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
+
 namespace frictionbeam {
+
+/// Instants this close are one [s]: a corner of a table that an instant of output misses by
+/// rounding.
+double same_instant(const double time);
 
 /**
  * The motion of the line while no contact changes its state: linear, and summed up as a power
@@ -17,10 +23,16 @@ namespace frictionbeam {
  * complex eigenproblem in each state. A step is as long as terms of order 30 are below rounding:
  * half a period of the fastest motion. Everything that decides about contacts is then a polynomial
  * as well.
+ *
+ * Slip along a curve is not linear, but analytic while it lasts: the direction s of slip has a
+ * power series too, on rigid surfaces from u = |u| s, on elastic ones from s' = k (u - (u.s) s)/(f
+ * N), with u the velocity relative to the ground; terms of order k need those of u, N, s up to k
+ * only. Steps get short where |u| is small.
  */
 class TaylorMotion {
 public:
-  explicit TaylorMotion(const EventModel &model) : model(model) {}
+  /// @param least time within which a load may do what it likes [s]
+  TaylorMotion(const EventModel &model, const double least) : model(model), least(least) {}
 
   /**
    * Motion from @p unknowns and @p velocity at @p time over at most @p longest [s].
@@ -38,8 +50,12 @@ public:
   /// To be called when a contact has changed its state.
   void state_changed() { rows_are_current = false; }
 
+  /// The instant as loads are to be asked for there: on this side of what jumps at an end.
+  double within(const double time) const { return std::clamp(time, first_instant, last_instant); }
+
   Eigen::MatrixXd q, v;              ///< unknowns, by order
   std::vector<Eigen::MatrixXd> g, r; ///< of each contact, 3 by order
+  std::vector<Eigen::MatrixXd> s;    ///< direction of slip, 2 by order; empty if it is straight
   Eigen::MatrixXd factors, ground;   ///< orders by load; orders by 3 contacts
 
   /// A component of a contact's g or r as a polynomial.
@@ -57,15 +73,30 @@ private:
   };
   void make_rows(const std::vector<EventState> &states);
   bool interpolate_loads(const LoadCourse &loads, const double time, const double length);
+  /// Of a contact that slips along a curve, by order: velocity u in the sliding plane, |u|; on an
+  /// elastic surface u.s and (u - (u.s) s)/N.
+  struct Curve {
+    Eigen::MatrixXd rate, turn;
+    Vector speed, along;
+  };
   void expand_series(const double length, const std::vector<EventState> &states);
+  /// The term of order @p k of the velocity, and of the direction on a rigid surface.
+  void expand_direction(const unsigned int i, const int k, const double length);
+  /// The next term of the direction on an elastic surface.
+  void expand_turn(const unsigned int i, const int k, const double length);
+  /// Friction of order k for the normal force so far.
+  Eigen::Vector2d friction(const unsigned int i, const int k, const EventState &state) const;
   /// How much of the length is valid, 0 to 1.
   double valid_part() const;
   void shorten_all(const double x);
 
   const EventModel &model;
+  const double least;
   double guess = 0.;
+  double first_instant = 0., last_instant = 0.; ///< of the loads' piece [s]
   Noise factor_noise, ground_noise;
   bool rows_are_current = false;
+  std::vector<Curve> curves;
   std::vector<Row> rows;                  ///< multipliers
   Eigen::MatrixXd columns, accelerations; ///< H^T and M^-1 H^T
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> delassus;

@@ -12,7 +12,8 @@
 
 namespace frictionbeam {
 
-std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model) {
+std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model,
+                                                     const PieceObserver &observer) {
   using Integrator = TimeSettings::Integrator;
   const TimeSettings &time = model.scene.time;
   if (model.corotational)
@@ -27,7 +28,7 @@ std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model) {
   case Integrator::nonsmooth_alpha:
     return std::make_unique<AlphaScheme>(model, AlphaScheme::nonsmooth(time));
   default:
-    return std::make_unique<EventIntegrator>(model);
+    return std::make_unique<EventIntegrator>(model, observer);
   }
 }
 
@@ -51,13 +52,15 @@ double time_step(const Model &model) {
 }
 
 void check_time_steps(const Model &model) {
-  constexpr double most = 1e8;
+  // Of a step that the program chose; of the user's own, Time/Most steps says.
+  const double most = model.scene.time.step > 0. ? 2e9 : 1e11 / (1. + model.space.n_unknowns());
   for (const LoadStep &step : model.scene.steps)
     if (step.transient && !(step.duration <= most * time_step(model)))
       throw UserError("Step '" + step.name + "' would take too many time steps.\n  read:    " +
                       to_text(step.duration) + " s in steps of " + to_text(time_step(model)) +
                       " s\n  allowed: " + to_text(most) +
-                      " time steps\n  try:     a longer Time/Step or a shorter Duration");
+                      " time steps, which take hours\n  try:     a longer Time/Step, or this one "
+                      "given in the file if it is meant, or a shorter Duration");
 }
 
 std::vector<bool> unknowns_with_mass(const SparseMatrix &mass) {

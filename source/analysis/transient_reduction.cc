@@ -185,24 +185,33 @@ MotionRecord TransientReduction::try_out(const Start &start, const LineState &st
 }
 
 bool TransientReduction::run(const Start &start, const LoadCourse &course, LineState &state,
-                             StepReport &report, const LoadSequence::Observer &observer,
-                             const LoadSequence::NeedsLine &needs_line) {
+                             StepReport &report, const Observers &observers) {
   Assert(line, dealii::ExcMessage("The step is not prepared."));
   LoadSequence sequence(line->model());
-  const auto expand = [&](const LineState &now, const bool everything) {
-    line->expand(now, everything, state);
+  const auto expand = [&](const LineState &now, const bool everything, LineState &to) {
+    line->expand(now, everything, to);
     if (!everything)
       return;
-    model.space.expand(state.unknowns, state.dofs);
-    state.dofs += course.imposed(now.time);
+    model.space.expand(to.unknowns, to.dofs);
+    to.dofs += course.imposed(now.time);
   };
+  LineState within;
+  if (observers.of_pieces)
+    sequence.watch([&](const MotionPiece &piece) {
+      within = state;
+      const auto state_at = [&](const double time) -> const LineState & {
+        expand(piece.state_at(time), true, within);
+        return within;
+      };
+      observers.of_pieces({piece.begin, piece.end, state_at});
+    });
   const bool done = sequence.run_transient_alone(
       start.step, line->reduce(state), start.declared, start.target,
       [&](const LoadSequence::Progress &progress, const LineState &now) {
-        expand(now, !needs_line || needs_line(progress, now.time));
-        observer(progress, state);
+        expand(now, !observers.needs_line || observers.needs_line(progress, now.time), state);
+        observers.of_instants(progress, state);
       });
-  expand(sequence.state(), true);
+  expand(sequence.state(), true, state);
   state.auxiliary = Vector::Zero(model.space.n_unknowns());
   name = sequence.integrator_name();
   const ReductionAccount account = *report.reduction;

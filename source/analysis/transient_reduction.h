@@ -50,6 +50,14 @@ public:
     std::vector<double> declared, target; ///< factors before and at its end
   };
 
+  /// Those who look at the line while it moves.
+  struct Observers {
+    const LoadSequence::Observer &of_instants;
+    /// Whether that one looks at more than contacts and monitored points.
+    const LoadSequence::NeedsLine &needs_line;
+    const PieceObserver &of_pieces;
+  };
+
   /// Decide how many modes the step needs. @return whether it is worth while to reduce it
   bool prepare(const Start &start, const LineState &state, ReductionAccount &account);
 
@@ -57,10 +65,9 @@ public:
    * Run the step as prepared.
    * @param course of the loads in this step, on the line
    * @param state in: at the start; out: at the end, or the last good one
-   * @param needs_line whether the observer looks at more than contacts and monitored points
    */
   bool run(const Start &start, const LoadCourse &course, LineState &state, StepReport &report,
-           const LoadSequence::Observer &observer, const LoadSequence::NeedsLine &needs_line);
+           const Observers &observers);
 
   const std::string &integrator_name() const { return name; }
 

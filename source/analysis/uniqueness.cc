@@ -3,10 +3,10 @@
 
 #include <frictionbeam/analysis/line_factorization.h>
 
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include <cmath>
-#include <limits>
 
 namespace frictionbeam {
 
@@ -22,16 +22,40 @@ Eigen::Vector3d hold(const ProximalContacts &proximal, const unsigned int i,
   return {status == ContactStatus::open ? 0. : diagonal[0], tangential, tangential};
 }
 
-/// Least t.K_tt t/|K_tn.t| of all directions t, to a degree; couplings below a millionth are
-/// rounding.
-double least_ratio(const Eigen::Matrix2d &K_tt, const Eigen::Vector2d &K_tn) {
-  constexpr double degree = 3.14159265358979323846 / 180.;
-  double least = std::numeric_limits<double>::infinity();
-  for (int angle = 0; angle < 180; ++angle) {
-    const Eigen::Vector2d t(std::cos(angle * degree), std::sin(angle * degree));
-    const double stiffness = t.dot(K_tt * t), coupling = std::abs(K_tn.dot(t));
-    if (stiffness > 0. && coupling > 1e-6 * stiffness)
-      least = std::min(least, stiffness / coupling);
+/**
+ * Least K_tt/|K_tn| of all directions t in the plane of a contact, K its stiffness along t and n;
+ * couplings below a millionth are rounding. Where the line is held in some direction, the contact
+ * moves in a plane or on a line of its three directions only: t are those without a normal part,
+ * and n stands for the motion across them that lifts off by one, whatever it does sideways.
+ * @param compliance of the contact, @param hold that is in it besides the line
+ */
+double least_ratio(const Eigen::Matrix3d &compliance, const Eigen::Vector3d &hold) {
+  constexpr double degree = 3.14159265358979323846 / 180., infinity = 1e300;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen((compliance + compliance.transpose()) /
+                                                             2.);
+  const Eigen::Vector3d &values = eigen.eigenvalues(); // ascending
+  int n_free = 0;
+  for (int i = 0; i < 3; ++i)
+    n_free += values[i] > 1e-13 * values[2] ? 1 : 0;
+  const Eigen::MatrixXd free = eigen.eigenvectors().rightCols(n_free);
+  Eigen::MatrixXd stiffness = values.tail(n_free).cwiseInverse().asDiagonal();
+  stiffness -= free.transpose() * hold.asDiagonal() * free;
+  // How each free direction lifts off; what of them is orthogonal to that is sliding.
+  const Eigen::VectorXd lifts = free.row(0).transpose();
+  if (n_free < 2 || lifts.squaredNorm() < 1e-18)
+    return infinity;
+  const Eigen::MatrixXd slides = Eigen::HouseholderQR<Eigen::MatrixXd>(lifts).householderQ() *
+                                 Eigen::MatrixXd::Identity(n_free, n_free).rightCols(n_free - 1);
+  const Eigen::VectorXd normal = lifts / lifts.squaredNorm();
+  const Eigen::MatrixXd K_tt = slides.transpose() * stiffness * slides;
+  const Eigen::VectorXd K_tn = slides.transpose() * stiffness * normal;
+  double least = infinity;
+  for (int angle = 0; angle < (n_free == 3 ? 180 : 1); ++angle) {
+    const Eigen::Vector2d way(std::cos(angle * degree), std::sin(angle * degree));
+    const Eigen::VectorXd t = way.head(n_free - 1);
+    const double along = t.dot(K_tt * t), coupling = std::abs(K_tn.dot(t));
+    if (along > 0. && coupling > 1e-6 * along)
+      least = std::min(least, along / coupling);
   }
   return least;
 }
@@ -73,10 +97,7 @@ std::vector<BeyondUniqueness> contacts_beyond_uniqueness(const Contacts &contact
       for (Eigen::Index j = 0; j < B.cols(); ++j)
         compliance.col(d) += motion[line.place(contacts[i].unknowns[j])] * B.col(j);
     }
-    Eigen::Matrix3d stiffness = compliance.inverse();
-    stiffness -= Eigen::Matrix3d(hold(proximal, i, status[i]).asDiagonal());
-    const double limit =
-        least_ratio(stiffness.bottomRightCorner<2, 2>(), stiffness.block<2, 1>(1, 0));
+    const double limit = least_ratio(compliance, hold(proximal, i, status[i]));
     if (friction >= limit)
       result.push_back({i, friction, limit});
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/model/contacts.h>
+#include <frictionbeam/model/ground_point.h>
 
 #include <frictionbeam/scene/user_error.h>
 
@@ -90,7 +91,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     contact.parameters = &support.parameters;
     contact.vertices = support_cell.vertices;
     contact.axes = LocalAxes(support_cell.axis);
-    contact.length = fe_values.JxW(0);
+    contact.length = support.ground.empty() ? fe_values.JxW(0) : support_cell.length;
     contact.support = support_cell.support;
     contact.site = support_cell.site;
     const double share =
@@ -113,9 +114,12 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
       const GeneralizedStrain strain = generalized_strain(fe_values, contact.axes, i, 0);
       for (int e = 0; e < n_support_strains; ++e)
         contact.B(e, i) = strain[e];
-      for (const auto &term : space.terms(dofs[i]))
-        contact.unknowns.push_back(term.unknown);
     }
+    if (!support.ground.empty())
+      stand_on_point(support, discretization, contact);
+    for (const unsigned int dof : contact.dofs)
+      for (const auto &term : space.terms(dof))
+        contact.unknowns.push_back(term.unknown);
     for (const unsigned int vertex : contact.vertices)
       for (unsigned int c = 0; c < 6; ++c)
         if (const auto dof = discretization.vertex_dofs().index(vertex, c);
@@ -126,8 +130,8 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     contact.unknowns.erase(std::unique(contact.unknowns.begin(), contact.unknowns.end()),
                            contact.unknowns.end());
     contact.B_reduced.setZero(n_support_strains, contact.unknowns.size());
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      for (const auto &term : space.terms(dofs[i])) {
+    for (unsigned int i = 0; i < contact.dofs.size(); ++i)
+      for (const auto &term : space.terms(contact.dofs[i])) {
         const auto place =
             std::lower_bound(contact.unknowns.begin(), contact.unknowns.end(), term.unknown) -
             contact.unknowns.begin();
@@ -151,7 +155,8 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
 
 Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
                    const std::vector<int> &unknown_places, const unsigned int n_unknowns)
-    : list(contacts.list), n_internal(contacts.n_internal), preload(Vector::Zero(n_unknowns)) {
+    : list(contacts.list), n_internal(contacts.n_internal), preload(Vector::Zero(n_unknowns)),
+      own_parameters(contacts.own_parameters) {
   for (Contact &contact : list) {
     for (unsigned int &dof : contact.dofs)
       dof = dof_places[dof];
@@ -169,6 +174,11 @@ Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
     platen_positions.emplace_back(unknown_places[unknown], position);
 }
 
+void Contacts::set_parameters(const unsigned int i, const std::vector<double> &parameters) {
+  own_parameters.push_back(std::make_shared<const std::vector<double>>(parameters));
+  list[i].parameters = own_parameters.back().get();
+}
+
 void Contacts::prepare(ContactResponse &response) const {
   const unsigned int n = list.size();
   response.stress.resize(n);
@@ -183,9 +193,10 @@ void Contacts::prepare(ContactResponse &response) const {
   response.state.impulse.resize(n);
 }
 
-void Contacts::add_ground_motion(const double time, Vector &imposed) const {
+void Contacts::add_ground_motion(const std::function<double(const TimeFunction &)> &value,
+                                 Vector &imposed) const {
   for (const auto &[dof, course] : moving)
-    imposed[dof] += (*course)(time);
+    imposed[dof] += value(*course);
 }
 
 void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed, const double time,

@@ -238,18 +238,25 @@ void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
     for (unsigned int site = 0; site < mesh.supports[i].size(); ++site) {
       const unsigned int on = mesh.supports[i][site].vertex;
       unsigned int ground;
-      Vector3 axis;
+      double length = support.length;
+      Vector3 axis = -1. * resolve(support.normal, mesh.supports[i][site].tangent, support.name);
       if (support.ground.empty()) {
-        axis = -1. * resolve(support.normal, mesh.supports[i][site].tangent, support.name);
         ground = points.size();
         points.push_back(points[on] + support.length * axis);
       } else {
         ground = mesh.points.at(support.ground);
-        axis = points[ground] - points[on];
+        const Vector3 way = points[ground] - points[on];
+        if (way.norm() == 0.)
+          throw UserError("Support " + support.name + " and its Ground " + support.ground +
+                          " are at the same place. Place them a Length apart along the Normal.");
+        if (axis.norm() == 0.)
+          axis = (support.normal.sign) * way;
+        if (length == 0.)
+          length = way.norm();
       }
       cells.push_back({{on, ground}, 0});
       fe_index.push_back(element_index(support, false));
-      supports.push_back({i, site, {on, ground}, axis / axis.norm()});
+      supports.push_back({i, site, {on, ground}, axis / axis.norm(), length});
     }
   }
 }

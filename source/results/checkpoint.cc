@@ -100,6 +100,19 @@ void transfer(Archive &archive, History &history) {
   archive(history.point, history.time, history.displacement);
 }
 
+void transfer(Archive &archive, StressEnvelope &envelope) {
+  archive(envelope.from, envelope.stress, envelope.time);
+}
+
+void transfer(Archive &archive, StepEnvelope &envelope) {
+  archive(envelope.step, envelope.start, envelope.end, envelope.n_instants,
+          envelope.n_line_instants, envelope.supports, envelope.restraints, envelope.points,
+          envelope.sum_normal, envelope.sum_friction, envelope.displacement,
+          envelope.displaced_most, envelope.least, envelope.largest, envelope.least_at,
+          envelope.largest_at, envelope.stresses, envelope.nozzles, envelope.least_frame,
+          envelope.largest_frame);
+}
+
 Checkpoint::Checkpoint(const Model &model)
     : interval(model.scene.output.checkpoint_interval), path(file_in(model.scene.output.directory)),
       last(std::chrono::steady_clock::now()) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "impact_forces.h"
 #include "support_quantities.h"
 
 #include <frictionbeam/results/collector.h>
@@ -50,6 +51,8 @@ std::string unit_of(const std::string &what) {
     return "m";
   if (const int velocity = place(velocities, what); velocity >= 0)
     return velocity < 3 ? "m/s" : "rad/s";
+  if (what == "mt")
+    return "N m";
   if (what == "impulse")
     return "N s";
   if (const int c = place(of_motion, what); c >= 0)
@@ -104,7 +107,9 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
       return now.reactions[i][component];
   for (unsigned int i = 0; i < results.supports.size(); ++i)
     if (results.supports[i].name == quantity.where)
-      return component < 3 ? builder.support_force(state, i)[component] : 0.;
+      return component < 3
+                 ? builder.support_force(state, i)[component]
+                 : builder.support_state(state, i).mt * results.supports[i].normal[component - 3];
   const auto point = model.mesh.points.find(quantity.where);
   if (point == model.mesh.points.end())
     throw UserError("Quantity " + quantity.name +
@@ -116,6 +121,11 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
 }
 
 double Collector::evaluate(const Quantity &quantity, const LineState &state) {
+  const double value = evaluate_signed(quantity, state);
+  return !quantity.absolute ? value : std::copysign(value, quantity.scale);
+}
+
+double Collector::evaluate_signed(const Quantity &quantity, const LineState &state) {
   const std::string &what = quantity.what;
   double value = 0.;
   if (const int c = place(motions, what); c >= 0)
@@ -143,7 +153,7 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
       throw UserError("Quantity " + quantity.name + ": there is no friction support called '" +
                       quantity.where + "'. A repeated support's names are numbered: name.1, ...");
   }
-  return quantity.scale * (quantity.absolute ? std::abs(value) : value);
+  return quantity.scale * value;
 }
 
 namespace {
@@ -224,10 +234,11 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
            results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.))
         value += made.reactions[i][c];
     for (unsigned int i = 0; i < results.supports.size(); ++i)
-      if (results.supports[i].name == quantity.where && c < 3) {
+      if (results.supports[i].name == quantity.where) {
         const SupportState &s = made.supports[i];
         const SupportInfo &info = results.supports[i];
-        value += s.fn * info.normal[c] + s.ft1 * info.t1[c] + s.ft2 * info.t2[c];
+        value += c < 3 ? s.fn * info.normal[c] + s.ft1 * info.t1[c] + s.ft2 * info.t2[c]
+                       : s.mt * info.normal[c - 3];
       }
   } else if (quantity.where.empty())
     value = value_of_supports(results.supports, made.supports, what);
@@ -312,6 +323,7 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
                (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
       pending[i].value = evaluate(quantity, state);
   }
+  watch_impacts(!start && model.scene.steps[step].transient, state);
   previous_time = state.time;
 
   current_step = step;
@@ -336,7 +348,7 @@ void Collector::put_out(const LineState &state, const bool keep) {
 
 void Collector::transfer(Archive &archive) {
   archive(results.frames, results.histories, results.remarks, pending, is_put_out, current_step,
-          current_increment, previous_time, last_output, largest_error);
+          current_increment, previous_time, last_output, largest_error, previous_status);
   frame_is_current = false;
 }
 
@@ -372,6 +384,9 @@ void Collector::finish(const LineState &state) {
       result.error =
           *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
     }
+    result.of_impact = pending[i].struck;
+    if (result.of_impact)
+      results.remarks.push_back(remark_on_impact(quantity));
     results.quantities.push_back(result);
   }
 }

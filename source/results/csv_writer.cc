@@ -53,7 +53,7 @@ std::string csv_field(const std::string &text) {
 
 void remove_line_tables(const std::string &folder) {
   std::error_code error; // there may be none
-  for (const char *const name : {"supports.csv", "line.csv", "reactions.csv"})
+  for (const char *const name : {"supports.csv", "line.csv", "reactions.csv", "envelope.csv"})
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
 }
 
@@ -67,7 +67,7 @@ CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::stri
   if (keep)
     return;
   supports.stream() << "support,step,increment,time,status,fn,ft1,ft2,gap,slip1,slip2,"
-                       "work_friction\n";
+                       "work_friction,mt\n";
   line.stream() << "step,pipe,s,x,y,z,ux,uy,uz,rx,ry,rz,N,Vy,Vz,Mx,My,Mz\n";
   reactions.stream() << "restraint,step,increment,time,fx,fy,fz,mx,my,mz\n";
   supports.flush();
@@ -116,8 +116,8 @@ void CsvWriter::append_supports(const Frame &frame) {
     const SupportState &state = frame.supports[i];
     std::string row =
         csv_field(results.supports[i].name) + ',' + when + ',' + status_word(state.status);
-    add_numbers(row, std::array<double, 7>{{state.fn, state.ft1, state.ft2, state.gap, state.slip1,
-                                            state.slip2, state.work_friction}});
+    add_numbers(row, std::array<double, 8>{{state.fn, state.ft1, state.ft2, state.gap, state.slip1,
+                                            state.slip2, state.work_friction, state.mt}});
     supports.stream() << row << '\n';
   }
   supports.flush();

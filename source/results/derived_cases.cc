@@ -20,7 +20,7 @@ void for_each_number(AnyFrame &frame, const Function &function) {
   }
   for (auto &support : frame.supports)
     for (auto *value : {&support.fn, &support.ft1, &support.ft2, &support.gap, &support.slip1,
-                        &support.slip2, &support.work_friction})
+                        &support.slip2, &support.work_friction, &support.mt})
       function(*value);
   for (auto &reaction : frame.reactions)
     for (auto &value : reaction)
@@ -182,45 +182,49 @@ Frame spectrum_response(const Model &model, const ModalAnalysis &analysis) {
   return with_numbers(frame, sum);
 }
 
-Frame combine(const Combination &combination, const std::vector<const Frame *> &frames) {
+void widen(Frame &least, Frame &largest, const Frame &frame) {
+  const Vector numbers = numbers_of(frame);
+  least = with_numbers(std::move(least), numbers_of(least).cwiseMin(numbers));
+  largest = with_numbers(std::move(largest), numbers_of(largest).cwiseMax(numbers));
+}
+
+Frame combine(const Combination &combination, const std::vector<CaseRange> &cases,
+              CombinationRange *const range) {
   using Kind = Combination::Kind;
-  AssertDimension(frames.size(), combination.cases.size());
-  std::vector<Vector> parts;
-  for (unsigned int i = 0; i < frames.size(); ++i)
-    parts.push_back(combination.cases[i].second * numbers_of(*frames[i]));
-  Vector result = parts.front();
-  switch (combination.kind) {
-  case Kind::sum:
-    for (unsigned int i = 1; i < parts.size(); ++i)
-      result += parts[i];
-    break;
-  case Kind::range: {
-    Vector least = result;
-    for (const Vector &part : parts) {
-      result = result.cwiseMax(part);
-      least = least.cwiseMin(part);
-    }
-    result -= least;
-    break;
+  AssertDimension(cases.size(), combination.cases.size());
+  std::vector<Vector> low, high, size; // of the parts, with their factors
+  for (unsigned int i = 0; i < cases.size(); ++i) {
+    const double factor = combination.cases[i].second;
+    const Vector one = factor * numbers_of(*cases[i].least),
+                 other = factor * numbers_of(*cases[i].largest);
+    low.push_back(one.cwiseMin(other));
+    high.push_back(one.cwiseMax(other));
+    size.push_back(low.back().cwiseAbs().cwiseMax(high.back().cwiseAbs()));
   }
-  case Kind::envelope:
-    for (const Vector &part : parts)
-      result = (part.cwiseAbs().array() > result.cwiseAbs().array()).select(part, result);
-    break;
-  case Kind::srss:
-    result = result.cwiseAbs2();
-    for (unsigned int i = 1; i < parts.size(); ++i)
-      result += parts[i].cwiseAbs2();
-    result = result.cwiseSqrt().eval();
-    break;
-  case Kind::absolute:
-    result = result.cwiseAbs().eval();
-    for (unsigned int i = 1; i < parts.size(); ++i)
-      result += parts[i].cwiseAbs();
+  Vector least = low.front(), most = high.front(), sum = size.front();
+  const bool is_sum = combination.kind == Kind::sum, is_srss = combination.kind == Kind::srss;
+  if (is_srss)
+    sum = sum.cwiseAbs2();
+  for (unsigned int i = 1; i < cases.size(); ++i) {
+    least = is_sum ? Vector(least + low[i]) : Vector(least.cwiseMin(low[i]));
+    most = is_sum ? Vector(most + high[i]) : Vector(most.cwiseMax(high[i]));
+    sum += is_srss ? Vector(size[i].cwiseAbs2()) : size[i];
   }
-  Frame frame = with_numbers(*frames.back(), result);
+  if (is_srss)
+    sum = sum.cwiseSqrt().eval();
+  if (combination.kind == Kind::range) {
+    most -= least;
+    least = most;
+  } else if (is_srss || combination.kind == Kind::absolute)
+    least = most = sum;
+  const Vector larger = (least.cwiseAbs().array() > most.cwiseAbs().array()).select(least, most);
+  Frame frame = *cases.back().least;
   frame.end_of_step = true;
-  return frame;
+  if (range != nullptr) {
+    range->least = with_numbers(frame, least);
+    range->largest = with_numbers(frame, most);
+  }
+  return with_numbers(frame, larger);
 }
 
 } // namespace frictionbeam

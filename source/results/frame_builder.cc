@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "section_forces.h"
+
 #include <frictionbeam/results/frame_builder.h>
 
 #include <frictionbeam/model/corotational_line.h>
@@ -120,6 +122,7 @@ SupportState FrameBuilder::support_state(const LineState &state, const unsigned 
   result.fn = -share * stress[0];
   result.ft1 = share * stress[2];
   result.ft2 = share * stress[1];
+  result.mt = -share * stress[3];
   result.work_friction = state.contacts.dissipated[i];
   result.wear = state.contacts.wear[i];
   result.impulse = state.contacts.impulse[i];
@@ -151,22 +154,21 @@ Frame FrameBuilder::make(const LineState &state) {
   add_inertia(state);
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
     frame.supports.push_back(support_state(state, i));
-  // Restraints that share a point each report what acts in their own directions.
-  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
-    for (const Site &site : model.mesh.restraints[i]) {
-      Motion reaction{};
-      for (const Tensor<1, 6> &held : held_directions(model.scene.restraints[i], site)) {
-        double force = 0.;
-        for (unsigned int c = 0; c < 6; ++c)
-          force += held[c] * vertex_forces[site.vertex][c];
-        for (unsigned int c = 0; c < 6; ++c)
-          reaction[c] += force * held[c];
-      }
-      frame.reactions.push_back(reaction);
-    }
-  for (const Spring &spring : model.scene.springs)
-    frame.reactions.push_back(spring_force(state, spring));
+  frame.reactions = reactions_of_vertices(state);
   return frame;
+}
+
+std::vector<Station> FrameBuilder::stations() {
+  LineState at_rest;
+  at_rest.dofs = Vector::Zero(model.space.n_dofs());
+  at_rest.load_factors.assign(model.scene.loads.size(), 0.);
+  if (model.corotational)
+    at_rest.turns = model.corotational->at_rest().turns;
+  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  std::vector<Station> line;
+  for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
+    add_pipe(at_rest, p, line);
+  return line;
 }
 
 void FrameBuilder::add_pipe(const LineState &state, const unsigned int pipe,
@@ -321,14 +323,7 @@ void FrameBuilder::add_arc(const PipeCell &pipe_cell, const PipeElement::Vector1
       for (unsigned int j = 0; j < 12; ++j)
         station.displacement[c] += shapes(c, j) * motions[j];
     }
-    // Equilibrium of what lies between the cell's beginning and the section: q acts on each slice.
-    const Vector3 arm = station.position - arc.point(0.);
-    const double R = arc.radius();
-    const Vector3 slices =
-        psi * R * arm -
-        R * R * ((1. - std::cos(psi)) * arc.tangent(0.) + (psi - std::sin(psi)) * arc.inward(0.));
-    Vector3 F = force - psi * R * load.line_force,
-            M = moment - cross_product_3d(arm, force) + cross_product_3d(slices, load.line_force);
+    auto [F, M] = section_of_arc(arc, psi, force, moment, load.line_force);
     const LocalAxes axes((pipe_cell.reversed ? -1. : 1.) * arc.tangent(psi));
     if (pipe_cell.reversed) { // the face that looks forward along the route is the other one
       F *= -1.;
@@ -363,15 +358,11 @@ void FrameBuilder::add_vertex_forces(const LineState &state) {
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     const Contact::Strains stress = contact.weight * state.contact_stress[i];
-    const unsigned int per_vertex = contact.dofs.size() / 2;
-    for (unsigned int j = 0; j < contact.dofs.size(); ++j) {
-      const unsigned int vertex = contact.vertices[0];
-      const unsigned int other = contact.vertices[1];
-      const auto &at = model.discretization.vertex_dofs();
-      for (const unsigned int v : {vertex, other})
-        if (v < vertex_forces.size() && at.index(v, j % per_vertex) == contact.dofs[j])
-          vertex_forces[v][j % per_vertex] += contact.B.col(j).dot(stress);
-    }
+    for (const unsigned int vertex : contact.vertices)
+      for (unsigned int c = 0; c < 6 && vertex < vertex_forces.size(); ++c)
+        for (unsigned int j = 0; j < contact.dofs.size(); ++j)
+          if (model.discretization.vertex_dofs().index(vertex, c) == contact.dofs[j])
+            vertex_forces[vertex][c] += contact.B.col(j).dot(stress);
   }
 }
 

@@ -4,17 +4,23 @@
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/scene/user_error.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace frictionbeam {
 
 namespace {
 
+/// Files to be written are in memory until flush(): HDF5 ends the process where a disk is full.
 hid_t open(const std::string &path, const Hdf5File::Mode mode) {
-  if (mode == Hdf5File::Mode::create)
-    return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  return H5Fopen(path.c_str(), mode == Hdf5File::Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR,
-                 H5P_DEFAULT);
+  if (mode == Hdf5File::Mode::read)
+    return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  constexpr std::size_t growth = 1 << 16;
+  const Hdf5Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(in_memory, growth, false);
+  return mode == Hdf5File::Mode::create
+             ? H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory)
+             : H5Fopen(path.c_str(), H5F_ACC_RDWR, in_memory);
 }
 
 } // namespace
@@ -135,6 +141,11 @@ void Hdf5File::write_attribute(const std::string &group, const std::string &name
 void Hdf5File::flush() {
   if (H5Fflush(file, H5F_SCOPE_GLOBAL) < 0)
     fail_to_write("/");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  std::string bytes(std::max<ssize_t>(size, 0), '\0');
+  if (size <= 0 || H5Fget_file_image(file, bytes.data(), bytes.size()) != size)
+    fail_to_write("/");
+  write_file(path, bytes);
 }
 
 } // namespace frictionbeam

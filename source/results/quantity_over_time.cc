@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "smooth_courses.h"
+
 #include <frictionbeam/results/collector.h>
 
 #include <algorithm>
@@ -69,6 +71,110 @@ void Collector::follow(const Quantity &quantity, const LineState &state, Pending
                                                    : value;
   }
   course.begun = true;
+}
+
+namespace {
+
+/// What changes with time within a piece; max_error is gathered at the ends of steps.
+bool is_followed(const Quantity &quantity) {
+  return quantity.over != Quantity::Over::end && quantity.over != Quantity::Over::time_of &&
+         quantity.what != "max_error";
+}
+
+} // namespace
+
+bool Collector::wants_pieces() const {
+  return std::any_of(model.scene.quantities.begin(), model.scene.quantities.end(), &is_followed);
+}
+
+void Collector::observe_piece(const MotionPiece &piece) {
+  std::vector<unsigned int> followed;
+  for (unsigned int i = 0; i < pending.size(); ++i) {
+    const Quantity &quantity = model.scene.quantities[i];
+    if (is_followed(quantity) && piece.begin < quantity.to && piece.end > quantity.from)
+      followed.push_back(i);
+  }
+  if (followed.empty())
+    return;
+  Eigen::VectorXd sizes(followed.size());
+  for (std::size_t k = 0; k < followed.size(); ++k)
+    sizes[k] = pending[followed[k]].largest;
+  const SmoothCourses courses(
+      [&](const double time) {
+        frame_is_current = false;
+        const LineState &state = piece.state_at(time);
+        Eigen::VectorXd values(followed.size());
+        for (std::size_t k = 0; k < followed.size(); ++k) // without corners
+          values[k] = evaluate_signed(model.scene.quantities[followed[k]], state);
+        return values;
+      },
+      piece.begin, piece.end, sizes,
+      [&](const SmoothCourses &so_far) {
+        for (std::size_t k = 0; k < followed.size(); ++k) {
+          const Quantity &quantity = model.scene.quantities[followed[k]];
+          const Pending &course = pending[followed[k]];
+          if (quantity.over == Quantity::Over::change || quantity.over == Quantity::Over::rate)
+            continue; // asks for the ends
+          const double sign = quantity.over == Quantity::Over::maximum ? 1. : -1.;
+          const bool is_extreme = sign > 0. || quantity.over == Quantity::Over::minimum;
+          if (!is_extreme || quantity.absolute || !course.begun || piece.begin < quantity.from ||
+              piece.end > quantity.to || so_far.may_exceed(k, sign, *course.value))
+            return false;
+        }
+        return true;
+      });
+  frame_is_current = false;
+  for (std::size_t k = 0; k < followed.size(); ++k)
+    follow(followed[k], courses, k, piece);
+}
+
+void Collector::follow(const unsigned int i, const SmoothCourses &courses,
+                       const unsigned int number, const MotionPiece &piece) {
+  using Over = Quantity::Over;
+  const Quantity &quantity = model.scene.quantities[i];
+  Pending &course = pending[i];
+  const double first = std::max(piece.begin, quantity.from),
+               last = std::min(piece.end, quantity.to);
+  std::vector<double> corners = {first};
+  if (quantity.absolute)
+    for (const double zero : courses.zeros(number, first, last))
+      corners.push_back(zero);
+  corners.push_back(last);
+  const double scale = quantity.scale < 0. ? -1. : 1.;
+  const auto of_size = [&](const double value) {
+    return quantity.absolute ? scale * std::abs(value) : value;
+  };
+  const double at_first = of_size(courses.value(number, first)),
+               at_last = of_size(courses.value(number, last));
+  course.largest = std::max(course.largest, courses.size(number));
+  course.duration += last - first;
+  if (!course.begun)
+    course.at_start = at_first;
+  const bool is_extreme = quantity.over == Over::maximum || quantity.over == Over::minimum;
+  const double upwards = quantity.over == Over::maximum ? 1. : -1.;
+  double extreme = std::max(upwards * at_first, upwards * at_last);
+  if (is_extreme && course.begun)
+    extreme = std::max(extreme, upwards * *course.value);
+  for (std::size_t k = 1; k < corners.size(); ++k) { // |what| is smooth in between
+    const double from = corners[k - 1], to = corners[k],
+                 side = quantity.absolute && courses.value(number, (from + to) / 2.) * scale < 0.
+                            ? -1.
+                            : 1.;
+    if (!is_extreme)
+      course.sum += side * courses.integral(number, from, to);
+    else if (const auto found =
+                 courses.extreme(number, side * upwards, from, to, side * upwards * extreme))
+      extreme = upwards * side * found->value;
+  }
+  const double change = at_last - course.at_start;
+  course.value = is_extreme                        ? upwards * extreme
+                 : quantity.over == Over::integral ? course.sum
+                 : quantity.over == Over::change   ? change
+                 : quantity.over == Over::rate     ? change / course.duration
+                                                   : course.sum / course.duration;
+  course.begun = true;
+  course.previous = at_last;
+  course.since = piece.end;
 }
 
 } // namespace frictionbeam

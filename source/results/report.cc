@@ -46,7 +46,10 @@ std::string status_box(const Results &results) {
   switch (results.status) {
   case RunStatus::converged:
     word = "\u2713 Converged";
-    sentence = "Every step of the load sequence came to its end.";
+    sentence = "Every step of the load sequence came to its end. Displacements are known to: load "
+               "increments " +
+               in_words(results.known.increments) + ", time step " +
+               in_words(results.known.time_step) + ", cells " + in_words(results.known.cells) + ".";
     break;
   case RunStatus::no_equilibrium:
     word = "\u26a0 No equilibrium";
@@ -93,7 +96,10 @@ std::string pictures(const Scene &scene, const Results &results,
     panels.emplace_back(step_name(scene, *frame), "<div class=\"picture\">" +
                                                       draw_line(scene, results, *frame, scale) +
                                                       "</div>\n");
-  return html_tabs("line-of", panels);
+  return html_tabs("line-of", panels) +
+         (results.envelopes.empty()
+              ? ""
+              : html_note("Of a transient step the line is shown as it is at the step's end."));
 }
 
 std::string input(const Scene &scene) {

@@ -34,8 +34,27 @@ std::string step_key(const Scene &scene, const std::vector<const Frame *> &frame
   return key + "</p>\n";
 }
 
-Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
-                  const unsigned int pipe, const std::array<double, 2> &largest_of_all) {
+/// Least and largest section force of a transient step along a pipe, dashed.
+void add_envelope(const Scene &scene, const Results &results, const StepEnvelope &envelope,
+                  const unsigned int pipe, const unsigned int component, const double factor,
+                  const std::string &colour, Plot &plot) {
+  for (const auto *const values : {&envelope.least, &envelope.largest}) {
+    Plot::Series series;
+    series.dashed = true;
+    series.colour = colour;
+    series.line_width = 1.5;
+    for (std::size_t i = 0; i < results.stations.size(); ++i)
+      if (results.stations[i].pipe == pipe) {
+        series.x.push_back(results.stations[i].s / scene.units.factor("m"));
+        series.y.push_back(factor * (*values)[6 * i + component]);
+      }
+    plot.series.push_back(std::move(series));
+  }
+}
+
+Group pipe_charts(const Scene &scene, const Results &results,
+                  const std::vector<const Frame *> &frames, const unsigned int pipe,
+                  const std::array<double, 2> &largest_of_all) {
   static const std::array<const char *, 6> names{{"N, axial force", "Vy, shear force",
                                                   "Vz, shear force", "Mx, torsional moment",
                                                   "My, bending moment", "Mz, bending moment"}};
@@ -46,6 +65,11 @@ Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
       for (const Station &station : frame->line)
         if (station.pipe == pipe)
           largest(station.force[c]);
+    for (const StepEnvelope &envelope : results.envelopes)
+      for (std::size_t i = 0; i < results.stations.size(); ++i)
+        if (results.stations[i].pipe == pipe)
+          for (const auto *const values : {&envelope.least, &envelope.largest})
+            largest((*values)[6 * i + c]);
     if (largest.value() <= nothing * largest_of_all[c / 3])
       continue;
     const DisplayUnit unit = display_unit(scene.units, c < 3 ? "N" : "N m", largest.value());
@@ -56,6 +80,7 @@ Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
       Plot::Series series;
       // the wider ones beneath, to be seen where steps agree
       series.line_width = 1.5 + 0.8 * (frames.size() - 1 - plot.series.size());
+      series.colour = series_colour(plot.series.size());
       for (const Station &station : frame->line)
         if (station.pipe == pipe) {
           series.x.push_back(station.s / scene.units.factor("m"));
@@ -63,6 +88,9 @@ Group pipe_charts(const Scene &scene, const std::vector<const Frame *> &frames,
         }
       plot.series.push_back(std::move(series));
     }
+    for (unsigned int i = 0; i < frames.size(); ++i)
+      if (const StepEnvelope *const envelope = results.envelope_of(frames[i]->step))
+        add_envelope(scene, results, *envelope, pipe, c, unit.factor, series_colour(i), plot);
     group.plots.push_back(std::move(plot));
   }
   return group;
@@ -152,12 +180,16 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
     for (const Station &station : frame->line)
       for (unsigned int c = 0; c < 6; ++c)
         largest[c / 3](station.force[c]);
+  for (const StepEnvelope &envelope : results.envelopes)
+    for (const auto *const values : {&envelope.least, &envelope.largest})
+      for (std::size_t k = 0; k < values->size(); ++k)
+        largest[k % 6 / 3]((*values)[k]);
   const std::array<double, 2> largest_of_all{{largest[0].value(), largest[1].value()}};
 
   std::vector<Group> groups;
   const auto pipes = pipes_to_show(scene, frames, largest_of_all);
   for (const unsigned int pipe : pipes)
-    groups.push_back(pipe_charts(scene, frames, pipe, largest_of_all));
+    groups.push_back(pipe_charts(scene, results, frames, pipe, largest_of_all));
   const std::size_t n_pipe_groups = groups.size();
   const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
                                      [](const LoadStep &step) { return step.transient; });
@@ -197,6 +229,10 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
     target += drawn.problem.empty() ? "</div>\n" : "";
   }
 
+  if (!results.envelopes.empty())
+    charts.section_forces += html_note("Solid: at the end of each step. Dashed: the least and the "
+                                       "largest over all instants of a transient step; "
+                                       "envelope.csv has them with their instants.");
   if (charts.section_forces.empty() && !pipes.empty())
     charts.section_forces = html_note("All section forces are zero.");
   if (pipes.size() < scene.pipes.size())

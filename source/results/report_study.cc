@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/results/csv_writer.h>
+#include <frictionbeam/results/envelope_tables.h>
 #include <frictionbeam/results/html.h>
 #include <frictionbeam/results/output_file.h>
 #include <frictionbeam/results/report_study.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace frictionbeam {
@@ -32,60 +34,104 @@ std::vector<std::size_t> largest_first(const std::vector<double> &weight) {
 
 std::string restraint_summary(const Scene &scene, const Results &results) {
   struct Row {
-    std::string name, kind, step;
-    double force = 0., normal = 0., friction = 0., moment = 0.;
+    std::string name, kind, step, when;
+    double force = 0., normal = 0., friction = 0., moment = 0., impulse = 0., impact = 0.;
+    bool is_struck = false;
+    void set(const double size, const std::string &in_step, const std::string &instant) {
+      force = size;
+      step = in_step;
+      when = instant;
+    }
   };
   std::vector<Row> all;
   for (const SupportInfo &info : results.supports)
-    all.push_back({info.name, info.kind, ""});
+    all.push_back({info.name, info.kind, "", ""});
   for (const RestraintInfo &info : results.restraints)
-    all.push_back({info.name, info.kind, ""});
+    all.push_back({info.name, info.kind, "", ""});
+  const auto set_support = [](Row &row, const SupportState &state) {
+    row.normal = state.fn;
+    row.friction = friction_force(state);
+  };
+  const auto set_restraint = [](Row &row, const Motion &f) {
+    row.moment = std::hypot(f[3], f[4], f[5]);
+  };
+  const std::size_t n_supports = results.supports.size();
   for (const Frame &frame : results.frames) {
     if (!frame.end_of_step)
       continue;
+    const StepEnvelope *const envelope = results.envelope_of(frame.step);
     for (std::size_t i = 0; i < all.size(); ++i) {
       Row &row = all[i];
-      const bool support = i < results.supports.size();
-      const std::size_t r = i - results.supports.size();
-      const double force = support ? size_of(frame.supports[i]) : size_of(frame.reactions[r]);
-      if (force <= row.force && !row.step.empty())
-        continue;
-      row.force = force;
-      row.step = step_name(scene, frame);
-      if (support) {
-        row.normal = frame.supports[i].fn;
-        row.friction = friction_force(frame.supports[i]);
-      } else {
-        const Motion &f = frame.reactions[r];
-        row.moment = std::hypot(f[3], f[4], f[5]);
+      const bool support = i < n_supports;
+      const std::size_t r = i - n_supports;
+      Extremes force; // of a transient step
+      if (envelope != nullptr)
+        force = support ? envelope->supports[i].force : envelope->restraints[r].force;
+      const double size = force.is_known() ? force.largest
+                          : support        ? size_of(frame.supports[i])
+                                           : size_of(frame.reactions[r]);
+      if (envelope != nullptr && support && envelope->supports[i].n_impacts > 0) {
+        row.is_struck = true;
+        row.impulse += envelope->supports[i].impulse;
+        row.impact = std::max(row.impact, envelope->supports[i].impact.largest);
       }
+      if (size <= row.force && !row.step.empty())
+        continue;
+      row.set(size, step_name(scene, frame),
+              force.is_known() ? rounded_number(force.largest_at, 5) : "end");
+      if (support)
+        set_support(row, force.is_known() ? envelope->supports[i].at_largest : frame.supports[i]);
+      else
+        set_restraint(row,
+                      force.is_known() ? envelope->restraints[r].at_largest : frame.reactions[r]);
     }
   }
   std::vector<double> weight;
   for (const Row &row : all)
     weight.push_back(row.force);
-  std::vector<std::string> names, kinds, steps;
-  std::vector<double> force, normal, friction, moment;
+  std::vector<std::string> names, kinds, steps, when, notes;
+  std::vector<double> force, normal, friction, moment, impulse, impact;
+  bool any_struck = false;
   for (const std::size_t i : largest_first(weight)) {
     names.push_back(all[i].name);
     kinds.push_back(all[i].kind);
     steps.push_back(all[i].step);
+    when.push_back(all[i].when);
     force.push_back(all[i].force);
     normal.push_back(all[i].normal);
     friction.push_back(all[i].friction);
     moment.push_back(all[i].moment);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    impulse.push_back(all[i].is_struck ? all[i].impulse : none);
+    impact.push_back(all[i].is_struck ? all[i].impact : none);
+    notes.push_back(
+        all[i].is_struck ? "rigid, impact: no peak force; give a stiffness or see impulse" : "");
+    any_struck = any_struck || all[i].is_struck;
   }
-  return HtmlTable(results.units)
-             .text("support", names)
-             .text("kind", kinds)
-             .numbers("largest force", "N", force)
-             .numbers("fn", "N", normal)
-             .numbers("friction", "N", friction)
-             .numbers("moment", "N m", moment)
-             .text("in step", steps)
-             .str() +
-         html_note("The largest force of each support over all steps, and the step that it comes "
-                   "from; the worst line is the first.");
+  HtmlTable table(results.units);
+  table.text("support", names)
+      .text("kind", kinds)
+      .numbers("largest force", "N", force)
+      .numbers("fn", "N", normal)
+      .numbers("friction", "N", friction)
+      .numbers("moment", "N m", moment)
+      .text("in step", steps);
+  std::string note = "The largest force of each support over all steps, and the step that it comes "
+                     "from; the worst line is the first.";
+  if (!results.envelopes.empty()) {
+    table.right("at time [s]", when);
+    note += " Of static steps their ends count, of transient ones every time step; fn, friction "
+            "and moment are those of that instant.";
+  }
+  if (any_struck) {
+    table.numbers("impulse", "N s", impulse)
+        .numbers("largest impact", "N s", impact)
+        .text("note", notes);
+    note += " The force of a rigid support does not exist at the instant in which it is struck: "
+            "the table has its force at all other instants, its impulse over the transient steps "
+            "and the largest impulse of one impact. Give it a stiffness for a force.";
+  }
+  return table.str() + html_note(note);
 }
 
 std::string displacement_tables(const Scene &scene, const Results &results,
@@ -114,7 +160,13 @@ std::string displacement_tables(const Scene &scene, const Results &results,
     table.text("point", names);
     for (unsigned int c = 0; c < 6; ++c)
       table.numbers(titles[c], c < 3 ? "m" : "rad", motions[c], largest[c / 3]);
-    panels.emplace_back(step_name(scene, *frame), table.str());
+    const StepEnvelope *const envelope = results.envelope_of(frame->step);
+    panels.emplace_back(step_name(scene, *frame),
+                        (envelope != nullptr ? "<h3>Over the step</h3>\n" +
+                                                   displacement_envelope_table(results, *envelope) +
+                                                   "<h3>At its end</h3>\n"
+                                             : "") +
+                            table.str());
   }
   return html_tabs("displacements-of", panels) +
          html_note("Of the named points, in global axes; line.csv has every station.");
@@ -128,6 +180,13 @@ std::vector<double> largest_forces(const Results &results) {
     for (std::size_t i = 0; i < frame.reactions.size(); ++i)
       largest[results.supports.size() + i] =
           std::max(largest[results.supports.size() + i], size_of(frame.reactions[i]));
+  }
+  for (const StepEnvelope &envelope : results.envelopes) {
+    for (std::size_t i = 0; i < envelope.supports.size(); ++i)
+      largest[i] = std::max(largest[i], envelope.supports[i].force.largest);
+    for (std::size_t i = 0; i < envelope.restraints.size(); ++i)
+      largest[results.supports.size() + i] =
+          std::max(largest[results.supports.size() + i], envelope.restraints[i].force.largest);
   }
   return largest;
 }
@@ -160,8 +219,10 @@ std::string friction_study_section(const Results &results) {
                   most.empty() ? 0. : most.front());
   }
   return table.numbers("worst", "N", most).right("at \u00d7", which).str() +
-         html_note("Largest force of each support over all steps, with all friction coefficients "
-                   "multiplied. Each run's own results are in the folders friction_*.");
+         html_note(
+             "Largest force of each support over all steps (of transient steps at any of "
+             "their instants, blows on rigid supports left out), with all friction "
+             "coefficients multiplied. Each run's own results are in the folders friction_*.");
 }
 
 void write_friction_study(const Results &results, const std::string &folder) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/envelope_tables.h>
 #include <frictionbeam/results/html.h>
 #include <frictionbeam/results/marker.h>
 #include <frictionbeam/results/report_tables.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace frictionbeam {
@@ -47,6 +49,17 @@ std::pair<std::string, double> largest_displacement(const Scene &scene, const Fr
     }
   }
   return {where, largest};
+}
+
+/// Where and when a node has moved most in a transient step.
+std::string place_and_instant(const Scene &scene, const StepEnvelope &envelope) {
+  const StationPlace &place = envelope.displaced_most;
+  return scene.pipes.empty()
+             ? dash
+             : scene.pipes[place.pipe].name +
+                   ", s = " + rounded_number(place.s / scene.units.factor("m")) + " " +
+                   scene.units.name("m") +
+                   ", t = " + rounded_number(envelope.displacement.largest_at) + " s";
 }
 
 /// Places of the rows to show: all, or those with the largest weights, in their order.
@@ -100,22 +113,22 @@ std::string support_table(const Results &results, const Frame &frame) {
     status.push_back(status_cell(state.status));
     ratio.push_back(state.fn > 0. ? fixed_number(friction_force(state) / state.fn, 3) : dash);
   }
-  return HtmlTable(results.units)
-             .text("support", names)
-             .text("kind", kinds)
-             .html("status", status)
-             .numbers("fn", "N", column([](const SupportState &s) { return s.fn; }), force.value())
-             .numbers("ft1", "N", column([](const SupportState &s) { return s.ft1; }),
-                      force.value())
-             .numbers("ft2", "N", column([](const SupportState &s) { return s.ft2; }),
-                      force.value())
-             .right("|ft| / fn", ratio)
-             .numbers("gap", "m", column([](const SupportState &s) { return s.gap; }),
-                      length.value())
-             .numbers("slip1", "m", column([](const SupportState &s) { return s.slip1; }),
-                      length.value())
-             .numbers("slip2", "m", column([](const SupportState &s) { return s.slip2; }),
-                      length.value())
+  const bool any_moment = std::any_of(frame.supports.begin(), frame.supports.end(),
+                                      [](const SupportState &state) { return state.mt != 0.; });
+  HtmlTable table(results.units);
+  table.text("support", names)
+      .text("kind", kinds)
+      .html("status", status)
+      .numbers("fn", "N", column([](const SupportState &s) { return s.fn; }), force.value())
+      .numbers("ft1", "N", column([](const SupportState &s) { return s.ft1; }), force.value())
+      .numbers("ft2", "N", column([](const SupportState &s) { return s.ft2; }), force.value())
+      .right("|ft| / fn", ratio)
+      .numbers("gap", "m", column([](const SupportState &s) { return s.gap; }), length.value())
+      .numbers("slip1", "m", column([](const SupportState &s) { return s.slip1; }), length.value())
+      .numbers("slip2", "m", column([](const SupportState &s) { return s.slip2; }), length.value());
+  if (any_moment)
+    table.numbers("mt", "N m", column([](const SupportState &s) { return s.mt; }));
+  return table
              .numbers("friction work", "J",
                       column([](const SupportState &s) { return s.work_friction; }))
              .str() +
@@ -152,12 +165,21 @@ std::string reaction_table(const Results &results, const Frame &frame) {
   return table.str() + left_out(rows.size(), frame.reactions.size(), "restraints", "reactions.csv");
 }
 
-template <typename MakeTable>
-std::string tabs(const std::string &id, const Scene &scene,
-                 const std::vector<const Frame *> &frames, const MakeTable &make_table) {
+/// A tab for each frame; of a transient step its envelope first.
+template <typename MakeTable, typename MakeEnvelope>
+std::string tabs(const std::string &id, const Scene &scene, const Results &results,
+                 const std::vector<const Frame *> &frames, const MakeTable &make_table,
+                 const MakeEnvelope &make_envelope) {
   std::vector<std::pair<std::string, std::string>> panels;
-  for (const Frame *frame : frames)
-    panels.emplace_back(step_name(scene, *frame), make_table(*frame));
+  for (const Frame *frame : frames) {
+    const StepEnvelope *const envelope = results.envelope_of(frame->step);
+    panels.emplace_back(step_name(scene, *frame),
+                        (envelope != nullptr
+                             ? "<h3>Over the step</h3>\n" + make_envelope(results, *envelope) +
+                                   "<h3>At its end</h3>\n"
+                             : "") +
+                            make_table(*frame));
+  }
   return html_tabs(id, panels);
 }
 
@@ -191,8 +213,22 @@ std::string step_table(const Scene &scene, const Results &results,
   const std::array<ContactStatus, 4> statuses{
       {ContactStatus::stick, ContactStatus::slip, ContactStatus::open, ContactStatus::closed}};
   std::array<std::vector<std::string>, 4> counts;
+  bool any_envelope = false;
   for (const Frame *frame : frames) {
-    names.push_back(step_name(scene, *frame) +
+    const StepEnvelope *const envelope = results.envelope_of(frame->step);
+    if (envelope != nullptr) {
+      any_envelope = true;
+      names.push_back(step_name(scene, *frame) + ", largest");
+      loads.push_back(load_list(scene, scene.steps[frame->step]));
+      where.push_back(place_and_instant(scene, *envelope));
+      displacement.push_back(envelope->displacement.largest);
+      for (auto &count : counts)
+        count.push_back(dash);
+      normal.push_back(envelope->sum_normal.largest);
+      friction.push_back(envelope->sum_friction.largest);
+      work.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+    names.push_back(step_name(scene, *frame) + (envelope != nullptr ? ", end" : "") +
                     (is_finished(results, *frame) ? "" : " (not finished)"));
     loads.push_back(load_list(scene, scene.steps[frame->step]));
     const auto [place, size] = largest_displacement(scene, *frame);
@@ -220,7 +256,7 @@ std::string step_table(const Scene &scene, const Results &results,
       .text("at", where);
   for (unsigned int s = 0; s < 4; ++s)
     if (std::any_of(counts[s].begin(), counts[s].end(),
-                    [](const std::string &count) { return count != "0"; }))
+                    [](const std::string &count) { return count != "0" && count != dash; }))
       table.right(status_word(statuses[s]), counts[s]);
   return table.numbers("\u03a3 fn", "N", normal)
              .numbers("\u03a3 |ft|", "N", friction)
@@ -229,13 +265,19 @@ std::string step_table(const Scene &scene, const Results &results,
          html_note(
              "At the end of each step: its loads, the largest displacement of the line and where "
              "it is, the number of supports in each state, and sums over the supports of normal "
-             "force, friction force and friction work so far.");
+             "force, friction force and friction work so far." +
+             std::string(any_envelope
+                             ? " Of transient steps also the largest over all instants, of the "
+                               "displacement of nodes and of the sums."
+                             : ""));
 }
 
 std::string support_tables(const Scene &scene, const Results &results,
                            const std::vector<const Frame *> &frames) {
-  return tabs("supports-of", scene, frames,
-              [&](const Frame &frame) { return support_table(results, frame); }) +
+  return tabs(
+             "supports-of", scene, results, frames,
+             [&](const Frame &frame) { return support_table(results, frame); },
+             &support_envelope_table) +
          html_note(
              "Forces are those of the support on the pipe, fn positive in compression, ft1 and "
              "ft2 in the sliding plane. |ft| / fn is the friction that is used; a sticking "
@@ -245,8 +287,10 @@ std::string support_tables(const Scene &scene, const Results &results,
 
 std::string reaction_tables(const Scene &scene, const Results &results,
                             const std::vector<const Frame *> &frames) {
-  return tabs("reactions-of", scene, frames,
-              [&](const Frame &frame) { return reaction_table(results, frame); }) +
+  return tabs(
+             "reactions-of", scene, results, frames,
+             [&](const Frame &frame) { return reaction_table(results, frame); },
+             &reaction_envelope_table) +
          html_note("Forces and moments on the pipe in global axes, z up.");
 }
 
@@ -268,6 +312,17 @@ std::string energy_table(const Results &results) {
                          joule(energy.dissipated), joule(energy.damping), joule(energy.impact),
                          joule(energy.gaps), joule(energy.left_over()), joule(energy.at_hand),
                          joule(energy.missed_friction)})
+             .str();
+}
+
+std::string known_table(const Results &results) {
+  const HowWellKnown &known = results.known;
+  return "<h3>How well known</h3>\n" +
+         HtmlTable()
+             .text("displacements", {"load increments", "time step", "cells"})
+             .right("error",
+                    {in_words(known.increments), in_words(known.time_step), in_words(known.cells)})
+             .text("", {known.increments.reason, known.time_step.reason, known.cells.reason})
              .str();
 }
 
@@ -311,7 +366,7 @@ std::string solver_tables(const Results &results) {
   const auto seconds = [](const double value) { return rounded_number(value, 3) + " s"; };
   text += "<div class=\"columns\">\n<div><h3>Certificate</h3>\n" +
           HtmlTable().text("check", checks).text("", meanings).right("worst", values).str() +
-          energy_table(results) + "</div>\n<div><h3>Cost</h3>\n" +
+          energy_table(results) + known_table(results) + "</div>\n<div><h3>Cost</h3>\n" +
           HtmlTable()
               .text("time", {"all", "mesh", "setup", "solution"})
               .right("", {seconds(cost.wall_seconds), seconds(cost.mesh_seconds),

@@ -74,23 +74,19 @@ public:
     return {equal ? out_of_plane : std::max(1., 0.75 * out_of_plane + 0.25), out_of_plane};
   }
 
-  double sustained(const StressPoint &point, const StressForces &forces) const override {
+  Formula sustained(const StressPoint &point) const override {
     // Indices: 0.75 i but not below 1 for bending, 1 for axial force and torsion (320.2).
     const Factors i = intensification(point);
-    const double in_plane = std::max(1., 0.75 * i.in_plane),
-                 out_of_plane = std::max(1., 0.75 * i.out_of_plane);
     StressPoint corroded = point;
     corroded.wall -= point.corrosion;
     const double D = point.diameter, d = D - 2. * corroded.wall;
-    const double pressure = forces.pressure * d * d / (D * D - d * d);
-    return combine(corroded, forces.axial / area(corroded) + pressure, in_plane * forces.in_plane,
-                   out_of_plane * forces.out_of_plane, forces.torsion, i.in_plane);
+    return combination(corroded, std::max(1., 0.75 * i.in_plane),
+                       std::max(1., 0.75 * i.out_of_plane), i.in_plane, d * d / (D * D - d * d));
   }
 
-  double expansion_range(const StressPoint &point, const StressForces &range) const override {
+  Formula expansion_range(const StressPoint &point) const override {
     const Factors i = intensification(point);
-    return combine(point, range.axial / area(point), i.in_plane * range.in_plane,
-                   i.out_of_plane * range.out_of_plane, range.torsion, i.in_plane);
+    return combination(point, i.in_plane, i.out_of_plane, i.in_plane, 0.);
   }
 
   double allowed_sustained(const StressPoint &point) const override { return point.allowable_hot; }
@@ -117,16 +113,23 @@ private:
   }
 
   /// sqrt((|Sa| + Sb)^2 + (2 St)^2); a branch's bending has the effective modulus pi r^2 T.
-  static double combine(const StressPoint &point, const double axial, const double in_plane,
-                        const double out_of_plane, const double torsion, const double i_in) {
-    const double Z = modulus(point);
+  /// @param in_plane, out_of_plane indices @param i_in that makes the effective modulus
+  /// @param thrust axial stress per pressure
+  static Formula combination(const StressPoint &point, const double in_plane,
+                             const double out_of_plane, const double i_in, const double thrust) {
+    const double Z = modulus(point), A = area(point);
     double bending = Z;
     if (point.part == StressPoint::Part::branch_of_tee) {
       const double r = (point.diameter - point.wall) / 2.;
       bending = numbers::PI * r * r * std::min(point.run_wall, i_in * point.wall);
     }
-    const double Sb = std::hypot(in_plane, out_of_plane) / bending, St = torsion / (2. * Z);
-    return std::hypot(std::abs(axial) + Sb, 2. * St);
+    return [=](const StressForces &forces) {
+      const double Mi = in_plane * forces.in_plane, Mo = out_of_plane * forces.out_of_plane,
+                   Sb = std::sqrt(Mi * Mi + Mo * Mo) / bending,
+                   normal = std::abs(forces.axial / A + thrust * forces.pressure) + Sb,
+                   shear = forces.torsion / Z; // 2 St
+      return std::sqrt(normal * normal + shear * shear);
+    };
   }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/results/stress_code.h>
+#include "stress_evaluation.h"
+
 #include <frictionbeam/results/stresses.h>
 #include <frictionbeam/results/text.h>
 
@@ -9,121 +10,6 @@
 namespace frictionbeam {
 
 namespace {
-
-/// Where tees stand: the vertex' position, the normal of their plane, run and branch.
-struct TeeSite {
-  const Tee *tee;
-  Point3 position;
-  Vector3 normal;
-  unsigned int branch, run;
-};
-
-Vector3 tangent_at(const LineMesh &mesh, const unsigned int pipe, const unsigned int vertex) {
-  const MeshedPipe &meshed = mesh.pipes[pipe];
-  const auto found = std::find(meshed.vertices.begin(), meshed.vertices.end(), vertex);
-  const unsigned int i = found - meshed.vertices.begin();
-  return meshed.tangent(mesh.vertices, i > 0 ? i - 1 : 0, i > 0);
-}
-
-std::vector<TeeSite> find_tees(const Scene &scene, const LineMesh &mesh) {
-  std::vector<TeeSite> sites;
-  for (const Tee &tee : scene.tees) {
-    const unsigned int vertex = mesh.points.at(tee.point);
-    TeeSite site{&tee, mesh.vertices[vertex], Vector3(), 0, 0};
-    std::optional<unsigned int> run;
-    for (unsigned int p = 0; p < scene.pipes.size(); ++p) {
-      const auto &vertices = mesh.pipes[p].vertices;
-      if (scene.pipes[p].name == tee.branch)
-        site.branch = p;
-      else if (!run && std::count(vertices.begin(), vertices.end(), vertex) > 0)
-        run = p;
-    }
-    site.run = run.value_or(site.branch);
-    const Vector3 normal =
-        cross_product_3d(tangent_at(mesh, site.run, vertex), tangent_at(mesh, site.branch, vertex));
-    if (normal.norm() > 1e-6)
-      site.normal = normal / normal.norm();
-    sites.push_back(site);
-  }
-  return sites;
-}
-
-class StressEvaluation {
-public:
-  StressEvaluation(const Scene &scene, const LineMesh &mesh, const Results &results)
-      : scene(scene), results(results), code(make_stress_code(scene.stress.code)),
-        tees(find_tees(scene, mesh)) {}
-
-  const Frame *frame_of(const std::string &step) const {
-    const Frame *found = nullptr;
-    for (const Frame &frame : results.frames)
-      if (frame.end_of_step && step_name(scene, frame) == step)
-        found = &frame;
-    return found;
-  }
-
-  StressPoint point(const Station &station) const {
-    const Pipe &pipe = scene.pipes[station.pipe];
-    const Material &material = scene.materials[pipe.material];
-    Section section = scene.sections[pipe.section];
-    if (pipe.end_section)
-      section = between(section, scene.sections[*pipe.end_section], station.part);
-    StressPoint point;
-    point.diameter = 2. * section.outer_radius;
-    point.wall = section.wall;
-    point.corrosion = section.corrosion;
-    point.youngs_modulus = material.youngs_modulus;
-    point.stiffening_pressure = pipe.bend_flexibility.pressure;
-    point.allowable_cold = material.allowable_cold;
-    point.allowable_hot = material.allowable_hot;
-    if (station.bend_radius > 0.) {
-      point.part = StressPoint::Part::bend;
-      point.bend_radius = station.bend_radius;
-    }
-    if (const TeeSite *const site = tee_at(station)) {
-      const Section &run = scene.sections[scene.pipes[site->run].section];
-      point.part = station.pipe == site->branch ? StressPoint::Part::branch_of_tee
-                                                : StressPoint::Part::run_of_tee;
-      point.tee = site->tee->kind;
-      point.pad = site->tee->pad;
-      point.crotch_radius = site->tee->crotch_radius;
-      point.run_diameter = 2. * run.outer_radius;
-      point.run_wall = run.wall;
-    }
-    return point;
-  }
-
-  /// @param force N, Vy, Vz, Mx, My, Mz
-  StressForces forces(const Station &station, const Motion &force, const double pressure) const {
-    StressForces result;
-    result.axial = force[0];
-    result.torsion = force[3];
-    result.pressure = pressure;
-    Vector3 normal = station.bend_axis;
-    if (const TeeSite *const site = tee_at(station))
-      normal = site->normal;
-    const Vector3 moment = force[4] * station.y + force[5] * station.z;
-    result.in_plane = moment * normal;
-    result.out_of_plane =
-        std::sqrt(std::max(0., moment.norm_square() - result.in_plane * result.in_plane));
-    return result;
-  }
-
-  const Scene &scene;
-  const Results &results;
-  const std::unique_ptr<const StressCode> code;
-
-private:
-  const TeeSite *tee_at(const Station &station) const {
-    if (station.node)
-      for (const TeeSite &site : tees)
-        if (site.position.distance(station.position) < 1e-9 * (1. + station.position.norm()))
-          return &site;
-    return nullptr;
-  }
-
-  const std::vector<TeeSite> tees;
-};
 
 /// Factors of every station, for who asks.
 void add_factors(const StressEvaluation &evaluation, StressCase &result) {
@@ -166,6 +52,68 @@ double pressure_in(const Scene &scene, const std::string &step, const unsigned i
   return largest;
 }
 
+namespace {
+
+using Formulas = StressCode::Formula (StressCode::*)(const StressPoint &) const;
+
+/// The stresses of a case whose forces are known at one instant, or within bounds: the code's
+/// stresses are convex in the forces, so that none between the bounds is larger than that at one
+/// of their corners.
+class StressOfCase {
+public:
+  StressOfCase(const StressEvaluation &evaluation, const Frame &frame) : evaluation(evaluation) {
+    least = largest = &frame;
+    for (const CombinationRange &range : evaluation.results.combination_ranges)
+      if (range.step == frame.step) {
+        least = &range.least;
+        largest = &range.largest;
+      }
+  }
+
+  /// @param before forces that the case's count from, or null
+  double operator()(const unsigned int i, const StressPoint &point, const double pressure,
+                    const Formulas formula, const Motion *const before) const {
+    const Station &station = least->line[i];
+    const StressEvaluation::Axes axes = evaluation.axes(station, pressure);
+    const StressCode::Formula stress = ((*evaluation.code).*formula)(point);
+    double result = 0.;
+    const unsigned int n_corners = least == largest ? 1 : 16;
+    for (unsigned int corner = 0; corner < n_corners; ++corner) {
+      Motion force = station.force;
+      const std::array<unsigned int, 4> varies{{0, 3, 4, 5}}; // shears make no stress
+      for (unsigned int k = 0; k < 4; ++k)
+        if ((corner >> k & 1) != 0)
+          force[varies[k]] = largest->line[i].force[varies[k]];
+      if (before != nullptr)
+        for (unsigned int c = 0; c < 6; ++c)
+          force[c] -= (*before)[c];
+      result = std::max(result, stress(axes.forces(force.data())));
+    }
+    return result;
+  }
+
+private:
+  const StressEvaluation &evaluation;
+  const Frame *least, *largest;
+};
+
+/// The largest stresses over a transient step; false if there are none.
+bool take_envelope(const Results &results, const Frame &frame, const std::string &from,
+                   StressCase &result) {
+  const StepEnvelope *const envelope = results.envelope_of(frame.step);
+  if (envelope == nullptr)
+    return false;
+  for (const StressEnvelope &one : envelope->stresses)
+    if (one.from == from && one.stress.size() == frame.line.size()) {
+      result.stress = one.stress;
+      result.time = one.time;
+      return true;
+    }
+  return false;
+}
+
+} // namespace
+
 std::vector<StressCase>
 evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &results,
                   const std::function<double(const std::string &, const unsigned int)> &pressure) {
@@ -182,10 +130,14 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
     result.name = result.step = step;
     result.kind = occasional ? "occasional" : "sustained";
     result.frame = *frame;
-    for (const Station &station : frame->line) {
+    const bool is_known = take_envelope(results, *frame, "", result);
+    const StressOfCase stress_of(evaluation, *frame);
+    for (unsigned int i = 0; i < frame->line.size(); ++i) {
+      const Station &station = frame->line[i];
       const StressPoint point = evaluation.point(station);
-      result.stress.push_back(code.sustained(
-          point, evaluation.forces(station, station.force, pressure(step, station.pipe))));
+      if (!is_known)
+        result.stress.push_back(
+            stress_of(i, point, pressure(step, station.pipe), &StressCode::sustained, nullptr));
       result.allowed.push_back(occasional ? code.allowed_occasional(point, scene.stress)
                                           : code.allowed_sustained(point));
     }
@@ -207,16 +159,16 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
     result.step = to;
     result.kind = "expansion";
     result.frame = *after;
+    const bool is_known = take_envelope(results, *after, from, result);
+    const StressOfCase stress_of(evaluation, *after);
     for (unsigned int i = 0; i < after->line.size(); ++i) {
-      const Station &station = after->line[i];
-      Motion range = station.force;
-      for (unsigned int c = 0; c < 6; ++c)
-        range[c] -= before->line[i].force[c];
-      const StressPoint point = evaluation.point(station);
+      const StressPoint point = evaluation.point(after->line[i]);
       double sustained = 0.;
       for (std::size_t s = 0; s < n_sustained; ++s)
         sustained = std::max(sustained, cases[s].stress[i]);
-      result.stress.push_back(code.expansion_range(point, evaluation.forces(station, range, 0.)));
+      if (!is_known)
+        result.stress.push_back(
+            stress_of(i, point, 0., &StressCode::expansion_range, &before->line[i].force));
       result.allowed.push_back(code.allowed_range(point, scene.stress, sustained));
     }
     find_worst(result);
@@ -253,21 +205,49 @@ std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &
   return largest;
 }
 
+std::vector<std::pair<unsigned int, unsigned int>> nozzle_sites(const Scene &scene,
+                                                                const Results &results) {
+  std::vector<std::pair<unsigned int, unsigned int>> sites;
+  for (unsigned int n = 0; n < scene.nozzles.size(); ++n)
+    for (unsigned int i = 0; i < results.restraints.size(); ++i) {
+      const std::string &name = results.restraints[i].name, &support = scene.nozzles[n].support;
+      if (name == support || name.substr(0, name.rfind('.')) == support)
+        sites.emplace_back(n, i);
+    }
+  return sites;
+}
+
+double utilization(const NozzleLimit &nozzle, const Motion &force) {
+  double result = 0.;
+  for (unsigned int c = 0; c < 6; ++c)
+    if (nozzle.allowed[c] > 0.)
+      result = std::max(result, std::abs(force[c]) / nozzle.allowed[c]);
+  return result;
+}
+
 std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &results) {
   std::vector<NozzleUse> uses;
-  for (const NozzleLimit &nozzle : scene.nozzles)
+  const auto sites = nozzle_sites(scene, results);
+  for (unsigned int n = 0; n < scene.nozzles.size(); ++n)
     for (const Frame &frame : results.frames) {
-      if (!frame.end_of_step)
-        continue;
-      for (unsigned int i = 0; i < results.restraints.size(); ++i) {
-        const std::string &name = results.restraints[i].name;
-        if (name != nozzle.support && name.substr(0, name.rfind('.')) != nozzle.support)
+      const StepEnvelope *const envelope = results.envelope_of(frame.step);
+      for (unsigned int k = 0; frame.end_of_step && k < sites.size(); ++k) {
+        if (sites[k].first != n)
           continue;
-        NozzleUse use{nozzle.name,        name,           step_name(scene, frame),
-                      frame.reactions[i], nozzle.allowed, 0.};
-        for (unsigned int c = 0; c < 6; ++c)
-          if (nozzle.allowed[c] > 0.)
-            use.utilization = std::max(use.utilization, std::abs(use.force[c]) / nozzle.allowed[c]);
+        const NozzleLimit &nozzle = scene.nozzles[n];
+        const unsigned int i = sites[k].second;
+        NozzleUse use{nozzle.name,
+                      results.restraints[i].name,
+                      step_name(scene, frame),
+                      frame.reactions[i],
+                      nozzle.allowed,
+                      0.,
+                      {}};
+        if (envelope != nullptr) {
+          use.force = envelope->nozzles[k].force;
+          use.time = envelope->nozzles[k].time;
+        }
+        use.utilization = utilization(nozzle, use.force);
         uses.push_back(use);
       }
     }

@@ -154,6 +154,61 @@ std::string reduction_text(const ReductionAccount &account) {
       .str();
 }
 
+/// The worst of each stress case and of each nozzle limit, and the largest forces of transient
+/// steps, each with its instant: null where it is the end of a step.
+void add_envelopes(const Scene &scene, const Results &results, List &stresses, List &nozzles,
+                   List &envelopes) {
+  for (const StressCase &one : results.stresses)
+    if (!one.stress.empty())
+      stresses.add(
+          List('{', '}')
+              .add("case", one.name)
+              .add("kind", one.kind)
+              .add("pipe", scene.pipes[one.frame.line[one.worst].pipe].name)
+              .add("s", one.frame.line[one.worst].s)
+              .add("stress", one.stress[one.worst])
+              .add("allowed", one.allowed[one.worst])
+              .add("utilization", one.stress[one.worst] / one.allowed[one.worst])
+              .add("time", one.time.empty() ? std::optional<double>() : one.time[one.worst])
+              .str());
+  for (const NozzleUse &one : results.nozzles)
+    nozzles.add(List('{', '}')
+                    .add("limit", one.name)
+                    .add("support", one.support)
+                    .add("step", one.step)
+                    .add("utilization", one.utilization)
+                    .add("time", one.time)
+                    .str());
+  for (const StepEnvelope &envelope : results.envelopes) {
+    List supports('[', ']'), restraints('[', ']');
+    for (std::size_t i = 0; i < envelope.supports.size(); ++i) {
+      const SupportEnvelope &support = envelope.supports[i];
+      supports.add(List('{', '}')
+                       .add("support", results.supports[i].name)
+                       .add("force", support.force.largest)
+                       .add("time", support.force.largest_at)
+                       .add("impulse", support.impulse)
+                       .add("impacts", support.n_impacts)
+                       .str());
+    }
+    for (std::size_t i = 0; i < envelope.restraints.size(); ++i)
+      restraints.add(List('{', '}')
+                         .add("restraint", results.restraints[i].name)
+                         .add("force", envelope.restraints[i].force.largest)
+                         .add("time", envelope.restraints[i].force.largest_at)
+                         .str());
+    envelopes.add(List('{', '}')
+                      .add("step", scene.steps[envelope.step].name)
+                      .add("instants", envelope.n_instants)
+                      .add("line_instants", envelope.n_line_instants)
+                      .add("displacement", envelope.displacement.largest)
+                      .add("time", envelope.displacement.largest_at)
+                      .add_list("supports", supports)
+                      .add_list("restraints", restraints)
+                      .str());
+  }
+}
+
 } // namespace
 
 std::string program_version() { return FRICTIONBEAM_VERSION; }
@@ -188,6 +243,18 @@ void write_summary(const Scene &scene, const Results &results, const std::string
         .add("at_hand", results.energy->at_hand)
         .add("missed_friction", results.energy->missed_friction)
         .add("imbalance", results.energy->imbalance());
+
+  List known('{', '}', "  "), reasons('{', '}', "    ");
+  for (const auto &[name, one] : {std::make_pair("increments", &results.known.increments),
+                                  std::make_pair("time_step", &results.known.time_step),
+                                  std::make_pair("cells", &results.known.cells)}) {
+    if (one->error)
+      known.add(name, *one->error);
+    else
+      known.add(name, std::string("not estimated"));
+    reasons.add(name, one->reason);
+  }
+  known.add_list("reasons", reasons);
 
   const Cost &cost = results.cost;
   List costs('{', '}', "  ");
@@ -237,9 +304,18 @@ void write_summary(const Scene &scene, const Results &results, const std::string
   member("certificate", certificate.str());
   if (results.energy)
     member("energy", energy.str());
+  member("known", known.str());
   member("cost", costs.str());
   if (results.accuracy)
     member("accuracy", accuracy_text(*results.accuracy));
+  List stresses('[', ']', "  "), nozzles('[', ']', "  "), envelopes('[', ']', "  ");
+  add_envelopes(scene, results, stresses, nozzles, envelopes);
+  if (!results.stresses.empty())
+    member("stresses", stresses.str());
+  if (!results.nozzles.empty())
+    member("nozzles", nozzles.str());
+  if (!results.envelopes.empty())
+    member("envelopes", envelopes.str());
   member("method", json(results.method));
   member("integrator", json(results.integrator));
   member("steps", steps.str());

@@ -47,6 +47,7 @@ double support_value(const SupportState &support, const std::string &what) {
          : what == "gap"   ? support.gap
          : what == "slip1" ? support.slip1
          : what == "slip2" ? support.slip2
+         : what == "mt"    ? support.mt
          : what == "wear"  ? support.wear
          : what == "work"  ? support.work_friction
                            : support.impulse;

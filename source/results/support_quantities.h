@@ -5,7 +5,8 @@
 
 namespace frictionbeam {
 
-/// What a quantity asks of one support: fn, ft1, ft2, gap, slip1, slip2, work, wear, impulse.
+/// What a quantity asks of one support: fn, ft1, ft2, gap, slip1, slip2, work, wear,
+/// impulse, mt.
 double support_value(const SupportState &support, const std::string &what);
 
 /**

@@ -173,6 +173,7 @@ Frame in_units(const UnitSystem &units, const Frame &frame) {
     for (double *value : {&support.gap, &support.slip1, &support.slip2})
       *value *= length;
     support.work_friction *= force * length;
+    support.mt *= force * length;
   }
   for (Motion &reaction : shown.reactions)
     scale(reaction, force, force * length);

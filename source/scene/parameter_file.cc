@@ -72,7 +72,8 @@ bool to_number(const std::string &text, double &value) {
     return false;
   char *end = nullptr;
   value = std::strtod(text.c_str(), &end);
-  return *end == '\0' && std::isfinite(value);
+  constexpr double largest = 1e30; // of what physics knows, in any unit
+  return *end == '\0' && std::abs(value) <= largest;
 }
 
 std::string nearest(const std::string &name, const std::vector<std::string> &candidates) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/scene/parameter_reader.h>
+#include <frictionbeam/scene/physical_bounds.h>
 #include <frictionbeam/scene/user_error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace frictionbeam {
@@ -23,6 +25,14 @@ std::string range(const double minimum, const double maximum) {
   return "a number " + from + " and <= " + to_text(maximum);
 }
 
+/// Where an entry has no bounds of its own, those of physics.
+std::string range_with_physics(const double minimum, const double maximum,
+                               const std::string &si_unit) {
+  const double largest = physical_bounds(si_unit).largest;
+  return range(minimum <= -unbounded ? -largest : minimum,
+               maximum >= unbounded ? largest : maximum);
+}
+
 bool same_value(const std::string &a, const std::string &b) {
   double x, y;
   return a == b || (to_number(a, x) && to_number(b, y) && x == y);
@@ -37,9 +47,8 @@ bool keeps_references(const std::string &heading, const std::string &name) {
           heading != "Continuum") || // how the way is cut, not where it leads
          (heading == "Slab" &&       // of its line
           (name == "Elements" || name == "Poisson squeeze" || name == "Shear lag")) ||
-         (heading.empty() &&
-          (name == "Title" || name == "Model" || name == "Accuracy" || name == "Monitors" ||
-           name == "Law libraries"));
+         (heading.empty() && (name == "Title" || name == "Model" || name == "Accuracy" ||
+                              name == "Monitors" || name == "Law libraries"));
 }
 
 } // namespace
@@ -68,14 +77,15 @@ void ParameterReader::enter(const std::string &new_heading) {
 
 void ParameterReader::declare(const std::string &name, const std::string &default_value,
                               const dealii::Patterns::PatternBase &pattern, const std::string &unit,
-                              const std::string &allowed, const std::string &meaning) {
+                              const std::string &allowed, const std::string &meaning,
+                              const std::string &documented) {
   declared[heading].push_back(
       {name, allowed + (unit.empty() || unit == "-" ? "" : " [" + unit + "]"), unit});
   if (!heading.empty())
     handler.enter_subsection(heading);
   handler.declare_entry(name, default_value, pattern,
-                        (unit.empty() ? "" : "[" + unit + "] ") + meaning + " Allowed: " + allowed +
-                            ".");
+                        (unit.empty() ? "" : "[" + unit + "] ") + meaning +
+                            " Allowed: " + (documented.empty() ? allowed : documented) + ".");
   if (!heading.empty())
     handler.leave_subsection();
 }
@@ -84,13 +94,17 @@ void ParameterReader::declare_number(const std::string &name, const double defau
                                      const std::string &unit, const double minimum,
                                      const double maximum, const std::string &meaning) {
   declare(name, to_text(default_value), dealii::Patterns::Double(minimum, maximum), unit,
-          range(minimum, maximum), meaning);
+          range(minimum, maximum), meaning, range_with_physics(minimum, maximum, unit));
+  declared[heading].back().is_number = true;
+  declared[heading].back().is_positive = minimum == positive;
 }
 
 void ParameterReader::declare_count(const std::string &name, const int default_value,
-                                    const int minimum, const std::string &meaning) {
-  declare(name, std::to_string(default_value), dealii::Patterns::Integer(minimum), "-",
-          "a whole number >= " + std::to_string(minimum), meaning);
+                                    const int minimum, const std::string &meaning,
+                                    const int maximum) {
+  declare(name, std::to_string(default_value), dealii::Patterns::Integer(minimum, maximum), "-",
+          "a whole number >= " + std::to_string(minimum) + " and <= " + std::to_string(maximum),
+          meaning);
 }
 
 void ParameterReader::declare_flag(const std::string &name, const bool default_value,
@@ -144,6 +158,9 @@ void ParameterReader::take() {
     if (!fits)
       fail(entry.name, declared[heading][known - names.begin()].allowed,
            "another value; frictionbeam --print-parameters says what it means");
+    const Declared &declaration = declared[heading][known - names.begin()];
+    if (declaration.is_number)
+      in_bounds(entry.name, number(entry.name), declaration.unit, declaration.is_positive);
     if (entry.is_override && !keeps_references(heading, entry.name) &&
         !same_value(before, entry.value))
       has_changed = true;
@@ -209,6 +226,19 @@ std::vector<double> ParameterReader::numbers(const std::string &name) const {
   return result;
 }
 
+double ParameterReader::in_bounds(const std::string &entry, const double si_value,
+                                  const std::string &si_unit, const bool is_positive) const {
+  const PhysicalBounds bounds = physical_bounds(si_unit);
+  const double least = is_positive ? bounds.smallest : 0.; // rounding may leave any small number
+  if (std::abs(si_value) >= least && std::abs(si_value) <= bounds.largest)
+    return si_value;
+  const double factor = units.factor(si_unit);
+  fail(entry,
+       "numbers of a size that physics knows, " + to_text(least / factor) + " to " +
+           to_text(bounds.largest / factor) + " [" + units.name(si_unit) + "]",
+       "another number, or other Units");
+}
+
 dealii::Tensor<1, 3> ParameterReader::vector(const std::string &name,
                                              const std::string &si_unit) const {
   const std::vector<double> values = numbers(name);
@@ -216,7 +246,7 @@ dealii::Tensor<1, 3> ParameterReader::vector(const std::string &name,
     fail(name, "three numbers x y z", "a vector such as '0 0 1'");
   dealii::Tensor<1, 3> result;
   for (unsigned int d = 0; d < 3; ++d)
-    result[d] = values[d] * si(name, si_unit);
+    result[d] = in_bounds(name, values[d] * si(name, si_unit), si_unit);
   return result;
 }
 

@@ -16,7 +16,7 @@ double parse_stiffness(const ParameterReader &in, const std::string &entry,
     return Joint::rigid;
   if (!to_number(text, value) || value <= 0.)
     in.fail(entry, "rigid, or a number > 0 [" + unit + "]", "rigid");
-  return value * in.si(unit);
+  return in.in_bounds(entry, value * in.si(unit), unit);
 }
 
 std::string parse_point_on(const ParameterReader &in, const Scene &scene) {
@@ -130,8 +130,8 @@ void parse_tee(const ParameterReader &in, const std::string &name, Scene &scene)
     const std::vector<double> values = in.numbers("Flexibility");
     if (values.size() != 2 || values[0] <= 0. || values[1] <= 0.)
       in.fail("Flexibility", "rigid, code, or two numbers > 0 [N m/rad]", "code");
-    joint.in_plane = values[0] * in.si("N m/rad");
-    joint.out_of_plane = values[1] * in.si("N m/rad");
+    joint.in_plane = in.in_bounds("Flexibility", values[0] * in.si("N m/rad"), "N m/rad");
+    joint.out_of_plane = in.in_bounds("Flexibility", values[1] * in.si("N m/rad"), "N m/rad");
   }
   scene.joints.push_back(joint);
 }
@@ -221,7 +221,8 @@ void parse_nozzle(const ParameterReader &in, const std::string &name, Scene &sce
     in.fail("Allowed", "six numbers >= 0, at least one of them > 0",
             "'10000 10000 10000 8000 8000 8000'");
   for (unsigned int i = 0; i < 6; ++i)
-    nozzle.allowed[i] = values[i] * in.si(i < 3 ? "N" : "N m");
+    nozzle.allowed[i] =
+        in.in_bounds("Allowed", values[i] * in.si(i < 3 ? "N" : "N m"), i < 3 ? "N" : "N m");
   scene.nozzles.push_back(nozzle);
 }
 

@@ -4,7 +4,7 @@
 namespace frictionbeam::parts {
 
 void declare_continuum(ParameterReader &in) {
-  in.declare_count("Degree", 3, 1, "Of the elements' polynomials, per direction.");
+  in.declare_count("Degree", 3, 1, "Of the elements' polynomials, per direction.", 10);
   in.declare_count("Cells", 2, 1,
                    "Of the first mesh across the height of a generated body; about square.");
   in.declare_number("Tolerance", 1e-3, "-", positive, 1.,
@@ -15,8 +15,9 @@ void declare_continuum(ParameterReader &in) {
                     "slip zones; uniform: all; none: the first mesh only.");
   in.declare_number("Fraction", 0.8, "-", positive, 1.,
                     "Of the squared error estimate that the cells to be refined hold together.");
-  in.declare_count("Max refinements", 20, 0, "Of the first mesh.");
-  in.declare_count("Max unknowns", 200000, 1, "A mesh that has more is not refined any further.");
+  in.declare_count("Max refinements", 20, 0, "Of the first mesh.", 100);
+  in.declare_count("Max unknowns", 200000, 1, "A mesh that has more is not refined any further.",
+                   100000000);
   in.declare_choice(
       "Linear solver", "auto", {"auto", "direct", "amg"},
       "direct: factorization (with mpirun: Amesos KLU, which works on one process); "
@@ -24,7 +25,7 @@ void declare_continuum(ParameterReader &in) {
       "unknowns in 2D and 15,000 in 3D and without mpirun, else amg.");
   in.declare_count("Increments", 1, 1,
                    "Of each step. Friction depends on the path: 1 applies a step's loads at once.");
-  in.declare_count("Dimension", 2, 2, "Of a generated slab: 2, or 3 with its width.");
+  in.declare_count("Dimension", 2, 2, "Of a generated slab: 2, or 3 with its width.", 3);
 }
 
 void parse_continuum(const ParameterReader &in, Scene &scene) {

@@ -17,9 +17,13 @@ void declare_load(ParameterReader &in) {
   in.declare_text("Acceleration", "0 0 -9.81", "x y z [m/s2]",
                   "Of weight; of the ground for ground acceleration.");
   in.declare_text("History", "", time_function_form,
-                  "Factor on the load, of the run's time; 0 before a table's beginning, its last "
-                  "value after its end. In a static step it multiplies the load, which goes evenly "
-                  "from its value before the step to that of the step. Empty: 1.");
+                  "Factor on the load; 0 before a table's beginning, its last value after its "
+                  "end. In a static step it multiplies the load, which goes evenly from its value "
+                  "before the step to that of the step. Empty: 1.");
+  in.declare_choice("History time", "step", {"step", "run"},
+                    "Where the time of History begins. step: with the step, or with the first of "
+                    "the steps, all transient or all static, that follow each other and name the "
+                    "load; run: with the run, of which a static step takes its Duration.");
   in.declare_number("Temperature", 20., "degC", -273.15, 1e300,
                     "Of operation; the pipe expands by its difference from 'Installation "
                     "temperature'.");
@@ -59,7 +63,8 @@ Load::AtPoint parse_force(const ParameterReader &in, const std::string &text, co
       in.fail("Forces", "a point and numbers", "a number in place of '" + words[i] + "'",
               "'" + text + "'");
     else
-      at.value[i - 1] *= in.si(i <= 3 ? "N" : "N m");
+      at.value[i - 1] = in.in_bounds("Forces", at.value[i - 1] * in.si(i <= 3 ? "N" : "N m"),
+                                     i <= 3 ? "N" : "N m");
   return at;
 }
 
@@ -79,7 +84,8 @@ Load::AtPoint parse_displacement(const ParameterReader &in, const std::string &t
       in.fail("Displacements", form, "another text than '" + words[i] + " " + words[i + 1] + "'",
               "'" + text + "'");
     at.given[motion] = true;
-    at.value[motion] *= motion >= 3 ? degree : in.si("m");
+    at.value[motion] =
+        in.in_bounds("Displacements", at.value[motion] * (motion >= 3 ? degree : in.si("m")), "m");
   }
   return at;
 }
@@ -115,6 +121,8 @@ void parse_load(const ParameterReader &in, const std::string &name,
   for (const std::string &pipe : load.pipes)
     in.find("Pipes", pipe, names(scene.pipes), "pipe");
   load.history = parse_time_function(in, "History", in.text("History"));
+  if (in.text("History time") == "run")
+    load.history.clock = TimeFunction::Clock::run;
   if (kind == "weight" || kind == "ground acceleration") {
     load.kind = Load::Kind::weight; // the inertia of what the ground carries along acts like one
     load.vector = in.vector("Acceleration", "m/s2");

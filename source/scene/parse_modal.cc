@@ -24,7 +24,7 @@ double Spectrum::at(const double frequency, const bool logarithmic) const {
 namespace parts {
 
 void declare_modes(ParameterReader &in) {
-  in.declare_count("Number", 0, 0, "Of modes, from the lowest frequency on; 0: none.");
+  in.declare_count("Number", 0, 0, "Of modes, from the lowest frequency on; 0: none.", 10000);
   in.declare_choice("Mass", "consistent", {"consistent", "lumped"},
                     "consistent: of the elements, with rotary inertia; lumped: half the mass of "
                     "each cell at either end, without rotary inertia.");
@@ -140,7 +140,8 @@ void declare_combination(ParameterReader &in) {
       "srss: square root of the sum of squares; absolute: sum of absolute values.");
   in.declare_text("Cases", "", "names of steps or combinations, each with a factor if not 1",
                   "What is combined, after the load sequence: 'hot, cold -1'. The result of the "
-                  "spectra is called 'spectrum'.");
+                  "spectra is called 'spectrum'. Of a transient step, the least and the largest "
+                  "value of each component over the step count.");
 }
 
 void parse_combination(const ParameterReader &in, const std::string &name, Scene &scene) {

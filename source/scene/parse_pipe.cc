@@ -101,7 +101,7 @@ RoutePoint parse_route_point(const ParameterReader &in, const std::string &text,
   if (words.size() >= 2 && words[words.size() - 2] == "bend") {
     if (!to_number(words.back(), point.bend_radius) || point.bend_radius <= 0.)
       fail_point(in, text, "bend R with a radius > 0 [m]", "bend 0.457");
-    point.bend_radius *= in.si("m");
+    point.bend_radius = in.in_bounds("Route", point.bend_radius * in.si("m"), "m");
     words.resize(words.size() - 2);
   }
   const bool relative = words.size() >= 4 && words[words.size() - 4] == "by";
@@ -128,7 +128,7 @@ RoutePoint parse_route_point(const ParameterReader &in, const std::string &text,
     if (!to_number(words[d], point.position[d]))
       fail_point(in, text, form, "a number in place of '" + words[d] + "'");
     else
-      point.position[d] *= in.si("m");
+      point.position[d] = in.in_bounds("Route", point.position[d] * in.si("m"), "m");
   if (relative) {
     if (pipe.route.empty())
       fail_point(in, text, "'by' from the second point on", "the first point's coordinates");

@@ -11,12 +11,13 @@ const std::vector<std::string>
     motions = {"ux", "uy", "uz", "rx", "ry", "rz", "vx", "vy", "vz", "wx", "wy", "wz"},
     reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
     section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"},
-    contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work", "wear", "impulse"},
+    contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work", "wear", "impulse", "mt"},
     changes = {"stick", "slip", "open", "closed"}, modal = {"frequency"},
     stresses = {"flexibility", "sif_in", "sif_out", "SL", "SE", "utilization"},
     of_motion = {"momentum_x",         "momentum_y",         "momentum_z", "angular_momentum_x",
                  "angular_momentum_y", "angular_momentum_z", "energy"},
-    sums = {"sum_normal", "sum_friction", "n_stick", "n_slip", "n_open", "slip_length", "max_error"},
+    sums = {"sum_normal", "sum_friction", "n_stick",  "n_slip",
+            "n_open",     "slip_length",  "max_error"},
     over = {"max", "min", "mean", "integral", "change", "rate", "time_of"};
 
 bool contains(const std::vector<std::string> &list, const std::string &item) {

@@ -19,6 +19,9 @@ void declare_mesh(ParameterReader &in) {
                     "straight pieces: cut into cells, as where 'Cells per bend' is given, and with "
                     "corotational Kinematics.");
   in.declare_count("Cells per bend", 8, 1, "Of straight pieces, in 90 degrees.");
+  in.declare_count("Most cells", 200000, 1,
+                   "A scene of more cells and supports would run for very long, and is refused.",
+                   100000000);
 }
 
 void parse_mesh(const ParameterReader &in, Scene &scene) {
@@ -33,8 +36,8 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
               "the path from " + fs::absolute(in.file().name()).parent_path().string());
   }
   scene.mesh.cell_length = in.number("Cell length");
-  scene.mesh.arcs = in.text("Bends") == "arcs" &&
-                    (scene.kinematics == Kinematics::linear || in.given("Bends"));
+  scene.mesh.arcs =
+      in.text("Bends") == "arcs" && (scene.kinematics == Kinematics::linear || in.given("Bends"));
   scene.mesh.cells_per_bend = in.count("Cells per bend");
 }
 
@@ -50,9 +53,9 @@ void declare_solver(ParameterReader &in) {
   in.declare_number(
       "Contact tolerance", 1e-8, "-", positive, 1.,
       "Of exact: how far the contact laws may be missed, each contact on its own scale.");
-  in.declare_count("Max iterations", 50, 1, "Of newton, in one increment.");
-  in.declare_count("Max elastic iterations", 10000, 1, "Of elastic, in one increment.");
-  in.declare_count("Max halvings", 10, 0, "How often an increment that fails may be halved.");
+  in.declare_count("Max iterations", 50, 1, "Of newton, in one increment.", 1000000000);
+  in.declare_count("Max elastic iterations", 10000, 1, "Of elastic, in one increment.", 1000000000);
+  in.declare_count("Max halvings", 10, 0, "How often an increment that fails may be halved.", 50);
 }
 
 void parse_solver(const ParameterReader &in, Scene &scene) {
@@ -60,8 +63,17 @@ void parse_solver(const ParameterReader &in, Scene &scene) {
   scene.solver.method = in.text("Method") == "elastic"  ? Method::elastic
                         : in.text("Method") == "newton" ? Method::newton
                                                         : Method::exact;
-  scene.solver.contact_tolerance = in.number("Contact tolerance");
-  scene.solver.tolerance = in.number("Tolerance");
+  // What rounding leaves of forces that cancel each other.
+  const auto tolerance = [&](const std::string &entry) {
+    constexpr double least = 1e-14;
+    const double value = in.number(entry);
+    if (value < least)
+      scene.remarks.push_back("Solver/" + entry + " = " + to_text(value) +
+                              " is below what rounding allows: " + to_text(least) + " is taken.");
+    return std::max(value, least);
+  };
+  scene.solver.contact_tolerance = tolerance("Contact tolerance");
+  scene.solver.tolerance = tolerance("Tolerance");
   scene.solver.max_iterations = in.count("Max iterations");
   scene.solver.max_elastic_iterations = in.count("Max elastic iterations");
   scene.solver.max_halvings = in.count("Max halvings");
@@ -79,6 +91,10 @@ void declare_time(ParameterReader &in) {
                     "Of the integrator; of event: between instants of output. 0: 0.7 of the time "
                     "that a wave along the pipe needs for the shortest cell; without pipes a "
                     "fortieth of the shortest period of a mass on its springs.");
+  in.declare_count("Most steps", 10000000, 1,
+                   "Steps shorter than what this number allows would run for very long, and are "
+                   "refused.",
+                   2000000000);
   in.declare_number("Tolerance", 0., "m", 0., 1e300,
                     "Error of displacements allowed in one step, which is then halved or doubled; "
                     "0: all steps are equal.");
@@ -150,7 +166,7 @@ void parse_exact(const ParameterReader &in, Scene &scene) {
 }
 
 void declare_output(ParameterReader &in) {
-  in.declare_count("Stations", 3, 0, "Between the two nodes of a cell, in line.csv.");
+  in.declare_count("Stations", 3, 0, "Between the two nodes of a cell, in line.csv.", 1000);
   in.declare_flag("Every increment", false,
                   "Write the state at every increment, not only at the ends of steps.");
   in.declare_flag("VTU", true, "Write files for ParaView.");
@@ -161,7 +177,7 @@ void declare_output(ParameterReader &in) {
   in.declare_number(
       "Checkpoint interval", 60., "s", 0., 1e300,
       "Of wall time, between two writings of checkpoint.bin, from which a run of a line "
-      "that was killed goes on with the option --resume; 0: none.");
+      "that was killed goes on with the option --resume; 0: at SIGINT and SIGTERM only.");
 }
 
 void parse_output(const ParameterReader &in, Scene &scene) {

@@ -14,7 +14,9 @@ Motion parse_motion(const ParameterReader &in, const std::string &entry, const b
     in.fail(entry, "three numbers, or six with the rotations", "'0 0 0'");
   Motion motion{};
   for (unsigned int i = 0; i < values.size(); ++i)
-    motion[i] = values[i] * in.si(entry, units[i / 3]) * (angles && i >= 3 ? degree : 1.);
+    motion[i] = in.in_bounds(
+        entry, values[i] * in.si(entry, units[i / 3]) * (angles && i >= 3 ? degree : 1.),
+        units[i / 3]);
   return motion;
 }
 

@@ -15,9 +15,9 @@ const std::vector<std::string> kinds = {"anchor", "restraint", "guide",    "line
 /// Friction coefficients in use for sliding pairs; a design takes its supplier's.
 const std::vector<std::pair<std::string, double>> pads = {
     {"steel", 0.3}, {"ptfe", 0.1}, {"graphite", 0.15}, {"concrete", 0.5}, {"roller", 0.03}};
-const std::vector<std::string> element_entries = {"Law",       "Normal",      "Length",
-                                                  "Rotations", "Torsion",     "Normal force",
-                                                  "Ground",    "Restitution", "Ground motion"};
+const std::vector<std::string> element_entries = {
+    "Law",          "Normal", "Length",      "Rotations",     "Torsion",
+    "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time"};
 
 bool is_restraint(const std::string &kind) { return kind == "anchor" || kind == "restraint"; }
 bool is_pair(const std::string &kind) {
@@ -87,10 +87,11 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text(
       "Normal", "0 0 1", "x y z [-], along, or across",
       "Direction from the ground into the pipe, of rest and friction; along the pipe or "
-      "across it (horizontal).");
+      "across it (horizontal). With Ground, and not given: from that point to the support.");
   in.declare_number("Length", 1., "m", positive, 1e300,
                     "Of the friction element. Rigidity over length is stiffness; with Rotations it "
-                    "is the lever arm as well.");
+                    "is the lever arm as well. Not given, it is 1 m in all units, and with Ground "
+                    "the distance to that point.");
   in.declare_choice("Rotations", "none", {"none", "averaged", "pipe"},
                     "Rotations of the pipe in the shear strain: none; averaged over the element "
                     "(moment T l/2 on the pipe); the pipe's own (T l: contact at its surface, with "
@@ -99,13 +100,18 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_number("Normal force", 0., "N", 0., 1e300,
                     "Of a platen that is pressed onto the pipe; 0: the ground stands still.");
   in.declare_text("Ground", "", "name of a point of another pipe",
-                  "What the support stands on; empty: the ground.");
+                  "What the support stands on; empty: the ground. What of the way there is across "
+                  "the normal, is a rigid arm of that pipe.");
   in.declare_number("Restitution", 0., "-", 0., 1.,
                     "Newton's coefficient of an impact on a rigid contact, in transient steps: "
                     "relative velocity after over the one before.");
   in.declare_text("Ground motion", "", "x; y; z, each " + std::string(time_function_form),
-                  "Displacement of the ground in global axes [m] at the run's time: a belt, one "
-                  "support's motion in an earthquake, a gap that changes. Empty: it stands still.");
+                  "Displacement of the ground in global axes [m]: a belt, one support's motion in "
+                  "an earthquake, a gap that changes. Empty: it stands still.");
+  in.declare_choice("Ground motion time", "step", {"step", "run"},
+                    "Where the time of Ground motion begins. step: with the step, or with the "
+                    "first of the steps, all transient or all static, that follow each other; run: "
+                    "with the run.");
   std::vector<std::string> pad_names = {"none"};
   for (const auto &pad : pads)
     pad_names.push_back(pad.first);
@@ -172,9 +178,12 @@ Placement parse_placement(const ParameterReader &in, const Scene &scene) {
   return placement;
 }
 
-/// Unit normal of rest and friction supports.
+/// Unit normal of rest and friction supports; zero for one that stands on a point, the way to which
+/// is its normal unless another one is given.
 Direction parse_normal(const ParameterReader &in) {
   Direction direction;
+  if (!in.text("Ground").empty() && !in.given("Normal") && in.text("Kind") != "rod")
+    return direction;
   const std::string text = in.text("Normal");
   if (text == "along" || text == "across") {
     direction.kind = text == "along" ? Direction::Kind::along : Direction::Kind::across;
@@ -260,6 +269,15 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     support.parameters.push_back(in.number(entry));
   check_closed_form(in, law, support.parameters);
   support.length = in.number("Length");
+  bool has_stiffness = false;
+  for (int i = 0; i < law.n_parameters; ++i)
+    has_stiffness = has_stiffness ||
+                    (std::string(law.parameters[i].name).find("rigidity") != std::string::npos &&
+                     support.parameters[i] > 0.);
+  if (has_stiffness && !in.given("Length") && in.text("Ground").empty() && !scene.units.is_si())
+    scene.remarks.push_back("Support " + name + ": its Length is not given and is 1 m, " +
+                            to_text(1. / scene.units.factor("m")) + " " + scene.units.name("m") +
+                            ". Its stiffness is the rigidity over that.");
   using Rotations = FrictionSupport::Rotations;
   const std::string rotations = in.text("Rotations");
   support.rotations = rotations == "pipe"       ? Rotations::pipe
@@ -268,6 +286,8 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
   support.torsion = in.flag("Torsion");
   support.normal_force = in.number("Normal force");
   support.ground = in.text("Ground");
+  if (!support.ground.empty() && !in.given("Length"))
+    support.length = 0.;
   if (!support.ground.empty()) {
     check_point(in, "Ground", support.ground, scene);
     const auto &points = support.placement.points;
@@ -282,8 +302,11 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     const std::vector<std::string> courses = split(motion, ';');
     if (courses.size() != 3)
       in.fail("Ground motion", "three courses in time, x; y; z", "'0.1*t; 0; 0'");
-    for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int d = 0; d < 3; ++d) {
       support.ground_motion[d] = parse_time_function(in, "Ground motion", courses[d]);
+      if (in.text("Ground motion time") == "run")
+        support.ground_motion[d].clock = TimeFunction::Clock::run;
+    }
     if (!support.ground.empty())
       in.fail("Ground motion", "either a ground that moves or one that is a pipe",
               "removing 'Ground'");

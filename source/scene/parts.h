@@ -92,9 +92,20 @@ void parse_monitors(const ParameterReader &in, Scene &scene);
 /// What does not go with Kinematics = corotational.
 void check_kinematics(const ParameterReader &in, const Scene &scene);
 
+/**
+ * Check the scene's histories against its steps, and say in its remarks which of them begin with a
+ * step that is not the first.
+ * @throws UserError if a step begins after a record, whose beginning would be lost, or if the
+ * ground would jump where its time begins again
+ */
+void check_histories(Scene &scene);
+
 /// Entries have names of the user's own: one is declared for each that the section has.
 void declare_quantities(ParameterReader &in);
 void parse_quantities(const ParameterReader &in, Scene &scene);
+
+/// After everything else: scenes that would run for hours are refused, unless that is allowed.
+void check_size(ParameterReader &in, const Scene &scene);
 
 /// Path of the file that an entry names. @throws UserError if there is none.
 std::string existing_file(const ParameterReader &in, const std::string &entry);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "continuum_parts.h"
 #include "generated.h"
+#include "history_corners.h"
 #include "parameter_notes.h"
 #include "parts.h"
 
@@ -313,6 +314,9 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   parts::check_model(in, scene);
   parts::parse_monitors(in, scene);
   parts::check_kinematics(in, scene);
+  parts::check_histories(scene);
+  parts::check_size(in, scene);
+  in.enter("");
   check_unique_names(in, scene);
   in.enter("Exact");
   parts::declare_exact(in);
@@ -325,6 +329,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     parts::parse_quantities(in, scene);
   if (scene.continuum && scene.model != ModelKind::line)
     parts::parse_continuum_quantities(in, scene);
+  find_corners(scene);
   return scene;
 }
 

@@ -312,7 +312,7 @@ private:
 } // namespace
 
 void declare_random(ParameterReader &in) {
-  in.declare_count("Seed", 1, 0, "Every seed is another line.");
+  in.declare_count("Seed", 1, 0, "Every seed is another line.", 2000000000);
   in.declare_number("Stiffness", 0., "N", 0., 1e300,
                     "Rigidity ES and GS of the friction elements, of length 1 m; 0: rigid. One in "
                     "ten is elastic in any case.");

@@ -47,6 +47,7 @@ TimeFunction from_table(const ParameterReader &in, const std::string &entry, con
     if (function.breaks.empty() || table[i].first > function.breaks.back())
       function.breaks.push_back(table[i].first);
   }
+  function.begins = table.front().first;
   const auto shared = std::make_shared<const Table>(table);
   function.course = [shared](const double time) { return interpolate(*shared, time); };
   return function;
@@ -89,22 +90,22 @@ double TimeFunction::operator()(const double time) const {
 
 namespace {
 
-/// The break that @p time is, to rounding, or NaN.
-double break_at(const std::vector<double> &breaks, const double time) {
-  const double reach = 1e-10 * std::abs(time) + 1e-15;
-  const auto found = std::lower_bound(breaks.begin(), breaks.end(), time - reach);
-  return found != breaks.end() && *found <= time + reach ? *found : std::nan("");
+/// The break that @p time is, to rounding and within @p reach, or NaN.
+double break_at(const std::vector<double> &breaks, const double time, const double reach) {
+  const double near = reach + 1e-10 * std::abs(time) + 1e-15;
+  const auto found = std::lower_bound(breaks.begin(), breaks.end(), time - near);
+  return found != breaks.end() && *found <= time + near ? *found : std::nan("");
 }
 
 } // namespace
 
-double TimeFunction::before(const double time) const {
-  const double at = break_at(breaks, time);
+double TimeFunction::before(const double time, const double reach) const {
+  const double at = break_at(breaks, time, reach);
   return (*this)(std::isnan(at) ? time : std::nextafter(at, -std::numeric_limits<double>::max()));
 }
 
-double TimeFunction::after(const double time) const {
-  const double at = break_at(breaks, time);
+double TimeFunction::after(const double time, const double reach) const {
+  const double at = break_at(breaks, time, reach);
   return (*this)(std::isnan(at) ? time : at);
 }
 

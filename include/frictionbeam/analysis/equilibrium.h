@@ -6,6 +6,7 @@
 #include <frictionbeam/analysis/uniqueness.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -22,6 +23,10 @@ struct EquilibriumProblem {
   /// right_hand_side - matrix (unknowns + low), where the caller knows it in a cheaper way. Of the
   /// right hand side nothing but its size is then asked.
   std::function<Vector(const Vector &unknowns, const Vector &low)> unbalanced = {};
+  /// Largest force of the load sequence so far, beside which rounding is rounding even where all
+  /// loads are taken off.
+  double force_so_far = 0.;
+  unsigned int most_iterations = std::numeric_limits<unsigned int>::max(); ///< give up after
 };
 
 struct EquilibriumResult {
@@ -31,6 +36,7 @@ struct EquilibriumResult {
   double residual = 0.;                ///< relative to the largest force
   std::optional<ContactCheck> check;   ///< of methods that solve exact contact laws
   bool no_equilibrium = false;         ///< proved: something slides or lifts off freely
+  bool rounding_bars = false;          ///< not converged, and no smaller increment would
   std::string remark;                  ///< why not converged
 };
 
@@ -75,7 +81,7 @@ Vector unbalanced_forces(const EquilibriumProblem &problem, const Vector &unknow
 /**
  * Residual forces of a problem, and when they count as zero: below the tolerance times the largest
  * force, or below the rounding error of the forces themselves where that is larger, but never above
- * 1e-8 of the largest force.
+ * 1e-8 of the largest force, of the sequence so far.
  */
 class Residual {
 public:
@@ -97,6 +103,8 @@ public:
   /// @param diagonal of the tangent, for the rounding error of A q
   double tolerance(const double relative, const Vector &diagonal, const Vector &unknowns,
                    const ContactResponse &response) const;
+  /// Of A q, by the same diagonal.
+  static double rounding(const Vector &diagonal, const Vector &unknowns);
 
 private:
   const EquilibriumProblem &problem;

@@ -6,10 +6,12 @@
 #include <frictionbeam/analysis/time_integrator.h>
 
 #include <functional>
+#include <limits>
 
 namespace frictionbeam {
 
 class CorotationalStatics;
+class FollowResolution;
 class TransientReduction;
 
 /**
@@ -40,6 +42,11 @@ public:
   /// its number counts these
   bool run(const Observer &observer, const Observer &each = {}, const Pause &pause = {},
            const NeedsLine &needs_line = {});
+
+  /// Have @p observer called with every smooth piece of transient steps, of integrators that have
+  /// them (TimeIntegrator::watch()), before the end of the piece is observed. To be called before
+  /// run().
+  void watch(const PieceObserver &observer) { piece_observer = observer; }
 
   /// Everything that the increments to come depend on. After reading, run() goes on from there, and
   /// its numbers are those of a run that was never cut, to the last bit.
@@ -75,13 +82,20 @@ private:
   /// Go to the declared factors and time given, in one static increment or in halves of it.
   bool advance(const Factors &from, const Factors &to, const double time,
                const unsigned int halvings);
+  /// An increment that takes no time, to what the loads are after a jump.
+  bool advance_to_other_side();
   bool solve_increment(const Factors &factors, const double time);
   bool solve_corotational_increment(const Factors &factors, const double time);
+  /// After a static increment: its account of energy, its slips, contacts that it tore off.
+  void judge_increment(const LineState &before, EnergyAccount account);
+  /// Forces that a state before the first static increment, or the motion before it, leaves
+  /// unbalanced; zero if it is in equilibrium.
+  Vector unbalanced_at_start() const;
+  /// Take the present forces into account for force_so_far.
+  void measure_forces(const Vector &loads);
   /// Of the sections Initial. @param displaced or velocities only
   void set_initial_motion(const bool displaced);
   void commit(const Factors &factors, const double time);
-  /// Instants at which a transient step is observed, ascending.
-  std::vector<double> instants(const double start, const double end) const;
   /// Go to @p time in time steps no longer than the one at present, which may change on the way.
   bool move_to(const double time, const std::function<void()> &after_each);
   /// One time step. @return whether it was taken; if not, a shorter one may be.
@@ -99,18 +113,27 @@ private:
   LineState current;
   std::vector<StepReport> step_reports;
   Observer each_increment;
+  PieceObserver piece_observer;
   Pause between_increments;
   Position position;
   bool is_resumed = false;
   NeedsLine observer_needs_line;
   std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for
 
+  std::unique_ptr<FollowResolution> resolution; ///< null on a reduced line
+  double force_so_far = 0.;    ///< largest load or contact force of the sequence [N]
+  bool in_equilibrium = false; ///< whether the present state is one of statics
+  unsigned int iterations_left = 0, halvings_left = 0; ///< of the declared increment
+
   // of the increment being solved
   Vector trial;
+  EquilibriumResult last_result;
   ContactResponse response;
   LineState next;
-  double time_step = 0., longest_step = 0.; ///< at present, and never more [s]
-  double last_error = 0.;                   ///< of the last time step [m]
+  double time_step = 0., longest_step = 0.;         ///< at present, and never more [s]
+  double last_error = 0.;                           ///< of the last time step [m]
+  LoadCourse::Side side = LoadCourse::Side::before; ///< of a jump at the end of an increment
+  double jump_met = std::numeric_limits<double>::quiet_NaN(); ///< time of the last one looked at
 };
 
 } // namespace frictionbeam

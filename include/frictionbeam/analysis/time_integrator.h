@@ -4,6 +4,7 @@
 #include <frictionbeam/analysis/energy_account.h>
 #include <frictionbeam/analysis/equilibrium.h>
 #include <frictionbeam/analysis/load_course.h>
+#include <frictionbeam/analysis/motion_piece.h>
 
 namespace frictionbeam {
 
@@ -33,10 +34,13 @@ public:
   virtual bool is_exact() const { return false; }
   /// What the user should know about the motion so far; empty if nothing.
   virtual std::string remark() const { return ""; }
+  /// What it may do wrong in this model, to be said once; empty if nothing is known.
+  virtual std::string warning() const { return ""; }
 };
 
-/// The integrator that Time/Integrator names.
-std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model);
+/// The integrator that Time/Integrator names. @param observer of smooth pieces, where it has them
+std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model,
+                                                     const PieceObserver &observer = {});
 
 /// Time/Step, or the one that the mesh gives if it is 0 [s].
 double time_step(const Model &model);

@@ -15,8 +15,8 @@ struct BeyondUniqueness {
 /**
  * Contacts with f >= K_tt/|K_tn|, where K = [K_nn K_tn; K_tn K_tt] is the stiffness of the line at
  * the contact, all other contacts held as they are: closed ones in their normal, sticking ones in
- * their plane, too; K_tt/|K_tn| is the least of all directions in the plane. For one contact the
- * limit is sharp (several equilibria exist above it); for many it is a warning.
+ * their plane, too; K_tt/|K_tn| is the least of all directions in the plane that are not held. For
+ * one contact the limit is sharp (several equilibria exist above it); for many it is a warning.
  *
  * One factorization and three solutions a contact: quadratic in the number of contacts.
  */

@@ -6,6 +6,9 @@
 
 #include <Eigen/SparseCore>
 
+#include <functional>
+#include <memory>
+
 namespace frictionbeam {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
@@ -86,14 +89,17 @@ public:
   void add_forces(const ContactResponse &response, Vector &forces) const;
   /// matrix += weight B^T D B; the pattern has the entries (add_pattern()).
   void add_tangent(const ContactResponse &response, SparseMatrix &matrix) const;
-  /// imposed += motion of the ground at @p time, on all degrees of freedom.
-  void add_ground_motion(const double time, Vector &imposed) const;
+  /// imposed += motion of the ground, on all degrees of freedom; @p value says that of a course.
+  void add_ground_motion(const std::function<double(const TimeFunction &)> &value,
+                         Vector &imposed) const;
   bool ground_moves() const { return !moving.empty(); }
 
   /// Forces of platens on the unknowns, present from the start.
   const Vector &platen_forces() const { return preload; }
   /// Add the positions at which platens are in equilibrium with a line at rest.
   void place_platens(Vector &unknowns) const;
+  /// Take other parameters for the law of contact @p i from here on.
+  void set_parameters(const unsigned int i, const std::vector<double> &parameters);
   /// The state at the start: no shear force at the displacements @p all_dofs.
   ContactState initial_state(const Vector &all_dofs) const;
 
@@ -102,6 +108,7 @@ private:
   unsigned int n_internal = 0;
   std::vector<std::pair<unsigned int, const TimeFunction *>> moving; ///< degrees of freedom
   Vector preload;
+  std::vector<std::shared_ptr<const std::vector<double>>> own_parameters; ///< not the scene's
   std::vector<std::pair<int, double>> platen_positions; ///< unknown, its value in equilibrium
 };
 

@@ -47,6 +47,7 @@ struct SupportCell {
   /// From the pipe to the ground, unit length: not from the vertices where the scene gives it, so
   /// that two elements face to face are opposite to the last digit.
   Vector3 axis;
+  double length = 0.; ///< of the friction element [m]
 };
 
 /**

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/analysis/motion_piece.h>
 #include <frictionbeam/results/frame_builder.h>
 
 #include <functional>
 
 namespace frictionbeam {
+
+class SmoothCourses;
 
 /**
  * Gathers results while the analysis runs: frames at the ends of steps and at output instants,
@@ -21,6 +24,12 @@ public:
   /// To be called after every increment of the analysis.
   void observe(const unsigned int step, const unsigned int increment,
                const unsigned int n_increments, const LineState &state);
+
+  /// To be called with every smooth piece of a motion, before its end is observed: extremes and
+  /// integrals over time are then exact.
+  void observe_piece(const MotionPiece &piece);
+  /// Whether anything that is asked for needs that.
+  bool wants_pieces() const;
 
   /// Whether observe() will look at more than contacts and the motion of the scene's points.
   bool needs_line(const unsigned int step, const unsigned int increment,
@@ -39,17 +48,25 @@ public:
 private:
   struct Pending {
     std::optional<double> value;
-    double previous = 0., since = 0.; ///< value before, and the time that it belongs to
-    double sum = 0., duration = 0.;   ///< integrals over time
+    double previous = 0., since = 0.;   ///< value before, and the time that it belongs to
+    double sum = 0., duration = 0.;     ///< integrals over time
     double at_start = 0., largest = 0.; ///< largest: by size
-    bool begun = false;
+    bool begun = false, struck = false; ///< struck: a rigid support whose force it is an extreme of
   };
 
   /// Follow a quantity over an interval of time.
   void follow(const Quantity &quantity, const LineState &state, Pending &pending);
+  /// The same from begin to end of a smooth piece.
+  void follow(const unsigned int quantity, const SmoothCourses &courses, const unsigned int number,
+              const MotionPiece &piece);
   void find_change(const Quantity &quantity, const LineState &state, Pending &pending) const;
 
+  /// Note for extremes of forces which rigid supports were struck.
+  void watch_impacts(const bool transient, const LineState &state);
+
   double evaluate(const Quantity &quantity, const LineState &state);
+  /// The same, where the absolute value is asked for without that.
+  double evaluate_signed(const Quantity &quantity, const LineState &state);
   /// The quantity in a frame alone, for cases that have no state of the line.
   double evaluate(const Quantity &quantity, const Frame &made) const;
   double section_force(const Quantity &quantity, const Frame &made,
@@ -68,6 +85,7 @@ private:
   Frame frame;
   bool frame_is_current = false, is_put_out = true;
   unsigned int current_step = 0, current_increment = 0;
+  std::vector<ContactStatus> previous_status; ///< of the contacts
   double previous_time = 0., last_output = 0., largest_error = 0.;
 };
 

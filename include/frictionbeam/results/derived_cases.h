@@ -30,7 +30,18 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
  */
 Frame spectrum_response(const Model &model, const ModalAnalysis &analysis);
 
-/// The frame of a combination of frames, component by component.
-Frame combine(const Combination &combination, const std::vector<const Frame *> &frames);
+/// What a combination takes from a case: of a static step or the spectrum the same frame twice, of
+/// a transient step the least and the largest value of each component over the step.
+struct CaseRange {
+  const Frame *least, *largest;
+};
+
+/// Make two frames the least and largest numbers of themselves and of a third one.
+void widen(Frame &least, Frame &largest, const Frame &frame);
+
+/// What a combination comes to, its cases at any of their instants: of each component the value of
+/// larger size, with its sign. @p range, if given: the least and the largest.
+Frame combine(const Combination &combination, const std::vector<CaseRange> &cases,
+              CombinationRange *const range = nullptr);
 
 } // namespace frictionbeam

@@ -20,6 +20,13 @@ public:
   /// Displacements and section forces along the pipes, supports, reactions.
   Frame make(const LineState &state);
 
+  /// Frame::line at rest: places and axes.
+  std::vector<Station> stations();
+
+  /// Frame::reactions alone, of linear kinematics, from the cells at the restraints. reaction()
+  /// then knows the vertices of restraints and imposed motions.
+  std::vector<Motion> reactions(const LineState &state);
+
   /// Motion of a named point in global axes.
   Motion motion(const LineState &state, const std::string &point) const;
 
@@ -41,7 +48,17 @@ public:
   std::array<double, 7> momentum_and_energy(const LineState &state) const;
 
 private:
+  /// A pipe cell at a restraint, or at a node that a load moves.
+  struct HeldCell {
+    std::array<unsigned int, 2> vertices{};
+    std::vector<dealii::types::global_dof_index> dofs;
+    PipeElement::Matrix12 stiffness, mass;
+    std::vector<std::pair<unsigned int, PipeElement::Vector12>> loads; ///< those that it carries
+  };
+
   void find_cells_at_restraints();
+  /// What holds each restraint, by the forces at the vertices.
+  std::vector<Motion> reactions_of_vertices(const LineState &state) const;
   void add_pipe(const LineState &state, const unsigned int pipe, std::vector<Station> &line);
   void add_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
   /// Forces M a + C v of a state in motion on the nodes of restraints, of imposed motions too.
@@ -62,9 +79,9 @@ private:
 
   const Model &model;
   const bool both_sides;
-  std::vector<bool> is_held;                     ///< vertices of restraints and imposed motions
-  std::vector<unsigned int> cells_at_restraints; ///< in Discretization::pipe_cells()
+  std::vector<bool> is_held; ///< vertices of restraints and imposed motions
   PipeElement element;
+  std::vector<HeldCell> held_cells;
   dealii::FEValues<1, 3> station_values;
   std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()
   std::vector<Motion> vertex_forces;    ///< what holds each vertex of the line

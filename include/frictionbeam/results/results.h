@@ -2,6 +2,8 @@
 #pragma once
 
 #include <frictionbeam/analysis/step_report.h>
+#include <frictionbeam/results/extremes.h>
+#include <frictionbeam/results/how_well_known.h>
 #include <frictionbeam/scene/scene.h>
 
 /**
@@ -29,6 +31,7 @@ struct SupportState {
   double work_friction = 0.;          ///< dissipated so far [J]
   double wear = 0.;    ///< integral of fn times the sliding velocity so far, transient steps [J]
   double impulse = 0.; ///< of fn so far, transient steps, impacts included [N s]
+  double mt = 0.;      ///< moment about the normal, of Torsion [N m]
 };
 
 /// A restraint or spring in place; its forces on the pipe in global axes are in Frame::reactions.
@@ -63,6 +66,69 @@ struct Frame {
   std::vector<Motion> reactions; ///< of RestraintInfo
 };
 
+/// What a friction element has met in a transient step.
+struct SupportEnvelope {
+  std::array<Extremes, 6> values; ///< fn, ft1, ft2, gap, slip1, slip2
+  Extremes force, friction;       ///< sizes
+  SupportState at_largest;        ///< when the force was largest
+  double impulse = 0.;            ///< of fn over the step, impacts included [N s]
+  /// Of a rigid contact: the impulses of the time steps in which it closed [N s]. A force that
+  /// belongs to such a time step is the impulse over its length, and left out above.
+  Extremes impact;
+  unsigned int n_impacts = 0;
+};
+
+/// What a restraint or spring has met in a transient step.
+struct RestraintEnvelope {
+  std::array<Extremes, 6> values;
+  Extremes force;      ///< its size
+  Motion at_largest{}; ///< when the force was largest
+};
+
+/// A stress at every station of a line, its largest in a transient step, by the formula of the
+/// stress code at each instant.
+struct StressEnvelope {
+  std::string from; ///< of an expansion range: the step before; empty: sustained or occasional
+  std::vector<double> stress, time; ///< [Pa, s]
+};
+
+/// The forces on a nozzle when it used most of what is allowed.
+struct NozzleEnvelope {
+  double utilization = -1., time = 0.;
+  Motion force{};
+};
+
+/// A station of StepEnvelope, also within a step where the line's frames leave it out.
+struct StationPlace {
+  unsigned int pipe = 0;
+  double s = 0.; ///< along the pipe [m]
+};
+
+/// Largest and smallest values over all time steps of a transient step, its start included.
+struct StepEnvelope {
+  unsigned int step = 0; ///< place in Scene::steps
+  double start = 0., end = 0.;
+  std::size_t n_instants = 0,
+              n_line_instants = 0;             ///< of a reduced line, the line is known at fewer
+  std::vector<SupportEnvelope> supports;       ///< beside Results::supports
+  std::vector<RestraintEnvelope> restraints;   ///< beside Results::restraints
+  std::vector<std::array<Extremes, 6>> points; ///< displacements, beside Results::points
+  Extremes sum_normal, sum_friction;           ///< over the supports
+  Extremes displacement;                       ///< size, of the line's nodes
+  StationPlace displaced_most;
+  /// N, Vy, Vz, Mx, My, Mz of each of Results::stations, six numbers each.
+  std::vector<double> least, largest, least_at, largest_at;
+  std::vector<StressEnvelope> stresses;
+  std::vector<NozzleEnvelope> nozzles; ///< in the order of nozzles, and of restraints for each
+  std::optional<Frame> least_frame, largest_frame; ///< by components, where combinations need them
+};
+
+/// The least and the largest that each component of a combination with a transient step can be.
+struct CombinationRange {
+  unsigned int step = 0; ///< of the combination's frame
+  Frame least, largest;
+};
+
 /// One eigenfrequency, and its shape with a largest displacement of 1.
 struct ModeResult {
   double frequency = 0.;                  ///< [Hz]
@@ -80,6 +146,7 @@ struct StressCase {
   std::vector<std::array<double, 3>> factors; ///< flexibility, intensification in and out of plane
   std::string step;                           ///< that it is of; of a range, the later one
   unsigned int worst = 0;                     ///< the station of largest stress over allowed
+  std::vector<double> time; ///< when each stress was met, of a transient step; empty: at the end
 };
 
 /// How much of the allowed loads of an anchor or nozzle one step uses.
@@ -88,6 +155,7 @@ struct NozzleUse {
   Motion force{};
   std::array<double, 6> allowed{};
   double utilization = 0.;
+  std::optional<double> time; ///< of the largest use in a transient step [s]; empty: at its end
 };
 
 /// Largest force of one support or restraint over all steps, for each multiplier of friction.
@@ -109,13 +177,17 @@ void transfer(Archive &archive, Vector3 &vector);
 void transfer(Archive &archive, Station &station);
 void transfer(Archive &archive, Frame &frame);
 void transfer(Archive &archive, History &history);
+void transfer(Archive &archive, StressEnvelope &envelope);
+void transfer(Archive &archive, StepEnvelope &envelope);
 
 struct QuantityResult {
   std::string name, unit, source;
   double value = 0.;
   std::optional<double> reference,
-      error; ///< error relative to the reference (absolute if that is 0)
+      error;         ///< error relative to the reference (absolute if that is 0)
   double whole = 0.; ///< of a change or rate: the largest of what changes; else 0
+  /// An extreme of a force that a rigid support has in an impact: there is no such number.
+  bool of_impact = false;
 };
 
 /// A line of the certificate: the worst of all increments.
@@ -161,7 +233,10 @@ struct Results {
   std::vector<SupportInfo> supports;
   std::vector<RestraintInfo> restraints;
   std::vector<std::pair<std::string, Point3>> points; ///< with a name, by name
-  std::vector<Frame> frames; ///< ends of steps, and output instants in between
+  std::vector<Frame> frames;           ///< ends of steps, and output instants in between
+  std::vector<StationPlace> stations;  ///< of the envelopes
+  std::vector<StepEnvelope> envelopes; ///< of transient steps
+  std::vector<CombinationRange> combination_ranges;
   std::vector<History> histories;
   std::vector<QuantityResult> quantities;
   std::vector<ModeResult> modes;
@@ -175,6 +250,7 @@ struct Results {
   std::vector<Check> certificate;
   std::optional<EnergyAccount> energy; ///< of all steps together
   std::vector<std::string> remarks;    ///< warnings to the user
+  HowWellKnown known;
   std::optional<AccuracyAccount> accuracy;
   std::string method;     ///< in plain words
   std::string integrator; ///< of transient steps, likewise; empty if there is none
@@ -184,6 +260,13 @@ struct Results {
 
   /// Fill certificate and energy from the steps.
   void certify(const Scene &scene);
+  /// The envelope of a step; null of static ones.
+  const StepEnvelope *envelope_of(const unsigned int step) const {
+    for (const StepEnvelope &envelope : envelopes)
+      if (envelope.step == step)
+        return &envelope;
+    return nullptr;
+  }
 };
 
 } // namespace frictionbeam

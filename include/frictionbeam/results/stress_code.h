@@ -3,6 +3,7 @@
 
 #include <frictionbeam/scene/scene.h>
 
+#include <functional>
 #include <memory>
 
 namespace frictionbeam {
@@ -44,10 +45,13 @@ public:
   };
   virtual Factors intensification(const StressPoint &point) const = 0;
 
-  /// Longitudinal stress of weight, pressure and what else is sustained or occasional [Pa].
-  virtual double sustained(const StressPoint &point, const StressForces &forces) const = 0;
-  /// Of the difference of the forces of two states [Pa].
-  virtual double expansion_range(const StressPoint &point, const StressForces &range) const = 0;
+  /// A stress at one place by the forces there [Pa], with all that the place decides worked out: to
+  /// be evaluated at every instant of a motion. Convex in the forces.
+  using Formula = std::function<double(const StressForces &)>;
+  /// Longitudinal stress of weight, pressure and what else is sustained or occasional.
+  virtual Formula sustained(const StressPoint &point) const = 0;
+  /// Of the difference of the forces of two states.
+  virtual Formula expansion_range(const StressPoint &point) const = 0;
 
   virtual double allowed_sustained(const StressPoint &point) const = 0;
   virtual double allowed_occasional(const StressPoint &point,

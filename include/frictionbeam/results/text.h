@@ -48,8 +48,8 @@ struct DisplayUnit {
   std::string name;
 };
 
-/// Unit in which to show a column or chart of numbers in @p si_unit (N, N m, m, rad, J, Pa; any other
-/// is left as it is) that are no larger than @p largest.
+/// Unit in which to show a column or chart of numbers in @p si_unit (N, N m, m, rad, J, Pa; any
+/// other is left as it is) that are no larger than @p largest.
 DisplayUnit display_unit(const std::string &si_unit, const double largest);
 /// The same, but in the units that the user has asked for, if these are not SI.
 DisplayUnit display_unit(const UnitSystem &units, const std::string &si_unit, const double largest);

@@ -33,7 +33,7 @@ public:
   void declare_number(const std::string &name, const double default_value, const std::string &unit,
                       const double minimum, const double maximum, const std::string &meaning);
   void declare_count(const std::string &name, const int default_value, const int minimum,
-                     const std::string &meaning);
+                     const std::string &meaning, const int maximum = 1000000);
   void declare_flag(const std::string &name, const bool default_value, const std::string &meaning);
   void declare_choice(const std::string &name, const std::string &default_value,
                       const std::vector<std::string> &choices, const std::string &meaning);
@@ -57,6 +57,9 @@ public:
   std::string text(const std::string &name) const;
   std::vector<std::string> list(const std::string &name) const; ///< between commas, no empty item
   std::vector<double> numbers(const std::string &name) const;   ///< between blanks, as written
+  /// @p si_value, which the entry has in it. @throws UserError if no model has such a number.
+  double in_bounds(const std::string &entry, const double si_value, const std::string &si_unit,
+                   const bool is_positive = false) const;
   /// Three numbers, in SI units where the file has them in its own for @p si_unit.
   dealii::Tensor<1, 3> vector(const std::string &name, const std::string &si_unit = "-") const;
   /// Of a number that a text has in it: how many of @p si_unit the file's unit is. Defaults are SI.
@@ -89,11 +92,13 @@ public:
 private:
   struct Declared {
     std::string name, allowed, unit;
+    bool is_number = false, is_positive = false;
   };
 
   void declare(const std::string &name, const std::string &default_value,
                const dealii::Patterns::PatternBase &pattern, const std::string &unit,
-               const std::string &allowed, const std::string &meaning);
+               const std::string &allowed, const std::string &meaning,
+               const std::string &documented = "");
   std::string where(const std::string &entry) const;
 
   ParameterFile parameter_file;

@@ -119,10 +119,10 @@ struct FrictionSupport {
 
   std::string name, kind; ///< kind as the user called it: rest, guide, ...
   Placement placement;
-  Direction normal; ///< from the ground into the pipe
+  Direction normal; ///< from the ground into the pipe; zero: from the point Ground to that of At
   std::string law;
   std::vector<double> parameters; ///< of the law, in its order; per metre for a continuous bed
-  double length = 1.;             ///< of the element [m]
+  double length = 1.;             ///< of the element [m]; 0: the distance to the point Ground
   double share = 1.;              ///< of a whole element that this is: scales its forces, stiffness
                                   ///< and normal_force
   Rotations rotations = Rotations::none;

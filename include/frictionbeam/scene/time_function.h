@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,19 +10,27 @@ namespace frictionbeam {
 
 /**
  * A number that depends on time: an expression in t or a table, linear between its instants. What
- * is not given is the constant 1.
+ * is not given is the constant 1. Its time counts from where HistoryOrigins says.
  */
 struct TimeFunction {
+  enum class Clock {
+    step, ///< from the beginning of the steps in which it acts
+    run   ///< from the beginning of the run
+  };
+
   std::string text;                           ///< as given; empty: the constant
   std::function<double(const double)> course; ///< null: the constant
   std::vector<double> breaks; ///< ascending instants at which it or its derivative may jump [s]
+  Clock clock = Clock::step;
+  /// First instant of a table, before which it is zero; an expression has none [s].
+  double begins = -std::numeric_limits<double>::infinity();
 
   bool is_given() const { return static_cast<bool>(course); }
   /// @throws UserError if the expression has no finite value then
   double operator()(const double time) const;
-  /// At a jump, to rounding, its value before or after it.
-  double before(const double time) const;
-  double after(const double time) const;
+  /// At a jump, to rounding and within @p reach, its value before or after it.
+  double before(const double time, const double reach = 0.) const;
+  double after(const double time, const double reach = 0.) const;
 };
 
 class ParameterReader;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/analysis/line_state.h>
+#include <frictionbeam/analysis/step_report.h>
+
+namespace frictionbeam {
+
+/// Whether a contact is rigid along its normal, so that an impact on it is an impulse.
+bool is_rigid_stop(const Contact &contact);
+
+/// Contacts that closed in an increment, given their status before it and its events.
+std::vector<unsigned int> closed_in(std::vector<ContactStatus> status,
+                                    const std::vector<ContactEvent> &events);
+
+/// Note in the report of a transient step how near contacts came to a change of state in a time
+/// step, and which rigid ones were struck.
+void watch_contacts(const Model &model, const LineState &before, const LineState &after,
+                    StepReport &report);
+
+} // namespace frictionbeam

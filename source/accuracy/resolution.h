@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/results/results.h>
+
+namespace frictionbeam::accuracy {
+
+/**
+ * The time step of the coarsest level [s]: a 64th of the shortest transient step, or so short that
+ * straight lines between the ends of steps follow every history and motion of the ground to a tenth
+ * of its range, so that no pulse is left out. Histories are looked at in 16,384 points of a step;
+ * steps end at the corners of tables in any case.
+ */
+double longest_time_step(const Scene &scene);
+
+/**
+ * A contact that, between two instants, may have changed its state without being seen: one that has
+ * kept it in two answers, the finer of which came nearer to the change than the two are apart.
+ * @return what nearly happened, in plain words; empty if there is none
+ */
+std::string nearly_missed(const Results &coarse, const Results &fine);
+
+} // namespace frictionbeam::accuracy

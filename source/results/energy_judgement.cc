@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/energy_judgement.h>
+
+#include <frictionbeam/results/text.h>
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+namespace {
+constexpr double worth_a_remark = 1e-6, not_converged = 1e-2;
+/// Part of the largest turnover of a step below which one is rounding of the others.
+constexpr double least_turnover = 1e-9;
+} // namespace
+
+void judge_energy(const Scene &scene, Results &results) {
+  if (scene.kinematics == Kinematics::corotational)
+    return;
+  double largest = 0.;
+  for (const StepReport &step : results.steps)
+    largest = std::max(largest, step.energy.turnover);
+  for (unsigned int i = 0; i < results.steps.size(); ++i) {
+    StepReport &step = results.steps[i];
+    const double turnover = std::max(step.energy.turnover, least_turnover * largest),
+                 left_over = std::abs(step.energy.left_over());
+    if (scene.steps[i].transient || !(left_over > worth_a_remark * turnover))
+      continue;
+    const std::string account = "the account of energy leaves over " +
+                                rounded_number(100. * left_over / turnover, 2) +
+                                " % of its turnover";
+    if (left_over <= not_converged * turnover) {
+      results.remarks.push_back("Step " + step.step + ": " + account +
+                                ": its numbers are known to about that.");
+      continue;
+    }
+    step.remark += (step.remark.empty() ? "" : "; ") + account;
+    step.converged = false;
+    if (results.status == RunStatus::converged)
+      results.status = RunStatus::failed;
+  }
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/csv_writer.h>
+#include <frictionbeam/results/envelope_tables.h>
+#include <frictionbeam/results/output_file.h>
+#include <frictionbeam/results/text.h>
+
+namespace frictionbeam {
+
+namespace {
+
+const std::array<const char *, 6> forces{{"fx", "fy", "fz", "mx", "my", "mz"}},
+    motions{{"ux", "uy", "uz", "rx", "ry", "rz"}},
+    section_forces{{"N", "Vy", "Vz", "Mx", "My", "Mz"}},
+    contact{{"fn", "ft1", "ft2", "gap", "slip1", "slip2"}};
+
+class Rows {
+public:
+  Rows(const UnitSystem &units, const std::string &step) : units(units), step(csv_field(step)) {}
+
+  void add(const std::string &part, const std::string &name, const std::string &s,
+           const std::string &what, const std::string &unit, const Extremes &values) {
+    if (!values.is_known())
+      return;
+    const double factor = units.factor(unit);
+    text += step + ',' + part + ',' + csv_field(name) + ',' + s + ',' + what + ',' +
+            exact_number(values.least / factor) + ',' + exact_number(values.least_at) + ',' +
+            exact_number(values.largest / factor) + ',' + exact_number(values.largest_at) + '\n';
+  }
+
+  std::string text;
+
+private:
+  const UnitSystem &units;
+  const std::string step;
+};
+
+} // namespace
+
+void write_envelopes(const Scene &scene, const Results &results, const std::string &folder) {
+  if (results.envelopes.empty())
+    return;
+  std::string text = "step,part,name,s,what,least,time_of_least,largest,time_of_largest\n";
+  for (const StepEnvelope &envelope : results.envelopes) {
+    Rows rows(results.units, scene.steps[envelope.step].name);
+    for (std::size_t i = 0; i < envelope.supports.size(); ++i) {
+      const SupportEnvelope &support = envelope.supports[i];
+      const std::string &name = results.supports[i].name;
+      for (unsigned int c = 0; c < 6; ++c)
+        rows.add("support", name, "", contact[c], c < 3 ? "N" : "m", support.values[c]);
+      rows.add("support", name, "", "force", "N", support.force);
+      rows.add("support", name, "", "friction", "N", support.friction);
+      rows.add("support", name, "", "impact", "N s", support.impact);
+    }
+    for (std::size_t i = 0; i < envelope.restraints.size(); ++i) {
+      for (unsigned int c = 0; c < 6; ++c)
+        rows.add("restraint", results.restraints[i].name, "", forces[c], c < 3 ? "N" : "N m",
+                 envelope.restraints[i].values[c]);
+      rows.add("restraint", results.restraints[i].name, "", "force", "N",
+               envelope.restraints[i].force);
+    }
+    for (std::size_t i = 0; i < envelope.points.size(); ++i)
+      for (unsigned int c = 0; c < 6; ++c)
+        rows.add("point", results.points[i].first, "", motions[c], c < 3 ? "m" : "rad",
+                 envelope.points[i][c]);
+    for (std::size_t i = 0; i < results.stations.size(); ++i) {
+      const StationPlace &place = results.stations[i];
+      const std::string s = exact_number(place.s / results.units.factor("m"));
+      for (unsigned int c = 0; c < 6; ++c) {
+        const std::size_t k = 6 * i + c;
+        rows.add(
+            "pipe", scene.pipes[place.pipe].name, s, section_forces[c], c < 3 ? "N" : "N m",
+            {envelope.least[k], envelope.largest[k], envelope.least_at[k], envelope.largest_at[k]});
+      }
+    }
+    text += rows.text;
+  }
+  write_file(folder + "/envelope.csv", text);
+}
+
+void add_envelope_remarks(const Scene &scene, Results &results) {
+  for (const StepEnvelope &envelope : results.envelopes) {
+    const std::string &step = scene.steps[envelope.step].name;
+    if (envelope.n_line_instants < envelope.n_instants)
+      results.remarks.push_back(
+          "Step " + step + " ran on few unknowns: supports and reactions are looked at in all " +
+          std::to_string(envelope.n_instants) + " instants, section forces and displacements in " +
+          std::to_string(envelope.n_line_instants) +
+          " of them, those of output. Their largest values may be missed; set Time/Output interval "
+          "= 0 to look at all.");
+    for (const auto &[from, to] : scene.stress.expansion)
+      if (from == step && !scene.stress.code.empty())
+        results.remarks.push_back("The stress range from " + from + " to " + to +
+                                  " counts from the end of the transient step " + from +
+                                  ", not from its other instants.");
+  }
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/how_well_known.h>
+
+#include <frictionbeam/results/text.h>
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double worth_a_remark = 0.05;
+/// Error of the displacements by how much slip has turned within increments, relative to the
+/// largest displacement: 0.35 to 0.43 on a node that goes along a tractrix, 0.4 to 0.9 on lines
+/// with rests in 1 to 8 increments a step, each against 64 or more (doc/accuracy.md).
+constexpr double error_by_turned_slip = 0.5;
+/// Changes of acceleration in a time step, of the acceleration, up to which the motion counts as
+/// followed: five steps in a radian.
+constexpr double most_change = 0.2;
+
+KnownError by_increments(const Scene &scene, const Results &results, const Resolution &all) {
+  std::size_t n_increments = 0;
+  for (unsigned int i = 0; i < results.steps.size(); ++i)
+    if (!scene.steps[i].transient)
+      n_increments += results.steps[i].increments;
+  if (n_increments == 0)
+    return {0., "there is no static increment"};
+  if (!all.slip_is_known)
+    return {{}, "a law does not say what of its motion is slip"};
+  if (n_increments == 1 && all.slip_from_rest > 0.)
+    return {{}, "friction slips in the only increment, and nothing shows on which way"};
+  if (all.slip_turned == 0.)
+    return {0., "no friction force has turned within an increment"};
+  return {error_by_turned_slip * all.slip_turned / all.largest_displacement,
+          "by how much friction forces turn while they slip within increments"};
+}
+
+KnownError by_time_step(const Scene &scene, const Results &results, const Resolution &all) {
+  bool transient = false, reduced = false, handed_over = false;
+  for (unsigned int i = 0; i < results.steps.size(); ++i) {
+    transient = transient || scene.steps[i].transient;
+    reduced = reduced || (results.steps[i].reduction && results.steps[i].reduction->is_reduced);
+    handed_over = handed_over || (scene.steps[i].transient && !results.steps[i].remark.empty());
+  }
+  if (!transient)
+    return {0., "there is no transient step"};
+  if (reduced)
+    return {{}, "the motion was followed on modes"};
+  if (all.exact_in_time && !handed_over)
+    return {0., "the integrator is exact"};
+  if (all.exact_in_time)
+    return {{}, "the integrator handed over a part of the motion"};
+  if (all.state_changes > 0)
+    return {{},
+            "contacts changed their state in " + std::to_string(all.state_changes) +
+                " time steps, which leaves an error of first order; Accuracy measures it"};
+  if (all.acceleration_changes > most_change * all.accelerations)
+    return {{}, "the fastest motions of the cells are not followed; Accuracy measures the rest"};
+  if (all.largest_displacement == 0.)
+    return {0., "nothing moves"};
+  return {all.local_errors / all.largest_displacement, "sum of the local errors of the time steps"};
+}
+
+bool has_bends(const Scene &scene) {
+  return std::any_of(scene.pipes.begin(), scene.pipes.end(), [](const Pipe &pipe) {
+    return std::any_of(pipe.route.begin(), pipe.route.end(),
+                       [](const RoutePoint &point) { return point.bend_radius > 0.; });
+  });
+}
+
+KnownError by_cells(const Scene &scene, const Results &results, const Resolution &all) {
+  if (std::any_of(scene.steps.begin(), scene.steps.begin() + results.steps.size(),
+                  [](const LoadStep &step) { return step.transient; }))
+    return {{}, "inertia is spread over cells; Accuracy measures it"};
+  if (scene.modal.n_modes > 0)
+    return {{}, "inertia is spread over cells"};
+  for (const Pipe &pipe : scene.pipes)
+    if (pipe.end_section)
+      return {{}, "the cells of a reducer have one section each"};
+    else if (pipe.bend_radius > 0. && !scene.mesh.arcs)
+      return {{}, "a bend of the mesh file is in straight cells"};
+  for (const FrictionSupport &support : scene.supports)
+    if (support.placement.continuous)
+      return {{}, "a bed carries at the nodes"};
+  constexpr double right_angle = 1.57079632679489662;
+  double angle = all.cell_turn;
+  if (has_bends(scene) && !scene.mesh.arcs)
+    angle = std::max(angle, right_angle / scene.mesh.cells_per_bend);
+  if (angle == 0.)
+    return {0., "the elements are exact"};
+  return {angle * angle / 12., "from the angle of a cell"};
+}
+
+} // namespace
+
+HowWellKnown how_well_known(const Scene &scene, const Results &results) {
+  Resolution all;
+  for (const StepReport &step : results.steps)
+    all.include(step.resolution);
+  return {by_increments(scene, results, all), by_time_step(scene, results, all),
+          by_cells(scene, results, all)};
+}
+
+void include_accuracy(Results &results) {
+  if (!results.accuracy)
+    return;
+  for (KnownError *known :
+       {&results.known.increments, &results.known.time_step, &results.known.cells})
+    if (!known->error || *known->error > 0.)
+      *known = {results.accuracy->estimate, "estimated from coarser runs, all of them together"};
+}
+
+std::string in_words(const KnownError &known) {
+  if (!known.error)
+    return "not estimated";
+  return *known.error == 0. ? "exact" : rounded_number(100. * *known.error, 2) + " %";
+}
+
+void add_remarks(const HowWellKnown &known, Results &results) {
+  const auto add = [&](const KnownError &one, const std::string &what, const std::string &hint) {
+    if (one.error && *one.error > worth_a_remark)
+      results.remarks.push_back("Displacements are known to about " + in_words(one) + " for " +
+                                what + " (" + one.reason + "). " + hint);
+  };
+  add(known.increments, "the size of the load increments",
+      "Take more Increments in the steps, or ask for an Accuracy.");
+  add(known.time_step, "the time step", "Take a shorter Time/Step, or ask for an Accuracy.");
+  add(known.cells, "the length of the cells",
+      "Take shorter cells (Mesh/Cell length, Cells per bend), or ask for an Accuracy.");
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Code checks, nozzles and tables of a transient step shall be those of its worst instants and not
+// of its last one, whatever the output interval, on few unknowns too. References: reactions.csv
+// with a row for every time step; the run ended at the instant of the largest stress, with B31.3's
+// formula written out here for straight pipe; the run on few unknowns with every time step put out.
+//   test_envelope_files quake|reduced PROGRAM CASE.prm
+#include "../cases/run_program.h"
+#include "../check.h"
+
+#include <algorithm>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Row = std::map<std::string, std::string>;
+
+/// Rows of a csv file without quoted fields.
+std::vector<Row> rows_of(const fs::path &file) {
+  std::istringstream lines(program::text_of(file));
+  const auto fields = [](const std::string &line) {
+    std::vector<std::string> result(1);
+    for (const char c : line)
+      if (c == ',')
+        result.emplace_back();
+      else
+        result.back() += c;
+    return result;
+  };
+  std::vector<Row> rows;
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> header = fields(line);
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> values = fields(line);
+    Row row;
+    for (std::size_t i = 0; i < std::min(header.size(), values.size()); ++i)
+      row[header[i]] = values[i];
+    rows.push_back(row);
+  }
+  CHECK(!rows.empty());
+  return rows;
+}
+
+double number(const Row &row, const std::string &name) {
+  return row.count(name) > 0 && !row.at(name).empty() ? std::stod(row.at(name)) : std::nan("");
+}
+
+/// The first row in which all these columns are so.
+Row find(const std::vector<Row> &rows, const Row &wanted) {
+  for (const Row &row : rows)
+    if (std::all_of(wanted.begin(), wanted.end(), [&](const auto &column) {
+          return row.count(column.first) > 0 && row.at(column.first) == column.second;
+        }))
+      return row;
+  throw std::runtime_error("A row is missing.");
+}
+
+/// SL of NPS 8, schedule 40, by B31.3, 320.2, without pressure, at a station of line.csv.
+double longitudinal_stress(const Row &station) {
+  const double pi = 3.14159265358979323846, D = 0.2191, t = 0.00818, d = D - 2. * t,
+               A = pi * (D - t) * t, Z = pi / 32. * (std::pow(D, 4) - std::pow(d, 4)) / D,
+               Sa = std::abs(number(station, "N")) / A,
+               Sb = std::hypot(number(station, "My"), number(station, "Mz")) / Z,
+               St = number(station, "Mx") / (2. * Z);
+  return std::hypot(Sa + Sb, 2. * St);
+}
+
+void check_quake(const std::string &binary, const std::string &file) {
+  const program::TemporaryFolder work;
+  const auto run = [&](const std::string &name, std::vector<std::string> options) {
+    options.insert(options.end(),
+                   {"--set", "Output/VTU = false", "--set", "Output/Report = false"});
+    const program::Run result = program::run(binary, file, options, work.path / name);
+    CHECK(result.exit_status == 0);
+    return result;
+  };
+  const program::Run whole = run("whole", {});
+  const auto uses = rows_of(work.path / "whole/nozzles.csv");
+  const Row use = find(uses, {{"step", "quake"}});
+  // The limit of moments is exceeded, of mz before all, as the quantity has it.
+  CHECK(number(use, "utilization") > 1.);
+  CHECK_NEAR(number(use, "utilization"), whole["m"] / 3000., 1e-9);
+  CHECK_NEAR(std::abs(number(use, "mz")), whole["m"], 1e-9);
+
+  // Every time step put out: nothing but the output changes.
+  run("every", {"--set", "Time/Output interval = 0"});
+  for (const char *const file : {"nozzles.csv", "stresses.csv", "envelope.csv"})
+    CHECK(program::text_of(work.path / "whole" / file) ==
+          program::text_of(work.path / "every" / file));
+  double ratio = 0., most = 0.;
+  for (const Row &row : rows_of(work.path / "every/reactions.csv")) {
+    if (row.at("restraint") != "anc.1")
+      continue;
+    for (const char *const force : {"fx", "fy", "fz"})
+      ratio = std::max(ratio, std::abs(number(row, force)) / 5000.);
+    for (const char *const moment : {"mx", "my", "mz"})
+      ratio = std::max(ratio, std::abs(number(row, moment)) / 3000.);
+    most = std::max(most, number(row, "mz"));
+  }
+  CHECK_NEAR(number(use, "utilization"), ratio, 1e-9);
+  const Row mz = find(rows_of(work.path / "whole/envelope.csv"),
+                      {{"step", "quake"}, {"name", "anc.1"}, {"what", "mz"}});
+  CHECK_NEAR(number(mz, "largest"), most, 1e-9);
+
+  // The largest stress at A, and the run that ends then.
+  const Row stress =
+      find(rows_of(work.path / "whole/stresses.csv"), {{"case", "quake"}, {"s", "0"}});
+  const double duration = number(stress, "time") - 1.;
+  CHECK(duration > 0. && duration < 7.999);
+  std::ostringstream entry;
+  entry << std::setprecision(15) << "Step quake/Duration = " << duration;
+  run("until", {"--set", entry.str()});
+  const Row then = find(rows_of(work.path / "until/line.csv"), {{"step", "quake"}, {"s", "0"}}),
+            last = find(rows_of(work.path / "whole/line.csv"), {{"step", "quake"}, {"s", "0"}});
+  CHECK_NEAR(number(stress, "stress"), longitudinal_stress(then), 1e-6);
+  CHECK(number(stress, "stress") > 1.5 * longitudinal_stress(last));
+  std::cout << "utilization " << number(use, "utilization") << ", SL at A "
+            << number(stress, "stress") << " Pa\n";
+}
+
+/// Numbers of envelope.csv by what they are, of some parts.
+std::map<std::string, std::array<double, 2>> extremes_of(const fs::path &file, const bool of_line) {
+  std::map<std::string, std::array<double, 2>> result;
+  for (const Row &row : rows_of(file))
+    if (of_line || row.at("part") == "support" || row.at("part") == "restraint")
+      result[row.at("what") + ' ' + row.at("part") + ' ' + row.at("name") + ' ' + row.at("s")] = {
+          {number(row, "least"), number(row, "largest")}};
+  return result;
+}
+
+void compare(const fs::path &one, const fs::path &other, const bool of_line) {
+  const auto found = extremes_of(one, of_line), wanted = extremes_of(other, of_line);
+  CHECK(found.size() == wanted.size() && found.size() > 20);
+  std::map<std::string, double> size; // of what is alike
+  const auto kind = [](const std::string &what) { return what.substr(0, what.find(' ')); };
+  for (const auto &[what, values] : wanted)
+    for (const double value : values)
+      size[kind(what)] = std::max(size[kind(what)], std::abs(value));
+  for (const auto &[what, values] : wanted)
+    for (const unsigned int i : {0u, 1u})
+      CHECK(std::abs(found.at(what)[i] - values[i]) <= 1e-8 * size[kind(what)]);
+}
+
+void check_reduced(const std::string &binary, const std::string &file) {
+  const program::TemporaryFolder work;
+  const auto run = [&](const std::string &name, const std::string &interval,
+                       const std::string &code) {
+    const program::Run result =
+        program::run(binary, file,
+                     {"--set", "Time/Modes = 20", "--set", "Time/Output interval = " + interval,
+                      "--set", "Stress/Code = " + code},
+                     work.path / name);
+    CHECK(result.exit_status == 0);
+    CHECK(result.output.find("reduced from") != std::string::npos);
+    const bool says_so =
+        result.output.find("supports and reactions are looked at in all") != std::string::npos;
+    CHECK(says_so == (interval != "0" && code == "none"));
+    return work.path / name / "envelope.csv";
+  };
+  const fs::path every = run("every", "0", "none");
+  compare(run("some", "0.1", "none"), every, false); // supports and restraints
+  compare(run("checked", "0.1", "B31.3"), every, true);
+}
+
+} // namespace
+
+int main(int, char **argv) {
+  try {
+    if (std::string(argv[1]) == "quake")
+      check_quake(argv[2], argv[3]);
+    else
+      check_reduced(argv[2], argv[3]);
+  } catch (const std::exception &error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+  return check::report();
+}

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "subjects.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <stdexcept>
+
+namespace fs = std::filesystem;
+
+namespace fuzz {
+
+namespace {
+
+const char *const file_name = "fuzzed.prm";
+
+void write(const fs::path &path, const std::string &text) {
+  fs::remove(path); // it may be a link
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// Change lengths and numbers of an HDF5 file as bytes: its own checks find less than all.
+std::string changed_bytes(const std::string &bytes, Random &random) {
+  std::string result = bytes;
+  const std::size_t n = 1 + below(random, 4);
+  for (std::size_t i = 0; i < n && result.size() > 8; ++i) {
+    const std::size_t at = below(random, result.size() - 8);
+    const std::uint64_t values[] = {0, 1, ~std::uint64_t(0), random(), 0x7ff8000000000000, 2};
+    switch (below(random, 4)) {
+    case 0:
+      result[at] = static_cast<char>(random());
+      break;
+    case 1:
+      result.replace(at, 8, reinterpret_cast<const char *>(&values[below(random, 6)]), 8);
+      break;
+    case 2:
+      result.replace(at, 4, reinterpret_cast<const char *>(&values[below(random, 6)]), 4);
+      break;
+    default:
+      if (below(random, 8) == 0)
+        result.resize(at);
+    }
+  }
+  return result;
+}
+
+const char *const law_scene = R"(
+set Law libraries = LIBRARY
+subsection Material steel
+end
+subsection Section round
+  set Outer diameter = 0.1
+  set Wall = 0.005
+end
+subsection Pipe bar
+  set Route = A 0 0 0; B 4 0 0
+end
+subsection Support anchor
+  set Kind = anchor
+  set At = A
+end
+subsection Support pad
+  set Kind = rest
+  set At = B
+  set Law = fuzz
+end
+subsection Load weight
+  set Kind = weight
+end
+subsection Step weigh
+  set Loads = weight
+end
+)";
+
+} // namespace
+
+std::string Input::ending() const {
+  return kind == Kind::parameters || kind == Kind::law ? ".prm"
+         : kind == Kind::contact                       ? ".hdf5"
+         : kind == Kind::checkpoint                    ? ".bin"
+                                                       : "_" + beside;
+}
+
+Subjects::Subjects(const std::string &project, const std::string &law) : law(law) {
+  std::string name = fs::exists("/dev/shm") ? "/dev/shm/fuzz-XXXXXX" : "/tmp/fuzz-XXXXXX";
+  if (mkdtemp(name.data()) == nullptr)
+    throw std::runtime_error("No temporary folder can be made.");
+  place = name;
+  std::set<std::string> found;
+  for (const char *const part : {"prm", "tests"})
+    for (const auto &entry : fs::recursive_directory_iterator(fs::path(project) / part))
+      if (entry.path().extension() == ".prm")
+        found.insert(entry.path().parent_path().string());
+  for (const std::string &folder : found)
+    add_folder(folder);
+  make_contact_problems();
+  make_checkpoint();
+}
+
+Subjects::~Subjects() {
+  std::error_code ignored;
+  fs::remove_all(place, ignored);
+}
+
+void Subjects::add_folder(const std::string &path) {
+  const std::size_t number = folders.size();
+  folders.push_back(place + "/" + std::to_string(number));
+  fs::create_directory(folders.back());
+  std::set<std::string> names;
+  for (const auto &entry : fs::directory_iterator(path)) {
+    fs::create_symlink(entry.path(), folders.back() / entry.path().filename());
+    if (entry.is_regular_file())
+      names.insert(entry.path().filename().string());
+  }
+  for (const std::string &name : names) {
+    if (fs::path(name).extension() != ".prm")
+      continue;
+    File file = {path + "/" + name, read_file(path + "/" + name), number, {}};
+    for (const std::string &other : names)
+      if (other != name && file.text.find(other) != std::string::npos)
+        file.beside.push_back(other);
+    dictionary.add(ParameterText(file.text));
+    files.push_back(file);
+  }
+}
+
+void Subjects::make_contact_problems() {
+  const std::string folder = place + "/contact";
+  fs::create_directory(folder);
+  for (const File &file : files)
+    if (fs::path(file.path).filename() == "lift_off.prm" ||
+        fs::path(file.path).filename() == "wedge.prm") {
+      write(folder + "/" + file_name, file.text);
+      Trial trial{{"run", file_name, "--set", "Output/Write contact problems = true"}, folder};
+      trial.keep_after = true;
+      fuzz::run(trial);
+      std::error_code none;
+      for (const auto &entry : fs::directory_iterator(folder + "/results/contact_problems", none))
+        if (entry.file_size() < 300000)
+          contact_problems.push_back(read_file(entry.path().string()));
+    }
+  folders.push_back(folder);
+}
+
+void Subjects::make_checkpoint() {
+  const std::string folder = place + "/checkpoint";
+  fs::create_directory(folder);
+  folders.push_back(folder);
+  for (const File &file : files)
+    if (fs::path(file.path).filename() == "resume.prm") {
+      checkpoint_parameters = file.text;
+      write(folder + "/" + file_name, file.text);
+      Trial trial{
+          {"run", file_name, "--set", "Step shake/Duration = 1000", "--set", "Output/VTU = false"},
+          folder};
+      trial.keep_after = true;
+      trial.interrupt_after = 700;
+      fuzz::run(trial);
+      checkpoint_folder = folder + "/saved";
+      std::error_code error;
+      fs::rename(folder + "/results", checkpoint_folder, error);
+      if (!fs::exists(checkpoint_folder + "/unfinished/checkpoint.bin"))
+        checkpoint_folder = "";
+    }
+}
+
+void Subjects::measure() {
+  for (File &file : files) {
+    Input input;
+    input.text = file.text;
+    input.folder = file.folder;
+    write(folders[file.folder] + "/" + file_name, file.text);
+    const Outcome outcome = fuzz::run({{"run", file_name}, folders[file.folder], 1});
+    file.slow = outcome.slow;
+  }
+  std::cout << files.size() << " parameter files, "
+            << std::count_if(files.begin(), files.end(), [](const File &file) { return file.slow; })
+            << " of them are looked at by 'check' only; " << contact_problems.size()
+            << " contact problems, " << (checkpoint_folder.empty() ? "no" : "a") << " checkpoint\n";
+}
+
+Input Subjects::draw(const std::uint64_t seed, const std::uint64_t number) const {
+  Random random(seed * 1000003 + number);
+  const std::size_t what = below(random, 100);
+  std::size_t chosen = below(random, files.size());
+  for (unsigned int i = 0; i < 3 && files[chosen].path.find("broken") != std::string::npos; ++i)
+    chosen = below(random, files.size()); // what is refused at once has less to tell
+  const File &file = files[chosen];
+  Input input;
+  input.origin = file.path;
+  input.folder = file.folder;
+  input.command = file.slow || below(random, 12) == 0 ? "check" : "run";
+  if (what < 2 && !contact_problems.empty()) {
+    input.kind = Input::Kind::contact;
+    input.folder = folders.size() - 2;
+    input.origin = "a contact problem";
+    input.text = changed_bytes(contact_problems[below(random, contact_problems.size())], random);
+  } else if (what < 3 && !checkpoint_folder.empty()) {
+    input.kind = Input::Kind::checkpoint;
+    input.folder = folders.size() - 1;
+    input.origin = "a checkpoint";
+    input.text = changed_bytes(read_file(checkpoint_folder + "/unfinished/checkpoint.bin"), random);
+  } else if (what < 5 && !law.empty()) {
+    input.kind = Input::Kind::law;
+    input.origin = "a law";
+    input.law = 1 + number;
+    input.text = law_scene;
+    input.text.replace(input.text.find("LIBRARY"), 7, law);
+    input.command = "run";
+  } else if (what < 25 && !file.beside.empty()) {
+    input.kind = Input::Kind::beside;
+    input.beside = file.beside[below(random, file.beside.size())];
+    input.parameters = file.text;
+    input.text = changed_text(read_file(folders[file.folder] + "/" + input.beside), random);
+  } else if (what < 30)
+    input.text = changed_text(file.text, random);
+  else {
+    ParameterText text(file.text);
+    dictionary.change(text, random);
+    input.text = text.text();
+  }
+  return input;
+}
+
+Outcome Subjects::run(const Input &input) {
+  const std::string &folder = folders[input.folder];
+  Trial trial{{input.command, file_name}, folder};
+  if (input.kind == Input::Kind::contact) {
+    write(folder + "/problem.hdf5", input.text);
+    trial.words = {"contact", "problem.hdf5"};
+    return fuzz::run(trial);
+  }
+  if (input.kind == Input::Kind::checkpoint) {
+    fs::remove_all(folder + "/results");
+    fs::copy(checkpoint_folder, folder + "/results", fs::copy_options::recursive);
+    write(folder + "/results/unfinished/checkpoint.bin", input.text);
+    write(folder + "/" + file_name, checkpoint_parameters);
+    trial.words = {
+        "run",     file_name, "--set", "Step shake/Duration = 1000", "--set", "Output/VTU = false",
+        "--resume"};
+    trial.keep_before = true;
+    trial.interrupt_after = 1000;
+    return fuzz::run(trial);
+  }
+  setenv("FUZZ_LAW", std::to_string(input.law).c_str(), 1);
+  if (input.kind != Input::Kind::beside) {
+    write(folder + "/" + file_name, input.text);
+    return fuzz::run(trial);
+  }
+  const fs::path beside = folder + "/" + input.beside, original = fs::read_symlink(beside);
+  write(folder + "/" + file_name, input.parameters);
+  write(beside, input.text);
+  const Outcome outcome = fuzz::run(trial);
+  fs::remove(beside);
+  fs::create_symlink(original, beside);
+  return outcome;
+}
+
+} // namespace fuzz

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "trial.h"
+
+#include "parameter_text.h"
+
+#include <check_command.h>
+#include <contact_command.h>
+#include <run_case.h>
+
+#include <frictionbeam/analysis/interruption.h>
+#include <frictionbeam/results/output_file.h>
+#include <frictionbeam/scene/user_error.h>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+namespace fs = std::filesystem;
+
+namespace fuzz {
+
+namespace {
+
+void limit(const int what, const rlim_t value) {
+  const rlimit limits = {value, value};
+  setrlimit(static_cast<__rlimit_resource>(what), &limits);
+}
+
+/// As main().
+int command(const std::vector<std::string> &words) {
+  using namespace frictionbeam;
+  try {
+    if (words[0] == "contact")
+      return solve_contact_file(words[1]);
+    RunOptions options;
+    options.output_directory = "results";
+    for (std::size_t i = 1; i < words.size(); ++i)
+      if (words[i] == "--resume")
+        options.resume = true;
+      else if (words[i] == "--set")
+        options.overrides.push_back(words[++i]);
+      else
+        options.parameter_file = words[i];
+    interruption::listen();
+    return words[0] == "check" ? check_case_file(options) : run_case(options);
+  } catch (const UserError &error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  } catch (const OutputError &error) {
+    std::cerr << error.what() << '\n';
+    return 4;
+  } catch (const Interrupted &interrupted) {
+    return 128 + interrupted.signal;
+  } catch (const std::exception &error) {
+    std::cerr << error.what() << '\n';
+    return 3;
+  }
+}
+
+[[noreturn]] void become(const Trial &trial) {
+  const int log = open((trial.folder + "/log").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  if (log < 0 || dup2(log, 1) != 1 || dup2(log, 2) != 2 || chdir(trial.folder.c_str()) != 0)
+    _exit(99);
+  setsid();
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, 200000000);
+#if !defined(__SANITIZE_ADDRESS__)
+  limit(RLIMIT_AS, 6000000000u);
+#endif
+  limit(RLIMIT_CPU, trial.seconds + 20);
+  const int status = command(trial.words);
+  std::cout.flush();
+  _exit(status);
+}
+
+/// Whether a field of a table, or a value of a summary, is no number.
+bool has_no_number(const std::string &text, const bool is_table) {
+  if (!is_table)
+    return text.find("\"value\": null") != std::string::npos;
+  for (const std::string word : {"nan", "inf", "-nan", "-inf"})
+    for (std::size_t at = 0; (at = text.find(',' + word, at)) != std::string::npos; ++at) {
+      const std::size_t end = at + 1 + word.size();
+      if (end == text.size() || text[end] == ',' || text[end] == '\n')
+        return true;
+    }
+  return false;
+}
+
+std::string fault_of_files(const std::string &folder, const bool converged) {
+  std::error_code error;
+  for (const auto &entry : fs::recursive_directory_iterator(folder, error)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending == ".csv" || (ending == ".json" && converged))
+      if (has_no_number(read_file(entry.path().string()), ending == ".csv"))
+        return "not finite: " + entry.path().filename().string();
+  }
+  return "";
+}
+
+std::string fault_of(const Outcome &outcome, const std::string &folder) {
+  if (outcome.status < 0)
+    return "crash by signal " + std::to_string(-outcome.status);
+  if (outcome.status == 143) // it was asked to end
+    return "";
+  if (outcome.status == 3 && outcome.output.find("bad_alloc") != std::string::npos)
+    return "out of memory";
+  if (outcome.status == 3) {
+    const auto condition = outcome.output.find("The violated condition was");
+    return "internal error: " + without_numbers(condition == std::string::npos
+                                                    ? outcome.output
+                                                    : outcome.output.substr(condition));
+  }
+  if (outcome.status < 0 || outcome.status > 4)
+    return "exit status " + std::to_string(outcome.status);
+  if (outcome.output.find("An error occurred in line") != std::string::npos)
+    return "an internal error in the message of another";
+  return fault_of_files(folder + "/results", outcome.status == 0);
+}
+
+} // namespace
+
+std::string without_numbers(const std::string &text) {
+  std::string result;
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '\'' || c == '"')
+      quoted = !quoted;
+    else if (!quoted && std::isdigit(static_cast<unsigned char>(c)) == 0)
+      result += c;
+  }
+  return result.substr(0, 160);
+}
+
+namespace {
+
+/// Of computing by a process [s].
+double computing_time(const pid_t process) {
+  clockid_t clock;
+  timespec time;
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0)
+    return 0.;
+  return time.tv_sec + 1e-9 * time.tv_nsec;
+}
+
+/// @return status of waitpid(); a hang is ended, and noted.
+int wait_for(const pid_t child, const Trial &trial, Outcome &outcome) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto since = [](const Clock::time_point &time) {
+    return std::chrono::duration<double>(Clock::now() - time).count();
+  };
+  Clock::time_point asked = start;
+  bool interrupted = false;
+  int status = 0;
+  for (unsigned int n = 0; waitpid(child, &status, WNOHANG) != child; ++n) {
+    const double passed = since(start), computed = n % 50 == 49 ? computing_time(child) : 0.;
+    if (!interrupted && trial.interrupt_after > 0 && passed > 1e-3 * trial.interrupt_after) {
+      interrupted = true;
+      kill(child, SIGTERM);
+    }
+    // A program may hang without computing, and a machine may be busy.
+    if (!outcome.slow && (computed > trial.seconds || passed > 10. * trial.seconds)) {
+      outcome.slow = true;
+      asked = Clock::now();
+      kill(child, SIGTERM);
+    } else if (outcome.slow &&
+               (computed > trial.seconds + 8. || since(asked) > 10. * trial.seconds)) {
+      outcome.fault = "hang";
+      kill(child, SIGKILL);
+    }
+    usleep(n < 200 ? 300 : 2000);
+  }
+  return status;
+}
+
+} // namespace
+
+Outcome run(const Trial &trial) {
+  std::error_code ignored;
+  const std::string results = trial.folder + "/results";
+  if (!trial.keep_before)
+    fs::remove_all(results, ignored);
+  const pid_t child = fork();
+  if (child == 0)
+    become(trial);
+  Outcome outcome;
+  const int status = wait_for(child, trial, outcome);
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  outcome.output = read_file(trial.folder + "/log");
+  if (outcome.fault.empty() && outcome.status == -SIGXCPU)
+    outcome.fault = "hang";
+  if (outcome.fault.empty())
+    outcome.fault = fault_of(outcome, trial.folder);
+  if (!trial.keep_after)
+    fs::remove_all(results, ignored);
+  return outcome;
+}
+
+} // namespace fuzz

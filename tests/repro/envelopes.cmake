@@ -1,0 +1,5 @@
+# Tables, code checks and nozzles of a transient step are those of its worst instants (it was the last one:
+# nozzle 72.9 %, SL at A 8.09 MPa). The references are in the test's own text.
+add_test(NAME "repro/quake_with_code" COMMAND test_envelope_files quake $<TARGET_FILE:frictionbeam>
+  ${PROJECT_SOURCE_DIR}/tests/repro/quake_with_code.prm)
+set_tests_properties("repro/quake_with_code" PROPERTIES TIMEOUT 300)
