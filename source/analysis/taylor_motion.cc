@@ -11,6 +11,16 @@ constexpr int order = 30;
 constexpr double rounding = 1e-17;
 } // namespace
 
+namespace {
+
+void shorten_rows(Eigen::MatrixXd &m, const double x) {
+  double power = 1.;
+  for (int k = 0; k < m.rows(); ++k, power *= x)
+    m.row(k) *= power;
+}
+
+} // namespace
+
 double same_instant(const double time) { return 1e-12 * std::abs(time); }
 
 Vector TaylorMotion::at(const Eigen::MatrixXd &m, const double x) {
@@ -63,6 +73,22 @@ bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
   const double same = same_instant(time), start = loads.next_break(time - same);
   first_instant = start <= time + same ? std::nextafter(start, start + 1.) : time;
   last_instant = std::nextafter(loads.next_break(time + same), time);
+  // Rates of the ground from differences of its motion: not from one within a very short time.
+  const double wide = std::max(length, std::min(1e6 * least, last_instant - time));
+  if (wide > length && interpolate_between(loads, time, wide)) {
+    for (Eigen::MatrixXd *const m : {&factors, &ground})
+      shorten_rows(*m, length / wide);
+    return true;
+  }
+  if (wide > length) {
+    factor_noise.before.resize(0);
+    ground_noise.before.resize(0);
+  }
+  return interpolate_between(loads, time, length);
+}
+
+bool TaylorMotion::interpolate_between(const LoadCourse &loads, const double time,
+                                       const double length) {
   bool smooth = true;
   const auto powers = [&](Noise &noise, const std::function<Vector(const double)> &function) {
     return interpolate([&](const double t) { return function(within(t)); }, time, length,
@@ -262,11 +288,8 @@ void TaylorMotion::shorten_all(const double x) {
     shorten_columns(m);
   for (Eigen::MatrixXd &m : s)
     shorten_columns(m);
-  for (Eigen::MatrixXd *const m : {&factors, &ground}) {
-    double power = 1.;
-    for (int k = 0; k < m->rows(); ++k, power *= x)
-      m->row(k) *= power;
-  }
+  for (Eigen::MatrixXd *const m : {&factors, &ground})
+    shorten_rows(*m, x);
 }
 
 double TaylorMotion::compute(const LoadCourse &loads, const double time, const double longest,
