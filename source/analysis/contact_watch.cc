@@ -6,11 +6,17 @@
 
 namespace frictionbeam {
 
-bool is_rigid_stop(const Contact &contact) {
+bool is_rigid_stop(const Model &model, const Contact &contact) {
   if (contact.law->threshold == nullptr || contact.platen_force != 0.)
     return false;
   FrictionThreshold law{};
   contact.law->threshold(contact.parameters->data(), law);
+  for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
+    const auto column = contact.B_reduced.col(j);
+    if (std::abs(column[0]) > 1e-12 * column.norm() &&
+        !(model.linear.mass().coeff(contact.unknowns[j], contact.unknowns[j]) > 0.))
+      return false;
+  }
   return std::isinf(law.axial_rigidity);
 }
 
@@ -32,7 +38,7 @@ void watch_contacts(const Model &model, const LineState &before, const LineState
   const unsigned int n = model.contacts.size();
   report.margins.resize(n);
   for (const unsigned int i : closed_in(before.contact_status, after.events))
-    if (is_rigid_stop(model.contacts[i])) {
+    if (is_rigid_stop(model, model.contacts[i])) {
       const auto place = std::lower_bound(report.struck.begin(), report.struck.end(), i);
       if (place == report.struck.end() || *place != i)
         report.struck.insert(place, i);

@@ -46,13 +46,23 @@ foreach(integrator newmark generalized_alpha)
     "${integrator} may not let stick where static friction holds: at c,")
 endforeach()
 repro("belt, moreau_jean" belt_static_dynamic --set "Time/Integrator = moreau_jean" --set
-  "Time/Step = 2e-4" --errors 2e-3)
+  "Time/Step = 2e-3" --error slip1 3e-2 --errors 3e-4) # slip is seen one step later
 repro("whip peak" whip_peak --expect
   "Quantity fmax is the largest force of a rigid support that was struck" --expect
   "Rigid supports were struck: stop")
 
 # Accuracy sees the events that the loads promise.
 repro("wear near stick, Accuracy" wear_near_stick --set "Time/Integrator = moreau_jean" --set
-  "Accuracy = 1e-3" --error P 1e-3)
+  "Accuracy = 1e-2" --error P 1e-2)
 repro("slip along a curve, Accuracy" slip_along_curve --set "Accuracy = 1e-3" --errors 1e-3)
 repro("max of event zero, Accuracy" max_of_event_zero --set "Accuracy = 1e-3" --errors 1e-3)
+
+# Of these random lines the code before missed the pulses of 14 and 16 and was off by 1.4 times what was
+# demanded in 12; references by `event` and by many increments (prm/benchmark/random_accuracy.py).
+find_program(PYTHON3 python3)
+if(PYTHON3)
+  add_test(NAME "repro/random lines, Accuracy" COMMAND ${PYTHON3}
+    ${PROJECT_SOURCE_DIR}/prm/benchmark/random_accuracy.py --program $<TARGET_FILE:frictionbeam>
+    --seeds 1,3,4,8,12,14,16 --demanded 1e-2 --jobs 1)
+  set_tests_properties("repro/random lines, Accuracy" PROPERTIES TIMEOUT 300)
+endif()

@@ -6,8 +6,10 @@
 
 namespace frictionbeam {
 
-/// Whether a contact is rigid along its normal, so that an impact on it is an impulse.
-bool is_rigid_stop(const Contact &contact);
+/// Whether a contact is rigid along its normal and what it touches has mass, so that an impact on
+/// it is an impulse. (A point without mass is stopped by no impulse: the line behind it is a
+/// spring.)
+bool is_rigid_stop(const Model &model, const Contact &contact);
 
 /// Contacts that closed in an increment, given their status before it and its events.
 std::vector<unsigned int> closed_in(std::vector<ContactStatus> status,
