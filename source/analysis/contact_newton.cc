@@ -17,7 +17,7 @@ namespace {
 constexpr unsigned int most_proximal = 15, most_stalls = 4;
 constexpr double stiffness_of_direction = 1e6;
 /// Part of the largest force up to which rounding may be left to the refinement on the whole line.
-constexpr double most_rounding = 1e-4;
+constexpr double most_rounding = 1e-2;
 
 Vector positive_diagonal(const SparseMatrix &matrix) {
   Vector diagonal = matrix.diagonal();

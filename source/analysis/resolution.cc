@@ -21,6 +21,28 @@ void Resolution::include(const Resolution &other) {
   slip_is_known = slip_is_known && other.slip_is_known;
 }
 
+namespace {
+
+/// What friction is held to displace the line by at most, per force [m/N]: by the diagonal of the
+/// stiffness at the contact, which a long line undercuts as it has cells.
+double largest_compliance(const Contact &contact, const SparseMatrix &stiffness) {
+  constexpr double cells_that_give = 4096.;
+  double largest = 0.;
+  for (const int strain : {1, 2}) {
+    double compliance = 0.;
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
+      const double b = contact.length * contact.B_reduced(strain, j),
+                   k = stiffness.coeff(contact.unknowns[j], contact.unknowns[j]);
+      if (k > 0.)
+        compliance += b * b / k;
+    }
+    largest = std::max(largest, compliance);
+  }
+  return cells_that_give * largest;
+}
+
+} // namespace
+
 FollowResolution::FollowResolution(const Model &model)
     : model(model), is_translation(model.space.n_unknowns(), false) {
   const VertexDofs &dofs = model.discretization.vertex_dofs();
@@ -33,9 +55,11 @@ FollowResolution::FollowResolution(const Model &model)
 }
 
 void FollowResolution::add_displacement(const LineState &state, Resolution &resolution) const {
-  for (const unsigned int dof : translations)
+  for (std::size_t i = 0; i < translations.size(); i += 3)
     resolution.largest_displacement =
-        std::max(resolution.largest_displacement, std::abs(state.dofs[dof]));
+        std::max(resolution.largest_displacement,
+                 std::hypot(state.dofs[translations[i]], state.dofs[translations[i + 1]],
+                            state.dofs[translations[i + 2]]));
   if (!model.corotational)
     return;
   const auto turn = [&](const unsigned int vertex) {
@@ -88,10 +112,13 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
         T0 = before.contact_stress[i].segment<2>(1), T1 = after.contact_stress[i].segment<2>(1);
     const double largest = std::max(T0.norm(), T1.norm());
     const Eigen::Vector2d change = T1 - T0;
+    const double moved_by_friction = largest * contact.weight / contact.length *
+                                     largest_compliance(contact, model.linear.stiffness());
     if (T0.norm() <= 1e-9 * largest)
       resolution.slip_from_rest = std::max(resolution.slip_from_rest, path.norm());
-    if (largest > 0.)
-      slip_turned[i] += std::abs(change[0] * path[1] - change[1] * path[0]) / (2. * largest);
+    if (largest > 0. && path.norm() > 0.)
+      slip_turned[i] += std::abs(change[0] * path[1] - change[1] * path[0]) /
+                        (path.norm() * largest) * std::min(path.norm() / 2., moved_by_friction);
     resolution.slip_turned = std::max(resolution.slip_turned, slip_turned[i]);
   }
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/results/energy_judgement.h>
 #include <frictionbeam/results/results.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam {
 
@@ -11,7 +13,9 @@ void Results::certify(const Scene &scene) {
   EnergyAccount account;
   for (const StepReport &step : steps) {
     residual = std::max(residual, step.residual);
-    imbalance = std::max(imbalance, step.energy.imbalance());
+    const double turnover = std::max(step.energy.turnover, least_turnover(steps));
+    if (step.energy.at_hand == 0. && turnover > 0.)
+      imbalance = std::max(imbalance, std::abs(step.energy.left_over()) / turnover);
     contact.include(step.contact);
     account += step.energy;
   }

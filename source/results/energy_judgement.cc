@@ -9,19 +9,21 @@ namespace frictionbeam {
 
 namespace {
 constexpr double worth_a_remark = 1e-6, not_converged = 1e-2;
-/// Part of the largest turnover of a step below which one is rounding of the others.
-constexpr double least_turnover = 1e-9;
 } // namespace
+
+double least_turnover(const std::vector<StepReport> &steps) {
+  double largest = 0.;
+  for (const StepReport &step : steps)
+    largest = std::max(largest, step.energy.turnover);
+  return 1e-6 * largest;
+}
 
 void judge_energy(const Scene &scene, Results &results) {
   if (scene.kinematics == Kinematics::corotational)
     return;
-  double largest = 0.;
-  for (const StepReport &step : results.steps)
-    largest = std::max(largest, step.energy.turnover);
   for (unsigned int i = 0; i < results.steps.size(); ++i) {
     StepReport &step = results.steps[i];
-    const double turnover = std::max(step.energy.turnover, least_turnover * largest),
+    const double turnover = std::max(step.energy.turnover, least_turnover(results.steps)),
                  left_over = std::abs(step.energy.left_over());
     if (scene.steps[i].transient || !(left_over > worth_a_remark * turnover))
       continue;

@@ -9,7 +9,7 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double worth_a_remark = 0.05;
+constexpr double worth_a_remark = 0.05, rounding = 1e-9;
 /// Error of the displacements by how much slip has turned within increments, relative to the
 /// largest displacement: 0.35 to 0.43 on a node that goes along a tractrix, 0.4 to 0.9 on lines
 /// with rests in 1 to 8 increments a step, each against 64 or more (doc/accuracy.md).
@@ -29,7 +29,7 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
     return {{}, "a law does not say what of its motion is slip"};
   if (n_increments == 1 && all.slip_from_rest > 0.)
     return {{}, "friction slips in the only increment, and nothing shows on which way"};
-  if (all.slip_turned == 0.)
+  if (all.slip_turned <= rounding * all.largest_displacement)
     return {0., "no friction force has turned within an increment"};
   return {error_by_turned_slip * all.slip_turned / all.largest_displacement,
           "by how much friction forces turn while they slip within increments"};

@@ -12,4 +12,7 @@ namespace frictionbeam {
  */
 void judge_energy(const Scene &scene, Results &results);
 
+/// Turnover below which a step's is rounding of the largest step's [J].
+double least_turnover(const std::vector<StepReport> &steps);
+
 } // namespace frictionbeam
