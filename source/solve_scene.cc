@@ -213,7 +213,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                 "' has no threshold in closed form: the exact "
                                 "method evaluates it as it is, by Newton's method.");
   const LinearPart linear(scene, mesh, discretization, space, contacts, transient);
-  if (scene.solver.method == SolverSettings::Method::newton && !transient)
+  if (scene.solver.method == SolverSettings::Method::newton && !transient &&
+      scene.kinematics == Kinematics::linear)
     make_rigid_contacts_finite(linear.stiffness(), contacts);
   std::optional<CorotationalLine> corotational;
   if (scene.kinematics == Kinematics::corotational)

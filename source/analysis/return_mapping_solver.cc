@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "return_mapping_solver.h"
 
-#include <frictionbeam/analysis/interruption.h>
 #include <algorithm>
+#include <frictionbeam/analysis/interruption.h>
+#include <limits>
 #include <sstream>
 
 namespace frictionbeam {
@@ -76,7 +77,8 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
   const unsigned int most = newton ? settings.max_iterations : settings.max_elastic_iterations;
   const LawTangent wanted = newton ? LawTangent::consistent : LawTangent::none;
 
-  unsigned int n_at_rounding = 0; // iterations one after the other
+  unsigned int n_at_rounding = 0; // iterations one after the other in which nothing is gained
+  double size_before = std::numeric_limits<double>::max();
   Vector forces = residual(unknowns, wanted, response);
   for (;;) {
     interruption::end_if_overdue();
@@ -94,7 +96,8 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
     }
     const bool at_rounding = size <= Residual::rounding(elastic_diagonal, unknowns) &&
                              size <= most_rounding * std::max(largest, problem.force_so_far);
-    n_at_rounding = at_rounding ? n_at_rounding + 1 : 0;
+    n_at_rounding = at_rounding && size > 0.5 * size_before ? n_at_rounding + 1 : 0;
+    size_before = size;
     if (n_at_rounding == most_at_rounding) {
       result.rounding_bars = true;
       result.remark = "rounding of the line's forces, " + to_text(size) +

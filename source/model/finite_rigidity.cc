@@ -45,6 +45,13 @@ bool is_rigid(const FrictionSupport &support, const LawDescription &law) {
 
 void make_rigid_contacts_finite(const SparseMatrix &stiffness, Contacts &contacts) {
   for (unsigned int i = 0; i < contacts.size(); ++i) {
+    FrictionThreshold law{};
+    if (contacts[i].law->threshold != nullptr)
+      contacts[i].law->threshold(contacts[i].parameters->data(), law);
+    if (law.static_friction > 0.)
+      return;
+  }
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
     if (contact.law->threshold == nullptr)
       continue;

@@ -13,6 +13,8 @@ bool is_rigid(const FrictionSupport &support, const LawDescription &law);
  * 1e7 times the line's own stiffness at the contact, so that what the contact gives is below a
  * millionth of how far the line is bent. The elastic stiffness of that is still known to nine
  * digits.
+ * Where any contact has friction, all keep what their law takes: Newton's method on return mapping
+ * would lose lines that it solves with less.
  */
 void make_rigid_contacts_finite(const SparseMatrix &stiffness, Contacts &contacts);
 
