@@ -280,6 +280,15 @@ bool stand_on_pipes(Scene &scene) {
     foot.name = "foot_" + support.name;
     foot.position = top.position - Vec(0.11, 0.07, 0.5);
     post.route = {top, foot};
+    bool in_the_way = false; // of a pipe, which would be held there
+    for (const Pipe &pipe : scene.pipes)
+      for (std::size_t i = 0; i + 1 < pipe.route.size(); ++i) {
+        const Vec from = pipe.route[i].position, way = pipe.route[i + 1].position - from;
+        const double part = std::clamp((top.position - from).dot(way) / way.squaredNorm(), 0., 1.);
+        in_the_way = in_the_way || (top.position - from - part * way).norm() < 1e-3;
+      }
+    if (in_the_way)
+      continue;
     scene.pipes.push_back(post);
     Support anchor;
     anchor.name = "anchor_" + support.name;

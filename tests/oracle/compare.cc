@@ -206,7 +206,9 @@ Comparison compare(const Scene &scene, const Outcome &program, const Solution &o
     const Scales scales(scene, state, *oracle.frame);
     const double terms =
         (oracle.frame->stiffness().cwiseAbs() * state.motion.cwiseAbs()).maxCoeff();
-    result.rounding = std::max(result.rounding, 1e-16 * terms / scales(true, 0));
+    // Solver/Tolerance leaves 1e-10 of the largest force, clamped free strains included.
+    const double loads = oracle.frame->load_vector(state.factors).cwiseAbs().maxCoeff();
+    result.rounding = std::max(result.rounding, (1e-16 * terms + 1e-11 * loads) / scales(true, 0));
     const std::string step = scene.steps[shown.step].name;
     compare_lines(scene, shown, *oracle.frame, state, scales, step, result);
     compare_supports(results, shown, state, scales, step, result);
