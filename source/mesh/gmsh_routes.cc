@@ -127,6 +127,8 @@ struct Piece {
 constexpr int cells_of_reducer = 10;
 /// A bend of a smaller angle than this [rad] is as well a straight cell.
 constexpr double smallest_arc = 0.02;
+/// Each cell feels the wind across its chord: arcs of this angle [rad] miss 1e-4 of it.
+constexpr double longest_arc_in_wind = 0.03;
 
 int cells_of_piece(const MeshSettings &settings, const PipePath::Segment &segment,
                    const double length) {
@@ -166,6 +168,8 @@ LineMesh mesh_routes(const Scene &scene) {
     return tag;
   };
 
+  const bool windy = std::any_of(scene.loads.begin(), scene.loads.end(),
+                                 [](const Load &load) { return load.kind == Load::Kind::wind; });
   std::vector<std::vector<Piece>> pieces(paths.size());
   for (unsigned int p = 0; p < paths.size(); ++p) {
     auto segment = paths[p].segments().begin();
@@ -182,7 +186,9 @@ LineMesh mesh_routes(const Scene &scene) {
       if (scene.pipes[p].end_section)
         piece.n_cells = std::max(piece.n_cells, cells_of_reducer);
       if (scene.mesh.arcs && segment->radius > 0.) {
-        const double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length;
+        double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length;
+        if (windy)
+          longest = std::min(longest, longest_arc_in_wind * segment->radius);
         const int n = whole(piece.length / longest);
         if (piece.length > n * smallest_arc * segment->radius) {
           piece.n_cells = n;

@@ -100,17 +100,16 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   profile.rotary_inertia = section.rotary_inertia ? material.density * section.inertia : 0.;
   profile.material = material;
   profile.pressure_strain = section.bore_area() * (1. - 2. * material.poissons_ratio) / profile.EA;
-  if (pipe.rigid) {
-    for (double *rigidity : {&profile.EA, &profile.GA, &profile.GJ, &profile.EI})
-      *rigidity *= rigid_part;
-    profile.pressure_strain /= rigid_part;
-  }
+  const double stiffer = pipe.rigid ? rigid_part : 1.;
+  for (double *rigidity : {&profile.EA, &profile.GA, &profile.GJ, &profile.EI})
+    *rigidity *= stiffer;
+  profile.pressure_strain /= stiffer;
   if (arc_centre) {
     // The Bourdon effect: pressure straightens a bend (MEL 10-66, eq. 3-29).
     const double r = section.outer_radius - section.wall / 2., nu = material.poissons_ratio;
     if (section.wall > 0.)
       profile.pressure_curvature =
-          -numbers::PI * r * r * r * r / (2. * E * section.inertia) *
+          -numbers::PI * r * r * r * r / (2. * stiffer * E * section.inertia) *
           (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (bend_radius * bend_radius)) / bend_radius;
     profile.arc_centre = arc_centre;
   }
@@ -232,14 +231,14 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
       unsigned int id = sections.size();
       if (!is_arc && !pipe.end_section)
         id = known.try_emplace({p, meshed.bend_radius[i]}, id).first->second;
-      if (id == sections.size())
-        sections.push_back(make_profile(pipe, section_of(scene, pipe, meshed, i),
-                                        scene.materials[pipe.material], meshed.bend_radius[i],
-                                        is_arc ? std::optional<Point3>(arc->second) : std::nullopt,
-                                        law));
-      if (id + 1 == sections.size() && pipe.total_mass)
-        sections[id].mass =
-            *pipe.total_mass / meshed.s.back() + scene.sections[pipe.section].added_mass;
+      if (id == sections.size()) {
+        const Section section = section_of(scene, pipe, meshed, i);
+        sections.push_back(
+            make_profile(pipe, section, scene.materials[pipe.material], meshed.bend_radius[i],
+                         is_arc ? std::optional<Point3>(arc->second) : std::nullopt, law));
+        if (pipe.total_mass)
+          sections[id].mass = *pipe.total_mass / meshed.s.back() + section.added_mass;
+      }
       cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, id});
       fe_index.push_back(is_arc ? 1 : 0);
       pipes.push_back({p, i, false});
@@ -260,7 +259,14 @@ void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
       const unsigned int on = mesh.supports[i][site].vertex;
       unsigned int ground;
       double length = support.length;
-      Vector3 axis = -1. * resolve(support.normal, mesh.supports[i][site].tangent, support.name);
+      const Vector3 &tangent = mesh.supports[i][site].tangent;
+      if (support.kind == "guide" && tangent.norm() > 0. && std::abs(tangent[2]) > 1. - 1e-6)
+        throw UserError(
+            "Support " + support.name +
+            ": with a gap, friction or a stiffness, a guide on a vertical pipe would "
+            "hold one of its two horizontal directions only. Give two supports of Kind = "
+            "stop instead, with Normal = 1 0 0 and Normal = 0 1 0.");
+      Vector3 axis = -1. * resolve(support.normal, tangent, support.name);
       if (support.ground.empty()) {
         ground = points.size();
         points.push_back(points[on] + support.length * axis);

@@ -46,7 +46,8 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
 }
 
 void PipeElement::add_joints(const CellJoints &joints) {
-  Matrix12 F = Matrix12::Zero();
+  Matrix12 &F = joint_flexibility;
+  F.setZero();
   for (unsigned int end = 0; end < 2; ++end)
     for (unsigned int i = 0; i < 6; ++i) {
       pushed[6 * end + i] = joints.thrust[end][i];

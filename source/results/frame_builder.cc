@@ -203,7 +203,7 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
   for (const unsigned int v : {0u, 1u})
     for (unsigned int c = 0; c < 6; ++c)
       vertex_forces[cell->vertex_index(v)][c] += ends[6 * v + c];
-  u = element.inside(u); // beyond joints
+  u = element.inside(u, ends, load.pressure); // beyond joints
   if (element.arc())
     return add_arc(pipe_cell, ends, u, load, line);
 

@@ -17,6 +17,11 @@ double cowper(const double nu, const double m) {
   return 6. * (1. + nu) * a / ((7. + 6. * nu) * a + (20. + 12. * nu) * m * m);
 }
 
+/// Whether lengths are in inches or feet [m]; a foot is twelve inches to rounding only.
+bool is_in_inches(const double unit) {
+  return std::abs(unit - 0.0254) < 1e-9 || std::abs(unit - 0.3048) < 1e-9;
+}
+
 } // namespace
 
 double Section::bore_area() const {
@@ -90,8 +95,7 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
     const bool own = !in.text("Size table").empty();
     const std::optional<PipeSize> found =
         own ? find_pipe_size(existing_file(in, "Size table"), size, in.text("Schedule"), in.si("m"))
-            : find_pipe_size(size, in.text("Schedule"),
-                             in.si("m") == 0.0254 || in.si("m") == 0.3048);
+            : find_pipe_size(size, in.text("Schedule"), is_in_inches(in.si("m")));
     if (!found)
       in.fail("Size",
               own ? "a size and schedule in the file of Size table" : known_pipe_sizes(size),

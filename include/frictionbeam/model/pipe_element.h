@@ -36,9 +36,10 @@ public:
   Vector12 unit_curvature() const;
   /// Nodal forces that a unit pressure in the cell's joints, if they were free, would need.
   Vector12 unit_thrust() const;
-  /// Motions of the cell's ends beyond its joints, if the nodes have these.
-  Vector12 inside(const Vector12 &nodes) const {
-    return jointed ? Vector12(beyond * nodes) : nodes;
+  /// Motions of the cell's ends beyond its joints, which yield to the forces on them and to
+  /// pressure, if the nodes have the motions @p nodes and put the forces @p ends on the cell.
+  Vector12 inside(const Vector12 &nodes, const Vector12 &ends, const double pressure) const {
+    return jointed ? Vector12(nodes - joint_flexibility * ends + pressure * pushed) : nodes;
   }
   /// Consistent mass with rotary inertia, exact with four Gauss points (twelve for an arc).
   Matrix12 mass(const Discretization::Cell &cell);
@@ -57,8 +58,9 @@ private:
 
   const Profile *section = nullptr;
   bool jointed = false;
-  Matrix12 beyond; ///< (1 + F K)^-1, F the flexibility of joints
-  Vector12 pushed; ///< free motion of the cell's ends per pressure
+  Matrix12 joint_flexibility; ///< F
+  Matrix12 beyond;            ///< (1 + F K)^-1
+  Vector12 pushed;            ///< free motion of the cell's ends per pressure
   std::optional<ArcBeam> bend;
   double stretch = 1.;                                    ///< length over chord
   std::vector<std::array<GeneralizedStrain, 12>> strains; ///< by quadrature point, function

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace oracle {
+
+void Comparison::add(const std::string &name, const double program, const double right,
+                     const double scale) {
+  ++numbers;
+  const double difference =
+      std::isfinite(program) ? std::abs(program - right) / std::max(scale, 1e-300) : 1e300;
+  if (difference <= worst)
+    return;
+  worst = difference;
+  std::ostringstream out;
+  out.precision(12);
+  out << name << ": program " << program << ", right " << right << ", of " << scale;
+  what = out.str();
+}
+
+namespace {
+
+const char *const motion_names[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
+const char *const force_names[] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+
+/// Section force of a station in global axes; its local x axis is y cross z.
+Six global_force(const frictionbeam::Station &station) {
+  Vec y, z;
+  for (int d = 0; d < 3; ++d) {
+    y[d] = station.y[d];
+    z[d] = station.z[d];
+  }
+  const Vec x = y.cross(z);
+  Six result;
+  for (int d = 0; d < 3; ++d) {
+    result[d] = station.force[0] * x[d] + station.force[1] * y[d] + station.force[2] * z[d];
+    result[3 + d] = station.force[3] * x[d] + station.force[4] * y[d] + station.force[5] * z[d];
+  }
+  return result;
+}
+
+/// The four scales of one state: displacements, rotations, forces and moments.
+struct Scales {
+  double values[4] = {0., 0., 0., 0.};
+
+  Scales(const Scene &scene, const State &state, const Frame &frame) {
+    for (const Vec12 &ends : frame.end_forces(state.motion, state.factors))
+      for (int i = 0; i < 12; ++i)
+        include(i % 6 < 3 ? 2 : 3, ends[i]);
+    for (const Spring &spring : scene.springs)
+      for (int c = 0; c < 6; ++c)
+        include(c < 3 ? 2 : 3, frame.spring_force(spring, state.motion)[c]);
+    for (int i = 0; i < state.motion.size(); ++i)
+      include(i % 6 < 3 ? 0 : 1, state.motion[i]);
+    // Residuals of forces are judged by the largest force, to 1e-10: that is 1e-8 of a hundredth
+    // of the loads at clamped nodes, also where a line expands freely and has no forces.
+    const Vector loads = frame.load_vector(state.factors);
+    for (int i = 0; i < loads.size(); ++i)
+      include(i % 6 < 3 ? 2 : 3, 1e-2L * loads[i]);
+    for (double &value : values)
+      value = value < 1e-250 ? 1. : value;            // nothing happens
+    values[1] = std::max(values[1], values[0] / 10.); // as over 10 m
+    values[0] = std::max(values[0], values[1] / 10.);
+    values[3] = std::max(values[3], values[2]); // at an arm of 1 m
+    values[2] = std::max(values[2], values[3] / 10.);
+  }
+  double operator()(const bool force, const int component) const {
+    return values[(force ? 2 : 0) + (component < 3 ? 0 : 1)];
+  }
+
+private:
+  void include(const int kind, const Real value) {
+    values[kind] = std::max(values[kind], static_cast<double>(std::abs(value)));
+  }
+};
+
+void compare_lines(const Scene &scene, const frictionbeam::Frame &program, const Frame &frame,
+                   const State &state, const Scales &scales, const std::string &step,
+                   Comparison &result) {
+  for (const frictionbeam::Station &station : program.line) {
+    const std::vector<Member::At> sides =
+        frame.at(station.pipe, station.s, state.motion, state.factors);
+    if (sides.empty()) {
+      result.add("place on pipe", 1., 0., 1.);
+      continue;
+    }
+    const Six force = global_force(station);
+    // At a node either side may be meant: the one that is nearer.
+    double least = 1e300;
+    const Member::At *nearest = &sides.front();
+    for (const Member::At &side : sides) {
+      double sum = 0.;
+      for (int c = 0; c < 6; ++c)
+        sum += std::abs(force[c] - static_cast<double>(side.force[c])) / scales(true, c) +
+               std::abs(station.displacement[c] - static_cast<double>(side.motion[c])) /
+                   scales(false, c);
+      if (sum < least) {
+        least = sum;
+        nearest = &side;
+      }
+    }
+    const std::string where =
+        step + ", " + scene.pipes[station.pipe].name + " at " + std::to_string(station.s) + " m, ";
+    for (int c = 0; c < 6; ++c) {
+      result.add(where + motion_names[c], station.displacement[c], nearest->motion[c],
+                 scales(false, c));
+      result.add(where + force_names[c], force[c], nearest->force[c], scales(true, c));
+    }
+  }
+}
+
+void compare_supports(const frictionbeam::Results &program, const frictionbeam::Frame &shown,
+                      const State &state, const Scales &scales, const std::string &step,
+                      Comparison &result) {
+  for (const Contact &contact : state.contacts)
+    for (std::size_t i = 0; i < program.supports.size(); ++i) {
+      if (program.supports[i].name != contact.name)
+        continue;
+      const frictionbeam::SupportInfo &info = program.supports[i];
+      const frictionbeam::SupportState &is = shown.supports[i];
+      const Vec right = static_cast<double>(contact.force[0]) * contact.normal +
+                        static_cast<double>(contact.force[1]) * contact.t1 +
+                        static_cast<double>(contact.force[2]) * contact.t2;
+      for (int d = 0; d < 3; ++d)
+        result.add(step + ", " + contact.name + " f" + "xyz"[d],
+                   is.fn * info.normal[d] + is.ft1 * info.t1[d] + is.ft2 * info.t2[d], right[d],
+                   scales(true, 0));
+      result.add(step + ", " + contact.name + " fn", is.fn, contact.force[0], scales(true, 0));
+      if (contact.platen == 0)
+        result.add(step + ", " + contact.name + " gap", is.gap, contact.gap + contact.motion[0],
+                   scales(false, 0));
+      using Theirs = frictionbeam::ContactStatus;
+      using Ours = Contact::Status;
+      if (contact.sure) {
+        const Theirs status = contact.status == Ours::open    ? Theirs::open
+                              : contact.status == Ours::stick ? Theirs::stick
+                              : contact.status == Ours::slip  ? Theirs::slip
+                                                              : Theirs::closed;
+        result.add(step + ", " + contact.name + " status", static_cast<int>(is.status),
+                   static_cast<int>(status), 1.);
+      }
+      if (contact.status != Ours::open) {
+        const Vec3 slip = contact.plastic - contact.touch;
+        result.add(step + ", " + contact.name + " slip1", is.slip1, slip[1], scales(false, 0));
+        result.add(step + ", " + contact.name + " slip2", is.slip2, slip[2], scales(false, 0));
+      }
+    }
+}
+
+Vec6 nodal_force(const Frame &frame, const State &state, const int node) {
+  Vector held = frame.residual(state.motion, state.factors);
+  for (const Contact &contact : state.contacts)
+    held -= contact.rows.transpose() * contact.force;
+  return held.segment<6>(6 * node);
+}
+
+void compare_reactions(const Scene &scene, const frictionbeam::Results &program,
+                       const frictionbeam::Frame &shown, const Frame &frame, const State &state,
+                       const Scales &scales, const std::string &step, Comparison &result) {
+  const auto add = [&](const std::string &name, const Six &right) {
+    for (std::size_t i = 0; i < program.restraints.size(); ++i)
+      if (program.restraints[i].name == name)
+        for (int c = 0; c < 6; ++c)
+          result.add(step + ", " + name + " " + force_names[c], shown.reactions[i][c], right[c],
+                     scales(true, c));
+  };
+  for (const Support &support : scene.supports) {
+    if (!support.holds_exactly())
+      continue;
+    const std::vector<Place> places = frame.places(support);
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const Vec6 force = nodal_force(frame, state, places[p].node);
+      Vec6 own = Vec6::Zero();
+      for (const Vec6 &direction : Frame::held(support, places[p]))
+        own += direction.dot(force) * direction;
+      Six right;
+      for (int c = 0; c < 6; ++c)
+        right[c] = own[c];
+      add(support.name + (places.size() > 1 ? "." + std::to_string(p + 1) : ""), right);
+    }
+  }
+  for (const Spring &spring : scene.springs)
+    add(spring.name, frame.spring_force(spring, state.motion));
+  for (const Hanger &hanger : scene.hangers) {
+    Six force{};
+    force[2] = hanger.cold_load - hanger.stiffness * state.motion[6 * frame.node_of(hanger.at) + 2];
+    add(hanger.name, force);
+  }
+}
+
+} // namespace
+
+Comparison compare(const Scene &scene, const Outcome &program, const Solution &oracle) {
+  Comparison result;
+  const frictionbeam::Results &results = program.results;
+  unsigned int compared = 0;
+  for (const frictionbeam::Frame &shown : results.frames) {
+    if (!shown.end_of_step || shown.increment == 0 || shown.step >= oracle.steps.size())
+      continue;
+    ++compared;
+    const State &state = oracle.steps[shown.step];
+    result.unsure = result.unsure || !state.sure;
+    const Scales scales(scene, state, *oracle.frame);
+    const double terms =
+        (oracle.frame->stiffness().cwiseAbs() * state.motion.cwiseAbs()).maxCoeff();
+    // Solver/Tolerance leaves 1e-10 of the largest force, clamped free strains included.
+    const double loads = oracle.frame->load_vector(state.factors).cwiseAbs().maxCoeff();
+    result.rounding = std::max(result.rounding, (1e-16 * terms + 1e-11 * loads) / scales(true, 0));
+    const std::string step = scene.steps[shown.step].name;
+    compare_lines(scene, shown, *oracle.frame, state, scales, step, result);
+    compare_supports(results, shown, state, scales, step, result);
+    compare_reactions(scene, results, shown, *oracle.frame, state, scales, step, result);
+  }
+  result.add("number of steps", compared, oracle.steps.size(), 1.);
+  for (std::size_t i = 0; i < oracle.frequencies.size(); ++i)
+    result.add("frequency of mode " + std::to_string(i + 1),
+               i < results.modes.size() ? results.modes[i].frequency : 0., oracle.frequencies[i],
+               100. * oracle.frequencies[i]); // eigenvalues to 1e-6
+  return result;
+}
+
+std::string describe(const Scene &scene, const Solution &solution) {
+  std::ostringstream out;
+  out.precision(12);
+  for (std::size_t s = 0; s < solution.steps.size(); ++s) {
+    const State &state = solution.steps[s];
+    out << "step " << scene.steps[s].name << '\n';
+    for (const Pipe &pipe : scene.pipes)
+      for (const Corner &corner : pipe.route)
+        if (!corner.name.empty()) {
+          out << "  " << corner.name << ':';
+          for (int c = 0; c < 6; ++c)
+            out << ' ' << motion_names[c] << ' '
+                << state.motion[6 * solution.frame->node_of(corner.name) + c];
+          out << '\n';
+        }
+    for (const Contact &contact : state.contacts)
+      out << "  " << contact.name << ": fn " << contact.force[0] << ", ft1 " << contact.force[1]
+          << ", ft2 " << contact.force[2] << ", gap " << contact.gap + contact.motion[0] << '\n';
+  }
+  for (const double frequency : solution.frequencies)
+    out << "  " << frequency << " Hz\n";
+  return out.str();
+}
+
+} // namespace oracle

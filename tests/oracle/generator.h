@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "random_scene.h"
+
+#include <map>
+#include <set>
+
+namespace oracle {
+
+/// Draws a scene part by part: first the line, then what stands on it, then loads and steps.
+class Generator {
+public:
+  Generator(const std::uint64_t seed, const Kinds &kinds) : random(seed), kinds(kinds) {}
+  Scene make();
+
+private:
+  void materials();
+  void sections();
+  void pipes();
+  void add_pipe(const std::string &from, const Vec &start, Vec direction, bool only_one_leg);
+  void points_on(const Pipe &pipe);
+  void hold_ends();
+  void supports();
+  void contacts();
+  void repeated();
+  void components();
+  void loads();
+  void steps();
+  std::string new_name(const std::string &letter) { return letter + std::to_string(++n_names); }
+  std::string free_point(); ///< a point where nothing stands yet; empty: none
+
+  Random random;
+  const Kinds kinds;
+  Scene scene;
+  int n_names = 0;
+  std::vector<std::string> candidates; ///< points where supports may stand
+  std::set<std::string> taken, vertical, on_straight;
+  std::map<std::string, Vec> places;             ///< of those on straight runs
+  std::vector<std::pair<std::string, Vec>> ends; ///< far ends of pipes
+};
+
+} // namespace oracle

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene.h"
+
+#include <cstdint>
+
+namespace oracle {
+
+/// Numbers that follow from a seed on every machine (splitmix64).
+class Random {
+public:
+  explicit Random(const std::uint64_t seed) : state(seed) {}
+
+  double number(const double low, const double high) {
+    return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
+  }
+  int whole(const int low, const int high) { // both included
+    return low + static_cast<int>(next() % static_cast<std::uint64_t>(high - low + 1));
+  }
+  bool chance(const double part) { return number(0., 1.) < part; }
+  template <typename List>
+  const auto &pick(const List &list) {
+    return list[whole(0, static_cast<int>(list.size()) - 1)];
+  }
+  Vec direction() { // evenly over the sphere
+    const double z = number(-1., 1.), turn = number(0., 2. * pi), r = std::sqrt(1. - z * z);
+    return Vec(r * std::cos(turn), r * std::sin(turn), z);
+  }
+
+private:
+  std::uint64_t next() {
+    std::uint64_t z = state += 0x9e3779b97f4a7c15ull;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return z ^ (z >> 31);
+  }
+
+  std::uint64_t state;
+};
+
+/// What a random scene may have.
+struct Kinds {
+  bool contacts = false;  ///< unilateral supports with and without friction
+  bool transient = false; ///< a transient step at the end
+};
+
+/// The scene of a seed: an anchored line with branches, and everything on it that is drawn.
+Scene random_scene(std::uint64_t seed, const Kinds &kinds);
+
+} // namespace oracle

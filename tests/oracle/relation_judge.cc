@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "relations.h"
+#include "write_scene.h"
+
+#include <algorithm>
+
+namespace oracle {
+
+namespace {
+
+bool is_transient(const Scene &scene) {
+  return std::any_of(scene.steps.begin(), scene.steps.end(),
+                     [](const Step &step) { return step.transient; });
+}
+
+} // namespace
+
+Scene RelationJudge::make(const std::uint64_t seed) const {
+  Random random(seed + 77);
+  Kinds kinds;
+  kinds.contacts = random.chance(0.7);
+  kinds.transient = relation.transient_tolerance > 0. && random.chance(0.3);
+  return random_scene(seed, kinds);
+}
+
+Verdict RelationJudge::judge(const Scene &scene, const std::uint64_t seed) {
+  Verdict verdict;
+  const auto skip = [&](const std::string &why) {
+    verdict.kind = Verdict::Kind::skipped;
+    verdict.text = why;
+    return verdict;
+  };
+  Random random(seed + 99);
+  const std::optional<Related> related = relation.change(scene, random);
+  if (!related)
+    return skip("the relation says nothing here");
+  write_scene(scene, folder + "/scene.prm", "");
+  const Outcome first = run_program(laws, folder + "/scene.prm", folder);
+  if (first.kind == Outcome::Kind::refused) {
+    verdict.kind = Verdict::Kind::refused;
+    verdict.text = first.message;
+    return verdict;
+  }
+  if (first.several_equilibria())
+    return skip("several equilibria");
+  write_scene(related->scene, folder + "/related.prm", "");
+  const Outcome second = run_program(laws, folder + "/related.prm", folder);
+  // Where an increment was cut, the path that friction follows is another one.
+  if (first.halvings() > 0 || second.halvings() > 0)
+    return skip("increments were cut");
+  if (first.kind != second.kind) {
+    verdict.kind = Verdict::Kind::wrong;
+    verdict.worst = 1.;
+    verdict.text = std::string("one of the two ") +
+                   (second.kind == Outcome::Kind::refused   ? "is refused: " + second.message
+                    : second.kind == Outcome::Kind::stopped ? "does not converge (changed)"
+                                                            : "does not converge (original)");
+  } else {
+    const double tolerance =
+        is_transient(scene) ? relation.transient_tolerance : relation.tolerance;
+    verdict.worst =
+        largest_difference(Answer(scene, first), related->mapping, Answer(related->scene, second),
+                           verdict.text, verdict.numbers);
+    if (verdict.worst > tolerance)
+      verdict.kind = Verdict::Kind::wrong;
+  }
+  if (verdict.kind == Verdict::Kind::wrong) {
+    std::map<std::string, std::string> tables;
+    verdict.answer = "Relation '" + relation.name + "': " + relation.meaning +
+                     ". The related scene:\n" + parameter_file(related->scene, tables);
+  }
+  return verdict;
+}
+
+} // namespace oracle

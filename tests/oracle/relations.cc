@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "relations.h"
+#include "changes.h"
+#include "frame.h"
+
+#include <algorithm>
+
+namespace oracle {
+
+namespace {
+
+using Maybe = std::optional<Related>;
+
+/// One of the turns of a cube into itself, mirrored ones included.
+Eigen::Matrix3d cube_turn(Random &random, const bool keep_vertical) {
+  std::array<int, 3> place = {0, 1, 2};
+  if (random.chance(0.5))
+    std::swap(place[0], place[1]);
+  if (!keep_vertical)
+    std::rotate(place.begin(), place.begin() + random.whole(0, 2), place.end());
+  Eigen::Matrix3d Q = Eigen::Matrix3d::Zero();
+  for (int d = 0; d < 3; ++d)
+    Q(place[d], d) = keep_vertical && d == 2 ? 1. : random.chance(0.5) ? 1. : -1.;
+  return Q;
+}
+
+bool any_anisotropic(const Scene &scene) {
+  return std::any_of(scene.supports.begin(), scene.supports.end(),
+                     [](const Support &s) { return s.ratio != 1.; });
+}
+
+Maybe turned(const Scene &scene, Random &random) {
+  if (any_anisotropic(scene)) // its two directions do not follow the pipe
+    return {};
+  const bool keep_vertical =
+      !scene.hangers.empty() ||
+      std::any_of(scene.supports.begin(), scene.supports.end(),
+                  [](const Support &s) { return s.kind == "guide" || s.direction == "across"; });
+  Related related{scene, {}};
+  related.mapping.turn = cube_turn(random, keep_vertical);
+  turn(related.scene, related.mapping.turn);
+  return related;
+}
+
+Maybe reversed(const Scene &scene, Random &) {
+  Related related{scene, {}};
+  return reverse_routes(related.scene) ? Maybe(related) : Maybe();
+}
+
+Maybe cut(const Scene &scene, Random &random) {
+  Related related{scene, {}};
+  if (scene.modes > 0) // which depend on the cells
+    return {};
+  return cut_a_pipe(related.scene, random) ? Maybe(related) : Maybe();
+}
+
+/// A point on a run, and a mass of zero there.
+Maybe point_added(const Scene &scene, Random &random) {
+  Related related{scene, {}};
+  if (scene.modes > 0 || !add_a_point(related.scene, "Z1", random))
+    return {};
+  related.scene.masses.push_back({"nothing", {"Z1"}, 0.});
+  return related;
+}
+
+/// A support with a gap of a kilometre, at a point that is there.
+Maybe far_support(const Scene &scene, Random &random) {
+  Related related{scene, {}};
+  Support support;
+  support.name = "far";
+  support.kind = "friction";
+  support.at = {random.pick(scene.monitors)};
+  support.normal = random.direction();
+  support.friction = 0.3;
+  support.gap = 1000.;
+  related.scene.supports.push_back(support);
+  return related;
+}
+
+Maybe sections_in_another_order(const Scene &scene, Random &random) {
+  Related related{scene, {}};
+  related.scene.sections_reversed = true;
+  for (std::size_t i = related.scene.supports.size(); i > 1; --i)
+    std::swap(related.scene.supports[i - 1], related.scene.supports[random.whole(0, i - 1)]);
+  return related;
+}
+
+Maybe other_units(const Scene &scene, Random &random) {
+  const std::vector<std::string> units = {"si",     "mm N MPa",        "in lb psi F",
+                                          "ft kip", "cm kgf kg bar C", "m kN t kPa F"};
+  Related related{scene, {}};
+  related.scene.units = random.pick(units);
+  const auto inches = [](const std::string &words) {
+    return words.find("in ") == 0 || words.find("ft ") == 0;
+  };
+  const bool sized = std::any_of(scene.sections.begin(), scene.sections.end(),
+                                 [](const Section &section) { return !section.size.empty(); });
+  if (sized && inches(scene.units) != inches(related.scene.units))
+    return {}; // the standard's tables in mm and in inches differ
+  return related;
+}
+
+Maybe scaled(const Scene &scene, Random &random) {
+  for (const Section &section : scene.sections)
+    if (!section.size.empty())
+      return {};
+  Related related{scene, {}};
+  const double a = random.number(0.2, 5.);
+  scale_lengths(related.scene, a);
+  related.mapping.length = related.mapping.time = a;
+  related.mapping.force = a * a;
+  return related;
+}
+
+/// Guides and stops that hold exactly against two rigid contacts without gap and friction.
+Maybe guides_as_pairs(const Scene &scene, Random &) {
+  Related related{scene, {}};
+  bool any = false;
+  const Frame frame(scene);
+  for (const Support &support : scene.supports)
+    for (const Place &place : frame.places(support))
+      if (support.kind == "guide" && std::abs(place.tangent[2]) > 1. - 1e-6)
+        return {}; // which two contacts cannot hold both ways
+  for (Support &support : related.scene.supports)
+    if (support.holds_exactly() && support.kind != "anchor" && support.kind != "restraint") {
+      support.as_pair = true;
+      any = true;
+    }
+  if (scene.modes > 0)
+    return {};
+  return any ? Maybe(related) : Maybe();
+}
+
+/// A rest on the ground against a rest on a piece of pipe that is anchored at both ends.
+Maybe ground_is_a_pipe(const Scene &scene, Random &) {
+  Related related{scene, {}};
+  return stand_on_pipes(related.scene) ? Maybe(related) : Maybe();
+}
+
+Maybe bends_as_pieces(const Scene &scene, Random &) {
+  Related related{scene, {}};
+  related.scene.arcs = false;
+  related.scene.cells_per_bend = 200;
+  for (const Load &load : scene.loads)
+    if (load.kind == "pressure" || load.kind == "wind") // Bourdon's effect; wind by cells
+      return {};
+  if (!scene.arcs || scene.has_contacts() || scene.modes > 0)
+    return {};
+  return related;
+}
+
+/// Elastic contacts by return mapping against the method exact.
+Maybe by_newton(const Scene &scene, Random &) {
+  bool any = false;
+  for (const Support &support : scene.supports)
+    if (!support.holds_exactly()) {
+      any = true;
+      if (support.axial_rigidity == 0. || support.shear_rigidity == 0.)
+        return {};
+    }
+  Related related{scene, {}};
+  related.scene.more.emplace_back("Solver/Method", "newton");
+  return any ? Maybe(related) : Maybe();
+}
+
+} // namespace
+
+const std::vector<Relation> &relations() {
+  static const std::vector<Relation> all = {
+      {"turned", "the scene turned or mirrored, gravity with it", &turned},
+      {"reversed", "all routes from their ends", &reversed},
+      {"cut", "a pipe cut into two", &cut, 1e-7, 0.},
+      {"point", "a named point and a mass of zero added", &point_added, 1e-7, 0.},
+      {"far", "a support that never touches added", &far_support},
+      {"order", "sections of the file and supports in another order", &sections_in_another_order},
+      {"units", "the file in other units", &other_units},
+      {"scaled", "all lengths times a factor at equal stresses", &scaled},
+      {"pairs", "exact guides as two contacts", &guides_as_pairs, 1e-7, 0.},
+      {"ground", "supports on an anchored pipe", &ground_is_a_pipe, 1e-7, 0.},
+      {"arcs", "bends cut into 200 straight pieces", &bends_as_pieces, 2e-4, 0.},
+      {"newton", "method newton where contacts are elastic", &by_newton, 1e-6, 0.}};
+  return all;
+}
+
+} // namespace oracle

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Dense>
+
+/**
+ * @file
+ * A piping scene as the tests see it: the entries of a parameter file as plain numbers in SI units
+ * (angles in degrees where the file has degrees). The generator makes it, the writer turns it into
+ * a parameter file for the program, and the dense solver solves it. Nothing here is shared with the
+ * application: what one of the two reads wrongly, the other does not.
+ */
+namespace oracle {
+
+using Vec = Eigen::Vector3d;
+using Six = std::array<double, 6>; ///< translations and rotations, or forces and moments
+constexpr double pi = 3.14159265358979323846;
+
+struct Material {
+  std::string name;
+  double E = 2e11, nu = 0.3, density = 7850., expansion = 1.2e-5;
+  /// Rows of temperature [degC], Young's modulus [Pa], mean expansion from 20 degC [1/K].
+  std::vector<std::array<double, 3>> table;
+  double modulus_temperature = 20.; ///< at which the modulus is taken from the table
+};
+
+struct Section {
+  enum class Shear { half, cowper, none, given } shear = Shear::half;
+  std::string name;
+  std::string size, schedule;      ///< such as "NPS 6" and "40"; empty: by figures
+  double diameter = 0., wall = 0.; ///< 0: by the next ones
+  double area = 0., inertia = 0.;  ///< [m2], [m4]
+  double torsion = 0.;             ///< [m4]; 0: twice the inertia
+  double shear_area = 0.;          ///< if given
+  double added_mass = 0.;          ///< [kg/m]
+  double contents = 0.;            ///< density [kg/m3]
+  double insulation = 0.;          ///< thickness [m]
+  double insulation_density = 0.;  ///< [kg/m3]
+  bool rotary_inertia = true;
+};
+
+struct Corner {
+  std::string name;
+  Vec position;
+  double bend = 0.;      ///< radius; 0: sharp
+  bool relative = false; ///< written as 'by dx dy dz'
+  bool by_name = false;  ///< written as a name alone
+};
+
+struct Pipe {
+  enum class Flexibility { code, von_karman, none, given } flexibility = Flexibility::code;
+  std::string name;
+  int section = 0, material = 0;
+  std::vector<Corner> route;
+  double flexibility_factor = 1., stiffening_pressure = 0.;
+  int end_section = -1; ///< of a reducer
+  bool rigid = false;
+  double mass = -1.; ///< of the pipe's own; -1: by density
+};
+
+struct Point {
+  std::string name;
+  Vec position;
+};
+
+struct Support {
+  enum class Rotations { none, averaged, pipe } rotations = Rotations::none;
+  std::string name, kind = "rest";
+  std::vector<std::string> at;
+  std::string pipe, from, to; ///< instead of at, with every
+  double every = 0.;
+  std::array<bool, 6> fixed{{true, true, true, true, true, true}}; ///< of a restraint
+  std::string direction; ///< "along", "across", or empty: the normal
+  Vec normal = Vec(0., 0., 1.);
+  double length = 1.;
+  double normal_force = 0.;                                    ///< of a platen
+  double axial_rigidity = 0., shear_rigidity = 0., ratio = 1.; ///< 0: rigid
+  double friction = 0., dynamic_friction = -1.;
+  double gap = 0.;
+  std::string ground;   ///< point to stand on; empty: the ground
+  bool as_pair = false; ///< a guide or stop without gap as two contacts, not as a held direction
+
+  bool holds_exactly() const {
+    if (as_pair)
+      return false;
+    return kind == "anchor" || kind == "restraint" ||
+           ((kind == "guide" || kind == "line stop" || kind == "stop") && friction == 0. &&
+            gap == 0. && axial_rigidity == 0. && shear_rigidity == 0. && ground.empty());
+  }
+};
+
+struct Spring {
+  std::string name, at, to; ///< to empty: the ground
+  Six stiffness{}, damping{};
+};
+
+struct Mass {
+  std::string name;
+  std::vector<std::string> at;
+  double mass = 0.;
+};
+
+struct Joint {
+  std::string name, at, pipe;
+  double axial = 0., lateral = 0., bending = 0., torsion = 0.; ///< stiffness; 0: rigid
+  double thrust_area = 0.;
+};
+
+struct Tee {
+  std::string name, at, branch;
+  bool code = false;                       ///< springs of ASME III NB-3686.5
+  double in_plane = 0., out_of_plane = 0.; ///< else; 0: rigid
+};
+
+struct Hanger {
+  std::string name, at;
+  bool constant = false;
+  double stiffness = 0., cold_load = 0.;
+};
+
+struct Load {
+  std::string name, kind = "weight";
+  Vec vector = Vec(0., 0., -9.81); ///< acceleration, dynamic pressure of wind, force per length
+  double value = 0.;               ///< temperature, pressure, shape factor of wind
+  std::vector<std::string> pipes;  ///< empty: all
+  std::vector<std::pair<std::string, Six>> at; ///< forces, or displacements [m, degrees]
+  std::vector<std::array<bool, 6>> given;      ///< displacements: which
+};
+
+struct Step {
+  std::string name;
+  std::vector<std::pair<int, double>> loads; ///< load and factor
+  int increments = 1;
+  bool transient = false;
+  double duration = 1., ramp = 0.;
+};
+
+struct Initial {
+  std::vector<std::string> at;
+  Six displacement{}, velocity{};
+};
+
+struct Scene {
+  std::string units = "si";
+  double installation_temperature = 20.;
+  std::array<bool, 6> free_motions{{true, true, true, true, true, true}};
+  std::vector<Material> materials;
+  std::vector<Section> sections;
+  std::vector<Pipe> pipes;
+  std::vector<Point> points;
+  std::vector<Support> supports;
+  std::vector<Spring> springs;
+  std::vector<Mass> masses;
+  std::vector<Joint> joints;
+  std::vector<Tee> tees;
+  std::vector<Hanger> hangers;
+  std::vector<Load> loads;
+  std::vector<Step> steps;
+  std::vector<Initial> initial;
+  std::vector<std::string> monitors; ///< points whose motion is compared
+
+  bool arcs = true; ///< else bends are cut into straight pieces
+  int cells_per_bend = 8;
+  double cell_length = 0.;
+  int stations = 3;
+  int modes = 0;
+  bool lumped = false;                                   ///< mass of the modes
+  std::vector<std::pair<std::string, std::string>> more; ///< further entries, "Section/Entry"
+  bool sections_reversed = false; ///< the file's parts in reverse order where order is free
+
+  bool has_contacts() const {
+    for (const Support &support : supports)
+      if (!support.holds_exactly())
+        return true;
+    return false;
+  }
+};
+
+} // namespace oracle

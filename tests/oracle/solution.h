@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "contacts.h"
+
+#include <memory>
+
+namespace oracle {
+
+/// The line at the end of a step.
+struct State {
+  Vector motion;             ///< of all nodes
+  std::vector<Real> factors; ///< of the loads
+  std::vector<Contact> contacts;
+  bool sure = true; ///< the contact solver has converged in all increments so far
+};
+
+/// The whole load sequence, static steps only.
+struct Solution {
+  std::shared_ptr<const Frame> frame;
+  std::vector<State> steps;
+  std::vector<double> frequencies; ///< [Hz], if modes are asked for
+};
+
+Solution solve(const Scene &scene);
+
+} // namespace oracle
