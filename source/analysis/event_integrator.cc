@@ -288,12 +288,16 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
     ++step.result.iterations;
     const Event event = next_event();
     if (changed && event.x > 0.)
-      break; // the new state holds
-    if (event.x <= 1. && ++at_once > 20 + 10 * states.size()) {
-      reason = "states change without end";
+      break;             // the new state holds
+    bool curved = false; // under a rigid normal force, which depends on the direction
+    for (unsigned int i = 0; i < states.size(); ++i)
+      curved = curved || (states[i].status == ContactStatus::slip && states[i].curved &&
+                          line.contacts[i].normal == EventContact::Normal::rigid);
+    if (curved || (event.x <= 1. && ++at_once > 20 + 10 * states.size())) {
+      reason = curved ? "slip along a curve on a rigid support" : "states change without end";
       write(loads, to);
       LineState middle = to;
-      const double end = std::min(time, present + part_handed_over * output_step);
+      const double end = curved ? time : std::min(time, present + part_handed_over * output_step);
       TimeStep rest = hand_over(middle, loads, end, to);
       rest.energy += step.energy;
       rest.result.iterations += step.result.iterations;
