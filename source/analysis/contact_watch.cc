@@ -20,15 +20,20 @@ bool is_rigid_stop(const Model &model, const Contact &contact) {
   return std::isinf(law.axial_rigidity);
 }
 
-std::vector<unsigned int> closed_in(std::vector<ContactStatus> status,
+std::vector<unsigned int> closed_in(std::vector<ContactStatus> status, const double time,
                                     const std::vector<ContactEvent> &events) {
+  constexpr double no_time = 1e-9; // of the run's
+  std::vector<double> since(status.size(), time);
   std::vector<unsigned int> closed;
   for (const ContactEvent &event : events) {
-    const bool closes =
-        status[event.contact] == ContactStatus::open && event.status != ContactStatus::open;
-    status[event.contact] = event.status;
-    if (closes)
-      closed.push_back(event.contact);
+    const unsigned int i = event.contact;
+    const bool was_open = status[i] == ContactStatus::open,
+               is_open = event.status == ContactStatus::open;
+    if (was_open && !is_open && event.time - since[i] > no_time * event.time)
+      closed.push_back(i);
+    if (is_open && !was_open)
+      since[i] = event.time;
+    status[i] = event.status;
   }
   return closed;
 }
@@ -37,7 +42,7 @@ void watch_contacts(const Model &model, const LineState &before, const LineState
                     StepReport &report) {
   const unsigned int n = model.contacts.size();
   report.margins.resize(n);
-  for (const unsigned int i : closed_in(before.contact_status, after.events))
+  for (const unsigned int i : closed_in(before.contact_status, before.time, after.events))
     if (is_rigid_stop(model, model.contacts[i])) {
       const auto place = std::lower_bound(report.struck.begin(), report.struck.end(), i);
       if (place == report.struck.end() || *place != i)

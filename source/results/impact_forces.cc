@@ -38,7 +38,7 @@ std::string remark_on_impact(const Quantity &quantity) {
 
 void Collector::watch_impacts(const bool transient, const LineState &state) {
   if (transient && previous_status.size() == state.contact_status.size())
-    for (const unsigned int i : closed_in(previous_status, state.events)) {
+    for (const unsigned int i : closed_in(previous_status, previous_time, state.events)) {
       if (!is_rigid_stop(model, model.contacts[i]))
         continue;
       for (unsigned int q = 0; q < pending.size(); ++q)

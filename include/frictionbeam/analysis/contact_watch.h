@@ -11,8 +11,9 @@ namespace frictionbeam {
 /// spring.)
 bool is_rigid_stop(const Model &model, const Contact &contact);
 
-/// Contacts that closed in an increment, given their status before it and its events.
-std::vector<unsigned int> closed_in(std::vector<ContactStatus> status,
+/// Contacts that closed in an increment, given their status before it, at @p time, and its events;
+/// not those that were open for no time, as one is that lets go and touches again by rounding.
+std::vector<unsigned int> closed_in(std::vector<ContactStatus> status, const double time,
                                     const std::vector<ContactEvent> &events);
 
 /// Note in the report of a transient step how near contacts came to a change of state in a time
