@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "event_integrator.h"
 
+#include <array>
+#include <cmath>
+
 namespace frictionbeam {
+
+namespace {
+
+/// Places in [0, 1] and weights of Gauss' rule with three points.
+const std::array<std::pair<double, double>, 3> gauss_3 = {
+    {{0.5 - std::sqrt(0.15), 5. / 18.}, {0.5, 4. / 9.}, {0.5 + std::sqrt(0.15), 5. / 18.}}};
+
+} // namespace
 
 double EventIntegrator::kinetic_energy() const {
   return velocity.dot(model.linear.mass() * velocity) / 2. +
@@ -69,15 +80,46 @@ double EventIntegrator::work_of_loads(const double x, const double length) const
   return work;
 }
 
+double EventIntegrator::frictionless_wear(const unsigned int i, const double x) const {
+  const Polynomial N = -TaylorMotion::row(motion.r[i], 0);
+  const std::array<Polynomial, 2> rates = {derivative(TaylorMotion::row(motion.g[i], 1)),
+                                           derivative(TaylorMotion::row(motion.g[i], 2))};
+  if (rates[0].isZero(0.) && rates[1].isZero(0.))
+    return 0.;
+  const auto rate = [&](const double y) {
+    return Eigen::Vector2d(value(rates[0], y), value(rates[1], y));
+  };
+  // Gauss' rule of order 6 on pieces; along a line it turns round where one component is zero.
+  constexpr int n_pieces = 24;
+  const bool on_a_line = rates[0].isZero(0.) || rates[1].isZero(0.);
+  double wear = 0., before = 0.;
+  for (int k = 1; k <= n_pieces; ++k) {
+    const double after = x * k / n_pieces;
+    double turn = after;
+    if (on_a_line && rate(before).dot(rate(after)) < 0.)
+      for (double a = before, b = after; b - a > 1e-16;) {
+        turn = (a + b) / 2.;
+        if (turn <= a || turn >= b)
+          break;
+        (rate(turn).dot(rate(after)) < 0. ? a : b) = turn;
+      }
+    for (const auto &[from, to] : {std::pair(before, turn), std::pair(turn, after)})
+      for (const auto &[place, weight] : gauss_3) {
+        const double y = from + (to - from) * place;
+        wear += (to - from) * weight * value(N, y) * rate(y).norm();
+      }
+    before = after;
+  }
+  return wear;
+}
+
 double EventIntegrator::work_of_dampers(const double x, const double length) const {
   // Gauss' rule of order 6 on pieces: the motion is smooth
   constexpr int n_pieces = 24;
-  const std::array<std::pair<double, double>, 3> gauss = {
-      {{0.5 - std::sqrt(0.15), 5. / 18.}, {0.5, 4. / 9.}, {0.5 + std::sqrt(0.15), 5. / 18.}}};
   const Eigen::MatrixXd &products = model.linear.imposed_products().damping;
   double work = 0.;
   for (int k = 0; k < n_pieces; ++k)
-    for (const auto &[place, weight] : gauss) {
+    for (const auto &[place, weight] : gauss_3) {
       const double y = x * (k + place) / n_pieces;
       const Vector now = TaylorMotion::at(motion.v, y);
       double power = now.dot(model.linear.damping() * now);

@@ -98,6 +98,8 @@ double EventIntegrator::add_histories(const double x, const double length,
       continue;
     const Polynomial N = -TaylorMotion::row(motion.r[i], 0);
     contacts.impulse[i] += length * integral_of_product(N, Polynomial::Ones(1), x);
+    if (states[i].status == ContactStatus::closed)
+      contacts.wear[i] += frictionless_wear(i, x);
     if (states[i].status != ContactStatus::slip)
       continue;
     const double wear = integral_of_product(N, slip_rate(i), x),

@@ -68,6 +68,8 @@ private:
           EnergyAccount &energy);
   /// Impulses, wear and friction work up to x. @return what friction dissipates [J]
   double add_histories(const double x, const double length, ContactState &contacts) const;
+  /// Integral of N |u_T| up to x of a contact without friction, which may turn round and round.
+  double frictionless_wear(const unsigned int i, const double x) const;
   /// Directions of slip along curves, at the present.
   void turn_slip(const double x, const double length);
   void change(const Event &event, const double x, const double length, LineState &to,

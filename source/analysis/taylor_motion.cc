@@ -11,6 +11,16 @@ constexpr int order = 30;
 constexpr double rounding = 1e-17;
 } // namespace
 
+namespace {
+
+void shorten_rows(Eigen::MatrixXd &m, const double x) {
+  double power = 1.;
+  for (int k = 0; k < m.rows(); ++k, power *= x)
+    m.row(k) *= power;
+}
+
+} // namespace
+
 double same_instant(const double time) { return 1e-12 * std::abs(time); }
 
 Vector TaylorMotion::at(const Eigen::MatrixXd &m, const double x) {
@@ -60,10 +70,25 @@ void TaylorMotion::make_rows(const std::vector<EventState> &states) {
 bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
                                      const double length) {
   // A jump at the end belongs to the next piece, and one at the start is over.
-  const double same = same_instant(time), start = loads.next_break(time - same),
-               end = loads.next_break(time + same);
+  const double same = same_instant(time), start = loads.next_break(time - same);
   first_instant = start <= time + same ? std::nextafter(start, start + 1.) : time;
-  last_instant = std::nextafter(end, time);
+  last_instant = std::nextafter(loads.next_break(time + same), time);
+  // Rates of the ground from differences of its motion: not from one within a very short time.
+  const double wide = std::max(length, std::min(1e6 * least, last_instant - time));
+  if (wide > length && interpolate_between(loads, time, wide)) {
+    for (Eigen::MatrixXd *const m : {&factors, &ground})
+      shorten_rows(*m, length / wide);
+    return true;
+  }
+  if (wide > length) {
+    factor_noise.before.resize(0);
+    ground_noise.before.resize(0);
+  }
+  return interpolate_between(loads, time, length);
+}
+
+bool TaylorMotion::interpolate_between(const LoadCourse &loads, const double time,
+                                       const double length) {
   bool smooth = true;
   const auto powers = [&](Noise &noise, const std::function<Vector(const double)> &function) {
     return interpolate([&](const double t) { return function(within(t)); }, time, length,
@@ -71,7 +96,8 @@ bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
   };
   factors = powers(factor_noise, [&](const double t) {
     const LoadCourse::Factors f =
-        t < last_instant ? loads.factors(within(t)) : loads.factors_before(end);
+        t < last_instant ? loads.factors(t)
+                         : loads.factors_before(std::nextafter(last_instant, last_instant + 1.));
     return Vector(Eigen::Map<const Vector>(f.data(), f.size()));
   });
   if (model.ground_moves)
@@ -264,11 +290,8 @@ void TaylorMotion::shorten_all(const double x) {
     shorten_columns(m);
   for (Eigen::MatrixXd &m : s)
     shorten_columns(m);
-  for (Eigen::MatrixXd *const m : {&factors, &ground}) {
-    double power = 1.;
-    for (int k = 0; k < m->rows(); ++k, power *= x)
-      m->row(k) *= power;
-  }
+  for (Eigen::MatrixXd *const m : {&factors, &ground})
+    shorten_rows(*m, x);
 }
 
 double TaylorMotion::compute(const LoadCourse &loads, const double time, const double longest,

@@ -73,6 +73,7 @@ private:
   };
   void make_rows(const std::vector<EventState> &states);
   bool interpolate_loads(const LoadCourse &loads, const double time, const double length);
+  bool interpolate_between(const LoadCourse &loads, const double time, const double length);
   /// Of a contact that slips along a curve, by order: velocity u in the sliding plane, |u|; on an
   /// elastic surface u.s and (u - (u.s) s)/N.
   struct Curve {

@@ -3,6 +3,7 @@
 
 #include <frictionbeam/fe_timoshenko_beam.h>
 #include <frictionbeam/generalized_strain.h>
+#include <frictionbeam/scene/parameter_reader.h>
 #include <frictionbeam/scene/user_error.h>
 
 #include <algorithm>
@@ -129,6 +130,27 @@ Section section_of(const Scene &scene, const Pipe &pipe, const MeshedPipe &meshe
 
 } // namespace
 
+namespace {
+
+/// What the triangulation cannot be made of, in the user's words.
+void check_cells(const std::vector<Point3> &points, const std::vector<LineCell> &cells) {
+  if (cells.empty())
+    throw UserError("The scene has no line.\n  read:    no pipe, and no point with a support or "
+                    "a spring\n  allowed: at least one of them\n  try:     a pipe, or, if the "
+                    "scene is a body, Model = continuum; 'check' draws lines only");
+  for (const LineCell &cell : cells) {
+    const Point3 &at = points[cell.vertices[0]];
+    if (!(at.distance(points[cell.vertices[1]]) > 0.))
+      throw UserError("Two points that a support or a spring joins stand at one place.\n  read:    "
+                      "(" +
+                      to_text(at[0]) + ", " + to_text(at[1]) + ", " + to_text(at[2]) +
+                      ") m for both\n  allowed: points apart from each other, as of a support and "
+                      "its Ground\n  try:     another Position of one of them");
+  }
+}
+
+} // namespace
+
 Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws)
     : dofs(triangulation), points(mesh.vertices), n_own(mesh.vertices.size()) {
   add_profiles(scene, mesh, laws);
@@ -162,8 +184,7 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
     fe.push_back(FE_FrictionBeam(rotations, torsion));
   add_supports(scene, mesh);
   add_carriers(scene, mesh);
-  AssertThrow(!cells.empty(), ExcMessage("The scene has no cells."));
-
+  check_cells(points, cells);
   const std::vector<CellOrigin> origins = create_line_triangulation(points, cells, triangulation);
   infos.resize(cells.size());
   cell_level_index.resize(cells.size());

@@ -17,14 +17,20 @@ class Rows {
 public:
   Rows(const UnitSystem &units, const std::string &step) : units(units), step(csv_field(step)) {}
 
-  void add(const std::string &part, const std::string &name, const std::string &s,
-           const std::string &what, const std::string &unit, const Extremes &values) {
+  /// What the next rows are of. @param s along a pipe, as text
+  void begin(const char *const part, const std::string &name, const std::string &s = "") {
+    of = step + ',' + part + ',' + csv_field(name) + ',' + s + ',';
+  }
+
+  void add(const char *const what, const char *const unit, const Extremes &values) {
     if (!values.is_known())
       return;
     const double factor = units.factor(unit);
-    text += step + ',' + part + ',' + csv_field(name) + ',' + s + ',' + what + ',' +
-            exact_number(values.least / factor) + ',' + exact_number(values.least_at) + ',' +
-            exact_number(values.largest / factor) + ',' + exact_number(values.largest_at) + '\n';
+    text.append(of).append(what);
+    for (const double number :
+         {values.least / factor, values.least_at, values.largest / factor, values.largest_at})
+      text.append(1, ',').append(exact_number(number));
+    text.append(1, '\n');
   }
 
   std::string text;
@@ -32,6 +38,7 @@ public:
 private:
   const UnitSystem &units;
   const std::string step;
+  std::string of;
 };
 
 } // namespace
@@ -44,31 +51,32 @@ void write_envelopes(const Scene &scene, const Results &results, const std::stri
     Rows rows(results.units, scene.steps[envelope.step].name);
     for (std::size_t i = 0; i < envelope.supports.size(); ++i) {
       const SupportEnvelope &support = envelope.supports[i];
-      const std::string &name = results.supports[i].name;
+      rows.begin("support", results.supports[i].name);
       for (unsigned int c = 0; c < 6; ++c)
-        rows.add("support", name, "", contact[c], c < 3 ? "N" : "m", support.values[c]);
-      rows.add("support", name, "", "force", "N", support.force);
-      rows.add("support", name, "", "friction", "N", support.friction);
-      rows.add("support", name, "", "impact", "N s", support.impact);
+        rows.add(contact[c], c < 3 ? "N" : "m", support.values[c]);
+      rows.add("force", "N", support.force);
+      rows.add("friction", "N", support.friction);
+      rows.add("impact", "N s", support.impact);
     }
     for (std::size_t i = 0; i < envelope.restraints.size(); ++i) {
+      rows.begin("restraint", results.restraints[i].name);
       for (unsigned int c = 0; c < 6; ++c)
-        rows.add("restraint", results.restraints[i].name, "", forces[c], c < 3 ? "N" : "N m",
-                 envelope.restraints[i].values[c]);
-      rows.add("restraint", results.restraints[i].name, "", "force", "N",
-               envelope.restraints[i].force);
+        rows.add(forces[c], c < 3 ? "N" : "N m", envelope.restraints[i].values[c]);
+      rows.add("force", "N", envelope.restraints[i].force);
     }
-    for (std::size_t i = 0; i < envelope.points.size(); ++i)
+    for (std::size_t i = 0; i < envelope.points.size(); ++i) {
+      rows.begin("point", results.points[i].first);
       for (unsigned int c = 0; c < 6; ++c)
-        rows.add("point", results.points[i].first, "", motions[c], c < 3 ? "m" : "rad",
-                 envelope.points[i][c]);
+        rows.add(motions[c], c < 3 ? "m" : "rad", envelope.points[i][c]);
+    }
     for (std::size_t i = 0; i < results.stations.size(); ++i) {
       const StationPlace &place = results.stations[i];
-      const std::string s = exact_number(place.s / results.units.factor("m"));
+      rows.begin("pipe", scene.pipes[place.pipe].name,
+                 exact_number(place.s / results.units.factor("m")));
       for (unsigned int c = 0; c < 6; ++c) {
         const std::size_t k = 6 * i + c;
         rows.add(
-            "pipe", scene.pipes[place.pipe].name, s, section_forces[c], c < 3 ? "N" : "N m",
+            section_forces[c], c < 3 ? "N" : "N m",
             {envelope.least[k], envelope.largest[k], envelope.least_at[k], envelope.largest_at[k]});
       }
     }

@@ -49,7 +49,7 @@ void check_ground(const Scene &scene, const FrictionSupport &support) {
   for (const TimeFunction &motion : support.ground_motion) {
     if (!motion.is_given())
       continue;
-    if (motion.begins < 0.)
+    if (std::isfinite(motion.begins) && motion.begins < 0.)
       fail(scene, "Support " + support.name +
                       ": the beginning of the record of its ground's motion would be lost.\n"
                       "  read:    '" +
@@ -108,7 +108,7 @@ void frictionbeam::parts::check_histories(Scene &scene) {
       if (!acts(scene.steps[s], l) || first_step(scene, s, l, of_step) != s)
         continue;
       const double starts = of_step ? 0. : begin[s];
-      if (load.history.begins < starts - 1e-9 * begin[s])
+      if (std::isfinite(load.history.begins) && load.history.begins < starts - 1e-9 * begin[s])
         fail(scene, "Load " + load.name +
                         ": the beginning of its History would be lost.\n  read:    '" +
                         load.history.text + "', a record that begins at " +

@@ -229,13 +229,16 @@ std::vector<double> ParameterReader::numbers(const std::string &name) const {
 double ParameterReader::in_bounds(const std::string &entry, const double si_value,
                                   const std::string &si_unit, const bool is_positive) const {
   const PhysicalBounds bounds = physical_bounds(si_unit);
-  const double least = is_positive ? bounds.smallest : 0.; // rounding may leave any small number
-  if (std::abs(si_value) >= least && std::abs(si_value) <= bounds.largest)
+  // Rounding may leave numbers that are as good as 0, but none that small.
+  const double least = is_positive ? bounds.smallest : 1e-60;
+  const double size = std::abs(si_value);
+  if ((size == 0. && !is_positive) || (size >= least && size <= bounds.largest))
     return si_value;
   const double factor = units.factor(si_unit);
   fail(entry,
-       "numbers of a size that physics knows, " + to_text(least / factor) + " to " +
-           to_text(bounds.largest / factor) + " [" + units.name(si_unit) + "]",
+       std::string("numbers of a size that physics knows, ") + (is_positive ? "" : "0 or ") +
+           to_text(least / factor) + " to " + to_text(bounds.largest / factor) + " [" +
+           units.name(si_unit) + "]",
        "another number, or other Units");
 }
 

@@ -3,7 +3,8 @@
 // of its last one, whatever the output interval, on few unknowns too. References: reactions.csv
 // with a row for every time step; the run ended at the instant of the largest stress, with B31.3's
 // formula written out here for straight pipe; the run on few unknowns with every time step put out.
-//   test_envelope_files quake|reduced PROGRAM CASE.prm
+// A rigid stop that is struck shall show its impulse and say that it has no peak force.
+//   test_envelope_files quake|reduced|struck PROGRAM CASE.prm
 #include "../cases/run_program.h"
 #include "../check.h"
 
@@ -162,14 +163,34 @@ void check_reduced(const std::string &binary, const std::string &file) {
   compare(run("checked", "0.1", "B31.3"), every, true);
 }
 
+void check_struck(const std::string &binary, const std::string &file) {
+  const program::TemporaryFolder work;
+  const program::Run run =
+      program::run(binary, file, {"--set", "Output/VTU = false"}, work.path / "whip");
+  CHECK(run.exit_status == 0);
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_json((work.path / "whip/summary.json").string(), tree);
+  const auto support =
+      tree.get_child("envelopes").front().second.get_child("supports").front().second;
+  CHECK(support.get<unsigned int>("impacts") > 0);
+  CHECK_NEAR(support.get<double>("impulse"), run["impulse"], 1e-9); // as the quantity has it
+  const std::string report = program::text_of(work.path / "whip/report.html");
+  CHECK(report.find("rigid, impact: no peak force") != std::string::npos);
+  const Row impact =
+      find(rows_of(work.path / "whip/envelope.csv"), {{"name", "stop"}, {"what", "impact"}});
+  CHECK(number(impact, "largest") > 0. && number(impact, "largest") < run["impulse"]);
+}
+
 } // namespace
 
 int main(int, char **argv) {
   try {
     if (std::string(argv[1]) == "quake")
       check_quake(argv[2], argv[3]);
-    else
+    else if (std::string(argv[1]) == "reduced")
       check_reduced(argv[2], argv[3]);
+    else
+      check_struck(argv[2], argv[3]);
   } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';
     return 1;

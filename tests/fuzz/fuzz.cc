@@ -152,7 +152,7 @@ int main(int argc, char **argv) {
   Subjects subjects(options.project, options.law);
   if (!options.replay.empty())
     return replay(options.replay, subjects);
-  subjects.measure();
+  const unsigned int n_before = subjects.measure();
   Record record(options.keep);
   std::map<int, std::uint64_t> n_status;
   std::uint64_t n = 0, n_slow = 0;
@@ -173,5 +173,5 @@ int main(int argc, char **argv) {
             << passed() << " s; " << n_slow << " took long and ended when asked\n";
   for (const auto &[status, times] : n_status)
     std::cout << "exit status " << status << ": " << times << '\n';
-  return record.report();
+  return record.report() != 0 || n_before > 0 ? 1 : 0;
 }

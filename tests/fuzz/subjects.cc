@@ -96,8 +96,6 @@ Subjects::Subjects(const std::string &project, const std::string &law) : law(law
         found.insert(entry.path().parent_path().string());
   for (const std::string &folder : found)
     add_folder(folder);
-  make_contact_problems();
-  make_checkpoint();
 }
 
 Subjects::~Subjects() {
@@ -167,19 +165,24 @@ void Subjects::make_checkpoint() {
     }
 }
 
-void Subjects::measure() {
+unsigned int Subjects::measure() {
+  make_contact_problems();
+  make_checkpoint();
+  unsigned int n_faults = 0;
   for (File &file : files) {
-    Input input;
-    input.text = file.text;
-    input.folder = file.folder;
     write(folders[file.folder] + "/" + file_name, file.text);
     const Outcome outcome = fuzz::run({{"run", file_name}, folders[file.folder], 1});
     file.slow = outcome.slow;
+    if (!outcome.fault.empty()) {
+      ++n_faults;
+      std::cout << file.path << ", as it is: " << outcome.fault << std::endl;
+    }
   }
   std::cout << files.size() << " parameter files, "
             << std::count_if(files.begin(), files.end(), [](const File &file) { return file.slow; })
             << " of them are looked at by 'check' only; " << contact_problems.size()
             << " contact problems, " << (checkpoint_folder.empty() ? "no" : "a") << " checkpoint\n";
+  return n_faults;
 }
 
 Input Subjects::draw(const std::uint64_t seed, const std::uint64_t number) const {

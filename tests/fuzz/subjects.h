@@ -30,7 +30,8 @@ public:
   ~Subjects();
 
   /// Run all parameter files as they are; those that take long will only be looked at by 'check'.
-  void measure();
+  /// @return how many have a fault
+  unsigned int measure();
   /// The input of run @p number, which depends on nothing else but @p seed.
   Input draw(const std::uint64_t seed, const std::uint64_t number) const;
   Outcome run(const Input &input);

@@ -3,3 +3,6 @@
 add_test(NAME "repro/quake_with_code" COMMAND test_envelope_files quake $<TARGET_FILE:frictionbeam>
   ${PROJECT_SOURCE_DIR}/tests/repro/quake_with_code.prm)
 set_tests_properties("repro/quake_with_code" PROPERTIES TIMEOUT 300)
+# The restraint summary showed "0.00 kN" of a stop that takes 33 kN s.
+add_test(NAME "repro/whip_peak_tables" COMMAND test_envelope_files struck $<TARGET_FILE:frictionbeam>
+  ${PROJECT_SOURCE_DIR}/tests/repro/whip_peak.prm)

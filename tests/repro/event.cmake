@@ -68,3 +68,8 @@ history("pulse" "if(t>0.5 && t<0.50001,1e5,0)" 0.479421150681222)
 
 # The jump of an imposed velocity acts on the free nodes, and the account of energy has it.
 repro("imposed velocity jumps" event_imposed_jump --errors 1e-9 --check energy 1e-10)
+
+# Against an independent time-stepping code (random scenes; it has seen 140 of them).
+foreach(seed 35 38 135 500)
+  repro("event on random scene ${seed}" event_random_${seed} --errors 2e-5 --check energy 1e-10)
+endforeach()

@@ -19,7 +19,16 @@ foreach(integrator ${integrators})
     --error u 1e-2)
   repro("table jump, ${integrator}" table_jump ${by} --errors 3e-3)
   time_case("history of two steps, ${integrator}" history_of_two_steps ${by} --errors 5e-5)
-  time_case("still after statics, ${integrator}" still_after_statics ${by} --errors 1e-6)
+endforeach()
+foreach(integrator moreau_jean nonsmooth_alpha)
+  time_case("still after statics, ${integrator}" still_after_statics --set
+    "Time/Integrator = ${integrator}" --errors 1e-9)
+endforeach()
+foreach(integrator newmark generalized_alpha) # elements of 1e9 N swing by some of 1e-7 m
+  time_case("still after statics, ${integrator}" still_after_statics --set
+    "Time/Integrator = ${integrator}" --error friction_S_end 2e-2 --error friction_L_end 2e-2
+    --error normal_end 2e-2 --error least_normal 3e-2 --error at_S 1e-7 --error at_L 1e-5
+    --error least_at_L 1e-5 --error speed 1e-4 --error sinks 1e-4)
 endforeach()
 repro("table jump, event" table_jump --errors 5e-5)
 time_case("history of two steps, event" history_of_two_steps --set "Time/Integrator = event"
