@@ -97,7 +97,7 @@ EquilibriumResult CorotationalMotion::solve(const LineState &state, const LoadCo
                        std::max(step.largest, largest_contact_force(model.contacts, response));
       result.residual = largest > 0. ? size / largest : size;
       // The residual has twice the mean of the forces at both ends.
-      result.converged = is_balanced(model, size, largest, step.to, step.factors);
+      result.converged = is_balanced(model, step.matrix, size, largest, step.to, step.factors);
       if (result.converged)
         return result;
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces

@@ -83,11 +83,17 @@ double measured_rounding(const Model &model, const Pose &pose, const std::vector
 
 } // namespace
 
-bool is_balanced(const Model &model, const double size, const double largest, const Pose &pose,
-                 const std::vector<double> &factors) {
+bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
+                 const double largest, const Pose &pose, const std::vector<double> &factors) {
   // A solution that runs away has rounding errors of any size: they excuse nothing then.
   constexpr double most_rounding = 1e-5;
-  if (size <= model.scene.solver.tolerance * largest)
+  double moved = 0.;
+  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
+    for (unsigned int d = 0; d < 3; ++d)
+      moved = std::max(moved, std::abs(pose.dofs[model.discretization.vertex_dofs().index(v, d)]));
+  const double rounding = 8. * std::numeric_limits<double>::epsilon() *
+                          stiffness.diagonal().lpNorm<Eigen::Infinity>() * moved;
+  if (size <= std::max(model.scene.solver.tolerance * largest, std::min(rounding, 1e-8 * largest)))
     return true;
   return size <= most_rounding * largest && size <= measured_rounding(model, pose, factors);
 }
@@ -141,7 +147,7 @@ EquilibriumResult CorotationalStatics::solve(const LineState &from, const LoadCo
       largest = std::max(largest, largest_contact_force(model.contacts, response));
       const double size = (forces - of_contacts).lpNorm<Eigen::Infinity>();
       result.residual = largest > 0. ? size / largest : size;
-      if (is_balanced(model, size, largest, pose, to.load_factors)) {
+      if (is_balanced(model, balance.stiffness, size, largest, pose, to.load_factors)) {
         result.converged = true;
         to.unknowns = from.unknowns + moved;
         set_pose(model, pose, to);

@@ -34,10 +34,11 @@ private:
   bool analyzed = false;
 };
 
-/// Whether residual forces of a pose count as zero: below the tolerance times the largest force, or
-/// below what rounding of the pose itself makes of the line's forces, which is measured.
-bool is_balanced(const Model &model, const double size, const double largest, const Pose &pose,
-                 const std::vector<double> &factors);
+/// Whether residual forces of a pose count as zero: below the tolerance times the largest force,
+/// below the rounding error of the stiffness times the motion, up to 1e-8 of the largest force, or
+/// below what rounding of the pose makes of the line's forces, which is measured.
+bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
+                 const double largest, const Pose &pose, const std::vector<double> &factors);
 
 /// Largest force of the contacts on the line.
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response);
