@@ -86,7 +86,7 @@ double measured_rounding(const Model &model, const Pose &pose, const std::vector
 bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
                  const double largest, const Pose &pose, const std::vector<double> &factors) {
   // A solution that runs away has rounding errors of any size: they excuse nothing then.
-  constexpr double most_rounding = 1e-5;
+  constexpr double most_rounding = 2e-7;
   double moved = 0.;
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int d = 0; d < 3; ++d)

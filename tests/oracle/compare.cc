@@ -60,8 +60,8 @@ struct Scales {
     const Vector loads = frame.load_vector(state.factors);
     for (int i = 0; i < loads.size(); ++i)
       include(i % 6 < 3 ? 2 : 3, 1e-2L * loads[i]);
-    for (double &value : values)
-      value = value < 1e-250 ? 1. : value;            // nothing happens
+    values[0] = std::max(values[0], 1e-6); // below 1e-14 m and 1e-11 N nothing is asked
+    values[2] = std::max(values[2], 1e-3);
     values[1] = std::max(values[1], values[0] / 10.); // as over 10 m
     values[0] = std::max(values[0], values[1] / 10.);
     values[3] = std::max(values[3], values[2]); // at an arm of 1 m
@@ -134,7 +134,7 @@ void compare_supports(const frictionbeam::Results &program, const frictionbeam::
                    scales(false, 0));
       using Theirs = frictionbeam::ContactStatus;
       using Ours = Contact::Status;
-      if (contact.sure) {
+      if (contact.sure && scales(true, 0) > 1e-3) { // without any force, states mean nothing
         const Theirs status = contact.status == Ours::open    ? Theirs::open
                               : contact.status == Ours::stick ? Theirs::stick
                               : contact.status == Ours::slip  ? Theirs::slip

@@ -15,14 +15,17 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
+#include <sstream>
 
 /**
  * Hunt for wrong answers: one random scene for each seed, judged in processes that live as long as
  * no scene ends them. A scene that is judged wrong is made small and written beside what is right.
  *
- *   oracle_hunt KIND FIRST NUMBER [--processes P] [--found FOLDER] [--show]
+ *   oracle_hunt KIND FIRST NUMBER [--processes P] [--found FOLDER] [--open SEED,...] [--show]
  *
- * Exit status: 0 all right, 1 at least one wrong.
+ * Seeds that --open names differ for a reason that is not known yet (README.md): they are told and
+ * counted apart. Exit status: 0 all right, 1 at least one wrong.
  */
 using namespace oracle;
 
@@ -33,7 +36,7 @@ constexpr unsigned int longest_seconds = 60; ///< of one scene; it then counts a
 /// Counts that all processes add to.
 struct Tally {
   std::uint64_t at[64]; ///< seed that a process is at
-  long right[64], wrong[64], refused[64], skipped[64];
+  long right[64], wrong[64], refused[64], skipped[64], open[64];
   long numbers[64];
   double worst[64]; ///< of the right ones
 };
@@ -42,14 +45,16 @@ struct Options {
   std::string kind, found;
   std::uint64_t first = 0, number = 0;
   int processes = 2;
+  std::set<std::uint64_t> open;
   bool show = false;
 };
 
 Options read(const int argc, char **argv) {
   Options options;
   if (argc < 4)
-    throw std::runtime_error("oracle_hunt KIND FIRST NUMBER [--processes P] [--found FOLDER] "
-                             "[--show]; KIND is linear, friction or a relation's name");
+    throw std::runtime_error(
+        "oracle_hunt KIND FIRST NUMBER [--processes P] [--found FOLDER] "
+        "[--open SEED,...] [--show]; KIND is linear, friction or a relation's name");
   options.kind = argv[1];
   options.first = std::stoull(argv[2]);
   options.number = std::stoull(argv[3]);
@@ -59,7 +64,11 @@ Options read(const int argc, char **argv) {
       options.show = true;
     else if (option == "--processes")
       options.processes = std::min(64, std::stoi(argv[++i]));
-    else
+    else if (option == "--open") {
+      std::istringstream seeds(argv[++i]);
+      for (std::string seed; std::getline(seeds, seed, ',');)
+        options.open.insert(std::stoull(seed));
+    } else
       options.found = argv[++i];
   }
   return options;
@@ -119,6 +128,10 @@ void work(const Options &options, const int process, std::uint64_t seed, Tally &
     if (verdict.kind == Kind::right) {
       tally.right[process] = tally.right[process] + 1;
       tally.worst[process] = std::max<double>(tally.worst[process], verdict.worst);
+    } else if (verdict.kind == Kind::wrong && options.open.count(seed) > 0) {
+      tally.open[process] = tally.open[process] + 1;
+      std::cout << "open  " + options.kind + " " + std::to_string(seed) + ": " + verdict.text + "\n"
+                << std::flush;
     } else if (verdict.kind == Kind::wrong) {
       tally.wrong[process] = tally.wrong[process] + 1;
       report_wrong(options, *judge, scene, seed, verdict);
@@ -168,19 +181,21 @@ int main(int argc, char **argv) {
       tally.wrong[process] = tally.wrong[process] + 1;
       begin(process, tally.at[process] + options.processes);
     }
-    long right = 0, wrong = 0, refused = 0, skipped = 0, numbers = 0;
+    long right = 0, wrong = 0, refused = 0, skipped = 0, open = 0, numbers = 0;
     double worst = 0.;
     for (int p = 0; p < options.processes; ++p) {
       right += tally.right[p];
       wrong += tally.wrong[p];
       refused += tally.refused[p];
       skipped += tally.skipped[p];
+      open += tally.open[p];
       numbers += tally.numbers[p];
       worst = std::max<double>(worst, tally.worst[p]);
     }
     std::cout << options.kind << ": seeds " << options.first << " to "
               << options.first + options.number - 1 << ": " << right << " right, " << wrong
-              << " wrong, " << skipped << " not asked, " << refused << " refused; " << numbers
+              << " wrong, " << open << " open, " << skipped << " not asked, " << refused
+              << " refused; " << numbers
               << " numbers compared, the right ones' largest difference is " << worst << '\n';
     return wrong > 0 ? 1 : 0;
   } catch (const std::exception &error) {

@@ -139,9 +139,9 @@ void check_csv(Sample &sample) {
   const auto rows = supports();
   CHECK(rows[0] ==
         (std::vector<std::string>{"support", "step", "increment", "time", "status", "fn", "ft1",
-                                  "ft2", "gap", "slip1", "slip2", "work_friction"}));
+                                  "ft2", "gap", "slip1", "slip2", "work_friction", "mt"}));
   CHECK(rows[1] == (std::vector<std::string>{hard_name, "weight", "1", "0.5", "stick", "0.1",
-                                             "-0.03", "0", "0", "0.001", "0", "2.5"}));
+                                             "-0.03", "0", "0", "0.001", "0", "2.5", "0"}));
   CHECK(rows[2][4] == "slip" && rows[3][4] == "open" && rows[4][4] == "closed");
   CHECK(rows.back()[1] == "heating, \"hot\" <1>");
 

@@ -172,7 +172,8 @@ inline const std::vector<Holder> holders = {
              "rigidity = 1e7\n")},
     {"ground of its own pipe", true, beam_below + element("  set Kind = rest\n  set Ground = G\n")},
     {"moving ground", true,
-     element("  set Kind = rest\n  set Ground motion = 0.001*t; 0; 0.001*t\n")},
+     element("  set Kind = rest\n  set Ground motion = 0.001*t; 0; 0.001*t\n"
+             "  set Ground motion time = run\n")},
     {"snubber", false, support("held", "  set Kind = snubber\n  set Normal = 0 0 1\n")},
     {"bed", true,
      "subsection Support held\n  set Kind = rest\n  set Pipe = PIPE\n  set Continuous = true\n"
