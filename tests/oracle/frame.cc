@@ -27,8 +27,7 @@ Frame::Frame(const Scene &scene) : scene(scene), on_pipe(scene.pipes.size()) {
     for (const Member &member : members)
       if (member.pipe == static_cast<int>(p))
         for (const int end : {0, 1}) {
-          const Vec t = member.curve.direction(end == 0 ? 0. : member.curve.length);
-          own.emplace(member.node[end], Vec::Zero()).first->second += t;
+          own.emplace(member.node[end], Vec::Zero()).first->second += member.tangent[end];
         }
     for (const auto &[node, t] : own)
       if (tangents[node].norm() == 0.)
@@ -117,6 +116,7 @@ void Frame::lay_pipe(const int pipe, const std::vector<double> &breaks) {
       member.start = a;
       member.curve = curve.part(a - path.start[c], b - path.start[c]);
       member.node = {node_at(path.at(a)), node_at(path.at(b))};
+      member.tangent = {member.curve.direction(0.), member.curve.direction(member.curve.length)};
       give_section(member);
       if (bend && !arc) { // a chord, with the bend's flexibility
         Curve chord;

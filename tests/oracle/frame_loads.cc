@@ -36,9 +36,7 @@ void Frame::add_joints() {
           return std::make_pair(&member, end);
     throw std::runtime_error("no pipe at joint " + point);
   };
-  const auto tangent_at = [](const Member &member, const int end) {
-    return member.curve.direction(end == 0 ? 0. : member.curve.length);
-  };
+  const auto tangent_at = [](const Member &member, const int end) { return member.tangent[end]; };
   for (const Joint &joint : scene.joints) {
     const auto [member, end] = find(joint.at, joint.pipe);
     const Vec t = tangent_at(*member, end);

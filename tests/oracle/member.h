@@ -46,6 +46,7 @@ public:
   int pipe = 0;
   double start = 0.;                       ///< of its end a along the pipe [m]
   std::array<int, 2> node{};               ///< a, b
+  std::array<Vec, 2> tangent{};            ///< of the pipe there: of a bend, not of its chord
   Real EA = 0., GA = 0., GJ = 0., EI = 0.; ///< GA = 0: no shear flexibility; EI with a bend's
   Real mass = 0., rotary = 0.;             ///< per length; density times second moment of area
   std::array<Mat6, 2> joint{{Mat6::Zero(), Mat6::Zero()}};  ///< flexibility, global axes
