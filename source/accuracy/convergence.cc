@@ -54,7 +54,8 @@ void Convergence::add(const unsigned int coarse, const unsigned int fine,
     if (is_finer && before > 0. && d > 0.) {
       const double measured = order_of(d / before, now, last);
       quantity.order = n > 2 ? std::min(measured, std::max(1., quantity.measured)) : measured;
-      if (n > 2 && std::abs(measured - quantity.measured) > largest_change_of_order)
+      if (may_be_irregular && n > 2 &&
+          std::abs(measured - quantity.measured) > largest_change_of_order)
         quantity.irregular = true;
       quantity.measured = measured;
       d = std::max(d, before * ratio(n > 2 ? order_of_chance : order_of_first_chance, now, last));

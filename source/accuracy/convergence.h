@@ -25,6 +25,9 @@ namespace frictionbeam::accuracy {
  */
 class Convergence {
 public:
+  /// @param may_be_irregular whether orders that jump are taken for a sign of that
+  explicit Convergence(const bool may_be_irregular = true) : may_be_irregular(may_be_irregular) {}
+
   /// @param differences of all quantities between the answers at levels @p coarse and @p fine
   void add(const unsigned int coarse, const unsigned int fine,
            const std::vector<Difference> &differences);
@@ -44,6 +47,7 @@ private:
     double envelope = 0.; ///< of the differences, each halved from level to level
     bool irregular = false;
   };
+  bool may_be_irregular;
   std::vector<Sequence> quantities;
   unsigned int n = 0;                          ///< differences so far that tell something new
   unsigned int last_coarse = 0, last_fine = 0; ///< levels of the last one

@@ -105,7 +105,7 @@ Refinable cells_of(const double run, const bool bends) {
               settings.push_back("Mesh/Cells per bend = " + whole(2u << level));
             return settings;
           },
-          false};
+          false, false, false};
 }
 
 bool has_bend(const Scene &scene) {

@@ -14,6 +14,8 @@ struct Refinable {
   std::function<std::vector<std::string>(const unsigned int level)> settings; ///< as of --set
   bool coarsest_may_be_exact = false; ///< as one increment is, where friction only grows
   bool depends_on_next = false;       ///< of the list: both are refined together
+  bool steps_over_events =
+      true; ///< slips and contacts that it may meet here or there; cells do not
 };
 
 /**
