@@ -18,6 +18,13 @@ constexpr unsigned int most_iterations = 50000, most_halvings = 200;
 /// Forces below this part of the largest so far are judged as if they were as large: at the usual
 /// tolerance of 1e-10 that is rounding.
 constexpr double least_force = 1e-4;
+
+/// More where the user allows more.
+unsigned int most_iterations_of(const SolverSettings &settings) {
+  return std::max(most_iterations, settings.method == SolverSettings::Method::elastic
+                                       ? settings.max_elastic_iterations
+                                       : settings.max_iterations);
+}
 } // namespace
 
 bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
@@ -42,7 +49,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
                            : start + declared_step.duration * i / declared_step.n_increments;
     bool done = false;
     while (!done) { // a history is followed to its corners, and on both sides of its jumps
-      iterations_left = most_iterations;
+      iterations_left = most_iterations_of(model.scene.solver);
       halvings_left = most_halvings;
       if (course.forces_jump(current.time) && !advance_to_other_side())
         return false;
@@ -53,7 +60,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
       if (!done || i < declared_step.n_increments)
         for (unsigned int l = 0; l < to.size(); ++l)
           to[l] = from[l] + part * (target[l] - from[l]);
-      iterations_left = most_iterations;
+      iterations_left = most_iterations_of(model.scene.solver);
       halvings_left = most_halvings;
       if (!advance(Factors(declared), to, time, 0))
         return false;
@@ -92,8 +99,9 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
   if (last_result.rounding_bars || iterations_left == 0 || halvings_left == 0) {
     report.remark = "stopped at time " + std::to_string(start) + ": " + report.remark;
     if (!last_result.rounding_bars)
-      report.remark += "; one increment gets " + std::to_string(most_iterations) +
-                       " iterations and " + std::to_string(most_halvings) + " halvings in all";
+      report.remark += "; one increment gets " +
+                       std::to_string(most_iterations_of(model.scene.solver)) + " iterations and " +
+                       std::to_string(most_halvings) + " halvings in all";
     return false;
   }
   if (halvings == model.scene.solver.max_halvings) {

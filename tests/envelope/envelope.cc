@@ -206,17 +206,19 @@ void run(const std::string &file, const std::vector<std::string> &options, const
 
   // Stresses: one case of occasional, one range from hold.
   CHECK(found.stresses.size() == 2 && found.stresses[1].from == "hold");
-  std::size_t n_straight = 0;
+  std::size_t n_asked = 0, n_straight = 0; // of bends there are as many cells as wind asks for
   for (std::size_t i = 0; i < n; ++i) {
     const Station &station = reference.last.line[i];
     const bool at_tee = station.position.distance(mesh.vertices[mesh.points.at("T")]) < 1e-9;
     if (station.bend_radius > 0. || at_tee)
       continue;
+    ++n_asked;
     // The start has no pressure inside in the frame's sense, but the step's counts throughout.
     CHECK(found.stresses[0].stress[i] >= reference.worst[i] * (1. - 1e-9));
     n_straight += std::abs(found.stresses[0].stress[i] / reference.worst[i] - 1.) < 1e-9 ? 1 : 0;
   }
-  CHECK(n_straight > n / 3);
+  CHECK(n_straight > n_asked / 2);
+  std::cout << n_straight << " of " << n_asked << " straight stations\n";
 
   // Nozzles: the ratio's largest is that of the largest component.
   for (unsigned int i = 0; i < 2; ++i) {
