@@ -15,20 +15,6 @@ namespace {
 constexpr std::size_t n_rows_at_most = 250;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // shown as a dash
 
-/// Rows with the largest weights, in their order.
-std::vector<std::size_t> rows_to_show(const std::vector<double> &weight) {
-  std::vector<std::size_t> rows(weight.size());
-  std::iota(rows.begin(), rows.end(), std::size_t(0));
-  if (rows.size() > n_rows_at_most) {
-    std::stable_sort(rows.begin(), rows.end(), [&](const std::size_t a, const std::size_t b) {
-      return weight[a] > weight[b];
-    });
-    rows.resize(n_rows_at_most);
-    std::sort(rows.begin(), rows.end());
-  }
-  return rows;
-}
-
 /// Two columns, values and their instants.
 class Pair {
 public:
@@ -66,6 +52,19 @@ void add_six(HtmlTable &table, const std::array<const char *, 6> &headers, const
 }
 
 } // namespace
+
+std::vector<std::size_t> rows_to_show(const std::vector<double> &weight) {
+  std::vector<std::size_t> rows(weight.size());
+  std::iota(rows.begin(), rows.end(), std::size_t(0));
+  if (rows.size() > n_rows_at_most) {
+    std::stable_sort(rows.begin(), rows.end(), [&](const std::size_t a, const std::size_t b) {
+      return weight[a] > weight[b];
+    });
+    rows.resize(n_rows_at_most);
+    std::sort(rows.begin(), rows.end());
+  }
+  return rows;
+}
 
 std::string instants_of(const StepEnvelope &envelope) {
   std::string text = "Largest values over " + std::to_string(envelope.n_instants) +

@@ -16,7 +16,6 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr std::size_t n_rows_at_most = 250;
 const std::string dash = "\u2013";
 
 std::string optional_number(const std::optional<double> &value, const unsigned int digits) {
@@ -60,20 +59,6 @@ std::string place_and_instant(const Scene &scene, const StepEnvelope &envelope) 
                    ", s = " + rounded_number(place.s / scene.units.factor("m")) + " " +
                    scene.units.name("m") +
                    ", t = " + rounded_number(envelope.displacement.largest_at) + " s";
-}
-
-/// Places of the rows to show: all, or those with the largest weights, in their order.
-std::vector<std::size_t> rows_to_show(const std::vector<double> &weight) {
-  std::vector<std::size_t> rows(weight.size());
-  std::iota(rows.begin(), rows.end(), std::size_t(0));
-  if (rows.size() > n_rows_at_most) {
-    std::stable_sort(rows.begin(), rows.end(), [&](const std::size_t a, const std::size_t b) {
-      return weight[a] > weight[b];
-    });
-    rows.resize(n_rows_at_most);
-    std::sort(rows.begin(), rows.end());
-  }
-  return rows;
 }
 
 std::string left_out(const std::size_t n_shown, const std::size_t n_all, const std::string &what,

@@ -28,4 +28,7 @@ std::string instants_of(const StepEnvelope &envelope);
 /// Say where an envelope is not all that one would expect.
 void add_envelope_remarks(const Scene &scene, Results &results);
 
+/// Places of the rows to show in a table: all, or the 250 with the largest weights, in their order.
+std::vector<std::size_t> rows_to_show(const std::vector<double> &weight);
+
 } // namespace frictionbeam
