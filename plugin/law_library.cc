@@ -36,6 +36,9 @@ void check_description(const LawDescription &law, const std::string &file) {
             " internal variables, expected 0 to 1000. Set LawDescription::n_internal_variables.");
   check(law.law != nullptr, file,
         "it has no law object. Let LawDescription::law point to a constant object.");
+  check(law.n_parameters <= 1000, file,
+        "it announces " + std::to_string(law.n_parameters) +
+            " parameters, expected 0 to 1000. Set LawDescription::n_parameters.");
   check(law.n_parameters == 0 || (law.n_parameters > 0 && law.parameters != nullptr), file,
         "it announces " + std::to_string(law.n_parameters) +
             " parameters without a list. Set n_parameters and parameters together.");

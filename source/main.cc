@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "chart_command.h"
-#include "check_command.h"
-#include "compare_command.h"
-#include "contact_command.h"
-#include "run_case.h"
+#include "chart/chart_list.h"
+#include "command/chart_command.h"
+#include "command/check_command.h"
+#include "command/command_line.h"
+#include "command/compare_command.h"
+#include "command/contact_command.h"
+#include "command/run_case.h"
 
-#include <frictionbeam/analysis/interruption.h>
-#include <frictionbeam/results/output_file.h>
-#include <frictionbeam/results/summary.h>
-#include <frictionbeam/scene/read_scene.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/interruption.h"
+#include "base/user_error.h"
+#include "results/file/output_file.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
@@ -22,26 +22,9 @@
 #include <cstring>
 #include <iostream>
 #include <optional>
+#include <streambuf>
 
 namespace {
-
-const char *const usage =
-    "frictionbeam CASE.prm [options]     solve a piping line on friction supports\n"
-    "  --set \"Section/Entry = value\"     change an entry of the file; may be repeated\n"
-    "  --output-directory FOLDER         where results go (default: output/CASE)\n"
-    "  --resume                          go on where a run into that folder was killed\n"
-    "frictionbeam check CASE.prm          draw the model and say what was understood; solve "
-    "nothing\n"
-    "frictionbeam compare FOLDER FOLDER   what changes between the results of two runs, and where\n"
-    "frictionbeam contact FILE.hdf5      solve a friction-contact problem in the format of FCLIB\n"
-    "frictionbeam chart LIST.prm             run a list of configurations, draw error against "
-    "time\n"
-    "frictionbeam --print-parameters     every entry there is, with unit, bounds and meaning\n"
-    "frictionbeam --version\n"
-    "frictionbeam --help\n"
-    "Exit status: 0 solved; 1 the input is wrong; 2 no convergence or no equilibrium;\n"
-    "3 a mistake of the program's own; 4 results cannot be written, as on a full disk;\n"
-    "130 and 143 ended by SIGINT and SIGTERM, with a checkpoint for --resume.\n";
 
 bool started_by_mpirun() {
   for (const char *const variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK"})
@@ -50,66 +33,22 @@ bool started_by_mpirun() {
   return false;
 }
 
-/// Options as they stand on the command line. @return whether a case is to be run.
-bool read_command_line(const int argc, char **argv, frictionbeam::RunOptions &options) {
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    const auto value = [&]() -> std::string {
-      if (++i == argc)
-        throw frictionbeam::UserError("The option " + argument + " needs a value. See --help.");
-      return argv[i];
-    };
-    if (argument == "--help" || argument == "-h") {
-      std::cout << usage;
-      return false;
-    } else if (argument == "--version") {
-      std::cout << "FrictionBeam " << frictionbeam::program_version() << ", deal.II "
-                << frictionbeam::deal_ii_version() << '\n';
-      return false;
-    } else if (argument == "--print-parameters") {
-      frictionbeam::LawLibrary laws;
-      laws.load_builtin();
-      frictionbeam::print_parameters(std::cout, laws);
-      return false;
-    } else if (argument == "--set")
-      options.overrides.push_back(value());
-    else if (argument == "--output-directory")
-      options.output_directory = value();
-    else if (argument == "--resume")
-      options.resume = true;
-    else if (argument[0] == '-')
-      throw frictionbeam::UserError("There is no option '" + argument + "'. See --help.");
-    else if (!options.parameter_file.empty())
-      throw frictionbeam::UserError("One parameter file a run: read '" + options.parameter_file +
-                                    "' and '" + argument + "'.");
-    else
-      options.parameter_file = argument;
-  }
-  if (options.parameter_file.empty())
-    throw frictionbeam::UserError(std::string("Which case? Name a parameter file.\n") + usage);
-  return true;
-}
+using frictionbeam::CommandLine;
 
-int solve_contact_command(const int argc, char **argv) {
-  if (argc != 3 || argv[2][0] == '-')
-    throw frictionbeam::UserError("'frictionbeam contact' takes one argument, the path of an FCLIB "
-                                  "file: frictionbeam contact problem.hdf5");
-  return frictionbeam::solve_contact_file(argv[2]);
-}
+/// Swallows what is printed, for --quiet.
+class Silence : public std::streambuf {
+public:
+  Silence() : shown(std::cout.rdbuf(this)) {}
+  ~Silence() override { std::cout.rdbuf(shown); }
 
-/// What the command line asks for. @return exit status
-int run(int argc, char **argv) {
-  if (argc > 1 && std::string(argv[1]) == "contact")
-    return solve_contact_command(argc, argv);
-  if (argc > 1 && std::string(argv[1]) == "chart")
-    return frictionbeam::chart_command(std::vector<std::string>(argv + 2, argv + argc));
-  if (argc > 1 && std::string(argv[1]) == "compare") {
-    if (argc != 4)
-      throw frictionbeam::UserError("'frictionbeam compare' takes two folders with results: "
-                                    "frictionbeam compare output/a output/b");
-    return frictionbeam::compare_runs(argv[2], argv[3]);
-  }
-  const bool check = argc > 1 && std::string(argv[1]) == "check";
+private:
+  int overflow(const int character) override { return traits_type::not_eof(character); }
+
+  std::streambuf *const shown;
+};
+
+/// Of the commands that analyse a case.
+int analyse(int argc, char **argv, const CommandLine &line) {
   // A process by itself needs no MPI, nor the daemon, network interface and common folder that
   // Open MPI wants: programs that start at the same time would get in each other's way there.
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
@@ -120,11 +59,32 @@ int run(int argc, char **argv) {
   // part of starting the program.
   dealii::parallel::apply_to_subranges(
       0U, 1U, [](unsigned int, unsigned int) {}, 1U);
-  frictionbeam::RunOptions options;
-  if (!read_command_line(argc - (check ? 1 : 0), argv + (check ? 1 : 0), options))
-    return 0;
   frictionbeam::interruption::listen();
-  return check ? check_case_file(options) : run_case(options);
+  std::optional<Silence> silence;
+  if (line.options.quiet)
+    silence.emplace();
+  return line.command == CommandLine::Command::check ? check_case_file(line.options)
+                                                     : run_case(line.options);
+}
+
+/// What the command line asks for. @return exit status
+int run(int argc, char **argv) {
+  const CommandLine line = frictionbeam::read_command_line(argc, argv);
+  switch (line.command) {
+  case CommandLine::Command::nothing:
+    return 0;
+  case CommandLine::Command::compare:
+    return frictionbeam::compare_runs(line.folders[0], line.folders[1]);
+  case CommandLine::Command::contact:
+    return frictionbeam::solve_contact_file(line.contact_file);
+  case CommandLine::Command::chart:
+    return frictionbeam::chart_command(line.chart_list, line.chart_folder);
+  case CommandLine::Command::chart_parameters:
+    frictionbeam::chart::print_chart_parameters(std::cout);
+    return 0;
+  default:
+    return analyse(argc, argv, line);
+  }
 }
 
 /// What was printed must have arrived: it may go to a file on a full disk.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "convergence.h"
+#include "accuracy/convergence.h"
 
 #include <algorithm>
 #include <cmath>

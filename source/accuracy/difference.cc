@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "difference.h"
+#include "accuracy/difference.h"
 
 #include <algorithm>
 #include <cmath>

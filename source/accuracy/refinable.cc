@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "refinable.h"
-#include "resolution.h"
+#include "accuracy/refinable.h"
+#include "accuracy/resolution.h"
 
-#include <frictionbeam/results/text.h>
+#include "results/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/scene/parameter_file.h>
-#include <frictionbeam/scene/scene.h>
+#include "scene/file/parameter_file.h"
+#include "scene/scene.h"
 
 #include <functional>
 

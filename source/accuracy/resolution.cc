@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "resolution.h"
+#include "accuracy/resolution.h"
 
-#include <frictionbeam/scene/history_origins.h>
+#include "scene/history_origins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "chart_list.h"
+#include "chart/chart_list.h"
 
-#include <frictionbeam/scene/parameter_reader.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
+#include "scene/file/parameter_reader.h"
 
 #include <algorithm>
 #include <filesystem>

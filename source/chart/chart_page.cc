@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "chart_page.h"
+#include "chart/chart_page.h"
 
-#include "work_precision.h"
+#include "chart/work_precision.h"
 
-#include <frictionbeam/results/output_file.h>
-#include <frictionbeam/results/plot.h>
-#include <frictionbeam/results/text.h>
+#include "results/file/output_file.h"
+#include "results/page/plot.h"
+#include "results/text.h"
 
 #include <algorithm>
 #include <cmath>

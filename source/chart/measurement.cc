@@ -1,46 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "measurement.h"
+#include "chart/measurement.h"
 
-#include "process.h"
+#include "base/process.h"
+#include "base/temporary_folder.h"
 
-#include <frictionbeam/scene/parameter_file.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
+#include "scene/file/parameter_file.h"
 
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS // Boost 1.74 asks for it
-#include <boost/property_tree/json_parser.hpp>
-
-#include <stdlib.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <sstream>
 
 namespace frictionbeam::chart {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder in the system's place for such, removed with all it holds at the end.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "frictionbeam-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw UserError("No temporary folder can be made for the results of the runs.");
-    path = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    fs::remove_all(path, error);
-  }
-  TemporaryFolder(const TemporaryFolder &) = delete;
-  TemporaryFolder &operator=(const TemporaryFolder &) = delete;
-
-  std::string path;
-};
 
 /// One run.
 struct Run {
@@ -70,27 +48,29 @@ std::string problem_of(const ProcessResult &process, const double time_limit) {
 }
 
 void read_summary(const std::string &folder, const bool whole_process, Run &run) {
-  using Tree = boost::property_tree::ptree;
-  const auto number = [](const Tree &tree, const char *name) {
-    const std::string text = tree.get<std::string>(name, "null");
-    return text == "null" ? std::nullopt : std::optional<double>(std::stod(text));
-  };
-  Tree tree;
-  boost::property_tree::read_json(folder + "/summary.json", tree);
-  for (const auto &[key, entry] : tree.get_child("quantities"))
-    run.values.push_back({entry.get<std::string>("name"), entry.get<std::string>("unit", "-"),
-                          number(entry, "value").value_or(std::nan("")),
-                          number(entry, "reference")});
+  std::ifstream in(folder + "/summary.json");
+  const nlohmann::json summary = nlohmann::json::parse(in);
+  for (const nlohmann::json &entry : summary.at("quantities")) {
+    const auto number = [&](const char *name) {
+      return entry.at(name).is_null() ? std::nullopt : std::optional<double>(entry.at(name));
+    };
+    run.values.push_back({entry.at("name"), entry.at("unit"),
+                          number("value").value_or(std::nan("")), number("reference")});
+  }
+  const nlohmann::json &cost = summary.at("cost");
   if (!whole_process)
-    run.seconds = number(tree, "cost.mesh_seconds").value_or(0.) +
-                  number(tree, "cost.setup_seconds").value_or(0.) +
-                  number(tree, "cost.solve_seconds").value_or(0.);
-  run.unknowns = static_cast<std::size_t>(number(tree, "cost.unknowns").value_or(0.));
+    run.seconds = 0.;
+  for (const char *const part : {"mesh_seconds", "setup_seconds", "solve_seconds"})
+    if (!whole_process)
+      run.seconds += cost.at(part).get<double>();
+  run.unknowns = cost.at("unknowns");
 }
 
 Run run_case(const ChartList &list, const std::string &case_file,
              const std::vector<std::string> &settings) {
   const TemporaryFolder folder;
+  if (folder.path.empty())
+    throw UserError("No temporary folder can be made for the results of the runs.");
   std::vector<std::string> words = {own_path(), case_file, "--output-directory", folder.path};
   for (const auto &group : {std::vector<std::string>{"Output/VTU = false", "Output/Report = false"},
                             list.settings, settings})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "chart_list.h"
+#include "chart/chart_list.h"
 
 #include <limits>
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "work_precision.h"
+#include "chart/work_precision.h"
 
-#include <frictionbeam/results/text.h>
-#include <frictionbeam/scene/parameter_file.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
+#include "results/text.h"
+#include "scene/file/parameter_file.h"
 
 #include <algorithm>
 #include <cmath>

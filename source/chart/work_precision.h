@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "measurement.h"
+#include "chart/measurement.h"
 
 namespace frictionbeam::chart {
 

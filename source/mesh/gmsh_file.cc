@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "gmsh_line.h"
+#include "mesh/gmsh_file.h"
+#include "mesh/own_mesh.h"
 
-#include <frictionbeam/scene/user_error.h>
+#include "mesh/gmsh_session.h"
+
+#include "base/user_error.h"
 
 #include <gmsh.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <unordered_map>
 
 namespace frictionbeam {
@@ -76,18 +78,11 @@ std::vector<std::size_t> chain(const std::vector<Edge> &edges, const std::string
 
 LineMesh mesh_file(const Scene &scene) {
   const std::string &file = scene.mesh.file;
-  if (!std::filesystem::exists(file))
-    throw UserError("Mesh/File: there is no file '" + file +
-                    "'. Give its path from the folder of the parameter file.");
   const GmshSession session;
-  gmsh::open(file);
+  open_own_mesh(scene, 1);
   std::vector<std::size_t> tags;
   std::vector<double> coordinates, unused;
   gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
-  if (tags.empty()) {
-    gmsh::model::mesh::generate(1);
-    gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
-  }
   std::unordered_map<std::size_t, std::size_t> place;
   for (std::size_t i = 0; i < tags.size(); ++i)
     place[tags[i]] = i;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "gmsh_line.h"
-#include "pipe_junctions.h"
+#include "mesh/gmsh_routes.h"
 
-#include <frictionbeam/mesh/pipe_path.h>
-#include <frictionbeam/scene/in_units.h>
-#include <frictionbeam/scene/user_error.h>
+#include "mesh/gmsh_session.h"
+#include "mesh/pipe_junctions.h"
+
+#include "base/user_error.h"
+#include "mesh/pipe_path.h"
+#include "scene/in_units.h"
 
 #include <gmsh.h>
 
@@ -15,13 +17,6 @@
 namespace frictionbeam {
 
 using namespace dealii;
-
-GmshSession::GmshSession() {
-  gmsh::initialize(0, nullptr, false);
-  gmsh::option::setNumber("General.Terminal", 0);
-}
-
-GmshSession::~GmshSession() { gmsh::finalize(); }
 
 namespace {
 
@@ -125,8 +120,9 @@ struct Piece {
 
 /// A reducer's section changes from cell to cell.
 constexpr int cells_of_reducer = 10;
-/// A bend of a smaller angle than this [rad] is as well a straight cell.
-constexpr double smallest_arc = 0.02;
+/// A piece of a bend of a smaller angle than this [rad] is as well a straight cell, to its square/6:
+/// 2e-9, where rounding leaves the arc no more digits.
+constexpr double smallest_arc = 1e-4;
 /// Each cell feels the wind across its chord: arcs of this angle [rad] miss 1e-4 of it.
 constexpr double longest_arc_in_wind = 0.03;
 

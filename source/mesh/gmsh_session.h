@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
 
 #include <string>
 

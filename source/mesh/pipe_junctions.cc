@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "pipe_junctions.h"
+#include "mesh/pipe_junctions.h"
 
-#include "point_set.h"
+#include "mesh/point_set.h"
 
-#include <frictionbeam/scene/in_units.h>
+#include "scene/in_units.h"
 
 #include <deal.II/base/bounding_box.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/mesh/pipe_path.h>
+#include "mesh/pipe_path.h"
 
 #include <map>
 

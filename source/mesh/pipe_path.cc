@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/mesh/pipe_path.h>
-#include <frictionbeam/scene/in_units.h>
-#include <frictionbeam/scene/user_error.h>
+#include "mesh/pipe_path.h"
+#include "base/user_error.h"
+#include "scene/in_units.h"
 
 #include <algorithm>
 #include <cmath>

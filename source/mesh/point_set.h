@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/scene/scene.h>
+#include "scene/scene.h"
 
 #include <array>
 #include <cmath>

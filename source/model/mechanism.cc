@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/model/mechanism.h>
+#include "model/mechanism.h"
 
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -202,23 +202,21 @@ Resists resists(const Contact &contact) {
 
 } // namespace
 
-std::vector<std::string> check_mechanisms(const Scene &scene, const LineMesh &mesh,
-                                          const Discretization &discretization,
-                                          const ReducedSpace &space, const Contacts &contacts) {
-  MechanismCheck check(scene, mesh, discretization);
-  check.find_parts(contacts);
-  for (const auto &held : space.held())
+std::vector<std::string> check_mechanisms(const Model &model) {
+  MechanismCheck check(model.scene, model.mesh, model.discretization);
+  check.find_parts(model.contacts);
+  for (const auto &held : model.space.held())
     check.hold(held.vertex, held.direction, false);
-  for (const Spring &spring : scene.springs)
+  for (const Spring &spring : model.scene.springs)
     for (unsigned int c = 0; c < 6; ++c)
       if (spring.stiffness[c] > 0. && spring.other.empty()) {
         Tensor<1, 6> row;
         row[c] = 1.;
-        check.hold(mesh.points.at(spring.point), row, false);
+        check.hold(model.mesh.points.at(spring.point), row, false);
       }
-  for (unsigned int i = 0; i < contacts.size(); ++i) {
-    const Contact &contact = contacts[i];
-    if (contact.vertices[1] < discretization.n_line_vertices())
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (contact.vertices[1] < model.discretization.n_line_vertices())
       continue; // joined above
     const Resists held = resists(contact);
     if (contact.platen_force == 0. && held.pressing)

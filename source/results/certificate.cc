@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/results/energy_judgement.h>
-#include <frictionbeam/results/results.h>
+#include "results/energy_judgement.h"
+#include "results/results.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/results/energy_judgement.h>
+#include "results/energy_judgement.h"
 
-#include <frictionbeam/results/text.h>
+#include "results/text.h"
 
 #include <algorithm>
 
 namespace frictionbeam {
 
 namespace {
-constexpr double worth_a_remark = 1e-6, not_converged = 1e-2;
+constexpr double remark_above = 1e-6, failed_above = 1e-2;
 } // namespace
 
 double least_turnover(const std::vector<StepReport> &steps) {
@@ -25,12 +25,12 @@ void judge_energy(const Scene &scene, Results &results) {
     StepReport &step = results.steps[i];
     const double turnover = std::max(step.energy.turnover, least_turnover(results.steps)),
                  left_over = std::abs(step.energy.left_over());
-    if (scene.steps[i].transient || !(left_over > worth_a_remark * turnover))
+    if (scene.steps[i].transient || !(left_over > remark_above * turnover))
       continue;
     const std::string account = "the account of energy leaves over " +
                                 rounded_number(100. * left_over / turnover, 2) +
                                 " % of its turnover";
-    if (left_over <= not_converged * turnover) {
+    if (left_over <= failed_above * turnover) {
       results.remarks.push_back("Step " + step.step + ": " + account +
                                 ": its numbers are known to about that.");
       continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/results/finite.h>
+#include "results/finite.h"
+#include "base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ std::string first_not_finite(const Results &results) {
       return "the quantity " + quantity.name;
   for (const Frame &frame : results.frames)
     if (const std::string what = of_frame(frame, results); !what.empty())
-      return what + " at time " + std::to_string(frame.time);
+      return what + " at time " + rounded_number(frame.time, 6);
   for (const History &history : results.histories)
     if (!std::all_of(history.displacement.begin(), history.displacement.end(),
                      [](const Motion &motion) { return finite(motion); }))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/results/how_well_known.h>
+#include "results/how_well_known.h"
 
-#include <frictionbeam/results/text.h>
+#include "results/text.h"
 
 #include <algorithm>
 
@@ -40,7 +40,9 @@ KnownError by_time_step(const Scene &scene, const Results &results, const Resolu
   for (unsigned int i = 0; i < results.steps.size(); ++i) {
     transient = transient || scene.steps[i].transient;
     reduced = reduced || (results.steps[i].reduction && results.steps[i].reduction->is_reduced);
-    handed_over = handed_over || (scene.steps[i].transient && !results.steps[i].remark.empty());
+    // The event integrator says how many events there were, and what it did not do itself.
+    handed_over = handed_over || (scene.steps[i].transient &&
+                                  results.steps[i].remark.find("handed over") != std::string::npos);
   }
   if (!transient)
     return {0., "there is no transient step"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "history_corners.h"
+#include "scene/history_corners.h"
 
 #include <deal.II/base/function_parser.h>
 

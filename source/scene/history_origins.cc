@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "parts.h"
+#include "scene/part/parts.h"
 
-#include <frictionbeam/scene/history_origins.h>
+#include "scene/history_origins.h"
 
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
 
 #include <algorithm>
 #include <cmath>

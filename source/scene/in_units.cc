@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/scene/in_units.h>
+#include "scene/in_units.h"
 
 #include <sstream>
 

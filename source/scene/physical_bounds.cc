@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/scene/physical_bounds.h>
+#include "scene/physical_bounds.h"
 
 #include <map>
 

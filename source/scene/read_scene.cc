@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "continuum_parts.h"
-#include "generated.h"
-#include "history_corners.h"
-#include "parameter_notes.h"
-#include "parts.h"
+#include "scene/file/parameter_notes.h"
+#include "scene/generated/generated.h"
+#include "scene/history_corners.h"
+#include "scene/part/body_parts.h"
+#include "scene/part/parts.h"
 
-#include <frictionbeam/scene/read_scene.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
+#include "scene/read_scene.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/scene/time_function.h>
+#include "scene/time_function.h"
 
-#include <frictionbeam/scene/parameter_reader.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
+#include "scene/file/parameter_reader.h"
 
 #include <deal.II/base/function_parser.h>
 

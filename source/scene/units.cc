@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/scene/parameter_file.h>
-#include <frictionbeam/scene/units.h>
+#include "scene/units.h"
+#include "scene/file/parameter_file.h"
 
 #include <cmath>
 #include <vector>

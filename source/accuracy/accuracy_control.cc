@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "accuracy/accuracy_control.h"
+
+#include "accuracy/convergence.h"
+#include "accuracy/difference.h"
+#include "accuracy/refinable.h"
+#include "accuracy/resolution.h"
+
+#include "base/processes.h"
+#include "results/file/csv_writer.h"
+#include "results/file/vtu_writer.h"
+#include "results/text.h"
+#include "scene/file/parameter_file.h"
+#include "scene/read_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double margin = 1.1;        ///< by which an estimate must be below what is demanded
+constexpr double first_share = 1e-3;  ///< of the tolerance, that one difference alone must be below
+constexpr double early_share = 0.2;   ///< of what is demanded, for what is chosen before others
+constexpr double most_of_model = 0.7; ///< of what is demanded, that the line model may use up
+constexpr unsigned int highest_level = 14;
+constexpr unsigned int most_levels_for_events = 5;
+
+/// A run at some level of what is being refined.
+struct Trial {
+  unsigned int level = 0;
+  Results results;
+};
+
+/// Quantities that only the model has that is not solved.
+std::vector<std::string> only_of_the_other(const Scene &scene, const ModelKind model) {
+  std::set<std::string> of_line, of_continuum;
+  for (const Quantity &quantity : scene.quantities)
+    of_line.insert(quantity.name);
+  if (scene.continuum)
+    for (const ContinuumQuantity &quantity : scene.continuum->quantities)
+      of_continuum.insert(quantity.name);
+  const bool is_line = model == ModelKind::line;
+  std::vector<std::string> names;
+  for (const std::string &name : is_line ? of_continuum : of_line)
+    if ((is_line ? of_line : of_continuum).count(name) == 0)
+      names.push_back(name + ": the " + (is_line ? "line" : "continuum") + " does not have it");
+  return names;
+}
+
+class AccuracyControl {
+public:
+  AccuracyControl(const RunOptions &options, LawLibrary &laws, Scene &scene,
+                  const std::function<Results(Scene &)> &solve)
+      : options(options), laws(laws), scene(scene), solve(solve), demanded(scene.accuracy),
+        model(scene.model), file(options.parameter_file) {
+    for (const std::string &option : options.overrides)
+      file.apply(option);
+  }
+
+  Results run();
+
+private:
+  /// The line, if what it leaves out is estimated to be small enough, with its settings.
+  ModelKind choose_model();
+  Results run_line();
+  /// Its own refinement stops where the quantities change by no more than is demanded.
+  Results run_continuum();
+  Trial solve_at(const std::size_t what, const unsigned int level);
+  Results solve_with(const std::vector<std::string> &settings);
+  /// Refine one thing until its part of the error is estimated below @p tolerance, the others being
+  /// as fine as they are.
+  Trial refine(const std::size_t what, const double tolerance);
+  /// Refine two things that depend on each other, a time step and something else, by what the last
+  /// level of either has changed.
+  Trial refine_together(const std::array<std::size_t, 2> &both, const double tolerance);
+  /// Sum of what the parts are estimated to contribute, without one of them.
+  double estimate_without(const std::size_t what) const;
+  std::string describe(const std::vector<std::string> &settings) const;
+
+  const RunOptions &options;
+  LawLibrary &laws;
+  Scene &scene;
+  const std::function<Results(Scene &)> &solve;
+  const double demanded;
+  ModelKind model;                 ///< that is solved
+  ParameterFile file;              ///< with the options
+  std::vector<std::string> chosen; ///< once for all
+  std::vector<accuracy::Refinable> list;
+  std::vector<unsigned int> levels; ///< of the list
+  std::vector<double> estimates;    ///< of the errors that they leave
+  /// Whether the finer of two answers may be taken for the last: an event that both may have missed
+  /// wants some more levels first.
+  bool sees_events(const Results &coarse, const Results &fine);
+
+  unsigned int n_missed = 0;     ///< levels that were added for such an event
+  std::string missed;            ///< the event, if the last level may still have missed it
+  bool coarsest_will_do = false; ///< of what was refined last: finer ones change next to nothing
+  double model_error = 0.;
+  std::map<std::string, Results> solved; ///< runs that may be asked for again
+  AccuracyAccount account;
+  Cost cost; ///< of all runs
+};
+
+std::string AccuracyControl::describe(const std::vector<std::string> &settings) const {
+  std::string text;
+  for (const std::string &setting : settings)
+    text += (text.empty() ? "" : "; ") + setting;
+  return text;
+}
+
+Results AccuracyControl::solve_with(const std::vector<std::string> &settings) {
+  std::vector<std::string> overrides = options.overrides;
+  overrides.insert(overrides.end(), settings.begin(), settings.end());
+  const std::string directory = scene.output.directory;
+  scene = read_scene(options.parameter_file, overrides, laws);
+  scene.output.directory = directory;
+  scene.model = model;
+  if (this_process() == 0)
+    remove_frames(directory); // of coarser levels
+  Results results = solve(scene);
+  cost.mesh_seconds += results.cost.mesh_seconds;
+  cost.setup_seconds += results.cost.setup_seconds;
+  cost.solve_seconds += results.cost.solve_seconds;
+  cost.iterations += results.cost.iterations;
+  cost.factorizations += results.cost.factorizations;
+  cost.back_substitutions += results.cost.back_substitutions;
+  cost.steps += results.cost.steps;
+  account.runs.push_back(
+      {describe(settings),
+       results.cost.mesh_seconds + results.cost.setup_seconds + results.cost.solve_seconds,
+       {},
+       results.status == RunStatus::converged});
+  return results;
+}
+
+Trial AccuracyControl::solve_at(const std::size_t what, const unsigned int level) {
+  levels[what] = level;
+  std::vector<std::string> settings = chosen;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (const std::string &setting : list[i].settings(levels[i]))
+      settings.push_back(setting);
+  const std::string name = describe(settings);
+  if (const auto found = solved.find(name); found != solved.end())
+    return {level, found->second};
+  Trial trial{level, solve_with(settings)};
+  if (list.size() > 1)
+    solved[name] = trial.results;
+  return trial;
+}
+
+double AccuracyControl::estimate_without(const std::size_t what) const {
+  double sum = model_error;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (i != what)
+      sum += estimates[i];
+  return sum;
+}
+
+bool AccuracyControl::sees_events(const Results &coarse, const Results &fine) {
+  if (scene.time.integrator == TimeSettings::Integrator::event)
+    return true; // which steps over none
+  missed = accuracy::nearly_missed(coarse, fine);
+  return missed.empty() || n_missed++ >= most_levels_for_events;
+}
+
+Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
+  accuracy::Convergence convergence(list[what].steps_over_events);
+  Trial before = solve_at(what, 0);
+  // One increment and two agree where something slips and turns within both.
+  unsigned int level = list[what].coarsest_may_be_exact ? 2 : 1;
+  coarsest_will_do = false;
+  while (true) {
+    Trial now = solve_at(what, level);
+    const bool converged = now.results.status == RunStatus::converged,
+               usable = converged && before.results.status == RunStatus::converged;
+    if (usable) {
+      const auto differences = accuracy::differences(scene, before.results, now.results);
+      account.runs.back().change = accuracy::largest(differences).value;
+      convergence.add(before.level, level, differences);
+      const double estimate = convergence.estimate();
+      estimates[what] = estimate;
+      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance) &&
+          sees_events(before.results, now.results)) {
+        coarsest_will_do = list[what].coarsest_may_be_exact && before.level == 0;
+        return now;
+      }
+    }
+    if (!converged && before.results.status == RunStatus::converged) { // too fine to be solved?
+      const unsigned int on = (level - before.level) / 2;
+      level = on > 0 ? before.level + on : highest_level + 1;
+    } else {
+      before = std::move(now);
+      level += usable ? convergence.levels_to(tolerance / margin) : 1;
+    }
+    if (level > highest_level) {
+      account.reached = false;
+      if (converged)
+        return before; // which is the last
+      solved.clear();
+      return solve_at(what, before.level); // once more, so that the files are its own
+    }
+  }
+}
+
+Trial AccuracyControl::refine_together(const std::array<std::size_t, 2> &both,
+                                       const double tolerance) {
+  std::array<accuracy::Convergence, 2> convergence = {
+      accuracy::Convergence(list[both[0]].steps_over_events),
+      accuracy::Convergence(list[both[1]].steps_over_events)};
+  for (const std::size_t what : both)
+    levels[what] = 1;
+  while (true) {
+    const std::array<unsigned int, 2> level = {levels[both[0]], levels[both[1]]};
+    std::array<Trial, 2> coarser;
+    for (unsigned int i = 0; i < 2; ++i) {
+      coarser[i] = solve_at(both[i], level[i] - 1);
+      levels[both[i]] = level[i];
+    }
+    const Trial base = solve_at(both[0], level[0]); // the last, to which files belong
+    std::array<bool, 2> usable;
+    double sum = 0., largest = 0.;
+    for (unsigned int i = 0; i < 2; ++i) {
+      usable[i] = base.results.status == RunStatus::converged &&
+                  coarser[i].results.status == RunStatus::converged;
+      if (!usable[i])
+        continue;
+      const auto differences = accuracy::differences(scene, coarser[i].results, base.results);
+      convergence[i].add(level[i] - 1, level[i], differences);
+      estimates[both[i]] = convergence[i].estimate();
+      sum += estimates[both[i]];
+      largest = std::max(largest, accuracy::largest(differences).value);
+      account.runs.back().change = largest;
+    }
+    const bool known = convergence[0].knows_orders() && convergence[1].knows_orders();
+    if (usable[0] && usable[1] && margin * sum <= (known ? tolerance : first_share * tolerance)) {
+      if (sees_events(coarser[0].results, base.results))
+        return base;
+      ++levels[both[0]];
+      continue;
+    }
+    const double share = tolerance / (2. * margin);
+    for (unsigned int i = 0; i < 2; ++i)
+      if (base.results.status != RunStatus::converged) // for which a shorter time step may help
+        levels[both[i]] += i == 0;
+      else if (!usable[i] || !known)
+        ++levels[both[i]];
+      else if (estimates[both[i]] > share)
+        levels[both[i]] += convergence[i].levels_to(share);
+    if (std::max(levels[both[0]], levels[both[1]]) > highest_level) {
+      account.reached = false;
+      for (unsigned int i = 0; i < 2; ++i)
+        levels[both[i]] = level[i]; // of the answer
+      return base;
+    }
+  }
+}
+
+ModelKind AccuracyControl::choose_model() {
+  if (scene.steps.empty()) {
+    account.model_reason = "the scene has no line";
+    return ModelKind::continuum;
+  }
+  if (!scene.continuum) {
+    account.model_reason =
+        "the scene has no continuum, and what beams leave out of it is not estimated";
+    return ModelKind::line;
+  }
+  model = ModelKind::line;
+  const accuracy::LineForms forms = accuracy::line_forms(scene, file);
+  const Results less = solve_with(forms.without_last_correction), best = solve_with(forms.best);
+  const accuracy::Difference change = accuracy::largest(accuracy::differences(scene, less, best));
+  const bool known = less.status == RunStatus::converged && best.status == RunStatus::converged;
+  account.runs.back().change = change.value;
+  if (known)
+    account.line_error = change.value;
+  if (!known || !(change.value <= most_of_model * demanded)) {
+    account.model_reason = known ? "the last correction of the line, shear lag, changes " +
+                                       change.name + " by " + rounded_number(change.value, 2)
+                                 : "the line has no answer";
+    return ModelKind::continuum;
+  }
+  account.model_reason = "the last correction of the line, shear lag, changes no quantity by more";
+  model_error = change.value;
+  chosen = {"Slab/Poisson squeeze = true", "Slab/Shear lag = 3"};
+  return ModelKind::line;
+}
+
+Results AccuracyControl::run_line() {
+  list = accuracy::refinables(scene, file);
+  for (const std::string &setting : accuracy::exact_settings(scene))
+    chosen.push_back(setting);
+  for (const std::string &quantity : accuracy::left_out(scene))
+    account.left_out.push_back(quantity);
+  levels.assign(list.size(), 0); // what is chosen later is coarse as yet
+  estimates.assign(list.size(), 0.);
+  Results results;
+  if (list.empty())
+    results = solve_with(chosen);
+  for (std::size_t i = 0; i < list.size() && account.reached; ++i) {
+    const bool together = list[i].depends_on_next && i + 1 < list.size(),
+               is_last = i + (together ? 2 : 1) == list.size();
+    const double tolerance = is_last ? demanded - estimate_without(i) : early_share * demanded;
+    results = (together ? refine_together({i, i + 1}, tolerance) : refine(i, tolerance)).results;
+    if (coarsest_will_do && !is_last)
+      levels[i] = 0;
+    i += together;
+  }
+  account.estimate = model_error;
+  for (const double estimate : estimates)
+    account.estimate += estimate;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (const std::string &setting : list[i].settings(levels[i]))
+      chosen.push_back(setting);
+  return results;
+}
+
+Results AccuracyControl::run_continuum() {
+  chosen = accuracy::continuum_settings(scene, demanded);
+  Results results = solve_with(chosen);
+  account.estimate = std::nan("");
+  for (const Check &check : results.certificate)
+    if (check.name == "refinement")
+      account.estimate = check.value;
+  account.reached = results.status == RunStatus::converged;
+  return results;
+}
+
+Results AccuracyControl::run() {
+  account.demanded = demanded;
+  account.reached = true;
+  const bool choose = model == ModelKind::automatic;
+  if (choose) {
+    model = choose_model();
+    if (n_processes() > 1) { // the first one has solved the line
+      unsigned int solved = static_cast<unsigned int>(model);
+      MPI_Bcast(&solved, 1, MPI_UNSIGNED, 0, MPI_COMM_WORLD);
+      model = static_cast<ModelKind>(solved);
+    }
+    account.model = model == ModelKind::line ? "line" : "continuum";
+    if (model == ModelKind::continuum && this_process() == 0)
+      remove_line_tables(scene.output.directory); // of the line that was tried
+    account.left_out = only_of_the_other(scene, model);
+  }
+  Results results = model == ModelKind::continuum ? run_continuum() : run_line();
+  account.chosen = chosen;
+  for (const QuantityResult &quantity : results.quantities)
+    if (quantity.of_impact)
+      account.left_out.push_back(
+          quantity.name + ": the force of an impact on a rigid support has no largest value");
+  if (!missed.empty())
+    results.remarks.push_back("Accuracy: " + missed +
+                              " is nearer than the time step can tell, and was not seen.");
+  const Cost last = results.cost;
+  results.cost = cost;
+  results.cost.unknowns = last.unknowns;
+  results.cost.cells = last.cells;
+  results.cost.contacts = last.contacts;
+  if (!account.reached && results.status == RunStatus::converged)
+    results.status = RunStatus::failed;
+  results.remarks.push_back(
+      account.reached
+          ? "Accuracy: the quantities are estimated to be known to " +
+                rounded_number(account.estimate, 2) + ", " + rounded_number(demanded, 2) +
+                " is demanded; chosen: " +
+                (chosen.empty() ? "nothing, since there is nothing to choose" : describe(chosen)) +
+                "."
+          : "Accuracy: " + rounded_number(demanded, 2) +
+                " is not reached; the estimate, which shall be below that by a factor of " +
+                rounded_number(margin, 2) + ", is " + rounded_number(account.estimate, 2) +
+                " with " + describe(chosen) + ".");
+  if (choose)
+    results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +
+                              account.model_reason +
+                              (account.line_error ? " (what the line leaves out is estimated as " +
+                                                        rounded_number(*account.line_error, 2) + ")"
+                                                  : "") +
+                              ".");
+  if (!account.left_out.empty())
+    results.remarks.push_back("Accuracy, left out: " + describe(account.left_out) + ".");
+  results.accuracy = account;
+  return results;
+}
+
+} // namespace
+
+Results solve_to_accuracy(const RunOptions &options, LawLibrary &laws, Scene &scene,
+                          const std::function<Results(Scene &)> &solve) {
+  return AccuracyControl(options, laws, scene, solve).run();
+}
+
+} // namespace frictionbeam

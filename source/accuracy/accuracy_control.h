@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/run_options.h"
+
+#include "results/results.h"
+#include <frictionbeam/law_library.h>
+
+#include <functional>
+
+namespace frictionbeam {
+
+/**
+ * Solve a scene to its Accuracy, as cheaply as the estimates allow.
+ *
+ * One thing after the other is made finer (accuracy::refinables()): the coarsest three levels are
+ * solved, or two that hardly differ; from the differences of each quantity comes its order, and the
+ * error of the finest answer (accuracy::Convergence); the level that is fine enough by that, with a
+ * margin, is gone to straight away and checked in the same way. The last one's finest run is the
+ * answer. A continuum refines itself (accuracy::continuum_settings()). With Model = auto, the line
+ * is solved if what it leaves out is estimated to be small enough (accuracy::line_forms()), else
+ * the continuum. The cost counts all runs.
+ *
+ * @param scene as read; replaced by the one that was solved last
+ * @param solve solves a scene and returns what came out
+ */
+Results solve_to_accuracy(const RunOptions &options, LawLibrary &laws, Scene &scene,
+                          const std::function<Results(Scene &)> &solve);
+
+} // namespace frictionbeam

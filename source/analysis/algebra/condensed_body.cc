@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/algebra/elastic_system.h"
+#include "base/user_error.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+class CondensedSystem final : public ContinuumSystem {
+public:
+  template <int dim>
+  explicit CondensedSystem(const ContinuumBody<dim> &body);
+
+  void multiply(const ContinuumVector &x, ContinuumVector &y) const override;
+  double diagonal(const types::global_dof_index dof) const override {
+    const int i = unknown_of[dof];
+    return i < 0 ? mean_diagonal : stiffness.coeff(i, i);
+  }
+  bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
+             ContinuumVector &x) override;
+
+private:
+  using Sparse = Eigen::SparseMatrix<double>;
+  using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+  using Dense = Eigen::MatrixXd;
+
+  /// Unknowns: interior dofs, then those of contacts, in the order of the dofs.
+  void number(const std::vector<bool> &is_free,
+              const std::vector<types::global_dof_index> &contact_dofs);
+  template <int dim>
+  void assemble(const ContinuumBody<dim> &body);
+  /// Put the interior unknowns in an order that keeps the factor sparse.
+  void reorder();
+  void factorize();
+
+  std::vector<types::global_dof_index> dof_of;
+  std::vector<int> unknown_of; ///< by dof; -1: none
+  int n_interior = 0, n_contact = 0;
+  Sparse stiffness; ///< lower triangle
+  double mean_diagonal = 0.;
+  Factors factors;
+  Dense condensed;  ///< stiffness of the contacts' unknowns
+  Dense last_block; ///< of the factor L
+};
+
+template <int dim>
+CondensedSystem::CondensedSystem(const ContinuumBody<dim> &body) {
+  std::vector<bool> is_free(body.dof_handler.n_dofs());
+  for (types::global_dof_index dof = 0; dof < is_free.size(); ++dof)
+    is_free[dof] = !body.constraints.is_constrained(dof);
+  std::vector<types::global_dof_index> contact_dofs;
+  for (const auto &node : body.nodes) {
+    // Along the normal a prescribed pressure is a load, which has no tangent.
+    const bool is_pressed = body.continuum.contacts[node.surface].pressure.has_value();
+    for (unsigned int d = 0; d < dim; ++d)
+      if (is_free[node.dofs[d]] && !(is_pressed && std::abs(node.frame[0][d]) > 1. - 1e-12))
+        contact_dofs.push_back(node.dofs[d]);
+  }
+  number(is_free, contact_dofs);
+  assemble(body);
+  reorder();
+  factorize();
+}
+
+void CondensedSystem::number(const std::vector<bool> &is_free,
+                             const std::vector<types::global_dof_index> &contact_dofs) {
+  unknown_of.assign(is_free.size(), -1);
+  for (const auto dof : contact_dofs)
+    unknown_of[dof] = 0;
+  for (types::global_dof_index dof = 0; dof < is_free.size(); ++dof)
+    if (unknown_of[dof] < 0 && is_free[dof])
+      dof_of.push_back(dof);
+  n_interior = dof_of.size();
+  n_contact = contact_dofs.size();
+  dof_of.insert(dof_of.end(), contact_dofs.begin(), contact_dofs.end());
+  for (unsigned int i = 0; i < dof_of.size(); ++i)
+    unknown_of[dof_of[i]] = i;
+}
+
+template <int dim>
+void CondensedSystem::assemble(const ContinuumBody<dim> &body) {
+  constexpr std::size_t most_entries = 4000000; // that wait to be added up
+  const int n = dof_of.size();
+  stiffness.resize(n, n);
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add_up = [&]() {
+    Sparse part(n, n);
+    part.setFromTriplets(entries.begin(), entries.end());
+    stiffness = stiffness.nonZeros() == 0 ? part : Sparse(stiffness + part);
+    entries.clear();
+  };
+  struct Share { // of a dof of the cell in an unknown; a hanging one has several
+    unsigned int local;
+    int unknown;
+    double factor;
+  };
+  std::vector<Share> shares;
+  body.assemble_stiffness(
+      [&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
+        shares.clear();
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (unknown_of[dofs[i]] >= 0)
+            shares.push_back({i, unknown_of[dofs[i]], 1.});
+          else if (const auto *const masters = body.constraints.get_constraint_entries(dofs[i]))
+            for (const auto &[dof, factor] : *masters)
+              if (unknown_of[dof] >= 0)
+                shares.push_back({i, unknown_of[dof], factor});
+        for (const Share &row : shares)
+          for (const Share &column : shares)
+            if (row.unknown >= column.unknown)
+              entries.emplace_back(row.unknown, column.unknown,
+                                   row.factor * column.factor * local(row.local, column.local));
+        if (entries.size() > most_entries)
+          add_up();
+      });
+  add_up();
+}
+
+void CondensedSystem::reorder() {
+  Eigen::AMDOrdering<int>::PermutationType all; // old place by new
+  Eigen::AMDOrdering<int>()(stiffness.selfadjointView<Eigen::Lower>(), all);
+  Eigen::AMDOrdering<int>::PermutationType order(n_interior);
+  for (int i = 0, k = 0; i < all.size(); ++i)
+    if (all.indices()[i] < n_interior)
+      order.indices()[k++] = all.indices()[i];
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(n_interior + n_contact);
+  place.setIdentity();
+  const std::vector<types::global_dof_index> old = dof_of;
+  for (int i = 0; i < n_interior; ++i) {
+    place.indices()[order.indices()[i]] = i;
+    dof_of[i] = old[order.indices()[i]];
+    unknown_of[dof_of[i]] = i;
+  }
+  Sparse ordered(stiffness.rows(), stiffness.cols());
+  ordered.selfadjointView<Eigen::Lower>() =
+      stiffness.selfadjointView<Eigen::Lower>().twistedBy(place);
+  const Sparse sorted = ordered.transpose(); // which the permutation leaves unsorted
+  stiffness = sorted.transpose();
+}
+
+void CondensedSystem::multiply(const ContinuumVector &x, ContinuumVector &y) const {
+  Eigen::VectorXd values(dof_of.size());
+  for (std::size_t i = 0; i < dof_of.size(); ++i)
+    values[i] = x(dof_of[i]);
+  const Eigen::VectorXd product = stiffness.selfadjointView<Eigen::Lower>() * values;
+  y = 0.;
+  for (std::size_t i = 0; i < dof_of.size(); ++i)
+    y(dof_of[i]) = product[i];
+}
+
+void CondensedSystem::factorize() {
+  const int n = dof_of.size();
+  const Eigen::VectorXd diagonals = stiffness.diagonal();
+  const double largest = n > 0 ? diagonals.maxCoeff() : 0.;
+  mean_diagonal = n > 0 ? diagonals.mean() : 1.;
+  for (int i = n_interior; i < n; ++i)
+    stiffness.coeffRef(i, i) += largest;
+  factors.compute(stiffness);
+  for (int i = n_interior; i < n; ++i)
+    stiffness.coeffRef(i, i) = diagonals[i];
+  ++n_factorizations;
+  if (factors.info() != Eigen::Success)
+    throw UserError(
+        "The body's stiffness has no inverse.\n  read:    a body that what is Held and "
+        "Frictional does not hold well enough\n  allowed: a body that cannot move as a "
+        "whole, with a Poisson's ratio not too near to 0.5\n  try:     another group in "
+        "Held");
+  last_block = Dense::Identity(n_contact, n_contact);
+  const Sparse &L = factors.matrixL().nestedExpression();
+  for (int j = n_interior; j < n; ++j)
+    for (Sparse::InnerIterator entry(L, j); entry; ++entry)
+      if (entry.row() > j)
+        last_block(entry.row() - n_interior, j - n_interior) = entry.value();
+  condensed = last_block * factors.vectorD().tail(n_contact).asDiagonal() * last_block.transpose();
+  condensed.diagonal().array() -= largest;
+}
+
+bool CondensedSystem::solve(const std::vector<Block> &blocks, const bool symmetric,
+                            const ContinuumVector &b, ContinuumVector &x) {
+  const int n = dof_of.size();
+  Eigen::VectorXd y(n);
+  for (int i = 0; i < n; ++i)
+    y[i] = b(dof_of[i]);
+  factors.matrixL().solveInPlace(y);
+  const Eigen::VectorXd right = last_block.triangularView<Eigen::UnitLower>() * y.tail(n_contact);
+  y.head(n_interior).array() /= factors.vectorD().head(n_interior).array();
+
+  Dense tangent = condensed;
+  for (const Block &block : blocks)
+    for (unsigned int a = 0, v = 0; a < block.dofs.size(); ++a)
+      for (unsigned int c = 0; c < block.dofs.size(); ++c, ++v) {
+        const int i = unknown_of[block.dofs[a]] - n_interior,
+                  j = unknown_of[block.dofs[c]] - n_interior;
+        if (i >= 0 && j >= 0)
+          tangent(i, j) += block.values[v];
+      }
+  Eigen::VectorXd contact;
+  if (symmetric) {
+    const Eigen::LDLT<Dense> dense(tangent);
+    contact = dense.solve(right);
+  } else
+    contact = Eigen::PartialPivLU<Dense>(tangent).solve(right);
+  if (!contact.allFinite())
+    return false;
+  y.tail(n_contact) = last_block.transpose().triangularView<Eigen::UnitUpper>() * contact;
+  factors.matrixU().solveInPlace(y);
+  x = 0.;
+  for (int i = 0; i < n; ++i)
+    x(dof_of[i]) = y[i];
+  return true;
+}
+
+} // namespace
+
+template <int dim>
+std::unique_ptr<ContinuumSystem> make_condensed_system(const ContinuumBody<dim> &body) {
+  return std::make_unique<CondensedSystem>(body);
+}
+
+template std::unique_ptr<ContinuumSystem> make_condensed_system<2>(const ContinuumBody<2> &);
+template std::unique_ptr<ContinuumSystem> make_condensed_system<3>(const ContinuumBody<3> &);
+
+} // namespace frictionbeam

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/body/body.h"
+
+namespace frictionbeam {
+
+/// Symmetric stiffness of a body on its free dofs, and linear systems with it.
+class ContinuumSystem {
+public:
+  /// Tangent of a contact on the dofs of its node, row by row, added to the stiffness.
+  struct Block {
+    std::vector<dealii::types::global_dof_index> dofs;
+    std::vector<double> values;
+  };
+
+  virtual ~ContinuumSystem() = default;
+
+  /// Stiffness times @p x; entries of held and hanging dofs are of no meaning.
+  virtual void multiply(const ContinuumVector &x, ContinuumVector &y) const = 0;
+  /// Diagonal of the stiffness on this process's dofs.
+  virtual double diagonal(const dealii::types::global_dof_index dof) const = 0;
+
+  /**
+   * Solve (stiffness + blocks) x = b; x is zero at held and hanging dofs.
+   * @param blocks of this process's contact nodes, always the same nodes
+   * @return whether it could
+   */
+  virtual bool solve(const std::vector<Block> &blocks, const bool symmetric,
+                     const ContinuumVector &b, ContinuumVector &x) = 0;
+
+  unsigned int n_factorizations = 0, n_linear_iterations = 0;
+};
+
+/// Unknowns up to which a factorization is taken where Continuum/Linear solver leaves it open.
+template <int dim>
+inline constexpr dealii::types::global_dof_index most_direct = dim == 2 ? 60000 : 15000;
+
+/// Direct, or with algebraic multigrid, as Continuum/Linear solver says.
+template <int dim>
+std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> &body);
+
+/**
+ * Sparse Cholesky factorization with the dofs of contact nodes last, so that the last block of the
+ * factor gives the stiffness condensed to them: a contact's tangent changes a small dense matrix
+ * only, and one sparse factorization serves all iterations of a mesh. (A normal along an axis under
+ * a prescribed pressure has no tangent and stays among the others.) A multiple of the identity is
+ * added on these dofs before and subtracted after, so that the body may be free but for its
+ * contacts.
+ */
+template <int dim>
+std::unique_ptr<ContinuumSystem> make_condensed_system(const ContinuumBody<dim> &body);
+
+/// Trilinos, distributed. @param direct with KLU, else AMG with CG or GMRES
+template <int dim>
+std::unique_ptr<ContinuumSystem> make_distributed_system(const ContinuumBody<dim> &body,
+                                                         const bool direct);
+
+} // namespace frictionbeam

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/contact/exact_solver.h"
+
+#include "analysis/contact/opposed_contacts.h"
+
+#include <algorithm>
+#include <optional>
+#include <random>
+
+namespace frictionbeam {
+
+namespace {
+
+// Newton's method on displacements and forces together, from the start of the increment.
+constexpr std::array<double, 4> factors_together = {1e-4, 1e-3, 1e-5, 1e-2};
+constexpr unsigned int most_together = 30;
+// Proximal steps.
+constexpr double first_proximal = 1e-3, largest_factor = 100., first_growth = 10.,
+                 least_growth = 2., retreat = 30.;
+constexpr unsigned int most_outer = 60, most_failures = 20, most_to_finish = 15;
+constexpr unsigned int most_refinements = 5, most_releases = 2;
+constexpr double in_common_least = 1e-9; // of the larger force of a pair
+constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing is left to correct
+constexpr unsigned int most_restarts = 30, most_restarts_in_motion = 3;
+
+} // namespace
+
+ExactSolver::ExactSolver(const SolverSettings &settings, const Contacts &contacts,
+                         const ReducedSpace &space, const SparseMatrix &stiffness)
+    : settings(settings), contacts(contacts), space(space), line(stiffness, contacts),
+      proximal(contacts, stiffness), newton(settings, contacts, line, proximal),
+      diagonal(stiffness.diagonal()), first_factor(0.), pairs(rigid_pairs(contacts)) {}
+
+EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
+                                     const ContactState &committed, Vector &unknowns,
+                                     ContactResponse &response) {
+  EquilibriumResult result;
+  proximal.begin(committed, problem.overrides);
+  most_iterations = problem.most_iterations;
+  const Residual residual(problem, contacts, space, {});
+  const auto centre_before = proximal.centre;
+  const Vector unknowns_before = unknowns;
+  Vector dofs;
+  // A line may deflect so far that its stiffness times a rounding error of the unknowns is a force:
+  // what rounding takes from them is kept until the increment is judged.
+  Vector low = Vector::Zero(unknowns.size());
+  struct Accepted {
+    Vector unknowns;
+    ContactResponse response;
+    std::vector<Contact::Strains> centre;
+    double residual;
+  };
+  std::optional<Accepted> accepted; // by the tolerance, before something is tried that may fail
+  const bool is_static = problem.time_increment == 0.;
+  unsigned int n_releases = 0;
+  bool is_corrected = false;
+  for (unsigned int pass = 0; pass <= most_refinements; ++pass) {
+    space.expand(unknowns, dofs);
+    dofs += problem.imposed;
+    const Vector forces = unbalanced_forces(problem, unknowns, low);
+    newton.begin(forces,
+                 std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
+                 problem.force_so_far, dofs, committed, problem.time, problem.time_increment);
+    Vector x = Vector::Zero(line.n_kept());
+    Outcome outcome = accepted ? newton.solve_together(most_to_finish, x, response, result)
+                               : solve_contacts(x, response, result);
+    if (outcome == Outcome::stalled && !accepted && !gives_up(result))
+      outcome = solve_from_elsewhere(
+          problem.time_increment > 0. ? most_restarts_in_motion : most_restarts, x, response,
+          result); // in motion, a shorter step helps as well
+    if (outcome != Outcome::solved && accepted)
+      break;
+    if (outcome != Outcome::solved) {
+      result.no_equilibrium = outcome == Outcome::slides_away;
+      if (result.no_equilibrium)
+        result.remark = "there is no equilibrium: the loads exceed what friction can hold, and the "
+                        "line slides away";
+      else if (newton.rounding_bars()) {
+        result.rounding_bars = true;
+        result.remark = newton.rounding_remark();
+      }
+      break;
+    }
+    const Vector before = unknowns, change = low + line.expand(x, forces);
+    result.back_substitutions += 2; // one to condense the loads, one to expand
+    unknowns += change;
+    low = change - (unknowns - before);
+    const Vector left = residual.with_stress(unknowns, low, response);
+    const double size = left.lpNorm<Eigen::Infinity>(), largest = residual.largest_force(response);
+    result.residual = largest > 0. ? size / largest : size;
+    if (size <= residual.tolerance(settings.tolerance, diagonal, unknowns, response)) {
+      const auto centre_at_solution = proximal.centre;
+      if (proximal.let_slipping_go(response)) {
+        accepted.reset();
+        continue;
+      }
+      if (n_releases < most_releases && release_pairs(response)) {
+        ++n_releases;
+        accepted = {unknowns, response, centre_at_solution, result.residual};
+        continue;
+      }
+      // One more correction costs no more than a back substitution where the contacts' states stay,
+      // and takes what rounding of a soft line's stiffness has left.
+      if (!is_corrected && is_static && size > nothing_left * settings.tolerance * largest) {
+        is_corrected = true;
+        accepted = {unknowns, response, proximal.centre, result.residual};
+        continue;
+      }
+      result.check = newton.check(response);
+      result.converged = result.check->holds(settings.contact_tolerance);
+      result.remark = result.converged ? "" : "the contact laws fail their check";
+      if (result.converged)
+        return result;
+      break;
+    }
+    result.remark = "rounding errors leave forces unbalanced";
+  }
+  if (accepted) { // the correction has not helped
+    unknowns = accepted->unknowns;
+    response = accepted->response;
+    proximal.centre = accepted->centre;
+    result.residual = accepted->residual;
+    result.check = newton.check(response);
+    result.converged = result.check->holds(settings.contact_tolerance);
+    result.remark = "the contact laws fail their check";
+    if (result.converged) {
+      result.remark.clear();
+      return result;
+    }
+  }
+  if (result.iterations >= most_iterations && !result.no_equilibrium)
+    result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
+  proximal.centre = centre_before;
+  unknowns = unknowns_before;
+  return result;
+}
+
+bool ExactSolver::release_pairs(const ContactResponse &response) {
+  bool any = false;
+  for (const auto &[i, k] : pairs) {
+    const double share_i = contacts[i].weight / contacts[i].length,
+                 share_k = contacts[k].weight / contacts[k].length;
+    const double force_i = -share_i * response.stress[i][0],
+                 force_k = -share_k * response.stress[k][0], in_common = std::min(force_i, force_k);
+    if (!(in_common > in_common_least * std::max(force_i, force_k)))
+      continue;
+    proximal.centre[i][0] += in_common / share_i;
+    proximal.centre[k][0] += in_common / share_k;
+    any = true;
+  }
+  return any;
+}
+
+ExactSolver::Outcome ExactSolver::solve_contacts(Vector &x, ContactResponse &response,
+                                                 EquilibriumResult &result) {
+  const auto centre_before = proximal.centre;
+  std::vector<double> list(factors_together.begin(), factors_together.end());
+  std::stable_partition(list.begin(), list.end(),
+                        [&](const double c) { return c == first_factor; });
+  for (const double c : list) {
+    proximal.stiffness_factor = c;
+    Vector trial = x;
+    const Outcome outcome = newton.solve_together(most_together, trial, response, result);
+    if (outcome == Outcome::solved) {
+      x = trial;
+      first_factor = c;
+    }
+    if (outcome != Outcome::stalled || gives_up(result))
+      return outcome;
+    proximal.centre = centre_before;
+  }
+  return solve_by_proximal_steps(x, response, result);
+}
+
+ExactSolver::Outcome ExactSolver::solve_from_elsewhere(const unsigned int most, Vector &x,
+                                                       ContactResponse &response,
+                                                       EquilibriumResult &result) {
+  const std::vector<double> coefficients = proximal.friction_coefficients();
+  const auto centre = proximal.centre;
+  std::minstd_rand random; // always the same sequence: equal inputs give equal results
+  std::uniform_real_distribution<double> portion(0., 1.), multiple(0., 2.);
+  Outcome outcome = Outcome::stalled;
+  for (unsigned int k = 0; k < most && outcome == Outcome::stalled && !gives_up(result); ++k) {
+    for (unsigned int i = 0; i < centre.size(); ++i)
+      proximal.centre[i] = multiple(random) * centre[i];
+    std::vector<double> reduced = coefficients;
+    const double share = portion(random);
+    for (double &friction : reduced)
+      friction *= share;
+    x.setZero();
+    proximal.set_friction_coefficients(reduced);
+    solve_contacts(x, response, result);
+    proximal.set_friction_coefficients(coefficients);
+    outcome = solve_contacts(x, response, result);
+  }
+  return outcome;
+}
+
+ExactSolver::Outcome ExactSolver::solve_by_proximal_steps(Vector &x, ContactResponse &response,
+                                                          EquilibriumResult &result) {
+  double factor = first_proximal, growth = first_growth;
+  unsigned int failures = 0;
+  for (unsigned int outer = 0; outer < most_outer && !gives_up(result); ++outer) {
+    proximal.stiffness_factor = factor;
+    Vector trial = x;
+    const Outcome outcome = newton.solve_proximal(trial, response, result);
+    if (outcome == Outcome::slides_away)
+      return outcome;
+    if (outcome == Outcome::stalled) {
+      if (++failures == most_failures)
+        return outcome;
+      factor = std::min(first_proximal, factor / retreat);
+      growth = std::max(least_growth, growth / 2.); // next time more slowly
+      continue;
+    }
+    x = trial;
+    proximal.centre = response.stress;
+    const auto centre = proximal.centre;
+    const Outcome finished = newton.solve_together(most_to_finish, trial, response, result);
+    if (finished == Outcome::solved)
+      x = trial;
+    if (finished != Outcome::stalled)
+      return finished;
+    proximal.centre = centre;
+    factor = std::min(growth * factor, largest_factor);
+  }
+  result.remark = "no convergence in " + std::to_string(most_outer) + " proximal steps";
+  return Outcome::stalled;
+}
+
+} // namespace frictionbeam

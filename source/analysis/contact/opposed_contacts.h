@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/contact/contacts.h"
+#include "model/line_state.h"
+
+#include <array>
+
+namespace frictionbeam {
+
+/**
+ * Contacts that touch without force while another one at the same node touches from the other side:
+ * the idle half of a stop or guide that holds both ways. To either side only one of the two
+ * resists, so what is linear about a state with both closed counts one of them; of two without
+ * force, the later one is idle.
+ */
+std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state);
+
+/**
+ * Pairs of rigid contacts that can press against each other with no load there: the two halves of a
+ * stop or guide without a gap, on the same unknowns with opposite normals. What they carry in
+ * common statics does not determine, and friction would count it on both.
+ */
+std::vector<std::array<unsigned int, 2>> rigid_pairs(const Contacts &contacts);
+
+} // namespace frictionbeam

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/contact/equilibrium.h"
+
+namespace frictionbeam {
+
+/// The solver that Solver/Method names. @p stiffness of the line, without contacts.
+std::unique_ptr<EquilibriumSolver> make_equilibrium_solver(const SolverSettings &settings,
+                                                           const SolverSettings::Method method,
+                                                           const Contacts &contacts,
+                                                           const ReducedSpace &space,
+                                                           const SparseMatrix &stiffness);
+
+} // namespace frictionbeam

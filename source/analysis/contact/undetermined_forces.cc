@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/contact/undetermined_forces.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace frictionbeam {
+
+namespace {
+
+/// A force that a contact may change by itself, as what it does to the free unknowns.
+struct FreeForce {
+  unsigned int contact;
+  std::map<int, double> on_unknowns; ///< of unit size
+};
+
+/// Whether a contact at its limit has moved at all since it closed, by more than rounding.
+bool has_slipped(const Contact &contact, const unsigned int i, const LineState &state) {
+  const double largest = state.dofs.size() > 0 ? state.dofs.lpNorm<Eigen::Infinity>() : 0.;
+  const Contact::Strains since = state.contacts.strain[i] - state.contacts.touch[i];
+  return contact.length * since.segment<2>(1).norm() >
+         std::max(1e-9 * largest, 1e-13 * contact.length);
+}
+
+/// Stresses that may change without the contact yielding: rigid ones alone, for an elastic one
+/// follows the motion. In slip the friction force follows the normal force.
+std::vector<Eigen::Vector3d> rigid_directions(const Contact &contact, const unsigned int i,
+                                              const LineState &state) {
+  FrictionThreshold law;
+  contact.law->threshold(contact.parameters->data(), law);
+  std::vector<Eigen::Vector3d> result;
+  const bool rigid_normal = !std::isfinite(law.axial_rigidity);
+  const bool slips =
+                 state.contact_status[i] == ContactStatus::slip && has_slipped(contact, i, state),
+             sticks = !slips && state.contact_status[i] != ContactStatus::closed;
+  if (slips) {
+    if (rigid_normal)
+      result.push_back(state.contact_stress[i].head<3>());
+    return result;
+  }
+  if (rigid_normal)
+    result.push_back(Eigen::Vector3d::UnitX());
+  if (sticks && !std::isfinite(law.shear_rigidity_y))
+    result.push_back(Eigen::Vector3d::UnitY());
+  if (sticks && !std::isfinite(law.shear_rigidity_z))
+    result.push_back(Eigen::Vector3d::UnitZ());
+  return result;
+}
+
+std::vector<FreeForce> free_forces(const Contacts &contacts, const LineState &state) {
+  constexpr double no_force = 1e-9; // of the largest
+  double largest = 0.;
+  for (const Contact::Strains &stress : state.contact_stress)
+    largest = std::max(largest, stress.head<3>().norm());
+  std::vector<FreeForce> result;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].law->threshold == nullptr || state.contact_status[i] == ContactStatus::open ||
+        !(std::abs(state.contact_stress[i][0]) > no_force * largest))
+      continue;
+    for (const Eigen::Vector3d &direction : rigid_directions(contacts[i], i, state)) {
+      const Vector row =
+          contacts[i].length * contacts[i].B_reduced.topRows<3>().transpose() * direction;
+      if (!(row.norm() > 1e-12 * direction.norm()))
+        continue; // nothing moves that way: it is the restraint's
+      FreeForce force{i, {}};
+      for (Eigen::Index j = 0; j < row.size(); ++j)
+        force.on_unknowns[contacts[i].unknowns[j]] += row[j] / row.norm();
+      result.push_back(force);
+    }
+  }
+  return result;
+}
+
+/// Forces that have unknowns in common, directly or by way of others.
+std::vector<std::vector<unsigned int>> groups_of(const std::vector<FreeForce> &forces) {
+  std::vector<unsigned int> leader(forces.size());
+  std::iota(leader.begin(), leader.end(), 0u);
+  const auto find = [&](unsigned int i) {
+    while (leader[i] != i)
+      i = leader[i];
+    return i;
+  };
+  std::map<int, unsigned int> first;
+  for (unsigned int i = 0; i < forces.size(); ++i)
+    for (const auto &[unknown, share] : forces[i].on_unknowns) {
+      const unsigned int other = find(first.try_emplace(unknown, i).first->second), own = find(i);
+      leader[std::max(own, other)] = std::min(own, other);
+    }
+  std::map<unsigned int, std::vector<unsigned int>> groups;
+  for (unsigned int i = 0; i < forces.size(); ++i)
+    groups[find(i)].push_back(i);
+  std::vector<std::vector<unsigned int>> result;
+  for (const auto &group : groups)
+    result.push_back(group.second);
+  return result;
+}
+
+} // namespace
+
+std::vector<BeyondUniqueness> contacts_with_undetermined_forces(const Contacts &contacts,
+                                                                const LineState &state) {
+  constexpr double dependent = 1e-12, takes_part = 1e-6;
+  const std::vector<FreeForce> forces = free_forces(contacts, state);
+  std::set<unsigned int> undetermined;
+  for (const std::vector<unsigned int> &group : groups_of(forces)) {
+    const Eigen::Index n = group.size();
+    Eigen::MatrixXd products(n, n);
+    for (Eigen::Index a = 0; a < n; ++a)
+      for (Eigen::Index b = 0; b < n; ++b) {
+        products(a, b) = 0.;
+        const auto &other = forces[group[b]].on_unknowns;
+        for (const auto &[unknown, share] : forces[group[a]].on_unknowns)
+          if (const auto entry = other.find(unknown); entry != other.end())
+            products(a, b) += share * entry->second;
+      }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(products);
+    for (Eigen::Index k = 0; k < n && eigen.eigenvalues()[k] < dependent * n; ++k)
+      for (Eigen::Index a = 0; a < n; ++a)
+        if (std::abs(eigen.eigenvectors()(a, k)) > takes_part)
+          undetermined.insert(forces[group[a]].contact);
+  }
+  std::vector<BeyondUniqueness> result;
+  for (const unsigned int i : undetermined) {
+    const Contact::Strains &stress = state.contact_stress[i];
+    result.push_back({i, std::hypot(stress[1], stress[2]) / std::abs(stress[0]), 0.});
+  }
+  return result;
+}
+
+} // namespace frictionbeam

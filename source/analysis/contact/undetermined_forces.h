@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/line_state.h"
+#include "analysis/contact/uniqueness.h"
+
+namespace frictionbeam {
+
+/**
+ * Contacts whose forces statics does not determine, although the motion is unique: some change dr
+ * of the forces of rigid contacts, in the states that they have, makes no force on the line's free
+ * unknowns, H^T dr = 0, as where two that stick hold one point in one direction. Forces of elastic
+ * contacts follow the motion; a slipping one has the one direction (-P, T). Contacts without force
+ * take no part. @return them with a limit of 0: no friction is small enough.
+ */
+std::vector<BeyondUniqueness> contacts_with_undetermined_forces(const Contacts &contacts,
+                                                                const LineState &state);
+
+} // namespace frictionbeam

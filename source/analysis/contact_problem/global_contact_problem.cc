@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/contact_problem/global_contact_problem.h"
+
+#include "analysis/algebra/line_factorization.h"
+
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr unsigned int dimension = 3;
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+std::string find_obstacle(const Model &model) {
+  const Contacts &contacts = model.contacts;
+  if (model.scene.solver.method != SolverSettings::Method::exact)
+    return "the method is not 'exact'";
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const std::string support = model.scene.supports[contacts[i].support].name;
+    if (contacts[i].law->threshold == nullptr)
+      return "the law of support " + support +
+             " has no threshold in closed form, as FCLIB's format has it";
+    FrictionThreshold law;
+    contacts[i].law->threshold(contacts[i].parameters->data(), law);
+    if (law.torsional_rigidity > 0. && !contacts[i].B_reduced.row(3).isZero(0.))
+      return "support " + support + " resists torsion, which FCLIB's format does not know";
+  }
+  return contacts.size() == 0 ? "there are no contacts" : "";
+}
+
+/// Forces of the loads on the unknowns.
+Vector load_forces(const Model &model, const LineState &state) {
+  Vector forces = model.contacts.platen_forces();
+  for (unsigned int l = 0; l < state.load_factors.size(); ++l)
+    if (state.load_factors[l] != 0.)
+      forces += state.load_factors[l] * model.linear.forces(l);
+  return forces;
+}
+
+/// Whether a motion of the line costs no energy but that of rounding errors.
+bool is_singular(const SparseMatrix &matrix, const LineFactorization &factors) {
+  const Vector diagonal = matrix.diagonal();
+  Vector motion(matrix.rows());
+  for (int i = 0; i < motion.size(); ++i)
+    motion[i] = std::sin(1. + i) / std::sqrt(diagonal[i]);
+  for (unsigned int iteration = 0; iteration < 3; ++iteration) { // inverse iteration
+    motion = factors.solve(diagonal.cwiseProduct(motion));
+    motion /= std::sqrt(motion.cwiseProduct(diagonal).dot(motion));
+  }
+  const double energy = motion.dot(matrix * motion);
+  const double sum = motion.cwiseAbs().dot(matrix.cwiseAbs() * motion.cwiseAbs());
+  return !(energy > 1e-14 * sum);
+}
+
+} // namespace
+
+GlobalContactProblem global_contact_problem(const Model &model, const LineState &before,
+                                            const LineState &after) {
+  GlobalContactProblem result;
+  result.obstacle = find_obstacle(model);
+  if (!result.obstacle.empty())
+    return result;
+  const Contacts &contacts = model.contacts;
+  const unsigned int n_line = model.space.n_unknowns(), n = contacts.size();
+  result.w.resize(dimension * n);
+  result.friction.resize(n);
+  result.reactions.resize(dimension * n);
+  Vector imposed; // what the degrees of freedom would be at unknowns zero
+  model.space.expand(after.unknowns, imposed);
+  imposed = after.dofs - imposed;
+  Triplets H;
+  std::vector<double> element_stiffness, deflection;
+  for (unsigned int i = 0; i < n; ++i) {
+    const Contact &contact = contacts[i];
+    FrictionThreshold law;
+    contact.law->threshold(contact.parameters->data(), law);
+    const double l = contact.length, share = contact.weight / l;
+    const double *const old_state = before.contacts.internal.data() + contact.state_offset;
+    const bool slips =
+        old_state[law.was_slipping] != 0. || after.contact_status[i] == ContactStatus::slip;
+    result.friction[i] = slips ? law.dynamic_friction : law.static_friction;
+    const double offset[dimension] = {law.gap, -l * old_state[law.slip_y],
+                                      -l * old_state[law.slip_z]};
+    const double rigidity[dimension] = {law.axial_rigidity, law.shear_rigidity_y,
+                                        law.shear_rigidity_z};
+    const Contact::Strains held = contact.strain(imposed);
+    for (unsigned int c = 0; c < dimension; ++c) {
+      const unsigned int column = dimension * i + c;
+      result.w[column] = l * held[c] + offset[c];
+      result.reactions[column] = -share * after.contact_stress[i][c];
+      for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+        if (const double b = l * contact.B_reduced(c, j); b != 0.)
+          H.emplace_back(contact.unknowns[j], column, b);
+      if (std::isfinite(rigidity[c])) {
+        H.emplace_back(n_line + element_stiffness.size(), column, 1.);
+        element_stiffness.push_back(share * rigidity[c] / l);
+        deflection.push_back(result.reactions[column] / element_stiffness.back());
+      }
+    }
+  }
+  const unsigned int n_all = n_line + element_stiffness.size();
+  result.H.resize(n_all, dimension * n);
+  result.H.setFromTriplets(H.begin(), H.end());
+  Triplets M;
+  const SparseMatrix &K = model.linear.stiffness();
+  for (int row = 0; row < K.outerSize(); ++row)
+    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry)
+      M.emplace_back(row, entry.col(), entry.value());
+  for (unsigned int e = 0; e < element_stiffness.size(); ++e)
+    M.emplace_back(n_line + e, n_line + e, element_stiffness[e]);
+  result.M.resize(n_all, n_all);
+  result.M.setFromTriplets(M.begin(), M.end());
+  result.f = Vector::Zero(n_all);
+  result.f.head(n_line) = load_forces(model, after);
+  result.solution.resize(n_all);
+  result.solution << after.unknowns, Eigen::Map<const Vector>(deflection.data(), deflection.size());
+  return result;
+}
+
+std::optional<LocalContactProblem> condense(const GlobalContactProblem &problem) {
+  LineFactorization factors;
+  factors.analyze(problem.M);
+  if (!factors.factorize(problem.M) || is_singular(problem.M, factors))
+    return {};
+  const unsigned int m = problem.H.cols();
+  Eigen::MatrixXd W(m, m);
+  for (unsigned int column = 0; column < m; ++column)
+    W.col(column) = problem.H.transpose() * factors.solve(problem.H.col(column));
+  W = (0.5 * (W + W.transpose())).eval();
+  LocalContactProblem result;
+  result.dimension = dimension;
+  result.W = W.sparseView();
+  result.q = problem.H.transpose() * factors.solve(problem.f) + problem.w;
+  result.friction = problem.friction;
+  return result;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/event/event_integrator.h"
+#include "base/number_text.h"
+
+#include "analysis/increment/time_step.h"
+#include "base/interruption.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr unsigned int steps_handed_over = 40;
+constexpr double part_handed_over = 0.01; ///< of a step
+/// So many pieces between two events get on by at least such a part of a step.
+constexpr unsigned int most_pieces = 20000;
+constexpr double least_progress = 1e-6;
+/// Where a curve's friction is not found, slip goes straight on for such a part of a step, and so
+/// often.
+constexpr double part_straight_on = 1e-5;
+constexpr unsigned int most_unresolved = 20;
+
+} // namespace
+
+EventIntegrator::EventIntegrator(const Model &model, const PieceObserver &observer)
+    : model(model), line(model), motion(line, 1e-9 * time_step(model)), fallback(model),
+      piece_observer(observer), output_step(time_step(model)) {}
+
+std::string EventIntegrator::remark() const {
+  std::string text = std::to_string(n_events) + " events";
+  if (n_handed_over > 0)
+    text += "; " + reason + ", first at " + rounded_number(first_handed_over, 6) +
+            " s: handed over to moreau_jean " + std::to_string(n_handed_over) + " times, for " +
+            rounded_number(time_handed_over) + " s in all";
+  return text;
+}
+
+void EventIntegrator::start(LineState &state, const LoadCourse &loads) {
+  state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
+  read_states(state, loads);
+  if (velocity.isZero(0.))
+    find_limits();
+  bounces.assign(states.size(), {});
+  at_rest_on_ground = false;
+  ground_may_jump = true;
+  imposed_rates.clear();
+  if (present <= output_step) // nothing is known before 0
+    return;
+  const double before = 1e-6 * output_step;
+  const LoadCourse::Factors now = loads.factors_before(present),
+                            earlier = loads.factors(present - before);
+  for (std::size_t l = 0; l < now.size(); ++l)
+    imposed_rates.push_back(model.linear.accelerates(l) ? (now[l] - earlier[l]) / before : 0.);
+}
+
+void EventIntegrator::read_states(const LineState &state, const LoadCourse &loads) {
+  present = state.time;
+  unknowns = state.unknowns;
+  velocity = state.velocity;
+  states.assign(line.contacts.size(), EventState());
+  displacement.resize(states.size());
+  force.resize(states.size());
+  const double after = 1e-6 * output_step;
+  Vector ground = line.ground_displacement(loads.imposed(present)),
+         ground_later =
+             line.ground_moves ? line.ground_displacement(loads.imposed(present + after)) : ground;
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    EventState &now = states[i];
+    const Eigen::Vector3d e = ground.segment<3>(3 * i);
+    displacement[i] = contact.displacement(unknowns) + e;
+    force[i] = contact.share * state.contact_stress[i].head<3>();
+    const double gap = displacement[i][0] + contact.law.gap;
+    now.status = state.contact_status[i];
+    if (contact.normal == EventContact::Normal::platen && !now.is_closed())
+      now.status = ContactStatus::stick;
+    if (contact.normal == EventContact::Normal::elastic)
+      now.status = gap < 0. ? ContactStatus::stick : ContactStatus::open;
+    if (contact.normal == EventContact::Normal::rigid)
+      now.offset = now.is_closed() ? gap : std::min(gap, 0.);
+    if (now.is_closed() && !contact.has_friction)
+      now.status = ContactStatus::closed;
+    const double *const internal = state.contacts.internal.data() + contact.contact->state_offset;
+    now.plastic << contact.contact->length * internal[contact.law.slip_y],
+        contact.contact->length * internal[contact.law.slip_z];
+    const Eigen::Vector3d own = contact.displacement(velocity),
+                          of_ground = (ground_later.segment<3>(3 * i) - e) / after,
+                          rate = own + of_ground;
+    fastest = std::max({fastest, own.norm(), of_ground.norm()});
+    if (now.is_closed() && contact.has_friction) {
+      now.status = ContactStatus::stick;
+      if (contact.rigid_shear)
+        set_sliding(i, rate.tail<2>());
+    }
+  }
+  motion.state_changed();
+}
+
+void EventIntegrator::find_limits() {
+  constexpr double of_statics = 1e-8;
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const double most = line.contacts[i].law.static_friction * -force[i][0];
+    states[i].at_limit = states[i].status == ContactStatus::stick &&
+                         force[i].tail<2>().norm() >= (1. - of_statics) * most;
+  }
+}
+
+double EventIntegrator::add_histories(const double x, const double length,
+                                      ContactState &contacts) const {
+  double dissipated = 0.;
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    if (!states[i].is_closed())
+      continue;
+    const Polynomial N = -TaylorMotion::row(motion.r[i], 0);
+    contacts.impulse[i] += length * integral_of_product(N, Polynomial::Ones(1), x);
+    if (states[i].status == ContactStatus::closed)
+      contacts.wear[i] += frictionless_wear(i, x);
+    if (states[i].status != ContactStatus::slip)
+      continue;
+    const double wear = integral_of_product(N, slip_rate(i), x),
+                 work = line.contacts[i].law.dynamic_friction * wear;
+    contacts.wear[i] += wear;
+    contacts.dissipated[i] += work;
+    dissipated += work;
+  }
+  return dissipated;
+}
+
+void EventIntegrator::turn_slip(const double x, const double length) {
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    EventState &state = states[i];
+    if (state.status != ContactStatus::slip || !(state.curved || goes_straight_on))
+      continue;
+    if (!line.contacts[i].rigid_shear) {
+      if (state.curved)
+        state.direction = TaylorMotion::at(motion.s[i], x).normalized();
+      continue;
+    }
+    Eigen::Vector2d rate;
+    for (int d = 0; d < 2; ++d)
+      rate[d] = value(derivative(TaylorMotion::row(motion.g[i], d + 1)), x) / length;
+    if (rate.dot(state.direction) > 0.)
+      state.direction = rate.normalized();
+    if (state.curved && is_fast(rate.norm()))
+      continue;
+    state.curved = false;
+    motion.state_changed();
+  }
+}
+
+void EventIntegrator::go(const LoadCourse &loads, const double x, const double length,
+                         LineState &to, EnergyAccount &energy) {
+  if (piece_observer) {
+    LineState within = to;
+    const auto state_at = [&](const double time) -> const LineState & {
+      write_within(loads, std::clamp((time - present) / length, 0., x), length, to.contacts,
+                   within);
+      return within;
+    };
+    piece_observer({present, present + x * length, state_at});
+  }
+  set_imposed(0., length);
+  const double before = kinetic_energy(), stored_before = stored_energy();
+  energy.external += work_of_loads(x, length);
+  energy.dissipated += add_histories(x, length, to.contacts);
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    const Eigen::MatrixXd &g = motion.g[i], &r = motion.r[i];
+    for (int d = 0; d < 3 && states[i].is_closed(); ++d)
+      if (d == 0 && contact.normal == EventContact::Normal::platen)
+        energy.external -=
+            integral_of_product(TaylorMotion::row(r, 0), derivative(TaylorMotion::row(g, 0)), x);
+      else if (line.ground_moves)
+        energy.external += integral_of_product(TaylorMotion::row(r, d),
+                                               derivative(motion.ground.col(3 * i + d)), x);
+    displacement[i] = TaylorMotion::at(g, x);
+    force[i] = TaylorMotion::at(r, x);
+  }
+  if (line.damped)
+    energy.damping += work_of_dampers(x, length);
+  turn_slip(x, length);
+  unknowns = TaylorMotion::at(motion.q, x);
+  velocity = TaylorMotion::at(motion.v, x);
+  for (const EventContact &contact : line.contacts)
+    fastest = std::max(fastest, contact.displacement(velocity).lpNorm<Eigen::Infinity>());
+  set_imposed(x, length);
+  present += x * length;
+  const double kinetic = kinetic_energy(), stored = stored_energy();
+  energy.kinetic += kinetic - before;
+  energy.stored += stored - stored_before;
+  energy.at_hand = std::max(energy.at_hand, kinetic + stored);
+  energy.turnover += std::abs(kinetic - before) + std::abs(stored - stored_before);
+}
+
+void EventIntegrator::change(const Event &event, const double x, const double length, LineState &to,
+                             EnergyAccount &energy) {
+  const unsigned int i = event.contact;
+  const EventContact &contact = line.contacts[i];
+  EventState &state = states[i];
+  set_imposed(x, length);
+  displacement[i] = TaylorMotion::at(motion.g[i], x);
+  force[i] = TaylorMotion::at(motion.r[i], x);
+  const auto rate = [&](const unsigned int j) {
+    Eigen::Vector3d result;
+    for (int d = 0; d < 3; ++d)
+      result[d] = value(derivative(TaylorMotion::row(motion.g[j], d)), x) / length;
+    return result;
+  };
+  std::vector<unsigned int> striking;
+  const ContactStatus resting = contact.has_friction ? ContactStatus::stick : ContactStatus::closed;
+  switch (event.kind) {
+  case Kind::closing:
+    if (contact.normal == EventContact::Normal::rigid) {
+      const Vector of_ground = ground_velocity(x, length);
+      striking = closing_with(i, x, of_ground);
+      impact(striking, of_ground, energy, to);
+    } else {
+      state.status = resting;
+      state.plastic = displacement[i].tail<2>();
+      if (contact.has_friction && contact.rigid_shear)
+        set_sliding(i, rate(i).tail<2>());
+    }
+    break;
+  case Kind::opening:
+    state.status = ContactStatus::open;
+    force[i].setZero();
+    break;
+  case Kind::slipping: {
+    const Eigen::Vector2d T = force[i].tail<2>(), u = rate(i).tail<2>();
+    const double f = contact.law.dynamic_friction, N = -force[i][0];
+    const bool has_force = T.norm() > 1e-9 * contact.law.static_friction * std::abs(N) && N > 0.;
+    state.curved = false;
+    state.direction = has_force       ? T / T.norm()
+                      : u.norm() > 0. ? u / u.norm()
+                                      : Eigen::Vector2d(1., 0.);
+    const double stored = stored_energy();
+    force[i].tail<2>() = f * N * state.direction;
+    energy.stored += stored_energy() - stored;
+    energy.dissipated += stored - stored_energy(); // where the dynamic coefficient is lower
+    to.contacts.dissipated[i] += stored - stored_energy();
+    state.status = ContactStatus::slip;
+    state.at_limit = false;
+    break;
+  }
+  default:
+    state.status = ContactStatus::stick;
+    state.curved = false;
+    if (!contact.rigid_shear)
+      state.plastic = displacement[i].tail<2>() - force[i].tail<2>() / contact.shear_stiffness;
+    else if (rate(i).tail<2>().norm() > 1e-13 * fastest) // it came to rest along a curve
+      settle(ground_velocity(x, length), energy, to);
+  }
+  for (const unsigned int j : striking)
+    if (!states[j].is_closed()) // it bounces
+      to.events.push_back({present, j, ContactStatus::closed});
+    else if (j != i)
+      to.events.push_back({present, j, states[j].status});
+  to.events.push_back({present, i, state.status});
+  motion.state_changed();
+}
+
+double EventIntegrator::compute_motion(const LoadCourse &loads, const double longest) {
+  motion_length = motion.compute(loads, present, longest, unknowns, velocity, states, force);
+  goes_straight_on = motion_length == 0.;
+  if (goes_straight_on) {
+    for (EventState &state : states)
+      state.curved = false;
+    motion.state_changed();
+    motion_length = motion.compute(loads, present, longest, unknowns, velocity, states, force);
+  }
+  return motion_length;
+}
+
+TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads, const double time,
+                                  LineState &to) {
+  TimeStep step;
+  step.result.converged = true;
+  to = from;
+  to.events.clear();
+  bool changed = false;
+  unsigned int at_once = 0, n_pieces = 0;
+  double progress = present;
+  while (present < time) {
+    interruption::end_if_overdue();
+    if (++n_pieces % most_pieces == 0) {
+      if (present - progress < least_progress * output_step) {
+        step.result.converged = false;
+        step.result.remark = "event: the motion does not get on, after " +
+                             std::to_string(n_pieces) + " pieces without a change of state";
+        return step;
+      }
+      progress = present;
+    }
+    const double next_break = loads.next_break(present + same_instant(present));
+    const bool breaks = next_break <= time + same_instant(time);
+    const double goal = breaks && next_break < time - same_instant(time) ? next_break : time,
+                 longest = goal - present;
+    double length = compute_motion(loads, longest);
+    if (ground_may_jump) {
+      ground_may_jump = false;
+      if (meet_imposed_jump(length, step.energy))
+        length = compute_motion(loads, longest);
+      if (meet_ground(length, step.energy, to))
+        length = compute_motion(loads, longest);
+    }
+    if (!goes_straight_on && find_curves())
+      length = compute_motion(loads, longest);
+    n_unresolved = goes_straight_on ? n_unresolved + 1 : 0;
+    const double valid =
+        goes_straight_on ? std::min(1., part_straight_on * output_step / length) : 1.;
+    ++step.result.iterations;
+    const Event event = next_event();
+    if (changed && event.x > 0.)
+      break; // the new state holds
+    const bool unresolved = n_unresolved > most_unresolved;
+    if (unresolved || (event.x <= 1. && ++at_once > 20 + 10 * states.size())) {
+      reason = unresolved ? "slip along a curve is not resolved" : "states change without end";
+      n_unresolved = 0;
+      write(loads, to);
+      LineState middle = to;
+      TimeStep rest =
+          hand_over(middle, loads, std::min(time, present + part_handed_over * output_step), to);
+      rest.energy += step.energy;
+      rest.result.iterations += step.result.iterations;
+      return rest;
+    }
+    const double x = std::min(event.x, valid);
+    if (x > 0.) {
+      const bool reaches = x == 1. && length == longest;
+      go(loads, x, length, to, step.energy);
+      at_once = 0;
+      if (reaches) {
+        present = goal;
+        ground_may_jump = breaks;
+        at_rest_on_ground = false;
+      }
+    }
+    if (event.x <= valid) {
+      change(event, x, length, to, step.energy);
+      if (event.kind == Kind::slipping && line.contacts[event.contact].rigid_shear)
+        share_start(event.contact, loads, ground_velocity(x, length), to);
+      ++n_events;
+      changed = true;
+    }
+  }
+  write(loads, to);
+  return step;
+}
+
+TimeStep EventIntegrator::hand_over(const LineState &from, const LoadCourse &loads,
+                                    const double time, LineState &to) {
+  if (n_handed_over == 0)
+    first_handed_over = from.time;
+  ++n_handed_over;
+  time_handed_over += time - from.time;
+  TimeStep all;
+  LineState now = from;
+  fallback.start(now, loads);
+  for (unsigned int k = 1; k <= steps_handed_over; ++k) {
+    const double goal =
+        k == steps_handed_over ? time : from.time + (time - from.time) * k / steps_handed_over;
+    if (goal <= now.time)
+      continue;
+    const std::vector<ContactEvent> events = now.events;
+    TimeStep step = fallback.advance(now, loads, goal, to);
+    all.result = step.result;
+    if (!step.result.converged)
+      return all;
+    to.events.insert(to.events.begin(), events.begin(), events.end());
+    all.energy += step.energy;
+    now = to;
+  }
+  read_states(to, loads);
+  ground_may_jump = true;
+  at_rest_on_ground = loads.next_break(from.time) > time;
+  return all;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/event/taylor_motion.h"
+#include "analysis/time/moreau_jean.h"
+
+namespace frictionbeam {
+
+/**
+ * From one change of a contact's state to the next: in between the motion is linear and known to
+ * rounding (TaylorMotion), and so are the instants of slip, stick, closing and opening, roots of
+ * polynomials. Contacts and friction may be rigid or on elastic elements, with static and dynamic
+ * coefficients; rigid ones that close have Newton's impact, all that close at one instant together.
+ * advance() returns at each change.
+ *
+ * Impacts of a contact that accumulate end when their intervals and speeds have followed a
+ * geometric law and its sum says that what is left is shorter than a millionth of a step: the
+ * contact then stays closed. Where states change at one instant without end, a hundredth of a step
+ * is left to MoreauJean, and remark() says so.
+ */
+class EventIntegrator final : public TimeIntegrator {
+public:
+  /// @param observer called with every smooth piece of the motion before advance() returns; may be
+  /// empty
+  EventIntegrator(const Model &model, const PieceObserver &observer);
+
+  std::string name() const override { return "event: exact from event to event"; }
+  void start(LineState &state, const LoadCourse &loads) override;
+  TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
+                   LineState &to) override;
+  void transfer(Archive &archive) override;
+  bool is_exact() const override { return true; }
+  std::string remark() const override;
+
+private:
+  enum class Kind { closing, opening, slipping, sticking };
+  struct Event {
+    double x = 2.;
+    unsigned int contact = 0;
+    Kind kind = Kind::closing;
+  };
+
+  /// The states that a line state's contacts are in.
+  void read_states(const LineState &state, const LoadCourse &loads);
+  /// Contacts at rest whose friction statics has left at its limit.
+  void find_limits();
+  /// Write the line at the present into a state.
+  void write(const LoadCourse &loads, LineState &to) const;
+  /// The same at x of the motion at hand, with what the contacts' histories are at its beginning.
+  void write_within(const LoadCourse &loads, const double x, const double length,
+                    const ContactState &histories, LineState &to) const;
+  /// Displacements, and contacts under these forces.
+  void write_contacts(const Vector &imposed, const std::vector<Eigen::Vector3d> &forces,
+                      LineState &to) const;
+
+  Event next_event() const;
+  Event next_event(const unsigned int i) const;
+  /// Find contacts that begin to slip along a curve. @return whether there are any
+  bool find_curves();
+  /// Whether slip is about to stop, so slow that its direction does not matter.
+  bool stops(const unsigned int i) const;
+  bool is_fast(const double rate) const;
+  /// Rate of a contact's slip, elastic part left out.
+  Polynomial slip_rate(const unsigned int i) const;
+  double compute_motion(const LoadCourse &loads, const double longest);
+  /// Take over the motion up to x, and account for it.
+  void go(const LoadCourse &loads, const double x, const double length, LineState &to,
+          EnergyAccount &energy);
+  /// Impulses, wear and friction work up to x. @return what friction dissipates [J]
+  double add_histories(const double x, const double length, ContactState &contacts) const;
+  /// Integral of N |u_T| up to x of a contact without friction, which may turn round and round.
+  double frictionless_wear(const unsigned int i, const double x) const;
+  /// Directions of slip along curves, at the present.
+  void turn_slip(const double x, const double length);
+  void change(const Event &event, const double x, const double length, LineState &to,
+              EnergyAccount &energy);
+  /// A contact on a rigid surface begins to slip: find which others do, which do not, and where
+  /// to, from Coulomb's law for the accelerations of all that are at rest.
+  void share_start(const unsigned int first, const LoadCourse &loads, const Vector &of_ground,
+                   LineState &to);
+  /// Velocities of all contacts' ground at x, as relative motions.
+  Vector ground_velocity(const double x, const double length) const;
+  /// Of contacts, line and ground together.
+  Vector velocities(const std::vector<unsigned int> &contacts, const Vector &of_ground) const;
+  /// Changes of the line's velocity by unit impulses, by columns.
+  Eigen::MatrixXd response_to_impulses(const std::vector<unsigned int> &contacts) const;
+  /// Have impulses act on the line.
+  void act(const std::vector<unsigned int> &contacts, const Vector &impulses,
+           const Eigen::MatrixXd &responses, const Vector &of_ground, EnergyAccount &energy,
+           LineState &to);
+  /// Rigid contacts that close now, or as good as now, @p i one of them.
+  std::vector<unsigned int> closing_with(const unsigned int i, const double x,
+                                         const Vector &of_ground) const;
+  /// Contacts strike, with all that are closed.
+  void impact(const std::vector<unsigned int> &striking, const Vector &of_ground,
+              EnergyAccount &energy, LineState &to);
+  /// Whether a contact left at this instant, and comes back with a velocity that is rounding.
+  bool returns_at_once(const unsigned int i, const double speed) const;
+  /// Restitution of a contact that closes now with this speed: 0 where its impacts come to an end.
+  double restitution(const unsigned int i, const double speed);
+  /// At an instant at which a velocity that a load imposes may have jumped, the jump's impulse.
+  /// @return whether there is any
+  bool meet_imposed_jump(const double length, EnergyAccount &energy);
+  /// At an instant at which the ground's velocity may have jumped, rigid contacts that are closed
+  /// strike, let go or slide. @return whether anything changes
+  bool meet_ground(const double length, EnergyAccount &energy, LineState &to);
+  /// Take velocities relative to the ground away that contacts cannot have which are closed or
+  /// stick.
+  void settle(const Vector &of_ground, EnergyAccount &energy, LineState &to);
+  /// A rigid friction contact slips, or sticks if it is at rest.
+  void set_sliding(const unsigned int i, const Eigen::Vector2d &rate);
+  /// Factors of loads that impose motions, and their rates, at x.
+  void set_imposed(const double x, const double length);
+  /// Work of the loads up to x, and of the reactions on the motions that they impose.
+  double work_of_loads(const double x, const double length) const;
+  /// Lost in dampers up to x.
+  double work_of_dampers(const double x, const double length) const;
+  double stored_energy() const;
+  double kinetic_energy() const;
+  TimeStep hand_over(const LineState &from, const LoadCourse &loads, const double time,
+                     LineState &to);
+
+  const Model &model;
+  EventModel line;
+  TaylorMotion motion;
+  /// Impacts of one contact, the last ones.
+  struct Bounces {
+    std::vector<double> time, speed; ///< [s], [m/s]
+    double left = -1.;               ///< when the contact opened [s]
+    void transfer(Archive &archive) { archive(time, speed, left); }
+  };
+
+  MoreauJean fallback;
+  const PieceObserver piece_observer;
+  const double output_step; ///< [s]
+  std::vector<EventState> states;
+  std::vector<Eigen::Vector3d> displacement, force; ///< of contacts, at present
+  Vector unknowns, velocity;
+  std::vector<double> imposed_factors, imposed_rates; ///< by load; of one instant
+  double present = 0., fastest = 0.;
+  double motion_length = 0.;      ///< of the motion at hand, for x = 1 [s]
+  bool ground_may_jump = true;    ///< at present
+  bool at_rest_on_ground = false; ///< what is closed, to the error of the steps before
+  std::vector<Bounces> bounces;   ///< by contact
+  bool goes_straight_on = false;  ///< slip along curves that is not resolved
+  unsigned int n_events = 0, n_handed_over = 0, n_unresolved = 0;
+  double first_handed_over = 0., time_handed_over = 0.;
+  std::string reason;
+};
+
+} // namespace frictionbeam

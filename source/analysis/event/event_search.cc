@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/event/event_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+/// Slip that is slower than this, of the fastest velocity so far, and stops within such a part of a
+/// step, goes straight on: its direction has no power series where it stops. What is at rest
+/// starts.
+constexpr double slowest = 1e-8, shortest_stop = 1e-4, starting = 1e-13;
+
+/// To which statics knows friction forces, of their size.
+constexpr double of_statics = 1e-8;
+
+/// Sum of the sizes that a polynomial is the difference of, times rounding.
+constexpr double eps = 1e-13;
+
+double size(const Eigen::MatrixXd &m, const int row) { return m.row(row).cwiseAbs().maxCoeff(); }
+
+} // namespace
+
+EventIntegrator::Event EventIntegrator::next_event() const {
+  Event first;
+  for (unsigned int i = 0; i < states.size(); ++i)
+    if (const Event event = next_event(i); event.x < first.x)
+      first = event;
+  return first;
+}
+
+EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
+  const EventContact &contact = line.contacts[i];
+  const EventState &state = states[i];
+  const Eigen::MatrixXd &g = motion.g[i], &r = motion.r[i];
+  Event first;
+  const auto look = [&](const Polynomial &p, const double rounding, const Kind kind) {
+    if (const double x = first_root(p, rounding); x < first.x)
+      first = {x, i, kind};
+  };
+  if (!state.is_closed()) {
+    Polynomial gap = TaylorMotion::row(g, 0);
+    gap[0] += contact.law.gap - state.offset;
+    look(gap, eps * (contact.law.gap + std::abs(state.offset) + size(g, 0)), Kind::closing);
+    return first;
+  }
+  const Polynomial N = -TaylorMotion::row(r, 0);
+  const double largest_N = size(r, 0);
+  if (contact.normal == EventContact::Normal::elastic)
+    look(N, eps * contact.normal_stiffness * (contact.law.gap + size(g, 0)), Kind::opening);
+  else if (contact.normal == EventContact::Normal::rigid && contact.moves[0])
+    look(N, 100. * eps * largest_N, Kind::opening);
+  if (!contact.has_friction)
+    return first;
+
+  if (state.status == ContactStatus::stick) {
+    const double f = contact.law.static_friction;
+    double rounding = 100. * eps * (f * largest_N + size(r, 1) + size(r, 2));
+    if (!contact.rigid_shear)
+      rounding += eps * contact.shear_stiffness *
+                  (size(g, 1) + size(g, 2) + state.plastic.lpNorm<Eigen::Infinity>());
+    if (state.at_limit)
+      rounding = std::max(rounding, of_statics * f * largest_N);
+    const Polynomial T1 = TaylorMotion::row(r, 1), T2 = TaylorMotion::row(r, 2);
+    const bool only_1 = size(r, 2) <= 1e-12 * size(r, 1), only_2 = size(r, 1) <= 1e-12 * size(r, 2);
+    if (only_1 || only_2) {
+      const Polynomial &T = only_1 ? T1 : T2;
+      look(f * N - T, rounding, Kind::slipping);
+      look(f * N + T, rounding, Kind::slipping);
+    } else {
+      const double scale = f * largest_N + size(r, 1) + size(r, 2);
+      look(f * f * product(N, N) - product(T1, T1) - product(T2, T2), scale * rounding,
+           Kind::slipping);
+    }
+  } else
+    look(slip_rate(i),
+         eps * (std::abs(state.direction[0]) * size(g, 1) +
+                std::abs(state.direction[1]) * size(g, 2)),
+         Kind::sticking);
+  return first;
+}
+
+Polynomial EventIntegrator::slip_rate(const unsigned int i) const {
+  const EventContact &contact = line.contacts[i];
+  const Eigen::MatrixXd &g = motion.g[i], &s = motion.s[i];
+  Polynomial rate;
+  if (s.cols() == 0) {
+    const Eigen::Vector2d d = states[i].direction;
+    rate = derivative(d[0] * TaylorMotion::row(g, 1) + d[1] * TaylorMotion::row(g, 2));
+  } else
+    rate = product(TaylorMotion::row(s, 0), derivative(TaylorMotion::row(g, 1))) +
+           product(TaylorMotion::row(s, 1), derivative(TaylorMotion::row(g, 2)));
+  if (contact.rigid_shear)
+    return rate;
+  const Polynomial released = derivative(contact.law.dynamic_friction / contact.shear_stiffness *
+                                         TaylorMotion::row(motion.r[i], 0));
+  rate.head(released.size()) += released;
+  return rate;
+}
+
+bool EventIntegrator::find_curves() {
+  bool found = false;
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    EventState &state = states[i];
+    if (state.status != ContactStatus::slip || !line.contacts[i].has_friction || state.curved)
+      continue;
+    const Eigen::Vector2d s = state.direction;
+    const Polynomial g1 = TaylorMotion::row(motion.g[i], 1), g2 = TaylorMotion::row(motion.g[i], 2);
+    const double along = derivative(s[0] * g1 + s[1] * g2).lpNorm<Eigen::Infinity>(),
+                 across = derivative(s[0] * g2 - s[1] * g1).lpNorm<Eigen::Infinity>();
+    if (across <= 1e-9 * along ||
+        across <= 1e-12 * (g1.lpNorm<Eigen::Infinity>() + g2.lpNorm<Eigen::Infinity>()) || stops(i))
+      continue;
+    state.curved = found = true;
+  }
+  if (found)
+    motion.state_changed();
+  return found;
+}
+
+bool EventIntegrator::stops(const unsigned int i) const {
+  const double rate = std::hypot(motion.g[i](1, 1), motion.g[i](2, 1)) / motion_length;
+  if (!line.contacts[i].rigid_shear || is_fast(rate) || rate <= starting * fastest)
+    return false;
+  const double end = first_root(slip_rate(i), 0.);
+  return end <= 1. && end * motion_length <= shortest_stop * output_step;
+}
+
+bool EventIntegrator::is_fast(const double rate) const { return rate > slowest * fastest; }
+
+} // namespace frictionbeam

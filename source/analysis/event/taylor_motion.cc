@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/event/taylor_motion.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+constexpr double rounding = 1e-17;
+constexpr double dependent = 1e-11; ///< constraints, by pivots of the matrix that couples them
+} // namespace
+
+namespace {
+
+void shorten_rows(Eigen::MatrixXd &m, const double x) {
+  double power = 1.;
+  for (int k = 0; k < m.rows(); ++k, power *= x)
+    m.row(k) *= power;
+}
+
+} // namespace
+
+double same_instant(const double time) { return 1e-12 * std::abs(time); }
+
+Vector TaylorMotion::at(const Eigen::MatrixXd &m, const double x) {
+  Vector result = Vector::Zero(m.rows());
+  for (Eigen::Index k = m.cols(); k-- > 0;)
+    result = x * result + m.col(k);
+  return result;
+}
+
+void TaylorMotion::make_rows(const std::vector<EventState> &states) {
+  rows_are_current = true;
+  rows.clear();
+  curves.clear();
+  responses.clear();
+  const int n = model.has_mass.size();
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = model.contacts[i];
+    if (!states[i].is_closed())
+      continue;
+    if (is_curve(states[i]))
+      curves.push_back(i);
+    if (contact.normal == EventContact::Normal::rigid && contact.moves[0])
+      rows.push_back({i, 0});
+    if (contact.has_friction && contact.rigid_shear && states[i].status == ContactStatus::stick)
+      for (int d = 1; d < 3; ++d)
+        if (contact.moves[d])
+          rows.push_back({i, d});
+  }
+  columns = Eigen::MatrixXd::Zero(n, rows.size());
+  accelerations = columns;
+  for (unsigned int k = 0; k < rows.size(); ++k) {
+    const EventState &state = states[rows[k].contact];
+    const EventContact &contact = model.contacts[rows[k].contact];
+    Eigen::Vector3d unit = Eigen::Vector3d::Zero();
+    unit[rows[k].component] = 1.;
+    if (rows[k].component == 0 && state.status == ContactStatus::slip && !state.curved)
+      unit.tail<2>() = -contact.law.dynamic_friction * state.direction;
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      columns(contact.unknowns[j], k) = contact.G.col(j).dot(unit);
+    accelerations.col(k) = model.accelerate(columns.col(k));
+  }
+  Eigen::MatrixXd W(rows.size(), rows.size());
+  for (unsigned int k = 0; k < rows.size(); ++k)
+    for (unsigned int l = 0; l < rows.size(); ++l)
+      W(k, l) =
+          model.contacts[rows[k].contact].displacement(accelerations.col(l))[rows[k].component];
+  relief.resize(0, 0);
+  if (rows.empty())
+    return;
+  delassus.setThreshold(dependent);
+  delassus.compute(W);
+  if (delassus.rank() == W.rows())
+    return;
+  // What can be held without friction takes none: lambda + N z with the least friction, W N = 0.
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(W);
+  lu.setThreshold(dependent);
+  const Eigen::MatrixXd kernel = lu.kernel();
+  Eigen::MatrixXd of_friction = kernel;
+  for (unsigned int k = 0; k < rows.size(); ++k)
+    if (rows[k].component == 0)
+      of_friction.row(k).setZero();
+  relief = Eigen::MatrixXd::Identity(W.rows(), W.rows());
+  relief -= kernel * of_friction.completeOrthogonalDecomposition().pseudoInverse();
+  for (unsigned int k = 0; k < rows.size(); ++k)
+    if (rows[k].component == 0)
+      relief.col(k) = Eigen::VectorXd::Unit(W.rows(), k);
+}
+
+bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
+                                     const double length) {
+  // A jump at the end belongs to the next piece, and one at the start is over.
+  const double same = same_instant(time), start = loads.next_break(time - same);
+  first_instant = start <= time + same ? std::nextafter(start, start + 1.) : time;
+  last_instant = std::nextafter(loads.next_break(time + same), time);
+  // Rates of the ground from differences of its motion: not from one within a very short time.
+  const double wide = std::max(length, std::min(1e6 * least, last_instant - time));
+  if (wide > length && interpolate_between(loads, time, wide)) {
+    for (Eigen::MatrixXd *const m : {&factors, &ground})
+      shorten_rows(*m, length / wide);
+    return true;
+  }
+  if (wide > length) {
+    factor_noise.before.resize(0);
+    ground_noise.before.resize(0);
+  }
+  return interpolate_between(loads, time, length);
+}
+
+bool TaylorMotion::interpolate_between(const LoadCourse &loads, const double time,
+                                       const double length) {
+  bool smooth = true;
+  const auto powers = [&](Noise &noise, const std::function<Vector(const double)> &function) {
+    return interpolate([&](const double t) { return function(within(t)); }, time, length,
+                       noise.level, noise.before, smooth);
+  };
+  factors = powers(factor_noise, [&](const double t) {
+    const LoadCourse::Factors f =
+        t < last_instant ? loads.factors(t)
+                         : loads.factors_before(std::nextafter(last_instant, last_instant + 1.));
+    return Vector(Eigen::Map<const Vector>(f.data(), f.size()));
+  });
+  if (model.ground_moves)
+    ground = powers(ground_noise,
+                    [&](const double t) { return model.ground_displacement(loads.imposed(t)); });
+  else
+    ground = Eigen::MatrixXd::Zero(1, 3 * model.contacts.size());
+  return smooth;
+}
+
+void TaylorMotion::begin_series(const Vector *const unknowns, const Vector *const velocity) {
+  const int n = model.has_mass.size();
+  q.setZero(n, order + 1);
+  v.setZero(n, order + 1);
+  if (unknowns == nullptr)
+    return;
+  q.col(0) = *unknowns;
+  v.col(0) = *velocity;
+  for (int u = 0; u < n; ++u)
+    if (!model.has_mass[u])
+      q(u, 0) = v(u, 0) = 0.;
+}
+
+void TaylorMotion::expand_series(const double length, const std::vector<EventState> &states,
+                                 const std::vector<Eigen::Vector3d> *const forces_before) {
+  const bool with_loads = forces_before != nullptr;
+  const LinearPart &linear = model.model.linear;
+  const int n = model.has_mass.size();
+  const auto ground_at = [&](const int i, const int k) {
+    return with_loads && k < ground.rows()
+               ? Eigen::Vector3d(ground.row(k).segment<3>(3 * i).transpose())
+               : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  };
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    g[i].setZero(3, order + 1);
+    r[i].setZero(3, order + 1);
+  }
+  std::vector<Eigen::Vector3d> kept(states.size(), Eigen::Vector3d::Zero());
+  for (const Row &row : rows)
+    if (with_loads)
+      kept[row.contact][row.component] = (*forces_before)[row.contact][row.component];
+  for (int k = 0; k <= order; ++k) {
+    const bool constants = with_loads && k == 0;
+    Vector forces = constants ? linear.preload() : Vector(Vector::Zero(n));
+    if (with_loads && k < factors.rows())
+      for (int l = 0; l < factors.cols(); ++l)
+        if (factors(k, l) != 0.)
+          forces += factors(k, l) * linear.forces(l);
+    for (int l = 0; l < factors.cols() && with_loads; ++l)
+      if (linear.accelerates(l)) {
+        if (k + 1 < factors.rows() && factors(k + 1, l) != 0.)
+          forces += (k + 1.) / length * factors(k + 1, l) * linear.drag(l);
+        if (k + 2 < factors.rows() && factors(k + 2, l) != 0.)
+          forces += (k + 1.) * (k + 2.) / (length * length) * factors(k + 2, l) * linear.inertia(l);
+      }
+    Vector unknowns = q.col(k);
+    forces = model.forces_left(forces, unknowns, v.col(k));
+    q.col(k) = unknowns;
+    for (unsigned int i = 0; i < states.size(); ++i) {
+      const EventContact &contact = model.contacts[i];
+      const EventState &state = states[i];
+      g[i].col(k) = contact.displacement(unknowns) + ground_at(i, k);
+      if (!state.is_closed())
+        continue;
+      Eigen::Vector3d known = k == 0 ? kept[i] : Eigen::Vector3d(Eigen::Vector3d::Zero());
+      if (contact.normal == EventContact::Normal::platen)
+        known[0] = constants ? -contact.contact->platen_force : 0.;
+      else if (contact.normal == EventContact::Normal::elastic)
+        known[0] = contact.normal_stiffness * (g[i](0, k) + (constants ? contact.law.gap : 0.));
+      if (state.status == ContactStatus::slip) {
+        if (!state.curved)
+          known.tail<2>() = -contact.law.dynamic_friction * known[0] * state.direction;
+        else if (k < curve_friction[i].cols())
+          known.tail<2>() = curve_friction[i].col(k);
+      } else if (state.status == ContactStatus::stick && !contact.rigid_shear) {
+        Eigen::Vector2d elastic = g[i].col(k).tail<2>();
+        if (constants)
+          elastic -= state.plastic;
+        known.tail<2>() = contact.shear_stiffness * elastic;
+      }
+      r[i].col(k) = known;
+      model.add_contact_force(i, known, forces);
+    }
+    Vector acceleration = model.accelerate(forces);
+    if (!rows.empty()) {
+      Vector right(rows.size());
+      for (unsigned int j = 0; j < rows.size(); ++j) {
+        const int i = rows[j].contact, c = rows[j].component;
+        right[j] = model.contacts[i].displacement(acceleration)[c] +
+                   (k + 1.) * (k + 2.) / (length * length) * ground_at(i, k + 2)[c];
+      }
+      Vector multipliers = delassus.solve(right);
+      if (relief.size() > 0)
+        multipliers = (relief * multipliers).eval();
+      acceleration -= accelerations * multipliers;
+      for (unsigned int j = 0; j < rows.size(); ++j) {
+        const EventState &state = states[rows[j].contact];
+        Eigen::MatrixXd &force = r[rows[j].contact];
+        force(rows[j].component, k) += multipliers[j];
+        if (rows[j].component == 0 && state.status == ContactStatus::slip && !state.curved)
+          force.col(k).tail<2>() -= model.contacts[rows[j].contact].law.dynamic_friction *
+                                    multipliers[j] * state.direction;
+      }
+    }
+    if (k == order)
+      break;
+    v.col(k + 1) = length / (k + 1.) * acceleration;
+    q.col(k + 1) = length / (k + 1.) * v.col(k);
+  }
+  for (int u = 0; u < n; ++u)
+    if (!model.has_mass[u])
+      for (int k = 0; k < order; ++k)
+        v(u, k) = (k + 1.) / length * q(u, k + 1);
+}
+
+double TaylorMotion::valid_part() const {
+  double part = 1.;
+  for (const Eigen::MatrixXd *const m : {&q, &v}) {
+    double scale = 0.;
+    for (int k = 0; k <= order; ++k)
+      scale = std::max(scale, m->col(k).lpNorm<Eigen::Infinity>());
+    if (!std::isfinite(scale))
+      return 0.;
+    // The largest term counts at the length that is left.
+    for (unsigned int pass = 0; pass < 30; ++pass) {
+      double largest = 0., power = 1.;
+      for (int k = 0; k <= order; ++k, power *= part)
+        largest = std::max(largest, power * m->col(k).lpNorm<Eigen::Infinity>());
+      double allowed = part;
+      for (const int k : {order - 1, order})
+        if (const double term = m->col(k).lpNorm<Eigen::Infinity>(); term > 0.)
+          allowed = std::min(allowed, std::pow(rounding * largest / term, 1. / k));
+      if (allowed >= 0.999 * part)
+        break;
+      part = allowed;
+    }
+  }
+  return part;
+}
+
+void TaylorMotion::shorten_all(const double x) {
+  const auto shorten_columns = [x](Eigen::MatrixXd &m) {
+    double power = 1.;
+    for (int k = 0; k < m.cols(); ++k, power *= x)
+      m.col(k) *= power;
+  };
+  shorten_columns(q);
+  shorten_columns(v);
+  for (Eigen::MatrixXd &m : g)
+    shorten_columns(m);
+  for (Eigen::MatrixXd &m : r)
+    shorten_columns(m);
+  for (Eigen::MatrixXd &m : s)
+    shorten_columns(m);
+  for (Eigen::MatrixXd &m : curve_friction)
+    shorten_columns(m);
+  for (Eigen::MatrixXd *const m : {&factors, &ground})
+    shorten_rows(*m, x);
+}
+
+void TaylorMotion::take(const std::vector<EventState> &states) {
+  if (!rows_are_current)
+    make_rows(states);
+  g.resize(states.size());
+  r.resize(states.size());
+  s.assign(states.size(), Eigen::MatrixXd(2, 0));
+  curve_friction.resize(states.size());
+}
+
+double TaylorMotion::compute(const LoadCourse &loads, const double time, const double longest,
+                             const Vector &unknowns, const Vector &velocity,
+                             const std::vector<EventState> &states,
+                             const std::vector<Eigen::Vector3d> &forces) {
+  take(states);
+  double length = guess > 0. ? std::min(longest, guess) : longest;
+  factor_noise.before.resize(0);
+  ground_noise.before.resize(0);
+  for (;;) {
+    if (!interpolate_loads(loads, time, length) && length > least) {
+      length /= 2.;
+      continue;
+    }
+    for (const unsigned int i : curves)
+      curve_friction[i].setZero(2, 0);
+    begin_series(&unknowns, &velocity);
+    expand_series(length, states, &forces);
+    double part = valid_part();
+    if (part >= 1e-3 && !curves.empty()) {
+      shorten_all(part);
+      length *= part;
+      const double found = find_friction(length, states, forces);
+      if (found == 0.)
+        return 0.;
+      for (Eigen::MatrixXd *const m : {&factors, &ground})
+        shorten_rows(*m, found);
+      length *= found;
+      part = 1.;
+      begin_series(&unknowns, &velocity);
+      expand_series(length, states, &forces);
+      part = valid_part();
+    }
+    if (part < 1e-3) { // far off: the high orders may have no digit left
+      factor_noise.before.resize(0);
+      ground_noise.before.resize(0);
+      length /= part > 0. ? 100. : 1e4;
+      continue;
+    }
+    if (part < 1.) {
+      shorten_all(part);
+      length *= part;
+    }
+    guess = part < 1. ? 1.05 * length : std::max(guess, 1.5 * length);
+    return length;
+  }
+}
+
+} // namespace frictionbeam

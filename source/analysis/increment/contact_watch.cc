@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/increment/contact_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+bool is_rigid_stop(const Model &model, const Contact &contact) {
+  if (contact.law->threshold == nullptr || contact.platen_force != 0.)
+    return false;
+  FrictionThreshold law{};
+  contact.law->threshold(contact.parameters->data(), law);
+  for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
+    const auto column = contact.B_reduced.col(j);
+    if (std::abs(column[0]) > 1e-12 * column.norm() &&
+        !(model.linear.mass().coeff(contact.unknowns[j], contact.unknowns[j]) > 0.))
+      return false;
+  }
+  return std::isinf(law.axial_rigidity);
+}
+
+std::vector<unsigned int> closed_in(std::vector<ContactStatus> status, const double time,
+                                    const std::vector<ContactEvent> &events) {
+  constexpr double no_time = 1e-9; // of the run's
+  std::vector<double> since(status.size(), time);
+  std::vector<unsigned int> closed;
+  for (const ContactEvent &event : events) {
+    const unsigned int i = event.contact;
+    const bool was_open = status[i] == ContactStatus::open,
+               is_open = event.status == ContactStatus::open;
+    if (was_open && !is_open && event.time - since[i] > no_time * event.time)
+      closed.push_back(i);
+    if (is_open && !was_open)
+      since[i] = event.time;
+    status[i] = event.status;
+  }
+  return closed;
+}
+
+void watch_contacts(const Model &model, const LineState &before, const LineState &after,
+                    StepReport &report) {
+  const unsigned int n = model.contacts.size();
+  report.margins.resize(n);
+  for (const unsigned int i : closed_in(before.contact_status, before.time, after.events))
+    if (is_rigid_stop(model, model.contacts[i])) {
+      const auto place = std::lower_bound(report.struck.begin(), report.struck.end(), i);
+      if (place == report.struck.end() || *place != i)
+        report.struck.insert(place, i);
+    }
+  for (unsigned int i = 0; i < n; ++i) {
+    const Contact &contact = model.contacts[i];
+    if (contact.law->threshold == nullptr)
+      continue;
+    FrictionThreshold law{};
+    contact.law->threshold(contact.parameters->data(), law);
+    ContactMargin &margin = report.margins[i];
+    const Contact::Strains &stress = after.contact_stress[i];
+    const double force = -stress[0] * contact.weight / contact.length;
+    if (after.contact_status[i] == ContactStatus::open) {
+      margin.opening = 0.;
+      margin.closing = std::min(
+          margin.closing, std::max(0., contact.length * after.contacts.strain[i][0] + law.gap));
+      continue;
+    }
+    margin.closing = 0.;
+    margin.opening = std::min(margin.opening, std::max(0., force));
+    if (after.contact_status[i] == ContactStatus::slip)
+      margin.slip = 0.;
+    else if (after.contact_status[i] == ContactStatus::stick && stress[0] < 0.)
+      margin.slip =
+          std::min(margin.slip, std::max(0., 1. - std::hypot(stress[1], stress[2]) /
+                                                      (law.static_friction * -stress[0])));
+  }
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/increment/step_report.h"
+#include "model/line_state.h"
+#include "model/model.h"
+
+namespace frictionbeam {
+
+/// Whether a contact is rigid along its normal and what it touches has mass, so that an impact on
+/// it is an impulse. (A point without mass is stopped by no impulse: the line behind it is a
+/// spring.)
+bool is_rigid_stop(const Model &model, const Contact &contact);
+
+/// Contacts that closed in an increment, given their status before it, at @p time, and its events;
+/// not those that were open for no time, as one is that lets go and touches again by rounding.
+std::vector<unsigned int> closed_in(std::vector<ContactStatus> status, const double time,
+                                    const std::vector<ContactEvent> &events);
+
+/// Note in the report of a transient step how near contacts came to a change of state in a time
+/// step, and which rigid ones were struck.
+void watch_contacts(const Model &model, const LineState &before, const LineState &after,
+                    StepReport &report);
+
+} // namespace frictionbeam

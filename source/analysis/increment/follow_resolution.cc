@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/increment/follow_resolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+/// What friction is held to displace the line by at most, per force [m/N]: by the diagonal of the
+/// stiffness at the contact, which a long line undercuts as it has cells.
+double largest_compliance(const Contact &contact, const SparseMatrix &stiffness) {
+  constexpr double cells_that_give = 4096.;
+  double largest = 0.;
+  for (const int strain : {1, 2}) {
+    double compliance = 0.;
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
+      const double b = contact.length * contact.B_reduced(strain, j),
+                   k = stiffness.coeff(contact.unknowns[j], contact.unknowns[j]);
+      if (k > 0.)
+        compliance += b * b / k;
+    }
+    largest = std::max(largest, compliance);
+  }
+  return cells_that_give * largest;
+}
+
+} // namespace
+
+FollowResolution::FollowResolution(const Model &model)
+    : model(model), is_translation(model.space.n_unknowns(), false) {
+  const VertexDofs &dofs = model.discretization.vertex_dofs();
+  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
+    for (unsigned int d = 0; d < 3; ++d) {
+      translations.push_back(dofs.index(v, d));
+      for (const auto &term : model.space.terms(translations.back()))
+        is_translation[term.unknown] = true;
+    }
+}
+
+void FollowResolution::add_displacement(const LineState &state, Resolution &resolution) const {
+  for (std::size_t i = 0; i < translations.size(); i += 3)
+    resolution.largest_displacement =
+        std::max(resolution.largest_displacement,
+                 std::hypot(state.dofs[translations[i]], state.dofs[translations[i + 1]],
+                            state.dofs[translations[i + 2]]));
+  if (!model.corotational)
+    return;
+  const auto turn = [&](const unsigned int vertex) {
+    return Eigen::Map<const Eigen::Quaterniond>(state.turns.data() + 4 * vertex);
+  };
+  for (const MeshedPipe &pipe : model.mesh.pipes)
+    for (unsigned int i = 0; i + 1 < pipe.vertices.size(); ++i)
+      resolution.cell_turn = std::max(
+          resolution.cell_turn, turn(pipe.vertices[i]).angularDistance(turn(pipe.vertices[i + 1])));
+}
+
+void FollowResolution::add_time_step(const LineState &before, const LineState &after,
+                                     const bool is_exact, Resolution &resolution) const {
+  add_displacement(after, resolution);
+  resolution.exact_in_time = resolution.exact_in_time && is_exact;
+  if (is_exact)
+    return;
+  if (!after.events.empty())
+    ++resolution.state_changes;
+  if (before.acceleration.isZero(0.)) // nothing is known of the step before
+    return;
+  double change = 0., size = 0.;
+  for (unsigned int i = 0; i < is_translation.size(); ++i)
+    if (is_translation[i]) {
+      change = std::max(change, std::abs(after.acceleration[i] - before.acceleration[i]));
+      size = std::max(size, std::abs(after.acceleration[i]));
+    }
+  const double h = after.time - before.time;
+  resolution.local_errors += h * h / 12. * change;
+  resolution.acceleration_changes += change;
+  resolution.accelerations += size;
+}
+
+void FollowResolution::add_increment(const LineState &before, const LineState &after,
+                                     Resolution &resolution) {
+  add_displacement(after, resolution);
+  slip_turned.resize(model.contacts.size(), 0.);
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    resolution.slip_is_known = resolution.slip_is_known && contact.law->threshold != nullptr;
+    if (contact.law->threshold == nullptr || after.contact_status[i] != ContactStatus::slip)
+      continue;
+    FrictionThreshold law{};
+    contact.law->threshold(contact.parameters->data(), law);
+    const auto slip = [&](const int place) {
+      return contact.length * (after.contacts.internal[contact.state_offset + place] -
+                               before.contacts.internal[contact.state_offset + place]);
+    };
+    const Eigen::Vector2d path(slip(law.slip_y), slip(law.slip_z)),
+        T0 = before.contact_stress[i].segment<2>(1), T1 = after.contact_stress[i].segment<2>(1);
+    const double largest = std::max(T0.norm(), T1.norm());
+    const Eigen::Vector2d change = T1 - T0;
+    const double moved_by_friction = largest * contact.weight / contact.length *
+                                     largest_compliance(contact, model.linear.stiffness());
+    if (T0.norm() <= 1e-9 * largest)
+      resolution.slip_from_rest = std::max(resolution.slip_from_rest, path.norm());
+    if (largest > 0. && path.norm() > 0.)
+      slip_turned[i] += std::abs(change[0] * path[1] - change[1] * path[0]) /
+                        (path.norm() * largest) * std::min(path.norm() / 2., moved_by_friction);
+    resolution.slip_turned = std::max(resolution.slip_turned, slip_turned[i]);
+  }
+}
+
+void FollowResolution::transfer(Archive &archive) { archive(slip_turned); }
+
+} // namespace frictionbeam

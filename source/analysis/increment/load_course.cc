@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/increment/load_course.h"
+#include "analysis/increment/time_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frictionbeam {
+
+LoadCourse::LoadCourse(const Model &model)
+    : model(model), from(model.scene.loads.size(), 0.), to(from) {
+  origins.loads.assign(from.size(), 0.);
+}
+
+void LoadCourse::begin_step(const unsigned int step, const Factors &before, const Factors &after,
+                            const double start_time, const double ramp_time) {
+  origins = HistoryOrigins(model.scene, step);
+  from = before;
+  to = after;
+  start = start_time;
+  ramp = ramp_time;
+}
+
+LoadCourse::Factors LoadCourse::declared(const double time) const {
+  const double part = ramp > 0. ? std::clamp((time - start) / ramp, 0., 1.) : 1.;
+  Factors result = to;
+  if (part < 1.)
+    for (unsigned int l = 0; l < result.size(); ++l)
+      result[l] = from[l] + part * (to[l] - from[l]);
+  return result;
+}
+
+double LoadCourse::value(const TimeFunction &history, const double origin, const double time,
+                         const Side side) {
+  if (!history.is_given())
+    return 1.;
+  const double rounding = origin != 0. ? 4. * std::numeric_limits<double>::epsilon() * time : 0.,
+               of_history = time - origin;
+  if (side == Side::before)
+    return history.before(of_history, rounding);
+  if (side == Side::after)
+    return history.after(of_history, rounding);
+  // An instant that is a break but for rounding is that break.
+  const std::vector<double> &breaks = history.breaks;
+  const auto at = std::lower_bound(breaks.begin(), breaks.end(), of_history);
+  return history(at != breaks.end() && *at <= of_history + rounding ? *at : of_history);
+}
+
+LoadCourse::Factors LoadCourse::factors_at(const double time, const Side side) const {
+  Factors result = declared(time);
+  for (unsigned int l = 0; l < result.size(); ++l)
+    if (result[l] != 0.)
+      result[l] *= value(model.scene.loads[l].history, origins.loads[l], time, side);
+  return result;
+}
+
+double LoadCourse::factor(const unsigned int load, const double time, const Side side) const {
+  const double part = ramp > 0. ? std::clamp((time - start) / ramp, 0., 1.) : 1.;
+  return (part < 1. ? from[load] + part * (to[load] - from[load]) : to[load]) *
+         value(model.scene.loads[load].history, origins.loads[load], time, side);
+}
+
+LoadCourse::Factors LoadCourse::factors(const double time) const {
+  return factors_at(time, Side::both);
+}
+
+LoadCourse::Factors LoadCourse::factors_before(const double time) const {
+  return factors_at(time, Side::before);
+}
+
+LoadCourse::Factors LoadCourse::factors_after(const double time) const {
+  return factors_at(time, Side::after);
+}
+
+Vector LoadCourse::forces(const Factors &factors) const {
+  Vector result = model.contacts.platen_forces() + model.linear.preload();
+  for (unsigned int l = 0; l < factors.size(); ++l)
+    if (factors[l] != 0.)
+      result += factors[l] * model.linear.forces(l);
+  return result;
+}
+
+Vector LoadCourse::forces(const double time) const { return forces(factors(time)); }
+
+LoadCourse::Derivatives LoadCourse::derivatives(const double time, const Side side) const {
+  bool any = false;
+  for (unsigned int l = 0; l < to.size(); ++l)
+    any = any || model.linear.accelerates(l);
+  if (!any)
+    return {};
+  const double step = time_step(model), rounding = 1e-9 * step;
+  Derivatives result{Factors(to.size(), 0.), Factors(to.size(), 0.)};
+  const double next = next_break(time + rounding), last = last_break(time - rounding);
+  const bool at_break = next_break(time - rounding) <= time + rounding;
+  for (unsigned int l = 0; l < to.size(); ++l) {
+    if (!model.linear.accelerates(l))
+      continue;
+    double h = step, middle = std::max(time, origins.loads[l] + h); // nothing is known before
+    if (side == Side::after && at_break) {
+      h = std::min(h, (next - time) / 2.);
+      middle = time + h;
+    } else if (side == Side::before && at_break) {
+      h = std::min(h, (time - std::max(last, origins.loads[l])) / 2.);
+      middle = time - h;
+    } else if (side != Side::both && time >= origins.loads[l] + rounding) {
+      h = std::min({h, next - time, time - std::max(last, origins.loads[l])});
+      middle = time;
+    }
+    const double before = factor(l, middle - h, Side::after), now = factor(l, middle, Side::both),
+                 after = factor(l, middle + h, Side::before);
+    const double curvature = (after - 2. * now + before) / (h * h);
+    result.first[l] = (after - before) / (2. * h) + (time - middle) * curvature;
+    result.second[l] = curvature;
+  }
+  return result;
+}
+
+void LoadCourse::add_inertia(const double time, Vector &forces, const Side side) const {
+  const Derivatives factors = derivatives(time, side);
+  for (unsigned int l = 0; l < factors.first.size(); ++l)
+    if (model.linear.accelerates(l))
+      forces +=
+          factors.second[l] * model.linear.inertia(l) + factors.first[l] * model.linear.drag(l);
+}
+
+void LoadCourse::set_rates(LineState &state, const Side side) const {
+  const Derivatives factors = derivatives(state.time, side);
+  state.load_rates = factors.first;
+  state.load_accelerations = factors.second;
+}
+
+Vector LoadCourse::imposed(const double time) const {
+  Vector result = Vector::Zero(model.space.n_dofs());
+  const Factors now = factors(time);
+  for (unsigned int l = 0; l < now.size(); ++l)
+    if (now[l] != 0.)
+      for (const auto &[dof, value] : model.linear.imposed(l))
+        result[dof] += now[l] * value;
+  model.contacts.add_ground_motion(
+      [&](const TimeFunction &motion) {
+        return value(motion, origins.of_ground(motion), time, Side::both);
+      },
+      result);
+  return result;
+}
+
+void LoadCourse::each_history(
+    const std::function<void(const TimeFunction &, const double)> &call) const {
+  for (unsigned int l = 0; l < to.size(); ++l)
+    if (to[l] != 0. || from[l] != 0.)
+      call(model.scene.loads[l].history, origins.loads[l]);
+  for (const FrictionSupport &support : model.scene.supports)
+    for (const TimeFunction &motion : support.ground_motion)
+      call(motion, origins.of_ground(motion));
+}
+
+double LoadCourse::next_break(const double time) const {
+  double next = std::numeric_limits<double>::infinity();
+  if (ramp > 0. && start + ramp > time)
+    next = start + ramp;
+  const double rounding = 4. * std::numeric_limits<double>::epsilon() * std::abs(time);
+  each_history([&](const TimeFunction &history, const double origin) {
+    const std::vector<double> &breaks = history.breaks;
+    for (auto at = std::lower_bound(breaks.begin(), breaks.end(), time - origin - rounding);
+         at != breaks.end(); ++at)
+      if (origin + *at > time) {
+        next = std::min(next, origin + *at);
+        return;
+      }
+  });
+  return next;
+}
+
+double LoadCourse::last_break(const double time) const {
+  double last = -std::numeric_limits<double>::infinity();
+  if (ramp > 0. && start + ramp < time)
+    last = start + ramp;
+  each_history([&](const TimeFunction &history, const double origin) {
+    const std::vector<double> &breaks = history.breaks;
+    const auto at = std::lower_bound(breaks.begin(), breaks.end(), time - origin);
+    if (at != breaks.begin())
+      last = std::max(last, origin + *(at - 1));
+  });
+  return last;
+}
+
+bool LoadCourse::may_jump(const double start, const double end) const {
+  const double rounding = 1e-9 * (end - start);
+  return next_break(start - rounding) < end - rounding;
+}
+
+bool LoadCourse::forces_jump(const double time) const {
+  if (!is_break(time))
+    return false;
+  const Factors before = factors_before(time), after = factors_after(time);
+  for (unsigned int l = 0; l < to.size(); ++l)
+    if (std::abs(after[l] - before[l]) > 1e-9 * std::max(std::abs(after[l]), std::abs(before[l])))
+      return true;
+  return false;
+}
+
+bool LoadCourse::jumps(const double time) const {
+  if (!is_break(time))
+    return false;
+  for (unsigned int l = 0; l < to.size(); ++l)
+    if (model.linear.accelerates(l))
+      return true;
+  return forces_jump(time);
+}
+
+bool LoadCourse::is_break(const double time) const {
+  const double rounding = 8. * std::numeric_limits<double>::epsilon() * std::abs(time);
+  return next_break(time - rounding) <= time + rounding;
+}
+
+} // namespace frictionbeam

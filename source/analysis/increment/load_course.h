@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/line_state.h"
+#include "model/model.h"
+#include "scene/history_origins.h"
+
+#include <functional>
+
+namespace frictionbeam {
+
+/**
+ * The loads of one step of the sequence in time: declared factors that go evenly from their values
+ * before to those of the step, times each load's own history, and the motion of the ground.
+ */
+class LoadCourse {
+public:
+  using Factors = std::vector<double>;
+  /// Of instants at which something jumps or bends, which side is meant; both: none.
+  enum class Side { before, after, both };
+
+  explicit LoadCourse(const Model &model);
+
+  /// A step of the sequence: declared factors before and at its end, its beginning, and the time in
+  /// which they change [s].
+  void begin_step(const unsigned int step, const Factors &before, const Factors &after,
+                  const double start, const double ramp);
+
+  Factors declared(const double time) const;
+  /// With the loads' histories.
+  Factors factors(const double time) const;
+  /// At the end and the start of a step: where a history jumps, its value before and after.
+  Factors factors_at(const double time, const Side side) const;
+  Factors factors_before(const double time) const;
+  Factors factors_after(const double time) const;
+  /// On the unknowns, platens' forces included.
+  Vector forces(const double time) const;
+  Vector forces(const Factors &factors) const;
+
+  /// Add the inertia and damping of motions that loads impose, by differences in time over the
+  /// length of a step, or less where a corner is near. What the velocity jumps at a corner is not
+  /// in them (LoadJumps), except with Side::both, whose differences go across.
+  void add_inertia(const double time, Vector &forces, const Side side = Side::both) const;
+  /// The same derivatives of the factors, of a state at its time.
+  void set_rates(LineState &state, const Side side = Side::both) const;
+  /// Motions of all degrees of freedom that loads and the ground impose.
+  Vector imposed(const double time) const;
+
+  /// The first instant after @p time at which something may jump or bend; infinity if none.
+  double next_break(const double time) const;
+  /// Whether there is such an instant from @p start on and before @p end.
+  bool may_jump(const double start, const double end) const;
+  /// Whether forces jump at @p time.
+  bool forces_jump(const double time) const;
+  /// Whether forces, or velocities of nodes with mass that loads move, jump at @p time.
+  bool jumps(const double time) const;
+
+private:
+  /// Of the factors, by time; both empty if no load moves what has mass.
+  struct Derivatives {
+    Factors first, second;
+  };
+  Derivatives derivatives(const double time, const Side side) const;
+  /// Value of a history whose time begins at @p origin; both: as at any instant.
+  static double value(const TimeFunction &history, const double origin, const double time,
+                      const Side side);
+  /// The declared factors times the loads' histories.
+  double factor(const unsigned int load, const double time, const Side side) const;
+  bool is_break(const double time) const;
+  /// The last instant before @p time at which something may jump or bend; minus infinity if none.
+  double last_break(const double time) const;
+  /// Call for each history that acts, with the origin of its time.
+  void each_history(const std::function<void(const TimeFunction &, const double)> &call) const;
+
+  const Model &model;
+  HistoryOrigins origins;
+  Factors from, to;
+  double start = 0., ramp = 0.; ///< [s]
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/line_state.h"
+
+#include <functional>
+
+namespace frictionbeam {
+
+/// How far a sequence of load steps is.
+struct Progress {
+  unsigned int step = 0, increment = 0;
+  unsigned int n_increments = 0;
+};
+
+/// Called with the start and then after each increment that the scene declares.
+using Observer = std::function<void(const Progress &, const LineState &)>;
+
+/// Whether the observer will look at more of a state than its contacts and the motion of monitored
+/// points: elsewhere, a state of a reduced line may be that of an instant before.
+using NeedsLine = std::function<bool(const Progress &, const double time)>;
+
+/// Called between two increments, where the sequence may be written to an archive.
+using Pause = std::function<void()>;
+
+} // namespace frictionbeam

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/contact/equilibrium.h"
+#include "analysis/increment/step_report.h"
+
+namespace frictionbeam {
+
+/// Add what one solve did to the report of its step. @return whether it converged.
+bool add_result(const EquilibriumResult &result, StepReport &report);
+
+} // namespace frictionbeam

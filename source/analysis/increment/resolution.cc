@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/increment/resolution.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+void Resolution::include(const Resolution &other) {
+  local_errors += other.local_errors;
+  largest_displacement = std::max(largest_displacement, other.largest_displacement);
+  accelerations += other.accelerations;
+  acceleration_changes += other.acceleration_changes;
+  state_changes += other.state_changes;
+  exact_in_time = exact_in_time && other.exact_in_time;
+  cell_turn = std::max(cell_turn, other.cell_turn);
+  slip_turned = std::max(slip_turned, other.slip_turned);
+  slip_from_rest = std::max(slip_from_rest, other.slip_from_rest);
+  slip_is_known = slip_is_known && other.slip_is_known;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/archive.h"
+
+namespace frictionbeam {
+
+/**
+ * How finely a step of the sequence followed the motion in time and, with large displacements,
+ * along the line: what its increments leave behind for an estimate of their error.
+ */
+struct Resolution {
+  /// Sum over the time steps h of h^2/12 |a_1 - a_0|, the leading error of the trapezoidal rule in
+  /// the displacements, as the largest of all translations [m].
+  double local_errors = 0.;
+  double largest_displacement = 0.;                     ///< of all translations [m]
+  double accelerations = 0., acceleration_changes = 0.; ///< sums of |a|, |a_1 - a_0| [m/s2]
+  unsigned int state_changes = 0; ///< time steps in which a contact changed its state
+  bool exact_in_time = true;      ///< no time step has an error of its own (event)
+  double cell_turn = 0.;          ///< large displacements: most that a cell's ends turn apart [rad]
+  /// Static increments: of the contact where it is largest, the sum over the increments so far of
+  /// 1/2 |dT x dslip| / |T|, by how much its path may be off where friction turns [m].
+  double slip_turned = 0.;
+  /// Likewise the longest slip of an increment at whose start there was no friction force [m].
+  double slip_from_rest = 0.;
+  bool slip_is_known = true; ///< all laws have a closed form
+
+  void include(const Resolution &other);
+  void transfer(Archive &archive) {
+    archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
+            exact_in_time, cell_turn, slip_turned, slip_from_rest, slip_is_known);
+  }
+};
+
+} // namespace frictionbeam

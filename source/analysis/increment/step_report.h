@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/contact/uniqueness.h"
+#include "analysis/increment/energy_account.h"
+#include "analysis/increment/reduction_account.h"
+#include "analysis/increment/resolution.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace frictionbeam {
+
+/// How near a contact came to a change of its state, over one transient step; zero where it
+/// changed, infinity where it never could have.
+struct ContactMargin {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  double slip = none;    ///< of a sticking one, 1 - |T|/(f N)
+  double opening = none; ///< of a closed one, its normal force [N]
+  double closing = none; ///< of an open one, its gap [m]
+};
+
+/// What the solver did in one step of the load sequence.
+struct StepReport {
+  std::string step;
+  unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
+  std::size_t back_substitutions = 0; ///< with a matrix of the whole line
+  double residual = 0.;               ///< largest of its increments, relative to the largest force
+  ContactCheck contact;               ///< worst of its increments (exact method)
+  EnergyAccount energy;               ///< of static steps
+  bool converged = false;
+  bool no_equilibrium = false;                      ///< proved that there is none
+  std::vector<BeyondUniqueness> several_equilibria; ///< at its end
+  std::string remark;                               ///< why it was cut or stopped, in plain words
+  std::string warning;                              ///< of its time integrator, to be said once
+  std::optional<ReductionAccount> reduction;        ///< of a transient step that might be reduced
+  std::vector<ContactMargin> margins;               ///< beside the contacts, of a transient step
+  /// Rigid contacts that closed in a transient step: an impact, in which their force is infinite
+  /// for no time, and only its impulse is a number.
+  std::vector<unsigned int> struck;
+  Resolution resolution; ///< of the motion by increments and cells
+  /// Contacts that a static increment took from sticking, with friction on them, to open.
+  std::vector<unsigned int> torn_off;
+
+  void transfer(Archive &archive) {
+    archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
+            contact, energy, converged, no_equilibrium, several_equilibria, remark, warning,
+            reduction, margins, struck, resolution, torn_off);
+  }
+};
+
+} // namespace frictionbeam

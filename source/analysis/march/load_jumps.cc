@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/march/load_jumps.h"
+
+#include "analysis/algebra/line_factorization.h"
+#include "analysis/time/mass_factorization.h"
+#include "analysis/time/step_helpers.h"
+
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+/// Impulse of the inertia of imposed motions whose velocity jumps; empty if none does.
+Vector impulse_of_inertia(const Model &model, const std::vector<double> &before,
+                          const std::vector<double> &after) {
+  Vector impulse;
+  for (unsigned int l = 0; l < after.size(); ++l) {
+    const double jump = after[l] - before[l];
+    if (!model.linear.accelerates(l) ||
+        std::abs(jump) <= 1e-6 * std::max(std::abs(after[l]), std::abs(before[l])))
+      continue;
+    if (impulse.size() == 0)
+      impulse.setZero(model.space.n_unknowns());
+    impulse += jump * model.linear.inertia(l);
+  }
+  return impulse;
+}
+
+} // namespace
+
+EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegrator &integrator,
+                        LineState &state) {
+  EnergyAccount account;
+  course.set_rates(state, LoadCourse::Side::before);
+  const LineState before = state;
+  state.load_factors = course.factors_after(state.time);
+  course.set_rates(state, LoadCourse::Side::after);
+  if (const Vector impulse = impulse_of_inertia(model, before.load_rates, state.load_rates);
+      impulse.size() > 0 && !model.corotational) {
+    LineFactorization mass;
+    factor_mass(model, mass);
+    const std::vector<bool> has_mass = unknowns_with_mass(model.linear.mass());
+    Vector change = mass.solve(impulse);
+    for (int i = 0; i < change.size(); ++i)
+      if (!has_mass[i])
+        change[i] = 0.;
+    state.velocity += change;
+    account.kinetic = (state.velocity.dot(model.linear.mass() * state.velocity) -
+                       before.velocity.dot(model.linear.mass() * before.velocity)) /
+                      2.;
+    account += account_imposed(model, before, state, 1.); // of it, only the reactions do work
+    account.turnover = std::abs(account.kinetic) + std::abs(account.external);
+  }
+  integrator.start(state, course);
+  return account;
+}
+
+} // namespace frictionbeam

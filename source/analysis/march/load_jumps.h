@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/time/time_integrator.h"
+
+namespace frictionbeam {
+
+/**
+ * Make @p state, at the end of a time step, fit to begin the next one where a load jumps: the
+ * factors are those after the jump, the integrator begins with the accelerations that belong to
+ * them, and where nodes that loads move change their velocity by dv, the others do so by
+ * -M_uu^-1 M_ub dv, the impulse of their inertia.
+ * @return what that impulse does to the account of energy
+ */
+EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegrator &integrator,
+                        LineState &state);
+
+} // namespace frictionbeam

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/march/time_march.h"
+#include "base/number_text.h"
+
+#include "analysis/increment/contact_watch.h"
+#include "analysis/increment/follow_resolution.h"
+#include "analysis/increment/report_result.h"
+#include "analysis/increment/time_step.h"
+#include "analysis/march/integrator_library.h"
+#include "analysis/march/load_jumps.h"
+#include "analysis/march/time_instants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+constexpr double not_solved = -1.;          ///< in place of a time step's error
+constexpr unsigned int most_failures = 200; ///< of time steps from one instant to the next
+} // namespace
+
+TimeMarch::TimeMarch(const Model &model, const PieceObserver &observer)
+    : model(model), integrator(make_time_integrator(model, observer)), course(model) {}
+
+void TimeMarch::transfer(Archive &archive) {
+  archive(instant, n_increments, time_step, last_error, *integrator);
+}
+
+bool TimeMarch::run(const TransientStep &step, LineState &line_state, StepReport &step_report,
+                    const Watchers &watching, const bool resumed) {
+  const LoadStep &declared = model.scene.steps[step.step];
+  state = &line_state;
+  report = &step_report;
+  watchers = &watching;
+  step_number = step.step;
+  longest_step = frictionbeam::time_step(model);
+  const double start = step.start, end = start + declared.duration;
+  course.begin_step(step.step, step.from, step.target, start, declared.ramp);
+  const std::vector<double> times = integrator->is_exact()
+                                        ? instants_of_output(model, start, end, longest_step)
+                                        : instants_of_steps(course, start, end, longest_step);
+  if (!resumed) {
+    instant = n_increments = 0;
+    state->load_factors = course.factors_after(start);
+    course.set_rates(*state, LoadCourse::Side::after);
+    state->events.clear(); // those of a static increment are no impacts
+    integrator->start(*state, course);
+    time_step = longest_step;
+    jump_met = start;
+  }
+  for (; instant < times.size(); ++instant) {
+    const auto observe = [&]() {
+      const unsigned int increment = ++n_increments;
+      const bool last = state->time == end;
+      const std::size_t left = times.size() - instant;
+      watchers->of_instants(
+          {step_number, increment, last ? increment : increment + static_cast<unsigned int>(left)},
+          *state);
+    };
+    if (!move_to(times[instant], observe))
+      return false;
+  }
+  report->remark = integrator->remark();
+  report->warning = integrator->warning();
+  return true;
+}
+
+bool TimeMarch::move_to(const double time, const std::function<void()> &after_each) {
+  const double tolerance = model.scene.time.tolerance, longest = longest_step,
+               least = longest / std::pow(2., model.scene.solver.max_halvings);
+  unsigned int failures = 0;
+  while (state->time < time) {
+    const double left = time - state->time;
+    const double step = left <= 1.5 * time_step ? left : time_step;
+    const double goal = step == left ? time : state->time + step;
+    const bool taken = take_time_step(goal);
+    if (!taken && report->no_equilibrium)
+      return false;
+    if (!taken && last_error == not_solved && ++failures == most_failures) {
+      report->remark = "stopped at time " + rounded_number(state->time, 6) + ": " + report->remark +
+                       ", " + std::to_string(failures) + " times within " +
+                       rounded_number(longest) + " s, and that is all there are";
+      return false;
+    }
+    if (!taken && step <= least * (1. + 1e-9)) {
+      report->remark = "stopped at time " + rounded_number(state->time, 6) + ": " + report->remark +
+                       ", also with a time step of " + rounded_number(step) + " s";
+      return false;
+    }
+    if (!taken) {
+      ++report->halvings;
+      time_step = step / 2.;
+      continue;
+    }
+    std::swap(*state, next);
+    ++report->increments;
+    if (watchers->of_each)
+      watchers->of_each({step_number, report->increments, 0}, *state);
+    after_each();
+    if (time_step < longest && (tolerance == 0. || last_error < 0.1 * tolerance))
+      time_step = std::min(longest, 2. * time_step);
+    if (watchers->pause)
+      watchers->pause();
+  }
+  return true;
+}
+
+bool TimeMarch::take_time_step(const double time) {
+  if (!integrator->is_exact() && jump_met != state->time) {
+    jump_met = state->time;
+    if (course.jumps(state->time))
+      report->energy += meet_jump(model, course, *integrator, *state);
+  }
+  const TimeStep step = integrator->advance(*state, course, time, next);
+  last_error = not_solved;
+  if (!add_result(step.result, *report))
+    return false;
+  const double tolerance = model.scene.time.tolerance,
+               least = longest_step / std::pow(2., model.scene.solver.max_halvings);
+  last_error = step.error;
+  if (tolerance > 0. && step.error > tolerance && !integrator->is_exact() &&
+      time - state->time > least * (1. + 1e-9))
+    return false;
+  report->energy += step.energy;
+  watch_contacts(model, *state, next, *report);
+  if (watchers->resolution != nullptr)
+    watchers->resolution->add_time_step(*state, next, integrator->is_exact(), report->resolution);
+  return true;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/reduction/static_shapes.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+constexpr double same_shape = 1e-7; ///< of its norm: less of a shape is in the others
+constexpr double rounding = 1e-12;  ///< of what a shape is the difference of
+} // namespace
+
+StaticShapes::StaticShapes(const LinePart &part, const Eigen::MatrixXd &modes,
+                           const Vector &stiffness)
+    : part(part), modes(modes), stiffness(stiffness) {}
+
+void StaticShapes::add(Vector shape, const Eigen::SparseMatrix<double> &norm, const double of) {
+  const auto size = [&](const Vector &x) { return std::sqrt(std::max(0., x.dot(norm * x))); };
+  const double whole = size(shape);
+  for (int pass = 0; pass < 2; ++pass) { // twice is enough
+    const Vector forces = part.K * shape;
+    shape -= modes * (modes.transpose() * forces).cwiseQuotient(stiffness);
+    for (const Vector &other : shapes)
+      shape -= other.dot(part.K * shape) * other;
+  }
+  const double left = size(shape);
+  if (left > same_shape * whole && left > rounding * of)
+    shapes.push_back(shape / std::sqrt(shape.dot(part.K * shape)));
+}
+
+Eigen::MatrixXd StaticShapes::orthogonal() const {
+  Eigen::MatrixXd X(part.inside.size(), shapes.size());
+  for (unsigned int j = 0; j < shapes.size(); ++j)
+    X.col(j) = shapes[j];
+  if (part.has_mass && !shapes.empty()) {
+    const Eigen::MatrixXd mass = X.transpose() * (part.M * X);
+    X = X * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mass).eigenvectors();
+  }
+  for (int j = 0; j < X.cols(); ++j)
+    X.col(j) /= X.col(j).lpNorm<Eigen::Infinity>();
+  return X;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/sequence/load_sequence.h"
+
+#include "analysis/increment/follow_resolution.h"
+#include "analysis/reduction/transient_reduction.h"
+#include "analysis/statics/corotational_statics.h"
+
+#include "analysis/contact/solver_library.h"
+#include "analysis/increment/time_step.h"
+#include "analysis/time/step_helpers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+LoadSequence::LoadSequence(const Model &model)
+    : model(model),
+      statics(make_equilibrium_solver(model.scene.solver, model.scene.solver.method, model.contacts,
+                                      model.space, model.linear.stiffness())),
+      corotational_statics(model.corotational ? std::make_unique<CorotationalStatics>(model)
+                                              : nullptr),
+      course(model), declared(model.scene.loads.size(), 0.) {}
+
+LoadSequence::~LoadSequence() = default;
+
+std::string LoadSequence::integrator_name() const {
+  return march ? march->integrator_name() : reduction ? reduction->integrator_name() : "";
+}
+
+void LoadSequence::initialize() {
+  check_time_steps(model);
+  const unsigned int n = model.space.n_unknowns();
+  current.unknowns = current.velocity = current.acceleration = current.auxiliary = Vector::Zero(n);
+  current.load_factors = declared;
+  if (model.corotational)
+    current.turns = model.corotational->at_rest().turns;
+  set_initial_motion(true);
+  const Vector imposed = course.imposed(0.);
+  const auto expand = [&]() {
+    model.space.expand(current.unknowns, current.dofs);
+    current.dofs += imposed;
+  };
+  expand();
+  current.contacts = model.contacts.initial_state(current.dofs);
+  model.contacts.place_platens(current.unknowns);
+  expand();
+  model.contacts.evaluate(current.dofs, current.contacts, 0., 0., LawTangent::none, response);
+  commit(declared, 0.);
+}
+
+void LoadSequence::commit(const Factors &factors, const double time) {
+  response.state.wear = current.contacts.wear;
+  response.state.impulse = current.contacts.impulse;
+  const LineState before = current;
+  current.time = time;
+  declared = factors;
+  current.load_factors = course.factors_at(time, side);
+  commit_contacts(response, before, current);
+}
+
+bool LoadSequence::run(const Observer &observer, const Observer &each, const Pause &pause,
+                       const NeedsLine &needs_line) {
+  each_increment = each;
+  between_increments = pause;
+  observer_needs_line = needs_line;
+  if (!resolution)
+    resolution = std::make_unique<FollowResolution>(model);
+  if (!is_resumed) {
+    initialize();
+    observer({0, 0, 0}, current);
+    if (each_increment)
+      each_increment({0, 0, 0}, current);
+  }
+  for (; position.step < model.scene.steps.size(); ++position.step) {
+    const LoadStep &declared_step = model.scene.steps[position.step];
+    if (!is_resumed) {
+      StepReport report;
+      report.step = declared_step.name;
+      step_reports.push_back(report);
+      position.from = declared;
+      position.start = current.time;
+      position.next = 0;
+    }
+    Factors target(model.scene.loads.size(), 0.);
+    for (const auto &[load, factor] : declared_step.loads)
+      target[load] += factor;
+    const auto steps = model.scene.steps.begin();
+    if (declared_step.transient && !is_resumed &&
+        std::none_of(steps, steps + position.step,
+                     [](const LoadStep &step) { return step.transient; }))
+      set_initial_motion(false);
+    // A step within which the run was cut was not reduced.
+    const bool reduced =
+        model.scene.time.reduction.modes != ReductionSettings::Modes::all && !is_resumed;
+    step_reports.back().converged = !declared_step.transient ? run_static(target, observer)
+                                    : reduced                ? run_reduced(target, observer)
+                                                             : run_transient(target, observer);
+    if (!step_reports.back().converged)
+      return false;
+  }
+  return true;
+}
+
+void LoadSequence::transfer(Archive &archive) {
+  bool has_moved = march != nullptr;
+  if (!resolution)
+    resolution = std::make_unique<FollowResolution>(model);
+  archive(position, declared, current, step_reports, force_so_far, in_equilibrium, *statics,
+          *resolution, has_moved);
+  if (archive.reads() && has_moved)
+    march = std::make_unique<TimeMarch>(model, piece_observer);
+  if (has_moved)
+    archive(*march);
+  if (archive.reads())
+    is_resumed = true;
+}
+
+bool LoadSequence::run_transient(const Factors &target, const Observer &observer) {
+  if (!march)
+    march = std::make_unique<TimeMarch>(model, piece_observer);
+  const bool resumed = is_resumed;
+  is_resumed = in_equilibrium = false;
+  course.begin_step(position.step, position.from, target, position.start,
+                    model.scene.steps[position.step].ramp);
+  const bool done = march->run(
+      {position.step, position.from, target, position.start}, current, step_reports.back(),
+      {observer, each_increment, between_increments, resolution.get()}, resumed);
+  declared = course.declared(current.time);
+  return done;
+}
+
+bool LoadSequence::run_reduced(const Factors &target, const Observer &observer) {
+  if (!reduction)
+    reduction = std::make_unique<TransientReduction>(model);
+  StepReport &report = step_reports.back();
+  report.reduction.emplace();
+  const TransientStep start{position.step, position.from, target, position.start};
+  if (!reduction->prepare(start, current, *report.reduction))
+    return run_transient(target, observer);
+  course.begin_step(position.step, position.from, target, position.start,
+                    model.scene.steps[position.step].ramp);
+  in_equilibrium = false;
+  const bool done = reduction->run(start, course, current, report,
+                                   {observer, observer_needs_line, piece_observer});
+  declared = course.declared(current.time);
+  return done;
+}
+
+} // namespace frictionbeam

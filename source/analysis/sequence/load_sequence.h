@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/contact/equilibrium.h"
+#include "analysis/increment/progress.h"
+#include "analysis/increment/step_report.h"
+#include "analysis/march/time_march.h"
+
+#include <memory>
+
+namespace frictionbeam {
+
+class CorotationalStatics;
+class FollowResolution;
+class TransientReduction;
+
+/**
+ * Runs the declared sequence of load steps: static increments, each solved by EquilibriumSolver,
+ * cut in two, again and again, where they do not converge, and transient steps by TimeMarch, which
+ * may run on the line reduced to contact nodes and modes.
+ */
+class LoadSequence {
+public:
+  using Progress = frictionbeam::Progress;
+  using Observer = frictionbeam::Observer;
+  using Pause = frictionbeam::Pause;
+  using NeedsLine = frictionbeam::NeedsLine;
+
+  explicit LoadSequence(const Model &model);
+  ~LoadSequence();
+
+  /// @return whether every step converged; if not, state() is the last one in equilibrium.
+  /// @param each called with the start and with every increment solved, those of a cut one too;
+  /// its number counts these
+  bool run(const Observer &observer, const Observer &each = {}, const Pause &pause = {},
+           const NeedsLine &needs_line = {});
+
+  /// Have @p observer called with every smooth piece of transient steps, of integrators that have
+  /// them (TimeIntegrator::watch()), before the end of the piece is observed. To be called before
+  /// transfer() and run().
+  void watch(const PieceObserver &observer) {
+    Assert(!march, dealii::ExcMessage("The integrator has its observer already."));
+    piece_observer = observer;
+  }
+
+  /// Everything that the increments to come depend on. After reading, run() goes on from there, and
+  /// its numbers are those of a run that was never cut, to the last bit.
+  void transfer(Archive &archive);
+
+  const LineState &state() const { return current; }
+  /// Of the transient steps, in plain words; empty if there was none.
+  std::string integrator_name() const;
+  const std::vector<StepReport> &reports() const { return step_reports; }
+
+private:
+  using Factors = std::vector<double>;
+  /// How far the sequence is.
+  struct Position {
+    unsigned int step = 0;
+    Factors from;         ///< at the start of the step
+    double start = 0.;    ///< of the step [s]
+    std::size_t next = 0; ///< static increment
+    void transfer(Archive &archive) { archive(step, from, start, next); }
+  };
+
+  void initialize();
+  bool run_static(const Factors &target, const Observer &observer);
+  bool run_transient(const Factors &target, const Observer &observer);
+  bool run_reduced(const Factors &target, const Observer &observer);
+  /// Go to the declared factors and time given, in one static increment or in halves of it.
+  bool advance(const Factors &from, const Factors &to, const double time,
+               const unsigned int halvings);
+  /// An increment that takes no time, to what the loads are after a jump.
+  bool advance_to_other_side();
+  bool solve_increment(const Factors &factors, const double time);
+  bool solve_corotational_increment(const Factors &factors, const double time);
+  /// After a static increment: its account of energy, its slips, contacts that it tore off.
+  void judge_increment(const LineState &before, EnergyAccount account);
+  /// Forces that a state before the first static increment, or the motion before it, leaves
+  /// unbalanced; zero if it is in equilibrium.
+  Vector unbalanced_at_start() const;
+  /// Take the present forces into account for force_so_far.
+  void measure_forces(const Vector &loads);
+  /// Of the sections Initial. @param displaced or velocities only
+  void set_initial_motion(const bool displaced);
+  void commit(const Factors &factors, const double time);
+
+  const Model &model;
+  const std::unique_ptr<EquilibriumSolver> statics;
+  const std::unique_ptr<CorotationalStatics> corotational_statics; ///< null in linear kinematics
+  std::unique_ptr<TimeMarch> march; ///< null before the first transient step
+  LoadCourse course;
+  Factors declared; ///< factors without the loads' histories
+  LineState current;
+  std::vector<StepReport> step_reports;
+  Observer each_increment;
+  PieceObserver piece_observer;
+  Pause between_increments;
+  Position position;
+  bool is_resumed = false;
+  NeedsLine observer_needs_line;
+  std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for
+
+  std::unique_ptr<FollowResolution> resolution; ///< null on a reduced line
+  double force_so_far = 0.;    ///< largest load or contact force of the sequence [N]
+  bool in_equilibrium = false; ///< whether the present state is one of statics
+  unsigned int iterations_left = 0, halvings_left = 0; ///< of the declared increment
+
+  // of the increment being solved
+  Vector trial;
+  EquilibriumResult last_result;
+  ContactResponse response;
+  LoadCourse::Side side = LoadCourse::Side::before; ///< of a jump at the end of an increment
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/sequence/load_sequence.h"
+#include "base/number_text.h"
+
+#include "analysis/contact/opposed_contacts.h"
+#include "analysis/contact/undetermined_forces.h"
+#include "analysis/increment/follow_resolution.h"
+#include "analysis/increment/report_result.h"
+#include "analysis/statics/corotational_statics.h"
+#include "model/cell/corotational_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadratic in them
+/// What an increment with all its halves gets before it is given up: three times as much as any
+/// case that was ever solved has taken.
+constexpr unsigned int most_iterations = 50000, most_halvings = 200;
+/// Forces below this part of the largest so far are judged as if they were as large: at the usual
+/// tolerance of 1e-10 that is rounding.
+constexpr double least_force = 1e-4;
+
+/// More where the user allows more.
+unsigned int most_iterations_of(const SolverSettings &settings) {
+  return std::max(most_iterations, settings.method == SolverSettings::Method::elastic
+                                       ? settings.max_elastic_iterations
+                                       : settings.max_iterations);
+}
+
+/// What of a static step's answer is not the only one.
+std::vector<BeyondUniqueness>
+several_equilibria(const Model &model, const EquilibriumSolver &statics, const LineState &state) {
+  std::vector<BeyondUniqueness> result = contacts_with_undetermined_forces(model.contacts, state);
+  if (model.corotational)
+    return result;
+  std::vector<ContactStatus> status = state.contact_status;
+  const std::vector<bool> idle = idle_halves(model.contacts, state);
+  for (unsigned int i = 0; i < status.size(); ++i)
+    if (idle[i]) // touches without a force: the other half of a stop holds for it
+      status[i] = ContactStatus::open;
+  const auto of_states = statics.beyond_uniqueness(status);
+  result.insert(result.end(), of_states.begin(), of_states.end());
+  return result;
+}
+} // namespace
+
+bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
+  const unsigned int step = position.step;
+  const LoadStep &declared_step = model.scene.steps[step];
+  const Factors &from = position.from;
+  const double start = position.start;
+  if (!is_resumed) {
+    current.velocity.setZero();
+    current.acceleration.setZero();
+    current.auxiliary.setZero();
+    current.load_rates.clear();
+    current.load_accelerations.clear();
+  }
+  is_resumed = false;
+  course.begin_step(step, from, target, start, declared_step.duration);
+  measure_forces(course.forces(current.load_factors));
+  for (std::size_t &i = position.next; i < declared_step.n_increments;) {
+    ++i;
+    const double end = i == declared_step.n_increments
+                           ? start + declared_step.duration
+                           : start + declared_step.duration * i / declared_step.n_increments;
+    bool done = false;
+    while (!done) { // a history is followed to its corners, and on both sides of its jumps
+      iterations_left = most_iterations_of(model.scene.solver);
+      halvings_left = most_halvings;
+      if (course.forces_jump(current.time) && !advance_to_other_side())
+        return false;
+      const double corner = course.next_break(current.time);
+      done = !(corner < end - 1e-9 * declared_step.duration);
+      const double time = done ? end : corner, part = (time - start) / declared_step.duration;
+      Factors to = target;
+      if (!done || i < declared_step.n_increments)
+        for (unsigned int l = 0; l < to.size(); ++l)
+          to[l] = from[l] + part * (target[l] - from[l]);
+      iterations_left = most_iterations_of(model.scene.solver);
+      halvings_left = most_halvings;
+      if (!advance(Factors(declared), to, time, 0))
+        return false;
+    }
+    observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
+    if (between_increments)
+      between_increments();
+  }
+  if (model.scene.solver.method == SolverSettings::Method::exact &&
+      model.contacts.size() <= most_contacts_for_uniqueness)
+    step_reports.back().several_equilibria = several_equilibria(model, *statics, current);
+  return true;
+}
+
+bool LoadSequence::advance_to_other_side() {
+  side = LoadCourse::Side::after;
+  const bool done = advance(Factors(declared), Factors(declared), current.time, 0);
+  side = LoadCourse::Side::before;
+  return done;
+}
+
+bool LoadSequence::advance(const Factors &from, const Factors &to, const double time,
+                           const unsigned int halvings) {
+  StepReport &report = step_reports.back();
+  const double start = current.time;
+  if (solve_increment(to, time)) {
+    ++report.increments;
+    if (each_increment)
+      each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
+                     current);
+    return true;
+  }
+  if (report.no_equilibrium) {
+    report.remark = "stopped at time " + rounded_number(start, 6) + ": " + report.remark;
+    return false;
+  }
+  if (last_result.rounding_bars || iterations_left == 0 || halvings_left == 0) {
+    report.remark = "stopped at time " + rounded_number(start, 6) + ": " + report.remark;
+    if (!last_result.rounding_bars)
+      report.remark += "; one increment gets " +
+                       std::to_string(most_iterations_of(model.scene.solver)) + " iterations and " +
+                       std::to_string(most_halvings) + " halvings in all";
+    return false;
+  }
+  if (halvings == model.scene.solver.max_halvings) {
+    report.remark = "stopped at time " + rounded_number(start, 6) + ": " + report.remark +
+                    ", also after halving the increment " + std::to_string(halvings) + " times";
+    return false;
+  }
+  ++report.halvings;
+  --halvings_left;
+  Factors middle(to.size());
+  for (unsigned int l = 0; l < to.size(); ++l)
+    middle[l] = (from[l] + to[l]) / 2.;
+  return advance(from, middle, (start + time) / 2., halvings + 1) &&
+         advance(middle, to, time, halvings + 1);
+}
+
+void LoadSequence::measure_forces(const Vector &loads) {
+  if (loads.size() > 0)
+    force_so_far = std::max(force_so_far, loads.lpNorm<Eigen::Infinity>());
+  for (unsigned int i = 0; i < current.contact_stress.size(); ++i)
+    force_so_far = std::max(force_so_far, model.contacts[i].weight / model.contacts[i].length *
+                                              current.contact_stress[i].lpNorm<Eigen::Infinity>());
+}
+
+Vector LoadSequence::unbalanced_at_start() const {
+  Vector forces = Vector::Zero(current.unknowns.size());
+  if (in_equilibrium)
+    return forces;
+  ContactResponse of_contacts;
+  of_contacts.stress = current.contact_stress;
+  model.contacts.add_forces(of_contacts, forces);
+  if (model.corotational) {
+    CorotationalLine::Balance balance;
+    model.corotational->evaluate({current.dofs, current.turns}, current.load_factors, balance);
+    return balance.forces + model.contacts.platen_forces() - forces;
+  }
+  return course.forces(current.load_factors) - model.linear.stiffness() * current.unknowns - forces;
+}
+
+void LoadSequence::judge_increment(const LineState &before, EnergyAccount account) {
+  StepReport &report = step_reports.back();
+  report.energy += account;
+  in_equilibrium = true;
+  resolution->add_increment(before, current, report.resolution);
+  double largest = 0.;
+  for (const Contact::Strains &stress : before.contact_stress)
+    largest = std::max(largest, stress.head<3>().norm());
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    if (before.contact_status[i] == ContactStatus::stick &&
+        current.contact_status[i] == ContactStatus::open &&
+        before.contact_stress[i].segment<2>(1).norm() > 1e-6 * largest &&
+        std::count(report.torn_off.begin(), report.torn_off.end(), i) == 0)
+      report.torn_off.push_back(i);
+}
+
+bool LoadSequence::solve_corotational_increment(const Factors &factors, const double time) {
+  LineState to = current;
+  to.time = time;
+  to.load_factors = course.factors_at(time, side);
+  last_result =
+      corotational_statics->solve(current, course, least_force * force_so_far, to, response);
+  iterations_left -= std::min(iterations_left, last_result.iterations);
+  if (!add_result(last_result, step_reports.back()))
+    return false;
+  const Vector unbalanced = unbalanced_at_start();
+  const LineState before = current;
+  current = to;
+  current.time = before.time;
+  commit(factors, time);
+  EnergyAccount account = corotational_statics->account(before, current, course);
+  // What was not balanced before is put on as evenly as the loads.
+  account.external -= unbalanced.dot(current.unknowns - before.unknowns) / 2.;
+  measure_forces(course.forces(current.load_factors));
+  judge_increment(before, account);
+  return true;
+}
+
+bool LoadSequence::solve_increment(const Factors &factors, const double time) {
+  if (corotational_statics)
+    return solve_corotational_increment(factors, time);
+  const Factors full = course.factors_at(time, side);
+  EquilibriumProblem increment{model.linear.stiffness(), course.forces(full), course.imposed(time)};
+  increment.time = time;
+  increment.largest_force = least_force * force_so_far;
+  increment.force_so_far = force_so_far;
+  increment.most_iterations = iterations_left;
+  trial = current.unknowns;
+  last_result = statics->solve(increment, current.contacts, trial, response);
+  iterations_left -= std::min(iterations_left, last_result.iterations);
+  if (!add_result(last_result, step_reports.back()))
+    return false;
+  const Vector loads_before = course.forces(current.load_factors) - unbalanced_at_start();
+  const LineState before = current;
+  current.unknowns = trial;
+  model.space.expand(current.unknowns, current.dofs);
+  current.dofs += increment.imposed;
+  commit(factors, time);
+  measure_forces(increment.right_hand_side);
+  judge_increment(
+      before, account_increment(model, before, current, loads_before, increment.right_hand_side));
+  return true;
+}
+
+} // namespace frictionbeam

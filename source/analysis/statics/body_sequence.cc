@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/statics/body_sequence.h"
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+template <int dim>
+std::vector<FoundationPoint> foundation_points(const ContinuumBody<dim> &body,
+                                               const ContinuumSystem &system) {
+  std::vector<FoundationPoint> points;
+  for (const auto &node : body.nodes) {
+    FoundationPoint point;
+    point.surface = node.surface;
+    point.weight = node.weight;
+    for (unsigned int a = 0; a < dim; ++a) {
+      double k = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        k += node.frame[a][d] * node.frame[a][d] * system.diagonal(node.dofs[d]);
+      (a == 0 ? point.normal_diagonal : point.shear_diagonal) = k / node.weight;
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+template <int dim>
+ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws)
+    : body(body), system(make_continuum_system(body)),
+      foundation(body.continuum, laws, body.scene.solver.method == SolverSettings::Method::exact,
+                 foundation_points(body, *system)),
+      newton(body, *system, foundation), unit_forces(body.traction_forces()) {
+  body.reinit(unknowns);
+}
+
+template <int dim>
+bool ContinuumSequence<dim>::run(const ContinuumGuess *guess) {
+  unknowns = 0.;
+  load_factor = now = 0.;
+  committed = foundation.initial_state();
+  foundation.centre.assign(foundation.size(), LocalVector::Zero());
+  step_ends.clear();
+  step_ends.reserve(body.continuum.steps.size());
+  step_reports.clear();
+  const auto &steps = body.continuum.steps;
+  if (guess != nullptr && steps.size() == 1 && steps[0].n_increments == 1) {
+    unknowns = guess->displacement;
+    body.constraints.set_zero(unknowns);
+    for (unsigned int i = 0; i < body.nodes.size(); ++i)
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int d = 0; d < dim; ++d)
+          foundation.centre[i][a] +=
+              body.nodes[i].frame[a][d] * guess->traction(body.nodes[i].dofs[d]);
+  }
+  for (unsigned int s = 0; s < steps.size(); ++s) {
+    StepReport report;
+    report.step = steps[s].name;
+    step_reports.push_back(report);
+    const double begin = load_factor, change = (steps[s].factor - begin) / steps[s].n_increments,
+                 duration = 1. / steps[s].n_increments;
+    for (unsigned int i = 0; i < steps[s].n_increments; ++i) {
+      if (!advance(begin + i * change, begin + (i + 1) * change, s + i * duration, duration,
+                   body.scene.solver.max_halvings)) {
+        keep(s, i, load_factor);
+        return false;
+      }
+      ++step_reports.back().increments;
+    }
+    step_reports.back().converged = true;
+    keep(s, steps[s].n_increments, steps[s].factor);
+  }
+  return true;
+}
+
+template <int dim>
+bool ContinuumSequence<dim>::advance(const double from, const double to, const double start,
+                                     const double duration, const unsigned int halvings) {
+  if (increment(to, start + duration, duration))
+    return true;
+  if (halvings == 0)
+    return false;
+  ++step_reports.back().halvings;
+  const double middle = 0.5 * (from + to);
+  return advance(from, middle, start, duration / 2., halvings - 1) &&
+         advance(middle, to, start + duration / 2., duration / 2., halvings - 1);
+}
+
+template <int dim>
+bool ContinuumSequence<dim>::increment(const double factor, const double time,
+                                       const double time_increment) {
+  ContinuumVector loads = unit_forces, u = unknowns;
+  loads *= factor;
+  FoundationResponse response;
+  const auto centre = foundation.centre;
+  const ContinuumNewtonResult result =
+      newton.solve(loads, committed, time, time_increment, u, response);
+  StepReport &report = step_reports.back();
+  report.iterations += result.iterations;
+  report.factorizations += system->n_factorizations - n_reported;
+  n_reported = system->n_factorizations;
+  if (!result.converged) {
+    foundation.centre = centre;
+    report.remark = result.remark;
+    return false;
+  }
+  report.remark.clear();
+  report.residual = std::max(report.residual, result.residual);
+  report.contact.include(result.check);
+  account(u, loads, response.state);
+  unknowns = u;
+  committed = response.state;
+  foundation.centre = committed.stress;
+  load_factor = factor;
+  now = time;
+  return true;
+}
+
+template <int dim>
+void ContinuumSequence<dim>::account(const ContinuumVector &u, const ContinuumVector &loads,
+                                     const FoundationState &contacts) {
+  EnergyAccount account;
+  ContinuumVector stiff, motion = u, mean_load = loads, sum = u;
+  body.reinit(stiff);
+  const bool first = now == 0.; // a guess is no motion
+  ContinuumVector start = unknowns;
+  if (first)
+    start = 0.;
+  motion -= start;
+  sum += start;
+  mean_load.add(load_factor, unit_forces);
+  mean_load *= 0.5;
+  account.external = mean_load * motion;
+  system->multiply(sum, stiff);
+  body.constraints.set_zero(motion);
+  account.stored = 0.5 * (stiff * motion);
+  const auto displacement = newton.local(motion);
+  double pressure_work = 0., gaps = 0., slip_work = 0., missed = 0.;
+  for (unsigned int i = 0; i < foundation.size(); ++i) {
+    const double w = foundation[i].weight;
+    // Everything grows from nothing in the first increment, a prescribed pressure as well.
+    const LocalVector before = first ? LocalVector(LocalVector::Zero()) : committed.stress[i];
+    const LocalVector mean = 0.5 * (before + contacts.stress[i]);
+    (foundation.has_pressure(i) ? pressure_work : gaps) +=
+        (foundation.has_pressure(i) ? w : -w) * mean[0] * displacement[i][0];
+    slip_work -= w * mean.template tail<2>().dot(displacement[i].template tail<2>());
+    missed += 0.5 * w *
+              std::abs((contacts.stress[i] - before)
+                           .template tail<2>()
+                           .dot(displacement[i].template tail<2>()));
+  }
+  account.external += Utilities::MPI::sum(pressure_work, body.communicator);
+  account.gaps = Utilities::MPI::sum(gaps, body.communicator);
+  account.dissipated = Utilities::MPI::sum(slip_work, body.communicator);
+  account.missed_friction = Utilities::MPI::sum(missed, body.communicator);
+  account.turnover = std::abs(account.external) + std::abs(account.stored) +
+                     std::abs(account.dissipated) + std::abs(account.gaps);
+  step_reports.back().energy += account;
+}
+
+template <int dim>
+void ContinuumSequence<dim>::keep(const unsigned int step, const unsigned int increment,
+                                  const double factor) {
+  ContinuumState state;
+  state.step = step;
+  state.increment = increment;
+  state.factor = factor;
+  state.time = now;
+  state.displacement = unknowns;
+  body.constraints.distribute(state.displacement);
+  state.contacts = committed;
+  state.contact_displacement = newton.local(unknowns);
+  step_ends.push_back(state);
+  step_ends.back().displacement.update_ghost_values(); // which a copy does not take along
+}
+
+template <int dim>
+ContinuumGuess ContinuumSequence<dim>::as_guess() const {
+  ContinuumGuess guess;
+  guess.displacement = step_ends.back().displacement;
+  guess.displacement.update_ghost_values();
+  body.reinit(guess.traction);
+  const auto &stress = step_ends.back().contacts.stress;
+  for (unsigned int i = 0; i < body.nodes.size(); ++i)
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int d = 0; d < dim; ++d)
+        guess.traction(body.nodes[i].dofs[d]) += body.nodes[i].frame[a][d] * stress[i][a];
+  body.constraints.distribute(guess.traction); // conforming, so that it can be interpolated
+  guess.traction.update_ghost_values();
+  return guess;
+}
+
+template class ContinuumSequence<2>;
+template class ContinuumSequence<3>;
+template std::vector<FoundationPoint> foundation_points<2>(const ContinuumBody<2> &,
+                                                           const ContinuumSystem &);
+template std::vector<FoundationPoint> foundation_points<3>(const ContinuumBody<3> &,
+                                                           const ContinuumSystem &);
+
+} // namespace frictionbeam

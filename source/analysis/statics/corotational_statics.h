@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/algebra/line_factorization.h"
+#include "analysis/contact/equilibrium.h"
+#include "analysis/increment/energy_account.h"
+#include "analysis/increment/load_course.h"
+#include "model/cell/corotational_line.h"
+
+namespace frictionbeam {
+
+/// Symmetric part of a matrix of symmetric pattern.
+SparseMatrix symmetric_part(const SparseMatrix &matrix);
+
+/**
+ * Solves for the change x of a line whose stiffness is linearized at a pose: matrix x + forces of
+ * the contacts at the pose's displacements plus x = right hand side. Contacts by the method of
+ * Solver/Method, which then takes the symmetric part of the matrix; without contacts by the matrix
+ * itself.
+ */
+class LinearizedSolver {
+public:
+  explicit LinearizedSolver(const Model &model) : model(model) {}
+
+  EquilibriumResult solve(EquilibriumProblem &problem, const ContactState &committed,
+                          Vector &change, ContactResponse &response);
+  /// The matrix's own solution; false if it is singular.
+  bool solve_without_contacts(const SparseMatrix &matrix, const Vector &right_hand_side,
+                              Vector &change);
+
+private:
+  const Model &model;
+  LineFactorization factorization;
+  bool analyzed = false;
+};
+
+/// Whether residual forces of a pose count as zero: below the tolerance times the largest force,
+/// below the rounding error of the stiffness times the motion, up to 1e-8 of the largest force, or
+/// below what rounding of the pose makes of the line's forces, which is measured.
+bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
+                 const double largest, const Pose &pose, const std::vector<double> &factors);
+
+/// Largest force of the contacts on the line.
+double largest_contact_force(const Contacts &contacts, const ContactResponse &response);
+
+/// Take over a pose: displacements, turns, and rotations among the unknowns.
+void set_pose(const Model &model, const Pose &pose, LineState &state);
+
+/**
+ * Static increments in corotational kinematics: Newton's method on the line, in each of whose
+ * iterations the contacts are solved on the linearized line. It has converged when the forces of
+ * the line itself balance those of the contacts, which obey their laws at that very pose.
+ */
+class CorotationalStatics {
+public:
+  explicit CorotationalStatics(const Model &model) : model(model), linearized(model) {}
+
+  /// @param least_force that residuals are measured by, even where all loads are taken off
+  /// @param to in: its time and load factors; out: the solution, but for its contacts
+  EquilibriumResult solve(const LineState &from, const LoadCourse &course, const double least_force,
+                          LineState &to, ContactResponse &response);
+  /// Of an increment: stored energy exactly, work by the forces halfway, so that what is left over
+  /// measures the increment.
+  EnergyAccount account(const LineState &before, const LineState &after,
+                        const LoadCourse &course) const;
+
+private:
+  const Model &model;
+  LinearizedSolver linearized;
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/statics/foundation_contacts.h"
+
+#include "analysis/contact/in_series.h"
+
+#include "base/user_error.h"
+#include <frictionbeam/disc_projection.h>
+#include <frictionbeam/law_library.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {} // namespace
+
+FoundationContacts::FoundationContacts(const ContinuumScene &scene, const LawLibrary &laws,
+                                       const bool exact, const std::vector<FoundationPoint> &points)
+    : points(points) {
+  for (const ContinuumContact &contact : scene.contacts) {
+    Surface surface{&laws.find(contact.law), contact.parameters, contact.pressure, false, {}};
+    surface.exact = exact && surface.law->threshold != nullptr;
+    if (surface.law->threshold != nullptr)
+      surface.law->threshold(surface.parameters.data(), surface.threshold);
+    const FrictionThreshold &law = surface.threshold;
+    if (surface.law->threshold != nullptr && !exact &&
+        ((law.static_friction > 0. &&
+          (std::isinf(law.shear_rigidity_y) || std::isinf(law.shear_rigidity_z))) ||
+         (!contact.pressure && std::isinf(law.axial_rigidity))))
+      throw UserError("Solver/Method = newton takes a surface of finite stiffness, and '" +
+                      contact.part +
+                      "' is rigid. Give it one (Slab/GS; Long bar/Normal stiffness and Shear "
+                      "stiffness; Body/Axial rigidity and Shear rigidity), or take Solver/Method = "
+                      "exact, which has rigid contact.");
+    surfaces.push_back(surface);
+  }
+  for (const FoundationPoint &point : points) {
+    offset.push_back(n_internal);
+    n_internal += surfaces[point.surface].law->n_internal_variables;
+  }
+  centre.assign(points.size(), LocalVector::Zero());
+  friction.assign(points.size(), 0.);
+}
+
+FoundationState FoundationContacts::initial_state() const {
+  FoundationState state;
+  state.internal.assign(n_internal, 0.);
+  state.stress.assign(points.size(), LocalVector::Zero());
+  for (unsigned int i = 0; i < points.size(); ++i)
+    if (has_pressure(i))
+      state.stress[i][0] = -*surfaces[points[i].surface].pressure;
+  state.touch = std::vector<LocalVector>(points.size(), LocalVector::Zero());
+  state.status.assign(points.size(), ContactStatus::none);
+  state.dissipated.assign(points.size(), 0.);
+  return state;
+}
+
+void FoundationContacts::begin(const FoundationState &committed) {
+  for (unsigned int i = 0; i < points.size(); ++i)
+    if (is_exact(i)) {
+      const FrictionThreshold &law = surfaces[points[i].surface].threshold;
+      friction[i] = committed.internal[offset[i] + law.was_slipping] != 0. ? law.dynamic_friction
+                                                                           : law.static_friction;
+    }
+}
+
+bool FoundationContacts::let_slipping_go(const FoundationState &state) {
+  bool changed = false;
+  for (unsigned int i = 0; i < points.size(); ++i) {
+    if (!is_exact(i) || state.status[i] != ContactStatus::slip)
+      continue;
+    const double dynamic = surfaces[points[i].surface].threshold.dynamic_friction;
+    changed |= friction[i] > dynamic;
+    friction[i] = std::min(friction[i], dynamic);
+  }
+  return changed;
+}
+
+void FoundationContacts::evaluate(const std::vector<LocalVector> &displacement,
+                                  const FoundationState &committed, const double time,
+                                  const double time_increment, FoundationResponse &response) const {
+  response.state = committed;
+  response.tangent.assign(points.size(), LocalMatrix::Zero());
+  response.failed = false;
+  for (unsigned int i = 0; i < points.size(); ++i) {
+    if (is_exact(i))
+      evaluate_exact(i, displacement[i], committed, response);
+    else if (!evaluate_law(i, displacement[i], committed, time, time_increment, response))
+      response.failed = true;
+  }
+}
+
+void FoundationContacts::evaluate_exact(const unsigned int i, const LocalVector &u,
+                                        const FoundationState &committed,
+                                        FoundationResponse &response) const {
+  const FoundationPoint &point = points[i];
+  const Surface &surface = surfaces[point.surface];
+  const FrictionThreshold &law = surface.threshold;
+  FoundationState &state = response.state;
+  LocalMatrix &D = response.tangent[i];
+  LocalVector &stress = state.stress[i];
+  const double *const old_state = committed.internal.data() + offset[i];
+  double *const new_state = state.internal.data() + offset[i];
+  const double rho_n = stiffness_factor * point.normal_diagonal,
+               rho_t = stiffness_factor * point.shear_diagonal, f = friction[i];
+  stress = LocalVector::Zero();
+
+  double P;
+  if (surface.pressure)
+    P = *surface.pressure;
+  else {
+    const double kappa = in_series(law.axial_rigidity, rho_n);
+    P = kappa * (-centre[i][0] / rho_n + u[0] - law.gap);
+    if (P < 0.) { // a contact that just touches counts as closed: it may have to carry
+      new_state[law.slip_y] = -u[1];
+      new_state[law.slip_z] = -u[2];
+      new_state[law.was_slipping] = 0.;
+      state.touch[i] = u;
+      state.status[i] = ContactStatus::open;
+      return;
+    }
+    D(0, 0) = -kappa;
+  }
+  stress[0] = -P;
+
+  const double rigidity[2] = {law.shear_rigidity_y, law.shear_rigidity_z};
+  const int place[2] = {law.slip_y, law.slip_z};
+  double kappa[2], trial[2];
+  for (int d = 0; d < 2; ++d) {
+    kappa[d] = in_series(rigidity[d], rho_t);
+    trial[d] = kappa[d] * (-u[1 + d] - old_state[place[d]] + centre[i][1 + d] / rho_t);
+  }
+  const double radius = f * P;
+  bool slips = std::hypot(trial[0], trial[1]) > radius;
+  if (f == 0.) {
+    for (int d = 0; d < 2; ++d)
+      new_state[place[d]] = -u[1 + d];
+    slips = true;
+  } else if (!slips) {
+    for (int d = 0; d < 2; ++d) {
+      stress[1 + d] = trial[d];
+      D(1 + d, 1 + d) = -kappa[d];
+      // the same slip but for rounding, so that the next increment begins without any
+      new_state[place[d]] = -u[1 + d] - trial[d] / rigidity[d];
+    }
+  } else {
+    const DiscProjection on_disc(trial, kappa, radius);
+    for (int d = 0; d < 2; ++d) {
+      stress[1 + d] = on_disc.point[d];
+      new_state[place[d]] = -u[1 + d] - on_disc.point[d] / rigidity[d];
+      state.dissipated[i] += on_disc.point[d] * (new_state[place[d]] - old_state[place[d]]);
+      for (int e = 0; e < 2; ++e)
+        D(1 + d, 1 + e) = -on_disc.by_trial[d][e] * kappa[e];
+      D(1 + d, 0) = on_disc.by_radius[d] * -f * D(0, 0);
+    }
+  }
+  new_state[law.was_slipping] = slips && f > 0. ? 1. : 0.;
+  state.status[i] = law.static_friction == 0. ? ContactStatus::closed
+                    : slips                   ? ContactStatus::slip
+                                              : ContactStatus::stick;
+}
+
+bool FoundationContacts::evaluate_law(const unsigned int i, const LocalVector &u,
+                                      const FoundationState &committed, const double time,
+                                      const double time_increment,
+                                      FoundationResponse &response) const {
+  const Surface &surface = surfaces[points[i].surface];
+  constexpr int n = n_support_strains;
+  double strain[n] = {-u[0], -u[1], -u[2], 0.}, rate[n] = {}, stress[n], tangent[n * n];
+  const double displacement[3] = {-u[0], -u[1], -u[2]};
+  const LawInput in{surface.parameters.data(),
+                    strain,
+                    rate,
+                    displacement,
+                    1.,
+                    time,
+                    time_increment,
+                    20.,
+                    committed.internal.data() + offset[i],
+                    LawTangent::consistent};
+  LawOutput out{stress, tangent, response.state.internal.data() + offset[i], 0.,
+                ContactStatus::none};
+  if (surface.law->law->integrate(in, out) != LawStatus::ok)
+    return false;
+  if (surface.pressure) { // the normal strain that gives it, by Newton's method
+    const double P = *surface.pressure;
+    for (unsigned int iteration = 0; std::abs(stress[0] + P) > 1e-13 * P; ++iteration) {
+      if (iteration == 50)
+        return false;
+      // an open contact has no stiffness: close it
+      strain[0] -= tangent[0] > 0. ? (stress[0] + P) / tangent[0] : std::abs(strain[0]) + 1e-9;
+      if (surface.law->law->integrate(in, out) != LawStatus::ok)
+        return false;
+    }
+  }
+  LocalMatrix &D = response.tangent[i];
+  for (int a = 0; a < 3; ++a) {
+    response.state.stress[i][a] = stress[a];
+    for (int b = 0; b < 3; ++b)
+      D(a, b) = -tangent[n * a + b];
+  }
+  if (surface.pressure) { // d eps follows from d N = 0
+    const LocalVector by_strain = D.col(0) / D(0, 0);
+    const Eigen::RowVector3d normal = D.row(0);
+    D -= by_strain * normal;
+  }
+  response.state.status[i] = out.contact;
+  response.state.dissipated[i] = committed.dissipated[i] + out.dissipation;
+  if (out.contact == ContactStatus::open)
+    response.state.touch[i] = u;
+  return true;
+}
+
+LocalVector FoundationContacts::by_centre(const unsigned int i) const {
+  if (!is_exact(i))
+    return LocalVector::Zero();
+  const double shear = 1. / (stiffness_factor * points[i].shear_diagonal);
+  return {1. / (stiffness_factor * points[i].normal_diagonal), shear, shear};
+}
+
+double FoundationContacts::gap(const unsigned int i, const LocalVector &displacement) const {
+  if (has_pressure(i))
+    return 0.;
+  return (is_exact(i) ? surfaces[points[i].surface].threshold.gap : 0.) - displacement[0];
+}
+
+LocalVector FoundationContacts::slip(const unsigned int i, const LocalVector &displacement,
+                                     const FoundationState &state) const {
+  LocalVector slip = displacement - state.touch[i];
+  slip[0] = 0.;
+  return slip;
+}
+
+ContactCheck FoundationContacts::check(const std::vector<LocalVector> &displacement,
+                                       const FoundationState &state,
+                                       const FoundationState &committed, const double largest,
+                                       const double rounding) const {
+  ContactCheck result;
+  for (unsigned int i = 0; i < points.size(); ++i) {
+    if (!is_exact(i))
+      continue;
+    const FrictionThreshold &law = surfaces[points[i].surface].threshold;
+    const LocalVector &u = displacement[i], &stress = state.stress[i];
+    const double *const old_state = committed.internal.data() + offset[i];
+    const double P = -stress[0];
+    result.judge({P,
+                  {stress[1], stress[2]},
+                  has_pressure(i) ? 0. : law.gap - u[0] + P / law.axial_rigidity,
+                  {-u[1] - old_state[law.slip_y] - stress[1] / law.shear_rigidity_y,
+                   -u[2] - old_state[law.slip_z] - stress[2] / law.shear_rigidity_z},
+                  friction[i],
+                  points[i].normal_diagonal,
+                  points[i].shear_diagonal,
+                  rounding},
+                 largest);
+    result.least_dissipation =
+        std::min(result.least_dissipation,
+                 points[i].weight * (state.dissipated[i] - committed.dissipated[i]));
+  }
+  return result;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/time/impulse_contacts.h"
+#include "analysis/time/motion_products.h"
+
+#include "analysis/algebra/line_factorization.h"
+
+#include <limits>
+
+namespace frictionbeam {
+
+/**
+ * The generalized-alpha family in the form of Arnold and Bruels (Multibody Syst. Dyn. 18 (2007)
+ * 185-202): the equation of motion holds at the end of the step with the acceleration A, and
+ *   (1 - alpha_m) a1 + alpha_m a0 = (1 - alpha_f) A1 + alpha_f A0,
+ *   q1 = q0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1),   v1 = v0 + h ((1 - gamma) a0 + gamma a1).
+ * Newmark's method is alpha_m = alpha_f = 0, a = A.
+ *
+ * With `impulses`, rigid contacts act by impulses P outside of the accelerations (Bruels, Acary,
+ * Cardona, CMAME 281 (2014) 131-161): M w = P, v1 gains w and q1 gains h (beta/gamma) w. (There it
+ * is h/2, the same without numerical damping; with beta/gamma, q1 and v1 hang together as without
+ * impact, and the step is one static contact problem.) With numerical damping (beta/gamma is not
+ * 1/2) what presses on a support all the time would creep by that difference. So q1 gains
+ *   h^2 (1/2 - beta/gamma) M^-1 d0 as well,   gamma d1 + (1 - gamma) d0 = P/h,
+ * d the share of the contact forces in the accelerations, as if they had been in the equation of
+ * motion. Without `impulses`, all contacts are friction elements of finite stiffness with their
+ * return mapping. Either way elements of finite stiffness are followed to second order.
+ */
+class AlphaScheme final : public TimeIntegrator {
+public:
+  struct Parameters {
+    double alpha_m = 0., alpha_f = 0., beta = 0.25, gamma = 0.5;
+    bool impulses = false;
+    std::string name;
+  };
+  /// Rigid contacts act by impulses if Solver/Method is exact, as in statics.
+  static Parameters newmark(const Scene &scene);
+  /// Of Chung and Hulbert, by the spectral radius (J. Appl. Mech. 60 (1993) 371-375); of the rigid
+  /// contacts as newmark.
+  static Parameters generalized_alpha(const Scene &scene);
+  static Parameters nonsmooth(const Scene &scene);
+
+  AlphaScheme(const Model &model, const Parameters &parameters);
+
+  std::string name() const override { return p.name; }
+  void start(LineState &state, const LoadCourse &loads) override;
+  TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
+                   LineState &to) override;
+  void transfer(Archive &archive) override;
+  std::string warning() const override;
+
+private:
+  void set_step(const double step);
+  Vector contact_forces(const LineState &state) const;
+
+  const Model &model;
+  const Parameters p;
+  const double ratio; ///< (1 - alpha_m)/(1 - alpha_f)
+  const std::vector<bool> has_mass;
+  std::unique_ptr<EquilibriumSolver> return_mapping; ///< null with impulses
+  ImpulseContacts contacts;
+  LineFactorization mass;
+  SparseMatrix effective; ///< K + gamma/(beta h) C + ratio/(beta h^2) M
+  Vector diagonal;        ///< of it
+  double effective_step = 0.;
+  /// What a state has besides, with impulses: A without the rigid contacts' forces, M^-1 P/h of the
+  /// step that ended there, M^-1 d.
+  struct Parts {
+    double time = std::numeric_limits<double>::quiet_NaN(); ///< of the state
+    Vector free, by_contacts, lasting;
+    void transfer(Archive &archive) { archive(time, free, by_contacts, lasting); }
+  };
+  Parts at_start, at_end;          ///< of the last step
+  KeptProduct stiff, momentum;     ///< K q and M v
+  const Vector stiffness_diagonal; ///< of K
+};
+
+} // namespace frictionbeam

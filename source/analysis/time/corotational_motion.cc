@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/time/corotational_motion.h"
+
+#include "analysis/time/step_helpers.h"
+#include "base/interruption.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+CorotationalMotion::CorotationalMotion(const Model &model)
+    : model(model), has_mass(unknowns_with_mass(model.corotational->mass())), contacts(model),
+      linearized(model) {}
+
+std::string CorotationalMotion::name() const {
+  return "moreau_jean: midpoint rule with exact momentum in corotational kinematics, rigid contact "
+         "and friction by impulses";
+}
+
+void CorotationalMotion::start(LineState &state, const LoadCourse &) {
+  state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
+}
+
+void CorotationalMotion::evaluate(const LineState &state, Step &step) const {
+  const CorotationalLine &line = *model.corotational;
+  const double h = step.h;
+  model.space.expand(step.moved, step.change);
+  step.change += step.imposed;
+  step.to = line.stepped(step.from, step.change);
+  step.half = line.halfway(step.from, step.to);
+  line.evaluate(step.from, step.half, step.to, step.factors, step.balance);
+
+  // The equation of motion divided by h/2.
+  const Vector inertia = line.mass() * (4. / (h * h) * step.moved - 4. / h * state.velocity);
+  step.residual = 2. * (step.balance.forces + model.contacts.platen_forces()) - inertia -
+                  contacts.elastic_forces(state);
+  step.matrix = step.balance.stiffness + 4. / (h * h) * line.mass();
+  if (model.linear.damping().nonZeros() > 0) {
+    step.residual -= model.linear.damping() * (2. / h * step.moved);
+    step.matrix = step.matrix + 2. / h * model.linear.damping();
+  }
+  line.add_rotary(step.from, step.to, step.change, step.velocity, h, step.residual, step.matrix);
+  step.largest = std::max(2. * step.balance.largest, inertia.lpNorm<Eigen::Infinity>());
+}
+
+EquilibriumResult CorotationalMotion::solve_linearized(const LineState &state,
+                                                       const LoadCourse &loads, const double time,
+                                                       Step &step, Vector &change,
+                                                       ContactResponse &response) {
+  if (model.contacts.size() == 0) {
+    EquilibriumProblem problem{step.matrix, step.residual, step.to.dofs};
+    return linearized.solve(problem, state.contacts, change, response);
+  }
+  const double h = step.h;
+  const SparseMatrix symmetric = symmetric_part(step.matrix);
+  contacts.set_matrix(symmetric);
+  // In what the unknowns still have to move beyond the pose.
+  EquilibriumProblem problem{symmetric, step.residual, step.to.dofs};
+  problem.time = time;
+  problem.time_increment = h;
+  problem.largest_force = step.largest;
+  change.setZero(step.moved.size());
+  EquilibriumResult result = contacts.solve(
+      problem, state, problem.imposed - loads.imposed(time) + loads.imposed(state.time),
+      {h / 2. * state.velocity - step.moved, h / 2., 0.5, loads.may_jump(state.time, time)}, change,
+      response);
+  result.no_equilibrium = false;
+  return result;
+}
+
+EquilibriumResult CorotationalMotion::solve(const LineState &state, const LoadCourse &loads,
+                                            const double time, Step &step,
+                                            ContactResponse &response) {
+  const SolverSettings &settings = model.scene.solver;
+  EquilibriumResult result;
+  Vector change;
+  bool judged = false;
+  for (;;) {
+    interruption::end_if_overdue();
+    evaluate(state, step);
+    if (!step.residual.allFinite()) {
+      result.remark = "the iteration diverges";
+      return result;
+    }
+    if (judged) {
+      Vector left = step.residual;
+      if (model.contacts.size() > 0) {
+        Vector of_contacts = Vector::Zero(left.size());
+        model.contacts.add_forces(response, of_contacts);
+        // Of the impulses the response has the mean over the step, a half.
+        left -= of_contacts - contacts.impulses() / step.h;
+      }
+      const double size = left.lpNorm<Eigen::Infinity>(),
+                   largest =
+                       std::max(step.largest, largest_contact_force(model.contacts, response));
+      result.residual = largest > 0. ? size / largest : size;
+      // The residual has twice the mean of the forces at both ends.
+      result.converged = is_balanced(model, step.matrix, size, largest, step.to, step.factors);
+      if (result.converged)
+        return result;
+      // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
+      // is left to its own, so that only the contacts' share converges more slowly.
+      if (model.contacts.size() > 0 &&
+          linearized.solve_without_contacts(step.matrix, left, change)) {
+        ++result.factorizations;
+        step.moved += change;
+        evaluate(state, step);
+        if (!step.residual.allFinite())
+          continue;
+      }
+    }
+    if (result.iterations == settings.max_iterations) {
+      result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
+      return result;
+    }
+    const EquilibriumResult inner = solve_linearized(state, loads, time, step, change, response);
+    ++result.iterations;
+    result.factorizations += inner.factorizations;
+    result.check = inner.check;
+    if (!inner.converged) {
+      result.remark = inner.remark;
+      return result;
+    }
+    step.moved += change;
+    judged = true;
+  }
+}
+
+void CorotationalMotion::finish(const LineState &state, const LoadCourse &loads, const double time,
+                                const Step &step, ContactResponse &response, LineState &to,
+                                TimeStep &report) {
+  const CorotationalLine &line = *model.corotational;
+  const double h = step.h;
+  to.unknowns = state.unknowns + step.moved;
+  set_pose(model, step.to, to);
+  to.velocity = 2. / h * step.moved - state.velocity;
+  for (int i = 0; i < to.velocity.size(); ++i)
+    if (!has_mass[i])
+      to.velocity[i] = step.moved[i] / h;
+  line.set_spins(step.from, step.to, step.change, step.velocity, h, to.velocity);
+  to.acceleration = (to.velocity - state.velocity) / h;
+  to.auxiliary = to.acceleration;
+  to.time = time;
+  to.load_factors = loads.factors_before(time);
+  commit_contacts(response, state, to);
+  if (model.contacts.size() > 0)
+    contacts.add_histories(state, h, to);
+
+  EnergyAccount &account = report.energy;
+  Vector velocity;
+  model.space.expand(to.velocity, velocity);
+  const double kinetic = line.kinetic_energy(step.to, velocity),
+               stored = line.stored_energy(step.to);
+  account.external = step.balance.loads.dot(step.change) + step.balance.free_work +
+                     model.contacts.platen_forces().dot(step.moved) +
+                     (step.balance.internal - step.balance.loads).dot(step.imposed);
+  account.stored = stored - line.stored_energy(step.from);
+  account.kinetic = kinetic - line.kinetic_energy(step.from, step.velocity);
+  if (model.linear.damping().nonZeros() > 0)
+    account.damping = step.moved.dot(model.linear.damping() * step.moved) / h;
+  account.at_hand = kinetic + stored;
+  account.turnover =
+      std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
+  account += account_contacts(
+      model, state, to, model.contacts.size() > 0 ? contacts.work() : std::vector<ContactWork>());
+  double jerk = 0.;
+  for (int i = 0; i < to.velocity.size(); ++i)
+    if (has_mass[i])
+      jerk = std::max(jerk, std::abs(to.auxiliary[i] - state.auxiliary[i]));
+  report.error = h * h / 12. * jerk;
+}
+
+TimeStep CorotationalMotion::advance(const LineState &from, const LoadCourse &loads,
+                                     const double time, LineState &to) {
+  Step step;
+  step.h = time - from.time;
+  step.from = {from.dofs, from.turns};
+  step.moved = step.h * from.velocity;
+  step.imposed = loads.imposed(time) - loads.imposed(from.time);
+  step.factors = loads.factors_before(time);
+  const std::vector<double> before = loads.factors_after(from.time);
+  for (unsigned int l = 0; l < step.factors.size(); ++l)
+    step.factors[l] = (step.factors[l] + before[l]) / 2.;
+  model.space.expand(from.velocity, step.velocity);
+
+  TimeStep report;
+  ContactResponse response;
+  to = from;
+  report.result = solve(from, loads, time, step, response);
+  if (report.result.converged)
+    finish(from, loads, time, step, response, to, report);
+  return report;
+}
+
+} // namespace frictionbeam

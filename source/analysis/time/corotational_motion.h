@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/statics/corotational_statics.h"
+#include "analysis/time/impulse_contacts.h"
+
+namespace frictionbeam {
+
+/**
+ * The midpoint rule for lines in corotational kinematics, conserving momentum:
+ *   M (v1 - v0) = h F + P,   x1 - x0 = h (v0 + v1)/2,
+ * with the forces F on the pose halfway made from the mean of the cells' forces at both ends (J. C.
+ * Simo, N. Tarnow, M. Doblare, IJNME 38 (1995) 1431-1473, doi:10.1002/nme.1620380903). F has no
+ * resultant, so that linear and angular momentum are exact, and its work is the change of the
+ * stored energy. In linear kinematics this is moreau_jean with theta = 1/2, and the contacts are
+ * that method's.
+ *
+ * A step is solved by Newton's method with the contacts solved on the linearized line.
+ */
+class CorotationalMotion final : public TimeIntegrator {
+public:
+  explicit CorotationalMotion(const Model &model);
+
+  std::string name() const override;
+  void start(LineState &state, const LoadCourse &loads) override;
+  TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
+                   LineState &to) override;
+  void transfer(Archive &) override {} // every step begins anew
+
+private:
+  /// A step on its way to its solution.
+  struct Step {
+    Pose from, half, to;
+    Vector moved;                ///< unknowns, turns as Cayley vectors
+    Vector change;               ///< the same of all degrees of freedom
+    Vector imposed;              ///< change that is imposed
+    std::vector<double> factors; ///< mean ones of the loads
+    Vector velocity;             ///< of all degrees of freedom, at the start
+    double h = 0.;
+    CorotationalLine::Balance balance;
+    Vector residual;     ///< but for the contacts at the end
+    SparseMatrix matrix; ///< less its derivative by `moved`
+    double largest = 0.;
+  };
+  void evaluate(const LineState &state, Step &step) const;
+  EquilibriumResult solve_linearized(const LineState &state, const LoadCourse &loads,
+                                     const double time, Step &step, Vector &change,
+                                     ContactResponse &response);
+  EquilibriumResult solve(const LineState &state, const LoadCourse &loads, const double time,
+                          Step &step, ContactResponse &response);
+  void finish(const LineState &state, const LoadCourse &loads, const double time, const Step &step,
+              ContactResponse &response, LineState &to, TimeStep &report);
+
+  const Model &model;
+  const std::vector<bool> has_mass;
+  ImpulseContacts contacts;
+  LinearizedSolver linearized;
+};
+
+} // namespace frictionbeam

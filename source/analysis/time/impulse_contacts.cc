@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/time/impulse_contacts.h"
+#include "analysis/time/step_helpers.h"
+
+#include <cmath>
+#include <limits>
+
+namespace frictionbeam {
+
+namespace {
+constexpr double far = 1e30; // [m]
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Contact::Strains strain_of(const Contact &contact, const Vector &unknowns) {
+  Contact::Strains result = Contact::Strains::Zero();
+  for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+    result += unknowns[contact.unknowns[j]] * contact.B_reduced.col(j);
+  return result;
+}
+
+} // namespace
+
+ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model.contacts.size()) {
+  const std::vector<bool> with_mass = unknowns_with_mass(model.linear.mass());
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    Kind &kind = kinds[i];
+    kind.is_exact = contact.law->threshold != nullptr;
+    if (!kind.is_exact)
+      continue;
+    contact.law->threshold(contact.parameters->data(), kind.law);
+    // A node without mass has no momentum: its contact is one of positions, as in statics.
+    bool normal_mass = true, shear_mass = true;
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      if (!with_mass[contact.unknowns[j]]) {
+        const auto column = contact.B_reduced.col(j);
+        const double rounding = 1e-12 * column.norm();
+        normal_mass = normal_mass && std::abs(column[0]) <= rounding;
+        shear_mass = shear_mass && column.segment<2>(1).norm() <= rounding;
+      }
+    kind.rigid_normal =
+        std::isinf(kind.law.axial_rigidity) && contact.platen_force == 0. && normal_mass;
+    kind.rigid_shear = std::isinf(kind.law.shear_rigidity_y) && shear_mass;
+  }
+}
+
+void ImpulseContacts::set_matrix(const SparseMatrix &matrix) {
+  solver = std::make_unique<ExactSolver>(model.scene.solver, model.contacts, model.space, matrix);
+}
+
+Contact::Strains ImpulseContacts::part(const unsigned int i, const Contact::Strains &stress,
+                                       const bool rigid) const {
+  Contact::Strains result = Contact::Strains::Zero();
+  if (kinds[i].rigid_normal == rigid)
+    result[0] = stress[0];
+  if (kinds[i].rigid_shear == rigid)
+    result.segment<2>(1) = stress.segment<2>(1);
+  if (!rigid)
+    result[3] = stress[3];
+  return result;
+}
+
+Vector ImpulseContacts::forces(const LineState &state, const bool rigid) const {
+  Vector forces = Vector::Zero(model.space.n_unknowns());
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Contact::Strains stress = contact.weight * part(i, state.contact_stress[i], rigid);
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      forces[contact.unknowns[j]] += contact.B_reduced.col(j).dot(stress);
+  }
+  return forces;
+}
+
+void ImpulseContacts::set_ground_rates(const EquilibriumProblem &problem, const LineState &from,
+                                       const Vector &imposed_before, const bool may_jump) {
+  const bool is_next = from.time != step_begin, follows = from.time == step_end;
+  if (is_next)
+    ground_rate_before = ground_rate;
+  ground_rate.resize(kinds.size());
+  const Vector motion = problem.imposed - imposed_before;
+  for (unsigned int i = 0; i < kinds.size(); ++i)
+    ground_rate[i] = model.contacts[i].strain(motion) / problem.time_increment;
+  if ((is_next && !follows) || may_jump)
+    ground_rate_before = ground_rate;
+  step_begin = from.time;
+  step_end = problem.time;
+}
+
+bool ImpulseContacts::test_reversals(const LineState &from, const Vector &imposed,
+                                     const Vector &unknowns) {
+  bool any = false;
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Kind &kind = kinds[i];
+    const Contact &contact = model.contacts[i];
+    if (!kind.rigid_shear || kind.law.dynamic_friction == kind.law.static_friction)
+      continue;
+    double &was_slipping = shifted.internal[contact.state_offset + kind.law.was_slipping];
+    const Contact::Strains before = strain_of(contact, from.velocity) + ground_rate_before[i],
+                           motion = strain_of(contact, unknowns) + contact.strain(imposed);
+    const double slip_y = motion[1] - shifted.internal[contact.state_offset + kind.law.slip_y],
+                 slip_z = motion[2] - shifted.internal[contact.state_offset + kind.law.slip_z];
+    if (was_slipping != 0. && before[1] * slip_y + before[2] * slip_z < 0.) {
+      was_slipping = 0.;
+      any = true;
+    }
+  }
+  return any;
+}
+
+EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const LineState &from,
+                                         const Vector &imposed_before, const Relation &relation,
+                                         Vector &unknowns, ContactResponse &response) {
+  const double step = problem.time_increment;
+  set_ground_rates(problem, from, imposed_before, relation.may_jump);
+  shifted = from.contacts;
+  overrides.gap.assign(kinds.size(), 0.);
+  overrides.friction_scale.assign(kinds.size(), 1.);
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Kind &kind = kinds[i];
+    if (!kind.is_exact)
+      continue;
+    const Contact &contact = model.contacts[i];
+    const double l = contact.length;
+    overrides.gap[i] = kind.law.gap;
+    const Contact::Strains base = strain_of(contact, relation.base) +
+                                  contact.strain(problem.imposed) - relation.reach * ground_rate[i];
+    if (kind.rigid_normal) {
+      const double approach = l * (strain_of(contact, from.velocity) + ground_rate_before[i])[0],
+                   gap = l * from.contacts.strain[i][0] + kind.law.gap;
+      const bool takes_part =
+          from.contact_status[i] != ContactStatus::open || gap + step / 2. * approach <= 1e-12 * l;
+      overrides.gap[i] =
+          takes_part ? -l * base[0] + relation.reach * contact.restitution * std::min(approach, 0.)
+                     : far;
+    }
+    if (kind.rigid_shear) {
+      shifted.internal[contact.state_offset + kind.law.slip_y] = base[1];
+      shifted.internal[contact.state_offset + kind.law.slip_z] = base[2];
+    }
+    if (kind.rigid_normal != kind.rigid_shear)
+      overrides.friction_scale[i] = kind.rigid_normal ? relation.share : 1. / relation.share;
+  }
+  problem.overrides = &overrides;
+  // Where supports share a force that the line does not tell apart, each keeps what it had.
+  std::vector<Contact::Strains> stress(kinds.size());
+  for (unsigned int i = 0; i < kinds.size(); ++i)
+    stress[i] = part(i, from.contact_stress[i], true) / relation.share +
+                part(i, from.contact_stress[i], false);
+  solver->guess(stress);
+  const Vector guess = unknowns;
+  EquilibriumResult result = solver->solve(problem, shifted, unknowns, response);
+  while (result.converged && test_reversals(from, problem.imposed, unknowns)) {
+    const EquilibriumResult first = result;
+    unknowns = guess;
+    result = solver->solve(problem, shifted, unknowns, response);
+    result.iterations += first.iterations;
+    result.factorizations += first.factorizations;
+    result.back_substitutions += first.back_substitutions;
+  }
+  if (!result.converged)
+    return result;
+
+  rigid_impulses = Vector::Zero(unknowns.size());
+  contact_work.assign(kinds.size(), {Contact::Strains::Zero(), Contact::Strains::Zero()});
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Kind &kind = kinds[i];
+    const Contact::Strains rigid = relation.share * part(i, response.stress[i], true),
+                           elastic = part(i, response.stress[i], false);
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      rigid_impulses[contact.unknowns[j]] -=
+          step * contact.weight * contact.B_reduced.col(j).dot(rigid);
+    response.stress[i] = rigid + elastic;
+    contact_work[i].mean_stress = rigid + (elastic + part(i, from.contact_stress[i], false)) / 2.;
+    if (kind.is_exact)
+      contact_work[i].rigidity << (contact.platen_force != 0. ? infinity : kind.law.axial_rigidity),
+          kind.law.shear_rigidity_y, kind.law.shear_rigidity_z, kind.law.torsional_rigidity;
+  }
+  return result;
+}
+
+void ImpulseContacts::add_histories(const LineState &from, const double step, LineState &to) const {
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const double normal = contact.weight / contact.length * -contact_work[i].mean_stress[0];
+    to.contacts.impulse[i] = from.contacts.impulse[i] + step * normal;
+    to.contacts.wear[i] = from.contacts.wear[i];
+    if (!kinds[i].is_exact)
+      continue;
+    const FrictionThreshold &law = kinds[i].law;
+    const Contact::Strains change = to.contacts.strain[i] - from.contacts.strain[i],
+                           force_change = part(i, to.contact_stress[i], false) -
+                                          part(i, from.contact_stress[i], false);
+    const double slip_y = change[1] - force_change[1] / law.shear_rigidity_y,
+                 slip_z = change[2] - force_change[2] / law.shear_rigidity_z;
+    const Contact::Strains &mean = contact_work[i].mean_stress;
+    to.contacts.dissipated[i] =
+        from.contacts.dissipated[i] + contact.weight * (mean[1] * slip_y + mean[2] * slip_z);
+    if (to.contact_status[i] != ContactStatus::stick)
+      to.contacts.wear[i] += normal * contact.length * std::hypot(slip_y, slip_z);
+  }
+}
+
+} // namespace frictionbeam

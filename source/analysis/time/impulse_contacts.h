@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/contact/exact_solver.h"
+
+#include "analysis/time/time_integrator.h"
+
+#include <limits>
+
+namespace frictionbeam {
+
+/**
+ * Rigid contact and friction in a time step, as impulses on velocities, by the solver of static
+ * contact (ExactSolver).
+ *
+ * A step whose displacements and velocities at its end hang together by q = base + reach v is a
+ * static problem A q = b + H^T r in the displacements. What is rigid in a contact that takes part
+ * (it was closed, or its gap, with half a step's motion, is) obeys Newton's law of impact and
+ * Coulomb's law of friction on v, the ground's being its mean over the step:
+ *   0 <= u_N + e u_N(before) perp P_N >= 0,   |P_T| <= f P_N,  against u_T,
+ * which is the law of a static contact with another gap and another position of its slip. Elements
+ * of finite stiffness, normal forces of platens and contacts of nodes without mass keep their laws
+ * on displacements. P is the
+ * impulse, share times the step times r. Slip that reverses has come to rest within the step: it
+ * goes on only beyond static friction.
+ */
+class ImpulseContacts {
+public:
+  explicit ImpulseContacts(const Model &model);
+
+  /// The matrix A of the following steps.
+  void set_matrix(const SparseMatrix &matrix);
+
+  struct Relation {
+    Vector base;           ///< of the unknowns
+    double reach = 0.;     ///< [s]
+    double share = 0.;     ///< of r that acts on average over the step
+    bool may_jump = false; ///< velocities of the ground, in the step or at its start
+  };
+  /**
+   * Solve. @param problem with matrix, right hand side, imposed motions, times
+   * @param imposed_before motions imposed at the start of the step
+   * @param unknowns in: a first guess
+   */
+  EquilibriumResult solve(EquilibriumProblem &problem, const LineState &from,
+                          const Vector &imposed_before, const Relation &relation, Vector &unknowns,
+                          ContactResponse &response);
+
+  /// What the solver keeps, and the last step; the matrix must have been set before reading.
+  void transfer(Archive &archive) {
+    if (solver)
+      solver->transfer(archive);
+    archive(step_begin, step_end, ground_rate, ground_rate_before);
+  }
+
+  /// Impulses of the rigid parts, H^T P, on the unknowns, of the last solution.
+  const Vector &impulses() const { return rigid_impulses; }
+  /// Forces on the unknowns of the elastic parts at a state, or of the rigid ones (the line's side
+  /// of the equation of motion).
+  Vector elastic_forces(const LineState &state) const { return forces(state, false); }
+  Vector rigid_forces(const LineState &state) const { return forces(state, true); }
+  /// Mean forces of the last step, for the energy account.
+  const std::vector<ContactWork> &work() const { return contact_work; }
+  /// Add the energy, wear and impulse of the step to the contacts' histories.
+  void add_histories(const LineState &from, const double step, LineState &to) const;
+
+private:
+  struct Kind {
+    bool is_exact = false, rigid_normal = false, rigid_shear = false;
+    FrictionThreshold law{};
+  };
+  /// Rates of the contacts' strains by the motion that is imposed, means over a step: of this one,
+  /// and before it, of the step that ends where this one begins; after a jump, the same.
+  void set_ground_rates(const EquilibriumProblem &problem, const LineState &from,
+                        const Vector &imposed_before, const bool may_jump);
+  /// Have contacts that slip against the direction of the step before, which have been at rest in
+  /// between, overcome static friction first. @return whether there are any that did not
+  bool test_reversals(const LineState &from, const Vector &imposed, const Vector &unknowns);
+  Vector forces(const LineState &state, const bool rigid) const;
+  /// Part of the stress that comes from rigid or from elastic parts.
+  Contact::Strains part(const unsigned int i, const Contact::Strains &stress,
+                        const bool rigid) const;
+
+  const Model &model;
+  std::vector<Kind> kinds;
+  std::unique_ptr<ExactSolver> solver;
+  double step_begin = std::numeric_limits<double>::quiet_NaN(), step_end = step_begin;
+  std::vector<Contact::Strains> ground_rate, ground_rate_before;
+  ContactOverrides overrides;
+  ContactState shifted;
+  Vector rigid_impulses;
+  std::vector<ContactWork> contact_work;
+};
+
+} // namespace frictionbeam

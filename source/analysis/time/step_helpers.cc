@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/time/step_helpers.h"
+
+#include <cmath>
+
+namespace frictionbeam {
+
+std::vector<bool> unknowns_with_mass(const SparseMatrix &mass) {
+  std::vector<bool> result(mass.rows());
+  for (int i = 0; i < mass.rows(); ++i)
+    result[i] = mass.coeff(i, i) > 0.;
+  return result;
+}
+
+SparseMatrix regular_mass(const SparseMatrix &mass) {
+  SparseMatrix result = mass;
+  for (int i = 0; i < result.rows(); ++i)
+    if (result.coeff(i, i) == 0.)
+      result.coeffRef(i, i) = 1.;
+  return result;
+}
+
+void commit_contacts(ContactResponse &response, const LineState &before, LineState &after) {
+  std::swap(after.contacts, response.state);
+  after.contact_stress = response.stress;
+  after.contact_status = response.status;
+  after.events.clear();
+  for (unsigned int i = 0; i < before.contact_status.size(); ++i)
+    if (after.contact_status[i] != before.contact_status[i])
+      after.events.push_back({after.time, i, after.contact_status[i]});
+}
+
+void add_histories(const Contacts &contacts, const LineState &before, LineState &after) {
+  const double step = after.time - before.time;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const Contact &contact = contacts[i];
+    const double normal = -contact.weight / contact.length / 2. *
+                          (before.contact_stress[i][0] + after.contact_stress[i][0]);
+    after.contacts.impulse[i] = before.contacts.impulse[i] + step * normal;
+    after.contacts.wear[i] = before.contacts.wear[i];
+    if (contact.law->threshold == nullptr || after.contact_status[i] == ContactStatus::open)
+      continue;
+    FrictionThreshold law{};
+    contact.law->threshold(contact.parameters->data(), law);
+    const auto slip = [&](const int place) {
+      return after.contacts.internal[contact.state_offset + place] -
+             before.contacts.internal[contact.state_offset + place];
+    };
+    after.contacts.wear[i] +=
+        normal * contact.length * std::hypot(slip(law.slip_y), slip(law.slip_z));
+  }
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/algebra/eigenpairs.h"
+#include "analysis/algebra/rigid_holds.h"
+#include "analysis/contact/opposed_contacts.h"
+
+#include "analysis/vibration/modal_analysis.h"
+#include "base/user_error.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+constexpr double shift = 1.;  ///< (rad/s)^2 below zero: a line that floats can be factored
+constexpr double stiff = 1e3; ///< times the line's largest stiffness: as good as rigid
+constexpr unsigned int largest_dense = 300;
+
+double frequency_of(const double eigenvalue) {
+  return std::sqrt(std::max(eigenvalue, 0.)) / (2. * numbers::PI);
+}
+
+void add_shifted_mass(const Eigen::SparseMatrix<double> &M, SparseMatrix &A) {
+  for (int column = 0; column < M.outerSize(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(M, column); entry; ++entry)
+      add_to(A, entry.row(), entry.col(), shift * entry.value());
+}
+
+} // namespace
+
+ModalAnalysis::ModalAnalysis(const Model &model, const LineState &state,
+                             const ModalSettings &settings)
+    : model(model), start(state),
+      matrices(model.scene, model.mesh, model.discretization, model.space, settings.lumped),
+      M(matrices.unknowns_to_dofs().transpose() * matrices.mass() * matrices.unknowns_to_dofs()),
+      K(model.linear.stiffness()) {
+  hold_contacts(state, settings.friction_holds);
+  SparseMatrix A = K;
+  add_shifted_mass(M, A);
+  shifted.analyze(A);
+  factors.analyze(K);
+  if (!shifted.factorize(A))
+    throw UserError("Modes: a part of the line that has no mass is held by nothing. Give it mass "
+                    "(Density, Mass) or hold it.");
+  factors.factorize(K);
+
+  const unsigned int size = M.rows();
+  unsigned int moving = 0; // unknowns with mass: there are at most so many modes
+  const Vector diagonal = M.diagonal();
+  for (unsigned int i = 0; i < size; ++i)
+    moving += diagonal[i] > 0. ? 1 : 0;
+  const unsigned int n = std::min(settings.n_modes, moving);
+  if (n == 0)
+    throw UserError("Modes: nothing that may move has mass. Give it mass (Density, Mass), or leave "
+                    "out the modes.");
+  if (size <= largest_dense || 4 * n > moving)
+    solve_dense(n);
+  else
+    for (unsigned int n_vectors = std::max(2 * n + 2, 20u);; n_vectors *= 2) {
+      const bool solved = n_vectors < moving && solve_sparse(n, n_vectors);
+      if (solved)
+        break;
+      if (n_vectors >= moving)
+        throw UserError("Modes: ARPACK did not find all of the lowest " + std::to_string(n) +
+                        " modes. Ask for another Number.");
+    }
+  normalize();
+}
+
+void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
+  const Contacts &contacts = model.contacts;
+  contacts.prepare(held);
+  const std::vector<bool> idle = idle_halves(contacts, state);
+  std::vector<HeldStrains> rigid(contacts.size());
+  const double stiffest = K.rows() > 0 ? K.diagonal().maxCoeff() : 1.;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const Contact &contact = contacts[i];
+    held.state.strain[i] = state.contacts.strain[i];
+    // Vibrations take time, which is when a snubber locks.
+    contacts.evaluate_law(i, state.contacts, state.time, 1., LawTangent::elastic, held);
+    held.status[i] = state.contact_status[i];
+    const bool closed = held.status[i] != ContactStatus::open && !idle[i],
+               sticks = closed && friction && held.status[i] == ContactStatus::stick;
+    auto &D = held.tangent[i];
+    if (contact.law->threshold != nullptr) {
+      FrictionThreshold law{};
+      contact.law->threshold(contact.parameters->data(), law);
+      D.setZero();
+      D(0, 0) = law.axial_rigidity;
+      D(1, 1) = law.shear_rigidity_y;
+      D(2, 2) = law.shear_rigidity_z;
+      D(3, 3) = law.torsional_rigidity;
+    }
+    for (unsigned int r = 0; r < 4; ++r)
+      for (unsigned int c = 0; c < 4; ++c)
+        if (!closed || ((r > 0 || c > 0) && !sticks))
+          D(r, c) = 0.;
+    for (unsigned int r = 0; r < 4; ++r)
+      rigid[i][r] =
+          D(r, r) > 0. &&
+          !(D(r, r) * contact.weight * contact.B_reduced.row(r).squaredNorm() <= stiff * stiffest);
+  }
+  SparseMatrix A = K;
+  add_shifted_mass(M, A);
+  const auto holds = rigid_holds(A, contacts, rigid);
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (unsigned int r = 0; r < 4; ++r)
+      if (rigid[i][r])
+        held.tangent[i](r, r) = holds[i][r] / contacts[i].weight;
+  contacts.add_tangent(held, K);
+}
+
+void ModalAnalysis::solve_dense(const unsigned int n) {
+  how = "dense eigenvalue solver of Eigen";
+  const unsigned int size = M.rows();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> mass{Eigen::MatrixXd(M)};
+  const Vector roots = mass.eigenvalues().cwiseMax(0.).cwiseSqrt();
+  const Eigen::MatrixXd L = mass.eigenvectors() * roots.asDiagonal();
+  Eigen::MatrixXd flexible(size, size); // (K + shift M)^-1 L
+  for (unsigned int i = 0; i < size; ++i)
+    flexible.col(i) = shifted.solve(L.col(i));
+  const Eigen::MatrixXd G = L.transpose() * flexible;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((G + G.transpose()) / 2.);
+  const double largest = eigen.eigenvalues()[size - 1];
+  for (unsigned int i = 0; i < n; ++i) {
+    const double value = eigen.eigenvalues()[size - 1 - i];
+    if (value <= 1e-14 * largest) // no mass left
+      break;
+    found.push_back({frequency_of(1. / value - shift),
+                     flexible * eigen.eigenvectors().col(size - 1 - i) / value, 0.});
+  }
+}
+
+bool ModalAnalysis::solve_sparse(const unsigned int n, const unsigned int n_vectors) {
+  how = "ARPACK, shift-invert";
+  found.clear();
+  const std::vector<Eigenpair> pairs = arpack_eigenpairs(
+      M, [this](const Vector &x) { return shifted.solve(x); }, -shift, n, n_vectors);
+  for (const Eigenpair &pair : pairs)
+    found.push_back({frequency_of(pair.value), pair.vector, 0.});
+  if (found.empty())
+    return false;
+  const double last = std::pow(2. * numbers::PI * found.back().frequency, 2);
+  return count_eigenvalues_below(Eigen::SparseMatrix<double>(K), M, last * (1. - 1e-6)) < n;
+}
+
+void ModalAnalysis::normalize() {
+  for (Mode &mode : found) {
+    const Vector momentum = M * mode.unknowns;
+    double scale = 1. / std::sqrt(std::max(mode.unknowns.dot(momentum), 1e-300));
+    int largest = 0; // its sign is a matter of choice: the largest motion is positive
+    mode.unknowns.cwiseAbs().maxCoeff(&largest);
+    scale *= mode.unknowns[largest] < 0. ? -1. : 1.;
+    const double square = std::pow(2. * numbers::PI * mode.frequency, 2);
+    mode.residual =
+        (K * mode.unknowns - square * momentum).norm() / std::max(square * momentum.norm(), 1e-300);
+    mode.unknowns *= scale;
+  }
+}
+
+Vector ModalAnalysis::support_motion(const unsigned int d,
+                                     const std::vector<std::string> &names) const {
+  const VertexDofs &at = model.discretization.vertex_dofs();
+  Vector dofs = Vector::Zero(model.space.n_dofs());
+  if (names.empty()) {
+    for (unsigned int v = 0; v < model.discretization.vertices().size(); ++v)
+      if (const auto dof = at.index(v, d); dof != numbers::invalid_dof_index)
+        dofs[dof] = 1.;
+    return dofs;
+  }
+
+  const auto moves = [&](const std::string &name) {
+    return std::count(names.begin(), names.end(), name) > 0;
+  };
+  // What is held moves along the directions in which it is held.
+  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
+    if (moves(model.scene.restraints[i].name))
+      for (const Site &site : model.mesh.restraints[i])
+        for (const Tensor<1, 6> &held_direction : held_directions(model.scene.restraints[i], site))
+          for (unsigned int c = 0; c < 3; ++c)
+            if (const auto dof = at.index(site.vertex, c); dof != numbers::invalid_dof_index)
+              dofs[dof] += held_direction[d] * held_direction[c];
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (moves(model.scene.supports[contact.support].name) &&
+        contact.vertices[1] >= model.discretization.n_line_vertices())
+      dofs[at.index(contact.vertices[1], d)] = 1.;
+  }
+  // Only the constrained degrees of freedom are imposed; the free ones follow at rest.
+  for (unsigned int dof = 0; dof < model.space.n_dofs(); ++dof)
+    if (model.space.terms(dof).begin() + 1 == model.space.terms(dof).end() &&
+        model.space.terms(dof).begin()->weight == 1.)
+      dofs[dof] = 0.;
+
+  const auto &C = matrices.unknowns_to_dofs();
+  Vector forces = -C.transpose() * (matrices.stiffness() * dofs);
+  ContactResponse response = held;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    response.stress[i] = held.tangent[i] * model.contacts[i].strain(dofs);
+  Vector contact_forces = Vector::Zero(forces.size());
+  model.contacts.add_forces(response, contact_forces);
+  forces -= contact_forces;
+  for (const Spring &spring : model.scene.springs)
+    if (moves(spring.name) && spring.other.empty())
+      for (const auto &term : model.space.terms(at.index(model.mesh.points.at(spring.point), d)))
+        forces[term.unknown] += term.weight * spring.stiffness[d];
+  return C * factors.solve(forces) + dofs;
+}
+
+Vector ModalAnalysis::inertia(const Vector &support_motion) const {
+  return matrices.unknowns_to_dofs().transpose() * (matrices.mass() * support_motion);
+}
+
+double ModalAnalysis::total_mass(const unsigned int d) const {
+  const Vector unit = support_motion(d, {});
+  return unit.dot(matrices.mass() * unit);
+}
+
+LineState ModalAnalysis::displaced(const Vector &unknowns) const {
+  LineState state = start;
+  state.unknowns = unknowns;
+  state.with_preload = false;
+  model.space.expand(unknowns, state.dofs);
+  state.load_factors.assign(state.load_factors.size(), 0.);
+  state.load_rates.clear();
+  state.load_accelerations.clear();
+  state.velocity.setZero();
+  state.acceleration.setZero();
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    state.contacts.strain[i] = model.contacts[i].strain(state.dofs);
+    state.contacts.touch[i].setZero();
+    state.contact_stress[i] = held.tangent[i] * state.contacts.strain[i];
+    state.contacts.dissipated[i] = 0.;
+  }
+  return state;
+}
+
+} // namespace frictionbeam

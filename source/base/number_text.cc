@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/number_text.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+template <typename... Format>
+std::string number_text(const double value, const Format... format) {
+  if (std::isnan(value))
+    return "nan";
+  char buffer[400]; // a double in fixed notation has at most 309 digits before the point
+  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value, format...);
+  Assert(result.ec == std::errc(), dealii::ExcInternalError());
+  return std::string(buffer, result.ptr);
+}
+
+} // namespace
+
+std::string exact_number(const double value) {
+  return number_text(value + 0.); // no negative zero
+}
+
+std::string rounded_number(const double value, const unsigned int digits) {
+  if (std::abs(value) >= std::pow(10., digits) && std::abs(value) < 1e7)
+    return fixed_number(value, 0);
+  return number_text(value, std::chars_format::general, static_cast<int>(digits));
+}
+
+std::string fixed_number(const double value, const unsigned int decimals) {
+  if (!std::isfinite(value) || std::abs(value) >= 1e12)
+    return rounded_number(value);
+  const std::string text =
+      number_text(value, std::chars_format::fixed, static_cast<int>(std::min(decimals, 30u)));
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+unsigned int decimals_for(const double largest) {
+  if (!std::isfinite(largest) || largest <= 0.)
+    return 0;
+  return static_cast<unsigned int>(std::clamp(3. - std::floor(std::log10(largest)), 0., 12.));
+}
+
+} // namespace frictionbeam

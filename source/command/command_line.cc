@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "command/command_line.h"
+
+#include "base/user_error.h"
+#include "results/file/summary.h"
+#include "scene/read_scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace frictionbeam {
+
+namespace {
+
+using Command = CommandLine::Command;
+
+const char *const exit_status =
+    "Exit status: 0 solved; 1 the input is wrong; 2 no convergence or no equilibrium; "
+    "3 a mistake of the program's own; 4 results cannot be written, as on a full disk; "
+    "130 and 143 ended by SIGINT and SIGTERM, with a checkpoint for --resume.";
+
+/// All options and sub-commands; what is read goes into @p line.
+void declare(CLI::App &app, CommandLine &line) {
+  const auto add_case = [&line](CLI::App &to) {
+    to.add_option("case", line.options.parameter_file, "Parameter file")->type_name("CASE.prm");
+    to.add_option("--set", line.options.overrides,
+                  "Change an entry of the file, \"Section/Entry = value\"; may be repeated")
+        ->type_name("ENTRY")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->take_all();
+    to.add_option("--output-directory", line.options.output_directory,
+                  "Where results go (output/CASE if not given)")
+        ->type_name("FOLDER");
+    to.add_flag("-q,--quiet", line.options.quiet, "Print errors only; results are written as ever");
+  };
+  const auto add_command = [&](const std::string &word, const std::string &meaning,
+                               const Command command) {
+    CLI::App *const added = app.add_subcommand(word, meaning);
+    added->callback([&line, command]() { line.command = command; });
+    added->footer(exit_status);
+    return added;
+  };
+
+  app.set_help_flag("-h,--help", "Print this and end");
+  app.add_flag("-V,--version", "Print the version of the program and of deal.II");
+  app.add_flag("--print-parameters", "Print every entry there is, with unit, bounds and meaning");
+  app.add_flag("--print-man-page", "Print the man page");
+  app.add_flag("--print-completion", "Print completion for bash; source it");
+  add_case(app);
+  app.add_flag("--resume", line.options.resume, "Go on where a run into that folder was killed");
+  app.footer(exit_status);
+
+  add_case(*add_command("check", "Draw the model and say what was understood; solve nothing",
+                        Command::check));
+  CLI::App *const compare = add_command(
+      "compare", "What changes between the results of two runs, and where", Command::compare);
+  for (std::string &folder : line.folders)
+    compare->add_option(&folder == line.folders ? "first" : "second", folder, "Folder of results")
+        ->type_name("FOLDER")
+        ->required();
+  add_command("contact", "Solve a friction-contact problem in the format of FCLIB",
+              Command::contact)
+      ->add_option("file", line.contact_file, "The problem; its solution is written into it")
+      ->type_name("FILE.hdf5")
+      ->required();
+  CLI::App *const chart = add_command(
+      "chart", "Run a list of configurations and draw error against time", Command::chart);
+  chart->add_option("list", line.chart_list, "List of configurations")->type_name("LIST.prm");
+  chart
+      ->add_option("--output-directory", line.chart_folder,
+                   "Where the chart goes (output/chart_LIST if not given)")
+      ->type_name("FOLDER");
+  chart->add_flag("--print-parameters", "Print the entries of a list");
+}
+
+/// Text as roff takes it literally.
+std::string roff(const std::string &text) {
+  std::string result;
+  for (const char c : text)
+    result += c == '-' ? "\\-" : c == '\\' ? "\\e" : std::string(1, c);
+  return result;
+}
+
+void list_options(const CLI::App &app, std::ostream &out) {
+  for (const CLI::Option *const option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    out << ".TP\n\\fB" << roff(option->get_positional() ? type : option->get_name(false, true))
+        << "\\fR" << (option->get_positional() || type.empty() ? "" : " \\fI" + type + "\\fR")
+        << '\n'
+        << roff(option->get_description()) << ".\n";
+  }
+}
+
+void print_man_page(const CLI::App &app, std::ostream &out) {
+  out << ".TH FRICTIONBEAM 1 \"\" \"FrictionBeam " << program_version() << "\"\n.SH NAME\n"
+      << "frictionbeam \\- " << roff(app.get_description())
+      << "\n.SH SYNOPSIS\n.B frictionbeam\n[\\fICASE.prm\\fR | \\fICOMMAND\\fR] "
+         "[\\fIOPTION\\fR ...]\n.SH OPTIONS\n";
+  list_options(app, out);
+  for (const CLI::App *const command : app.get_subcommands({})) {
+    out << ".SH \"frictionbeam " << command->get_name() << "\"\n"
+        << roff(command->get_description()) << ".\n";
+    list_options(*command, out);
+  }
+  out << ".SH EXIT STATUS\n" << roff(exit_status) << '\n';
+}
+
+/// Long names of an app's options, each behind a space.
+std::string long_names(const CLI::App &app) {
+  std::string result;
+  for (const CLI::Option *const option : app.get_options())
+    for (const std::string &name : option->get_lnames())
+      result += " --" + name;
+  return result;
+}
+
+void print_completion(const CLI::App &app, std::ostream &out) {
+  std::string commands;
+  out << "_frictionbeam() {\n  local words\n  case \"${COMP_WORDS[1]}\" in\n";
+  for (const CLI::App *const command : app.get_subcommands({})) {
+    commands += " " + command->get_name();
+    out << "  " << command->get_name() << ") words=\"" << long_names(*command).substr(1)
+        << "\" ;;\n";
+  }
+  out << "  *) words=\"" << long_names(app).substr(1) << "\"; ((COMP_CWORD == 1)) && words+=\""
+      << commands << "\" ;;\n  esac\n"
+      << "  COMPREPLY=($(compgen -W \"$words\" -- \"$2\"))\n}\n"
+      << "complete -o default -F _frictionbeam frictionbeam\n";
+}
+
+} // namespace
+
+CommandLine read_command_line(const int argc, const char *const *argv) {
+  CommandLine line;
+  CLI::App app("solves piping lines and bodies on friction supports", "frictionbeam");
+  declare(app, line);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp &) {
+    const auto parsed = app.get_subcommands();
+    std::cout << (parsed.empty() ? app : *parsed.front()).help();
+    return {};
+  } catch (const CLI::ParseError &error) {
+    const auto parsed = app.get_subcommands();
+    throw UserError(std::string("The command line is not understood: ") + error.what() +
+                    "\n  try:     frictionbeam " +
+                    (parsed.empty() ? "" : parsed.front()->get_name() + " ") + "--help");
+  }
+  if (app.count("--version") > 0)
+    std::cout << "FrictionBeam " << program_version() << ", deal.II " << deal_ii_version() << '\n';
+  else if (app.count("--print-parameters") > 0) {
+    LawLibrary laws;
+    laws.load_builtin();
+    print_parameters(std::cout, laws);
+  } else if (app.count("--print-man-page") > 0)
+    print_man_page(app, std::cout);
+  else if (app.count("--print-completion") > 0)
+    print_completion(app, std::cout);
+  else if (line.command == Command::nothing) {
+    line.command = Command::run;
+    if (line.options.parameter_file.empty())
+      throw UserError("Which case? Name a parameter file.\n\n" + app.help());
+  } else if (line.command == Command::check && line.options.parameter_file.empty())
+    throw UserError("Which case? Name a parameter file: frictionbeam check CASE.prm");
+  else if (line.command == Command::chart &&
+           app.get_subcommand("chart")->count("--print-parameters") > 0)
+    line.command = Command::chart_parameters;
+  else if (line.command == Command::chart && line.chart_list.empty())
+    throw UserError("Which list? frictionbeam chart prm/chart/slab.prm; "
+                    "frictionbeam chart --print-parameters shows the entries of one.");
+  return line;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/run_options.h"
+
+namespace frictionbeam {
+
+/// What the command line asks for.
+struct CommandLine {
+  enum class Command { run, check, compare, contact, chart, chart_parameters, nothing };
+  Command command = Command::nothing;
+  RunOptions options;       ///< of run and check
+  std::string folders[2];   ///< of compare
+  std::string contact_file; ///< of contact
+  std::string chart_list;   ///< of chart
+  std::string chart_folder; ///< where it goes; empty: output/chart_<its name>
+};
+
+/**
+ * Read the command line. What only prints (help, version, parameters, man page, completion of
+ * bash) is done here and leaves Command::nothing.
+ * @throws UserError for what is not understood
+ */
+CommandLine read_command_line(const int argc, const char *const *argv);
+
+} // namespace frictionbeam

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "command/run_case.h"
+#include "accuracy/accuracy_control.h"
+#include "command/run_body.h"
+#include "command/run_folder.h"
+#include "command/run_line.h"
+#include "command/size_hangers.h"
+
+#include "base/interruption.h"
+#include "base/processes.h"
+#include "base/user_error.h"
+#include "results/file/checkpoint.h"
+#include "results/file/envelope_tables.h"
+#include "results/file/output_file.h"
+#include "results/file/summary.h"
+#include "results/finite.h"
+#include "results/how_well_known.h"
+#include "results/page/both_models.h"
+#include "results/remarks.h"
+#include "results/report/report.h"
+#include "results/report/report_modes.h"
+#include "results/report/report_study.h"
+#include "results/stress/stresses.h"
+#include "results/text.h"
+#include "scene/read_scene.h"
+
+#include <deal.II/base/timer.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <set>
+
+namespace frictionbeam {
+
+namespace {
+
+double peak_memory_mb() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024.;
+}
+
+void print_summary(const Scene &scene, const Results &results) {
+  for (const std::string &remark : all_remarks(scene, results))
+    std::cout << "Note: " << remark << '\n';
+  for (const StepReport &step : results.steps) {
+    std::cout << "Step " << step.step << ": " << (step.converged ? "converged" : "NOT converged")
+              << ", " << step.increments << " increments, " << step.iterations << " iterations, "
+              << step.factorizations << " factorizations";
+    if (step.halvings > 0)
+      std::cout << ", cut " << step.halvings << " times";
+    if (!step.converged)
+      std::cout << "; " << step.remark;
+    std::cout << '\n';
+  }
+  if (results.status == RunStatus::converged)
+    std::cout << "Known to: load increments " << in_words(results.known.increments)
+              << ", time step " << in_words(results.known.time_step) << ", cells "
+              << in_words(results.known.cells) << '\n';
+  for (const QuantityResult &quantity : results.quantities) {
+    std::cout << quantity.name << " = " << quantity.value << ' ' << quantity.unit;
+    if (quantity.error)
+      std::cout << " (reference " << *quantity.reference << ", error " << *quantity.error << ')';
+    std::cout << '\n';
+  }
+}
+
+/// The scene with all friction coefficients multiplied.
+Scene with_friction(Scene scene, const LawLibrary &laws, const double multiplier) {
+  for (FrictionSupport &support : scene.supports) {
+    const LawDescription &law = laws.find(support.law);
+    for (int i = 0; i < law.n_parameters; ++i) {
+      const std::string name = law.parameters[i].name;
+      double &value = support.parameters[i];
+      if ((name == "Friction coefficient" || name == "Dynamic friction coefficient") && value > 0.)
+        value *= multiplier;
+    }
+  }
+  return scene;
+}
+
+std::string study_folder(const std::string &folder, const double multiplier) {
+  return folder + "/friction_" + rounded_number(multiplier);
+}
+
+/// Solve the scene again for each multiplier of friction, each into a folder of its own.
+void study_friction(const Scene &scene, const LawLibrary &laws, Results &results) {
+  FrictionStudy &study = results.friction_study;
+  std::set<std::string> other_laws;
+  for (const FrictionSupport &support : scene.supports)
+    if (support.law != "coulomb")
+      other_laws.insert(support.law);
+  for (const std::string &law :
+       scene.friction_multipliers.empty() ? std::set<std::string>{} : other_laws)
+    results.remarks.push_back("The study multiplies parameters called 'Friction coefficient' and "
+                              "'Dynamic friction coefficient'; the law '" +
+                              law + "' is left as it is unless it has them.");
+  for (const SupportInfo &support : results.supports)
+    study.names.push_back(support.name);
+  for (const RestraintInfo &restraint : results.restraints)
+    study.names.push_back(restraint.name);
+  for (const double multiplier : scene.friction_multipliers) {
+    Scene variant = with_friction(scene, laws, multiplier);
+    variant.output.directory = study_folder(scene.output.directory, multiplier);
+    variant.output.vtu = false;
+    prepare_output_folder(variant.output.directory);
+    Results other;
+    const dealii::Timer wall;
+    try {
+      other = solve_scene(variant, laws);
+    } catch (const UserError &error) { // without friction, something may move freely
+      results.remarks.push_back("With friction times " + rounded_number(multiplier) +
+                                " there is no run: " + error.what());
+      continue;
+    }
+    other.cost.peak_memory_mb = peak_memory_mb();
+    other.cost.wall_seconds = wall.wall_time();
+    write_summary(variant, other, variant.output.directory);
+    if (other.status != RunStatus::converged)
+      results.remarks.push_back("With friction times " + rounded_number(multiplier) +
+                                " the run is not converged: its row of the study is what it "
+                                "reached.");
+    study.multipliers.push_back(multiplier);
+    study.largest.push_back(largest_forces(other));
+  }
+}
+
+/// Solve the scene as beams, and write everything but summary and report. Of several processes the
+/// first one does it alone.
+Results run_line(Scene &scene, const LawLibrary &laws) {
+  Scene as_read;
+  Results results;
+  if (this_process() > 0) {
+    results.status = RunStatus::converged;
+    return results;
+  }
+  try {
+    size_hangers(scene, laws);
+    as_read = scene;
+    results = solve_scene(scene, laws);
+  } catch (const UserError &error) {
+    throw UserError(with_place(scene, error.what()));
+  }
+  if (n_processes() > 1)
+    results.remarks.push_back("A line is solved by one process: the others have waited.");
+  study_friction(as_read, laws, results);
+  write_stresses(scene, results, scene.output.directory);
+  write_envelopes(scene, results, scene.output.directory);
+  write_friction_study(results, scene.output.directory);
+  return results;
+}
+
+/// For all processes, by one of them.
+void prepare_folder(const std::string &folder) {
+  if (this_process() == 0)
+    prepare_output_folder(folder);
+  if (n_processes() > 1)
+    MPI_Barrier(MPI_COMM_WORLD);
+}
+
+/// Write summary and report.
+void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
+  refuse_not_finite(results);
+  results.cost.peak_memory_mb = peak_memory_mb();
+  results.cost.wall_seconds = wall.wall_time();
+  if (this_process() > 0)
+    return;
+  include_accuracy(results);
+  add_remarks(results.known, results);
+  write_modes(results, scene.output.directory);
+  if (scene.output.report)
+    write_report(scene, results, scene.output.directory);
+  write_summary(scene, results, scene.output.directory); // the last: it says that all is there
+}
+
+/// Solve the scene as beams and as a continuum, each into a folder of its own.
+Results run_both(const Scene &scene, const LawLibrary &laws) {
+  Results both;
+  both.status = RunStatus::converged;
+  for (const std::string model : {"line", "continuum"}) {
+    Scene part = scene;
+    part.output.directory = scene.output.directory + "/" + model;
+    prepare_folder(part.output.directory);
+    const dealii::Timer wall;
+    Results results = model == "line" ? run_line(part, laws) : run_continuum(part, laws);
+    conclude(part, results, wall);
+    if (this_process() == 0)
+      print_summary(part, results);
+    include_model(both, results, model);
+  }
+  both.sections.push_back({"models", "Line and continuum", side_by_side(both)});
+  return both;
+}
+
+/// Where runs of a scene may leave checkpoints.
+std::vector<std::string> folders_of_runs(const Scene &scene) {
+  const std::string &folder = scene.output.directory;
+  std::vector<std::string> folders = {folder, folder + "/line"};
+  for (const double multiplier : scene.friction_multipliers)
+    folders.push_back(study_folder(folder, multiplier));
+  return folders;
+}
+
+bool may_be_resumed(const Scene &scene) {
+  return scene.model == ModelKind::line && scene.accuracy == 0.;
+}
+
+void check_resumable(const Scene &scene) {
+  if (!may_be_resumed(scene))
+    throw UserError("A run cannot be resumed here.\n  read:    --resume with " +
+                    std::string(scene.accuracy > 0. ? "an Accuracy, which takes many runs"
+                                                    : "a continuum, which has no checkpoints") +
+                    "\n  allowed: --resume with Model = line, without Accuracy\n  try:     the run "
+                    "without --resume, from its beginning");
+}
+
+/// The solution of a scene, its files written into the folder of the scene's output.
+Results solve(const RunOptions &options, LawLibrary &laws, Scene &scene,
+              const dealii::Timer &wall) {
+  const auto solve_once = [&](Scene &read) {
+    return read.model == ModelKind::line        ? run_line(read, laws)
+           : read.model == ModelKind::continuum ? run_continuum(read, laws)
+                                                : run_both(read, laws);
+  };
+  Results results =
+      scene.accuracy > 0. ? solve_to_accuracy(options, laws, scene, solve_once) : solve_once(scene);
+  conclude(scene, results, wall);
+  return results;
+}
+
+/// Keep the folder for this run, on the first process.
+std::unique_ptr<RunFolder> take_folder(const std::string &folder, const Scene &scene) {
+  std::unique_ptr<RunFolder> run;
+  if (this_process() == 0) {
+    run = std::make_unique<RunFolder>(folder, scene.output.resume);
+    const std::vector<std::string> folders = folders_of_runs(scene);
+    if (scene.output.resume && std::none_of(folders.begin(), folders.end(), &Checkpoint::is_in))
+      std::cout << "There is no checkpoint in " << folder << ": the run begins at its beginning.\n";
+  }
+  if (n_processes() > 1)
+    MPI_Barrier(MPI_COMM_WORLD);
+  return run;
+}
+
+} // namespace
+
+int run_case(const RunOptions &options) {
+  const dealii::Timer wall;
+  LawLibrary laws;
+  laws.load_builtin();
+  Scene scene = read_scene(options.parameter_file, options.overrides, laws);
+  const std::string folder =
+      options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
+  scene.output.directory = RunFolder::work(folder);
+  scene.output.resume = options.resume;
+  scene.output.quiet = options.quiet;
+  if (options.resume)
+    check_resumable(scene);
+  const std::unique_ptr<RunFolder> run = take_folder(folder, scene);
+  const auto with_what_is_whole = [&](const std::exception &error) {
+    return error.what() + (run ? '\n' + run->what_is_whole(may_be_resumed(scene)) : "");
+  };
+  Results results;
+  try {
+    results = solve(options, laws, scene, wall);
+    if (n_processes() > 1)
+      MPI_Barrier(MPI_COMM_WORLD); // all have written
+    if (run) {
+      for (const std::string &part : folders_of_runs(scene))
+        Checkpoint::remove(part);
+      run->publish();
+    }
+  } catch (const UserError &) {
+    if (run && !options.resume)
+      run->discard();
+    throw;
+  } catch (const OutputError &error) {
+    throw OutputError(with_what_is_whole(error));
+  } catch (const Interrupted &interrupted) {
+    throw Interrupted(interrupted.signal, with_what_is_whole(interrupted));
+  }
+  if (this_process() == 0) {
+    print_summary(scene, results);
+    std::cout << "Results are in " << folder << ", the report is report.html\n";
+  }
+  return results.status == RunStatus::converged ? 0 : 2;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "command/run_line.h"
+#include "command/support_remarks.h"
+
+#include "analysis/sequence/load_sequence.h"
+#include "base/interruption.h"
+#include "mesh/build_line_mesh.h"
+#include "model/line_model.h"
+#include "model/mechanism.h"
+#include "results/energy_judgement.h"
+#include "results/file/checkpoint.h"
+#include "results/file/contact_problem_writer.h"
+#include "results/file/csv_writer.h"
+#include "results/file/envelope_tables.h"
+#include "results/file/vtu_writer.h"
+#include "results/frame/derived_cases.h"
+#include "results/frame/envelope.h"
+#include "results/how_well_known.h"
+#include "results/quantity/collector.h"
+#include "results/report/reduction_text.h"
+#include "results/stress/stresses.h"
+#include "results/text.h"
+
+#include <deal.II/base/timer.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <set>
+
+namespace frictionbeam {
+
+namespace {
+
+/// A line that is written over on a terminal; nothing in a log.
+class ProgressLine {
+public:
+  explicit ProgressLine(const Scene &scene)
+      : scene(scene), on_terminal(!scene.output.quiet && isatty(STDERR_FILENO)) {}
+  ~ProgressLine() {
+    if (shown)
+      std::cerr << "\r\033[K";
+  }
+
+  void show(const LoadSequence::Progress &progress) {
+    if (!on_terminal || progress.n_increments == 0)
+      return;
+    shown = true;
+    std::cerr << "\r\033[K" << scene.steps[progress.step].name << ' ' << progress.increment << '/'
+              << progress.n_increments << std::flush;
+  }
+
+private:
+  const Scene &scene;
+  const bool on_terminal;
+  bool shown = false;
+};
+
+/// Whether the end of this step says which supports hold when the line vibrates.
+bool wants_modes_after(const Scene &scene, const unsigned int step) {
+  return scene.modal.n_modes > 0 &&
+         (scene.modal.step.empty() ? !scene.steps[step].transient
+                                   : scene.steps[step].name == scene.modal.step);
+}
+
+/// A case of a combination: over all instants where it has any.
+CaseRange range_of(const Results &results, const Frame &end) {
+  for (const CombinationRange &range : results.combination_ranges)
+    if (range.step == end.step)
+      return {&range.least, &range.largest};
+  const StepEnvelope *const envelope = results.envelope_of(end.step);
+  if (envelope != nullptr && envelope->least_frame)
+    return {&*envelope->least_frame, &*envelope->largest_frame};
+  return {&end, &end};
+}
+
+/// Modes, spectra and combinations; their names become steps of the scene, for the writers.
+void add_derived_cases(const Model &model, const std::optional<LineState> &modal_state,
+                       Scene &scene, Collector &collector, Results &results) {
+  const unsigned int n_steps = scene.steps.size();
+  std::optional<Frame> response;
+  if (modal_state) {
+    const ModalAnalysis analysis(model, *modal_state, scene.modal);
+    add_modes(model, analysis, results);
+    if (!scene.spectra.empty()) {
+      response = spectrum_response(model, analysis);
+      results.remarks.push_back(
+          "Friction is off in the modes and in the response to the spectra: a closed support holds "
+          "along its normal only. The method is linear and cannot do otherwise; a transient step "
+          "has friction.");
+    } else if (model.contacts.size() > 0)
+      results.remarks.push_back(
+          std::string("In the modes, closed supports hold along their normals") +
+          (scene.modal.friction_holds ? ", and those that stick sideways too; slipping ones do not."
+                                      : " only: friction is off."));
+  }
+  for (const std::string &name : derived_case_names(scene)) {
+    LoadStep step;
+    step.name = name;
+    scene.steps.push_back(step);
+  }
+  unsigned int next = n_steps;
+  if (response) {
+    response->step = next++;
+    results.combination_ranges.push_back({response->step, with_other_sign(*response), *response});
+    collector.observe_case("spectrum", *response);
+  }
+  for (const Combination &combination : scene.combinations) {
+    std::vector<CaseRange> cases;
+    std::string over_steps;
+    bool of_either_sign = combination.kind != Combination::Kind::sum;
+    for (const auto &part : combination.cases)
+      for (const Frame &end : results.frames)
+        if (end.end_of_step && step_name(scene, end) == part.first) {
+          cases.push_back(range_of(results, end));
+          of_either_sign = of_either_sign || cases.back().least != cases.back().largest;
+          if (results.envelope_of(end.step) != nullptr)
+            over_steps += (over_steps.empty() ? "" : ", ") + part.first;
+        }
+    if (cases.size() != combination.cases.size())
+      continue; // a transient step may have been left out
+    CombinationRange range;
+    range.step = next;
+    Frame frame = combine(combination, cases, &range);
+    frame.step = next++;
+    collector.observe_case(combination.name, frame);
+    if (of_either_sign)
+      results.combination_ranges.push_back(range);
+    if (over_steps.empty())
+      continue;
+    results.remarks.push_back(
+        "Combination " + combination.name + " takes of " + over_steps +
+        " the least and the largest value of each component over the step, at whatever instants: "
+        "it is a bound. So are its stresses, the largest of all these values together.");
+  }
+}
+
+} // namespace
+
+Results solve_scene(Scene &scene, const LawLibrary &laws) {
+  const dealii::Timer wall;
+  Results results;
+  results.units = scene.units;
+  dealii::Timer timer;
+  LineMesh mesh = build_line_mesh(scene);
+  results.remarks = mesh.remarks;
+  results.cost.mesh_seconds = timer.wall_time();
+
+  timer.restart();
+  const LineModel line(scene, std::move(mesh), laws);
+  const Model &model = line.model();
+  if (!has_transient_step(scene))
+    for (const std::string &warning : check_mechanisms(model))
+      results.remarks.push_back(warning);
+  std::set<std::string> without_threshold;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    if (model.contacts[i].law->threshold == nullptr)
+      without_threshold.insert(model.contacts[i].law->name);
+  if (scene.solver.method == SolverSettings::Method::exact)
+    for (const std::string &law : without_threshold)
+      results.remarks.push_back("The law '" + law +
+                                "' has no threshold in closed form: the exact "
+                                "method evaluates it as it is, by Newton's method.");
+  add_remarks_on_model(model, results);
+  LoadSequence sequence(model);
+  results.cost.setup_seconds = timer.wall_time();
+
+  std::unique_ptr<CsvWriter> csv;
+  std::unique_ptr<VtuWriter> vtu;
+  Collector collector(model, results, [&](const Frame &frame) {
+    const Frame shown = scene.units.is_si() ? frame : in_units(scene.units, frame);
+    csv->append(shown);
+    if (vtu)
+      vtu->append(shown);
+  });
+  Envelope envelope(model, results);
+  bool line_is_known = true; // of a reduced line, not at every instant
+  Checkpoint checkpoint(model);
+  std::optional<Archive> saved;
+  if (scene.output.resume)
+    saved = checkpoint.read();
+  csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory, saved.has_value());
+  if (scene.output.vtu)
+    vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
+  std::unique_ptr<ContactProblemWriter> contact_problems;
+  if (scene.output.contact_problems)
+    contact_problems = std::make_unique<ContactProblemWriter>(model, results, saved.has_value());
+
+  timer.restart();
+  dealii::Timer output_timer;
+  output_timer.reset();
+  bool converged;
+  std::optional<LineState> modal_state; // at the end of the step that modes start from
+  const auto transfer_all = [&](Archive &archive) {
+    archive(sequence, collector, envelope, *csv, modal_state);
+    if (vtu)
+      archive(*vtu);
+    if (contact_problems)
+      archive(*contact_problems);
+  };
+  if (collector.wants_pieces())
+    sequence.watch([&](const MotionPiece &piece) { collector.observe_piece(piece); });
+  if (saved)
+    transfer_all(*saved);
+  {
+    ProgressLine progress_line(scene);
+    converged = sequence.run(
+        [&](const LoadSequence::Progress &progress, const LineState &state) {
+          output_timer.start();
+          interruption::end_if_overdue();
+          progress_line.show(progress);
+          collector.observe(progress.step, progress.increment, progress.n_increments, state);
+          envelope.observe(progress.step, progress.increment, progress.n_increments, state,
+                           line_is_known);
+          line_is_known = true;
+          if (progress.increment == progress.n_increments &&
+              wants_modes_after(scene, progress.step))
+            modal_state = state;
+          output_timer.stop();
+        },
+        [&](const LoadSequence::Progress &progress, const LineState &state) {
+          output_timer.start();
+          if (contact_problems)
+            contact_problems->observe(progress, state);
+          output_timer.stop();
+        },
+        [&]() {
+          const int signal = interruption::received();
+          if (!checkpoint.is_due() && signal == 0)
+            return;
+          output_timer.start();
+          if (scene.accuracy == 0.) { // else there are many runs, which are not resumed
+            Archive archive;
+            transfer_all(archive);
+            checkpoint.write(archive);
+          }
+          output_timer.stop();
+          if (signal != 0)
+            throw Interrupted(signal, "Interrupted at time " +
+                                          rounded_number(sequence.state().time) + " s of step " +
+                                          sequence.reports().back().step + ".");
+        },
+        [&](const LoadSequence::Progress &progress, const double time) {
+          line_is_known =
+              envelope.needs_line(progress.step) ||
+              collector.needs_line(progress.step, progress.increment, progress.n_increments, time);
+          return line_is_known;
+        });
+  }
+  results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
+  if (converged)
+    add_derived_cases(model, modal_state, scene, collector, results);
+  std::map<std::pair<std::string, unsigned int>, double> pressures; // by step and pipe
+  results.stresses = evaluate_stresses(
+      scene, model.mesh, results, [&](const std::string &step, const unsigned int pipe) {
+        const auto [known, is_new] = pressures.try_emplace({step, pipe}, 0.);
+        if (is_new)
+          known->second = pressure_in(scene, step, pipe);
+        return known->second;
+      });
+  results.nozzles = evaluate_nozzles(scene, results);
+  add_envelope_remarks(scene, results);
+  collector.finish(sequence.state());
+  csv->finish();
+  if (vtu) {
+    vtu->append_modes();
+    vtu->finish();
+  }
+  results.steps = sequence.reports();
+  results.status = converged                                  ? RunStatus::converged
+                   : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
+                                                              : RunStatus::failed;
+  switch (scene.solver.method) {
+  case SolverSettings::Method::elastic:
+    results.method = "elastic: elastic stiffness kept, residual forces sent back";
+    break;
+  case SolverSettings::Method::newton:
+    results.method = "newton: consistent tangent of the return mapping, line search";
+    break;
+  case SolverSettings::Method::exact:
+    results.method = "exact: Signorini and Coulomb by a proximal-point semismooth Newton method";
+  }
+  results.integrator = sequence.integrator_name();
+  if (!results.integrator.empty())
+    results.method += "; transient steps by " + results.integrator;
+  for (const StepReport &step : results.steps) {
+    results.cost.iterations += step.iterations;
+    results.cost.factorizations += step.factorizations;
+    results.cost.back_substitutions += step.back_substitutions;
+    results.cost.steps += step.increments;
+  }
+  for (const StepReport &step : results.steps) {
+    const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
+    // Where nothing moves, rounding is large beside the energy in motion.
+    if (step.energy.at_hand > 1e-9 * std::max(step.energy.stored, std::abs(step.energy.external)) &&
+        gained > 1e-3 * step.energy.at_hand)
+      results.remarks.push_back(
+          "Step " + step.step + ": the integrator has gained " +
+          rounded_number(100. * gained / step.energy.at_hand, 2) +
+          " % of the largest energy in motion, at contacts. Take a shorter "
+          "time step, moreau_jean or event.");
+  }
+  for (const StepReport &step : results.steps)
+    if (step.reduction)
+      results.remarks.push_back(describe_reduction(step.step, *step.reduction));
+  std::set<std::string> warnings;
+  for (const StepReport &step : results.steps)
+    if (!step.warning.empty() && warnings.insert(step.warning).second)
+      results.remarks.push_back(step.warning);
+  results.certify(scene);
+  judge_energy(scene, results);
+  results.known = how_well_known(scene, results);
+  add_remarks_on_supports(model, results);
+  results.cost.unknowns = model.space.n_unknowns();
+  results.cost.cells = model.discretization.pipe_cells().size();
+  results.cost.contacts = model.contacts.size();
+  results.cost.wall_seconds = wall.wall_time();
+  return results;
+}
+
+} // namespace frictionbeam

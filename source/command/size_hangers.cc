@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "command/size_hangers.h"
+
+#include "analysis/sequence/load_sequence.h"
+#include "base/user_error.h"
+#include "model/line_model.h"
+#include "results/frame/frame_builder.h"
+#include "results/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double least_travel = 0.025; ///< [m]
+
+/// Springs of hangers that are to be sized, by the step of each hanger.
+std::map<std::string, std::vector<unsigned int>> open_springs(const Scene &scene,
+                                                              std::string Hanger::*const step) {
+  std::map<std::string, std::vector<unsigned int>> springs;
+  for (const Hanger &hanger : scene.hangers)
+    if (hanger.cold_load == 0.) {
+      std::vector<unsigned int> &list = springs[hanger.*step];
+      list.insert(list.end(), hanger.springs.begin(), hanger.springs.end());
+    }
+  return springs;
+}
+
+/// The scene up to the end of a step, without what only its results need.
+Scene up_to(Scene scene, const std::string &step) {
+  const auto last = std::find_if(scene.steps.begin(), scene.steps.end(),
+                                 [&](const LoadStep &s) { return s.name == step; });
+  scene.steps.erase(last + 1, scene.steps.end());
+  scene.quantities.clear();
+  scene.monitors.clear();
+  return scene;
+}
+
+/// A line solved up to its last step, and what was asked of it.
+template <typename Ask>
+void solve(const Scene &scene, const LawLibrary &laws, const std::string &what, const Ask &ask) {
+  const LineModel line(scene, laws);
+  LoadSequence sequence(line.model());
+  if (!sequence.run([](const LoadSequence::Progress &, const LineState &) {}))
+    throw UserError("The hangers cannot be sized: " + what + ", step '" +
+                    sequence.reports().back().step +
+                    "' finds no equilibrium. Give their Cold load and Stiffness.");
+  FrameBuilder builder(line.model());
+  ask(builder, sequence.state());
+}
+
+} // namespace
+
+void size_hangers(Scene &scene, const LawLibrary &laws) {
+  const auto by_weight = open_springs(scene, &Hanger::weight_step),
+             by_heat = open_springs(scene, &Hanger::hot_step);
+  const auto number = [&](const double value, const std::string &unit) {
+    return rounded_number(value / scene.units.factor(unit), 4) + " " + scene.units.name(unit);
+  };
+
+  // What rigid supports in their places carry.
+  Scene held = scene;
+  for (const auto &[step, open] : by_weight)
+    for (const unsigned int s : open) {
+      Restraint restraint;
+      restraint.name = scene.springs[s].name + " held";
+      restraint.kind = "restraint";
+      restraint.placement.points = {scene.springs[s].point};
+      restraint.fixed[2] = true;
+      held.restraints.push_back(restraint);
+    }
+  for (const auto &[step, springs] : by_weight) {
+    const std::vector<unsigned int> &open = springs;
+    solve(up_to(held, step), laws, "with rigid supports in their places",
+          [&](FrameBuilder &builder, const LineState &state) {
+            const Frame frame = builder.make(state);
+            const auto infos = builder.restraint_infos();
+            for (const unsigned int s : open)
+              for (unsigned int i = 0; i < infos.size(); ++i)
+                if (infos[i].name == scene.springs[s].name + " held")
+                  scene.springs[s].preload = frame.reactions[i][2];
+          });
+    for (const unsigned int s : open)
+      if (scene.springs[s].preload <= 0.)
+        throw UserError(
+            "Hanger " + scene.springs[s].name + " would have to push the line down by " +
+            number(-scene.springs[s].preload, "N") + ". Remove it, or give its Cold load.");
+  }
+
+  // How far they travel.
+  std::vector<double> travel(scene.springs.size(), 0.);
+  for (const auto &[step, springs] : by_heat) {
+    const std::vector<unsigned int> &open = springs;
+    solve(up_to(scene, step), laws, "with constant forces in their places",
+          [&](FrameBuilder &builder, const LineState &state) {
+            for (const unsigned int s : open)
+              travel[s] = builder.motion(state, scene.springs[s].point)[2];
+          });
+  }
+  for (const Hanger &hanger : scene.hangers)
+    for (const unsigned int s : hanger.springs) {
+      if (hanger.cold_load > 0.)
+        continue;
+      Spring &spring = scene.springs[s];
+      const double hot = spring.preload;
+      if (!hanger.constant) {
+        spring.stiffness[2] =
+            std::min(hanger.largest_variation * hot / std::max(std::abs(travel[s]), 1e-300),
+                     hot / least_travel);
+        spring.preload = hot + spring.stiffness[2] * travel[s];
+      }
+      scene.remarks.push_back("Hanger " + spring.name + " was sized: hot load " + number(hot, "N") +
+                              (hanger.constant
+                                   ? ""
+                                   : ", cold load " + number(spring.preload, "N") + ", stiffness " +
+                                         number(spring.stiffness[2], "N/m")) +
+                              ", travel " + number(travel[s], "m") + ".");
+    }
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "command/support_remarks.h"
+
+#include "base/user_error.h"
+#include "model/contact/finite_rigidity.h"
+#include "model/contact/ground_point.h"
+#include "results/text.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+std::string length_text(const Scene &scene, const double length) {
+  return rounded_number(length / scene.units.factor("m"), 3) + " " + scene.units.name("m");
+}
+
+void add_effect_of_rigidity(const Model &model, Results &results) {
+  constexpr double worth_a_remark = 1e-6;
+  double deepest = 0., force = 0.;
+  std::string where;
+  for (const Frame &frame : results.frames)
+    for (unsigned int i = 0; i < model.contacts.size() && i < frame.supports.size(); ++i) {
+      const Contact &contact = model.contacts[i];
+      const SupportState &state = frame.supports[i];
+      if (is_rigid(model.scene.supports[contact.support], *contact.law) &&
+          contact.platen_force == 0. && -state.gap > deepest && state.fn > 0.) {
+        deepest = -state.gap;
+        force = state.fn;
+        where = results.supports[i].name;
+      }
+    }
+  double moved = 0.;
+  for (const StepReport &step : results.steps)
+    moved = std::max(moved, step.resolution.largest_displacement);
+  if (deepest <= worth_a_remark * moved || deepest == 0.)
+    return;
+  const Scene &scene = model.scene;
+  results.remarks.push_back(
+      "Rigid supports are not rigid here: return mapping needs a stiffness, and took " +
+      rounded_number(force / deepest / scene.units.factor("N/m"), 3) + " " +
+      scene.units.name("N/m") + " for " + where + ", which gives by " +
+      length_text(scene, deepest) +
+      (moved > 0.
+           ? ", " + rounded_number(100. * deepest / moved, 2) + " % of the largest displacement"
+           : std::string()) +
+      ". Solver/Method = exact needs none; or give the support an Axial rigidity.");
+}
+
+void add_torn_off(Results &results) {
+  constexpr std::size_t most_named = 5;
+  for (const StepReport &step : results.steps) {
+    if (step.torn_off.empty())
+      continue;
+    std::string names;
+    for (std::size_t n = 0; n < std::min(most_named, step.torn_off.size()); ++n)
+      names += (n == 0 ? "" : ", ") + results.supports[step.torn_off[n]].name;
+    if (step.torn_off.size() > most_named)
+      names += " and " + std::to_string(step.torn_off.size() - most_named) + " more";
+    results.remarks.push_back(
+        "Step " + step.step + ": within one increment, " + names +
+        " went from sticking to open. What sticks has to slip before it lifts off: the increment "
+        "is too long to show it, or the line has jumped to another equilibrium. Take more "
+        "Increments, or a slow transient step.");
+  }
+}
+
+/// Names of contacts, the first of them.
+std::string names_of(const std::set<unsigned int> &contacts, const Results &results) {
+  constexpr std::size_t most_named = 5;
+  std::string names;
+  std::size_t n = 0;
+  for (const unsigned int contact : contacts)
+    if (++n <= most_named)
+      names += (names.empty() ? "" : ", ") + results.supports[contact].name;
+  if (n > most_named)
+    names += " and " + std::to_string(n - most_named) + " more";
+  return names;
+}
+
+/// Which supports' states may not be the only ones, in a sentence; empty if none is known.
+std::string several_equilibria(const Results &results) {
+  std::map<unsigned int, BeyondUniqueness> worst;
+  std::string steps, supports;
+  for (const StepReport &step : results.steps) {
+    bool any = false;
+    for (const BeyondUniqueness &beyond : step.several_equilibria) {
+      if (beyond.limit == 0.)
+        continue; // of forces, see below
+      any = true;
+      if (const auto [entry, is_new] = worst.try_emplace(beyond.contact, beyond);
+          !is_new && beyond.limit < entry->second.limit)
+        entry->second = beyond;
+    }
+    if (any)
+      steps += (steps.empty() ? "" : ", ") + step.step;
+  }
+  if (worst.empty())
+    return "";
+  constexpr std::size_t most_named = 5;
+  std::size_t n = 0;
+  for (const auto &[contact, beyond] : worst)
+    if (++n <= most_named)
+      supports += (supports.empty() ? "" : ", ") + results.supports[contact].name +
+                  " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
+                  rounded_number(beyond.limit, 3) + ")";
+  if (n > most_named)
+    supports += " and " + std::to_string(n - most_named) + " more";
+  return "Several equilibria are possible at the end of " + steps +
+         ", since friction exceeds the limit K_tt/|K_tn| up to which a support's state is "
+         "unique: " +
+         supports + ". The answer is the one reached along the declared load sequence.";
+}
+
+/// Which rigid supports hold one motion together; empty if none do.
+std::string undetermined_forces(const Results &results) {
+  std::set<unsigned int> contacts;
+  std::string steps;
+  for (const StepReport &step : results.steps) {
+    bool any = false;
+    for (const BeyondUniqueness &beyond : step.several_equilibria)
+      if (beyond.limit == 0.) {
+        contacts.insert(beyond.contact);
+        any = true;
+      }
+    if (any)
+      steps += (steps.empty() ? "" : ", ") + step.step;
+  }
+  if (contacts.empty())
+    return "";
+  return "Statics does not determine how these rigid supports share their forces at the end of " +
+         steps + ", for they hold the same motion: " + names_of(contacts, results) +
+         ". Their sum and all displacements are right, each share is one of many. An Axial and a "
+         "Shear rigidity determine them.";
+}
+
+/// Which rigid supports were struck, and what that means for their forces; empty if none was.
+std::string struck_supports(const Results &results) {
+  std::set<unsigned int> struck;
+  for (const StepReport &step : results.steps)
+    struck.insert(step.struck.begin(), step.struck.end());
+  if (struck.empty())
+    return "";
+  return "Rigid supports were struck: " + names_of(struck, results) +
+         ". The force of such an impact is infinite for no time, so that it has no largest value "
+         "and tables of forces at instants miss it: its impulse is the answer, or give the "
+         "support an Axial rigidity.";
+}
+
+} // namespace
+
+void add_remarks_on_model(const Model &model, Results &results) {
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const FrictionSupport &support = model.scene.supports[contact.support];
+    const Vector3 arm =
+        support.ground.empty() ? Vector3() : arm_of_ground(model.discretization, contact);
+    if (arm.norm() == 0. || contact.site > 0)
+      continue;
+    const bool turns = model.discretization.vertex_dofs().index(contact.vertices[1], 3) !=
+                       numbers::invalid_dof_index;
+    if (model.corotational && turns)
+      throw UserError("Support " + support.name + " stands beside its Ground " + support.ground +
+                      ", seen along its normal, and large displacements do not know how that "
+                      "point's pipe would turn under it. Leave Normal out, or place the point on "
+                      "the normal.");
+    results.remarks.push_back(
+        "Support " + support.name + " stands " + length_text(model.scene, arm.norm()) +
+        " beside its Ground " + support.ground + ", seen along its normal. " +
+        (turns ? "The pipe there reaches under it by a rigid arm, and takes its moment."
+               : "That point has no rotations: the moment of the support's force about it is "
+                 "carried by nothing that is modelled."));
+  }
+}
+
+void add_remarks_on_supports(const Model &model, Results &results) {
+  if (model.scene.solver.method != SolverSettings::Method::exact)
+    add_effect_of_rigidity(model, results);
+  add_torn_off(results);
+  for (const std::string &remark :
+       {struck_supports(results), several_equilibria(results), undetermined_forces(results)})
+    if (!remark.empty())
+      results.remarks.push_back(remark);
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/gmsh_session.h"
+#include "mesh/own_mesh.h"
+
+#include "base/user_error.h"
+#include "mesh/body_mesh.h"
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// A box from the origin in equal cells, its sides the parts x0 x1 y0 y1 (z0 z1).
+template <int dim>
+void mesh_box(const ContinuumBox &box, ContinuumMesh<dim> &mesh) {
+  Point<dim> far_corner;
+  for (unsigned int d = 0; d < dim; ++d)
+    far_corner[d] = box.size[d];
+  Triangulation<dim> grid;
+  GridGenerator::subdivided_hyper_rectangle(
+      grid, std::vector<unsigned int>(box.cells.begin(), box.cells.begin() + dim), Point<dim>(),
+      far_corner, true);
+  const std::vector<std::string> sides = {"x0", "x1", "y0", "y1", "z0", "z1"};
+  mesh.parts.assign(sides.begin(), sides.begin() + 2 * dim); // in the order of boundary ids
+  mesh.vertices = grid.get_vertices();
+  for (const auto &cell : grid.active_cell_iterators()) {
+    CellData<dim> data(cell->n_vertices());
+    for (const unsigned int v : cell->vertex_indices())
+      data.vertices[v] = cell->vertex_index(v);
+    mesh.cells.push_back(data);
+    for (const auto &side : cell->face_iterators())
+      if (side->at_boundary()) {
+        typename ContinuumMesh<dim>::Face face;
+        face.part = side->boundary_id() + 1;
+        for (const unsigned int v : side->vertex_indices())
+          face.vertices.push_back(side->vertex_index(v));
+        std::sort(face.vertices.begin(), face.vertices.end());
+        mesh.faces.push_back(face);
+      }
+  }
+}
+
+/// Nodes of all elements of one type and dimension, one after the other; refuses any other type.
+std::vector<std::size_t> element_nodes(const int dim, const int entity, const int wanted,
+                                       const std::string &what) {
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> elements, nodes;
+  gmsh::model::mesh::getElements(types, elements, nodes, dim, entity);
+  std::vector<std::size_t> result;
+  for (unsigned int t = 0; t < types.size(); ++t) {
+    if (types[t] != wanted)
+      throw UserError("The mesh has cells on its " + what +
+                      " that are no quadrilaterals, or no hexahedra in 3D, of order 1. In a .geo "
+                      "file, use 'Recombine Surface' and elements of order 1.");
+    result.insert(result.end(), nodes[t].begin(), nodes[t].end());
+  }
+  return result;
+}
+
+template <int dim>
+void take_mesh(ContinuumMesh<dim> &mesh) {
+  std::vector<std::size_t> tags;
+  std::vector<double> x, unused;
+  gmsh::model::mesh::getNodes(tags, x, unused, -1, -1, false, false);
+  std::unordered_map<std::size_t, std::size_t> place;
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    place[tags[i]] = i;
+  const auto position = [&](const std::size_t tag) {
+    Point<dim> p;
+    if (dim == 2 && std::abs(x[3 * place.at(tag) + 2]) > 1e-9)
+      throw UserError("The mesh has nodes off the plane z = 0. Draw a plane body in that plane, or "
+                      "set Continuum/Dimension = 3.");
+    for (unsigned int d = 0; d < dim; ++d)
+      p[d] = x[3 * place.at(tag) + d];
+    return p;
+  };
+
+  constexpr unsigned int n_vertices = 1 << dim, n_face_vertices = 1 << (dim - 1);
+  constexpr std::array<unsigned int, 8> order = {{0, 1, 3, 2, 4, 5, 7, 6}}; // of gmsh's vertices
+  std::unordered_map<std::size_t, unsigned int> vertex;
+  const auto cells = element_nodes(dim, -1, dim == 2 ? 3 : 5, dim == 2 ? "surfaces" : "volumes");
+  for (std::size_t i = 0; i < cells.size(); i += n_vertices) {
+    CellData<dim> cell(n_vertices);
+    for (unsigned int v = 0; v < n_vertices; ++v) {
+      const auto [entry, is_new] = vertex.try_emplace(cells[i + v], mesh.vertices.size());
+      if (is_new)
+        mesh.vertices.push_back(position(cells[i + v]));
+      cell.vertices[order[v]] = entry->second;
+    }
+    mesh.cells.push_back(cell);
+  }
+  if (mesh.cells.empty())
+    throw UserError("The mesh has no cells of dimension " + std::to_string(dim) + ".");
+
+  std::map<std::vector<unsigned int>, std::string> part_of;
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups, dim - 1);
+  for (const auto &[d, group] : groups) {
+    std::string name;
+    gmsh::model::getPhysicalName(d, group, name);
+    if (name.empty())
+      continue;
+    mesh.parts.push_back(name);
+    std::vector<int> entities;
+    gmsh::model::getEntitiesForPhysicalGroup(d, group, entities);
+    for (const int entity : entities) {
+      const auto faces = element_nodes(d, entity, dim == 2 ? 1 : 3, "boundary");
+      for (std::size_t i = 0; i < faces.size(); i += n_face_vertices) {
+        typename ContinuumMesh<dim>::Face face;
+        face.part = mesh.parts.size();
+        for (unsigned int v = 0; v < n_face_vertices; ++v) {
+          if (vertex.count(faces[i + v]) == 0)
+            throw UserError("The part '" + name + "' of the mesh is not on its cells.");
+          face.vertices.push_back(vertex.at(faces[i + v]));
+        }
+        std::sort(face.vertices.begin(), face.vertices.end());
+        if (const auto found = part_of.emplace(face.vertices, name).first; found->second != name)
+          throw UserError("The mesh has faces that belong to the parts '" + found->second +
+                          "' and '" + name +
+                          "' both. Give each face of the boundary one physical group.");
+        mesh.faces.push_back(face);
+      }
+    }
+  }
+  gmsh::model::getPhysicalGroups(groups, 0);
+  for (const auto &[d, group] : groups) {
+    std::string name;
+    gmsh::model::getPhysicalName(d, group, name);
+    std::vector<std::size_t> nodes;
+    std::vector<double> coordinates;
+    gmsh::model::mesh::getNodesForPhysicalGroup(0, group, nodes, coordinates);
+    if (name.empty() || nodes.empty())
+      continue;
+    if (nodes.size() != 1 || vertex.count(nodes[0]) == 0)
+      throw UserError("The physical point '" + name + "' of the mesh is no vertex of a cell.");
+    mesh.points[name] = position(nodes[0]);
+  }
+}
+
+} // namespace
+
+template <int dim>
+types::boundary_id ContinuumMesh<dim>::part(const std::string &name) const {
+  const auto found = std::find(parts.begin(), parts.end(), name);
+  if (found != parts.end())
+    return found - parts.begin() + 1;
+  std::string known;
+  for (const std::string &other : parts)
+    known += (known.empty() ? "" : ", ") + other;
+  throw UserError("The body has no part of its boundary called '" + name +
+                  "'. It has: " + (known.empty() ? "none" : known) + ".");
+}
+
+template <int dim>
+ContinuumMesh<dim> build_continuum_mesh(const Scene &scene) {
+  ContinuumMesh<dim> mesh;
+  if (scene.continuum->box)
+    mesh_box(*scene.continuum->box, mesh);
+  else {
+    const GmshSession session;
+    by_gmsh(scene.mesh.file, [&]() {
+      open_own_mesh(scene, dim);
+      take_mesh(mesh);
+    });
+    GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
+    GridTools::consistently_order_cells(mesh.cells);
+  }
+  for (const auto &[name, position] : scene.continuum->points) {
+    Point<dim> p;
+    for (unsigned int d = 0; d < dim; ++d)
+      p[d] = position[d];
+    mesh.points[name] = p;
+  }
+  return mesh;
+}
+
+template struct ContinuumMesh<2>;
+template struct ContinuumMesh<3>;
+template ContinuumMesh<2> build_continuum_mesh<2>(const Scene &);
+template ContinuumMesh<3> build_continuum_mesh<3>(const Scene &);
+
+} // namespace frictionbeam

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/build_line_mesh.h"
+
+#include "mesh/gmsh_file.h"
+#include "mesh/gmsh_routes.h"
+#include "mesh/gmsh_session.h"
+
+#include "base/user_error.h"
+#include "scene/in_units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// "Nearest is ..." for messages about points off the line.
+std::string nearest_pipe(const Scene &scene, const LineMesh &mesh, const Point3 &p) {
+  double best = std::numeric_limits<double>::max();
+  std::string message = "there is no pipe";
+  for (unsigned int i = 0; i < mesh.pipes.size(); ++i)
+    for (unsigned int k = 0; k + 1 < mesh.pipes[i].vertices.size(); ++k) {
+      const Point3 begin = mesh.vertices[mesh.pipes[i].vertices[k]];
+      const Vector3 leg = mesh.vertices[mesh.pipes[i].vertices[k + 1]] - begin;
+      const Point3 foot = begin + std::clamp((p - begin) * leg / leg.norm_square(), 0., 1.) * leg;
+      if (foot.distance(p) >= best)
+        continue;
+      best = foot.distance(p);
+      std::ostringstream out;
+      out << "the nearest place is " << in_units(scene.units, best, "m") << " away at "
+          << in_units(scene.units, foot) << " on pipe '" << scene.pipes[i].name << "'";
+      message = out.str();
+    }
+  return message;
+}
+
+/// Points that are on no pipe become free nodes if a spring or a friction support carries them.
+void add_free_points(const Scene &scene, LineMesh &mesh) {
+  std::set<std::string> carried_points;
+  for (const Spring &spring : scene.springs)
+    carried_points.insert({spring.point, spring.other});
+  for (const FrictionSupport &support : scene.supports)
+    if (!support.ground.empty()) { // from one point to another, neither need be on a pipe
+      carried_points.insert(support.ground);
+      carried_points.insert(support.placement.points.begin(), support.placement.points.end());
+    }
+  for (const NamedPoint &point : scene.points) {
+    if (mesh.points.count(point.name) > 0)
+      continue;
+    std::string support;
+    for (const FrictionSupport &s : scene.supports)
+      if (std::count(s.placement.points.begin(), s.placement.points.end(), point.name) > 0)
+        support = s.name;
+    const bool carried = carried_points.count(point.name) > 0;
+    if (!carried && support.empty())
+      throw UserError(
+          "Point " + point.name + ": no pipe reaches the position " +
+          in_units(scene.units, point.position) + "; " + nearest_pipe(scene, mesh, point.position) +
+          ". Move the point onto a pipe, or carry it by a spring or a friction support.");
+    if (!carried && !scene.pipes.empty())
+      throw UserError("Support " + support + " is off the line: its point '" + point.name +
+                      "' is at " + in_units(scene.units, point.position) + ", and " +
+                      nearest_pipe(scene, mesh, point.position) + ". Move the point onto a pipe.");
+    mesh.points[point.name] = mesh.vertices.size();
+    mesh.vertices.push_back(point.position);
+  }
+}
+
+/// Turns placements into vertices.
+class Placer {
+public:
+  Placer(const Scene &scene, const LineMesh &mesh)
+      : scene(scene), mesh(mesh), tangents(mesh.vertices.size()) {
+    for (const MeshedPipe &pipe : mesh.pipes) {
+      std::vector<Vector3> own(pipe.vertices.size());
+      for (unsigned int i = 0; i + 1 < pipe.vertices.size(); ++i) {
+        own[i] += pipe.tangent(mesh.vertices, i, false);
+        own[i + 1] += pipe.tangent(mesh.vertices, i, true);
+      }
+      for (unsigned int i = 0; i < own.size(); ++i)
+        if (tangents[pipe.vertices[i]].norm() == 0. && own[i].norm() > 0.)
+          tangents[pipe.vertices[i]] = own[i] / own[i].norm();
+    }
+  }
+
+  std::vector<Site> sites(const std::string &support, const Placement &placement) const {
+    std::vector<Site> result;
+    for (const std::string &point : placement.points)
+      result.push_back({vertex(support, point), tangents[vertex(support, point)], 1.});
+    if (placement.pipe.empty())
+      return result;
+
+    const auto found = std::find_if(scene.pipes.begin(), scene.pipes.end(),
+                                    [&](const Pipe &p) { return p.name == placement.pipe; });
+    const MeshedPipe &pipe = mesh.pipes[found - scene.pipes.begin()];
+    const double tolerance = 1e-6 * pipe.s.back();
+    const auto position = [&](const std::string &name, const double otherwise) {
+      if (name.empty())
+        return otherwise;
+      const auto at = std::find(pipe.vertices.begin(), pipe.vertices.end(), vertex(support, name));
+      if (at == pipe.vertices.end())
+        throw UserError("Support " + support + ": the point '" + name + "' is not on pipe '" +
+                        placement.pipe + "'. Name a point of that pipe in From and To.");
+      return pipe.s[at - pipe.vertices.begin()];
+    };
+    const double from = position(placement.from, 0.), to = position(placement.to, pipe.s.back());
+    if (placement.continuous) {
+      for (unsigned int i = 0; i < pipe.s.size(); ++i)
+        if (pipe.s[i] >= from - tolerance && pipe.s[i] <= to + tolerance) {
+          const double before = i == 0 ? 0. : pipe.s[i] - std::max(pipe.s[i - 1], from);
+          const double after =
+              i + 1 == pipe.s.size() ? 0. : std::min(pipe.s[i + 1], to) - pipe.s[i];
+          result.push_back({pipe.vertices[i], tangents[pipe.vertices[i]],
+                            (std::max(before, 0.) + std::max(after, 0.)) / 2.});
+        }
+      return result;
+    }
+    for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i) {
+      const double s = from + i * placement.every;
+      const unsigned int at =
+          std::lower_bound(pipe.s.begin(), pipe.s.end(), s - tolerance) - pipe.s.begin();
+      if (at == pipe.s.size() || std::abs(pipe.s[at] - s) > tolerance)
+        throw UserError("Support " + support + ": the mesh file has no node at " +
+                        in_units(scene.units, s, "m") + " along pipe '" + placement.pipe +
+                        "'. Place the support at named points of the file.");
+      result.push_back({pipe.vertices[at], tangents[pipe.vertices[at]], 1.});
+    }
+    if (result.empty())
+      throw UserError("Support " + support + ": every " +
+                      in_units(scene.units, placement.every, "m") + " gives no place on the " +
+                      in_units(scene.units, to - from, "m") +
+                      " of pipe between From and To. Give a smaller distance.");
+    return result;
+  }
+
+private:
+  unsigned int vertex(const std::string &support, const std::string &point) const {
+    const auto found = mesh.points.find(point);
+    if (found == mesh.points.end())
+      throw UserError("Support " + support + " is off the line: there is no point '" + point +
+                      "' on a pipe.");
+    return found->second;
+  }
+
+  const Scene &scene;
+  const LineMesh &mesh;
+  std::vector<Vector3> tangents;
+};
+
+} // namespace
+
+LineMesh build_line_mesh(const Scene &scene) {
+  const std::string &file = scene.mesh.file;
+  LineMesh mesh =
+      by_gmsh(file, [&]() { return file.empty() ? mesh_routes(scene) : mesh_file(scene); });
+  add_free_points(scene, mesh);
+  const Placer placer(scene, mesh);
+  for (const FrictionSupport &support : scene.supports)
+    mesh.supports.push_back(placer.sites(support.name, support.placement));
+  for (const Restraint &restraint : scene.restraints)
+    mesh.restraints.push_back(placer.sites(restraint.name, restraint.placement));
+  return mesh;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene/scene.h"
+
+namespace frictionbeam {
+
+/// The axis of a pipe: straight runs and circular bends, as the route gives them, by arc length.
+class PipePath {
+public:
+  struct Segment {
+    double start = 0., length = 0.; ///< along the pipe [m]
+    Point3 begin, end;
+    double radius = 0.;    ///< of a bend; 0: straight
+    Point3 centre;         ///< of a bend
+    Vector3 first_tangent; ///< unit
+    Vector3 inward;        ///< of a bend: unit, from its beginning to its centre
+
+    Point3 point(const double s) const; ///< s from the segment's start [m]
+    Vector3 tangent(const double s) const;
+  };
+
+  /// @param units of messages
+  /// @throws UserError if a bend does not fit between its neighbours or the route turns back.
+  PipePath(const Pipe &pipe, const UnitSystem &units);
+
+  double length() const { return total_length; }
+  const std::vector<Segment> &segments() const { return parts; }
+
+  Point3 point(const double s) const;
+
+  /// Arc lengths of the path's points at @p position, within @p tolerance [m], rising; a place
+  /// between two segments once.
+  std::vector<double> all_places(const Point3 &position, const double tolerance) const;
+
+  /// A point of the route that is on the path: its ends, a sharp corner, the middle of a bend whose
+  /// corner has a name.
+  struct RoutePlace {
+    std::string name; ///< may be empty
+    double s;
+  };
+  const std::vector<RoutePlace> &route_points() const { return places; }
+
+private:
+  const Segment &segment_at(const double s) const;
+  void append(Segment segment);
+
+  std::vector<Segment> parts;
+  std::vector<RoutePlace> places;
+  double total_length = 0.;
+};
+
+} // namespace frictionbeam

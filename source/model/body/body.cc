@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/body/body.h"
+#include "base/user_error.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+LameConstants lame_constants(const ContinuumScene &scene) {
+  const double E = scene.youngs_modulus, nu = scene.poissons_ratio;
+  LameConstants lame;
+  lame.mu = E / (2. * (1. + nu));
+  lame.lambda = scene.dimension == 2 && !scene.plane_strain ? E * nu / (1. - nu * nu)
+                                                            : E * nu / ((1. + nu) * (1. - 2. * nu));
+  return lame;
+}
+
+namespace {
+
+template <int dim>
+std::unique_ptr<Triangulation<dim>> make_triangulation(const bool is_parallel,
+                                                       const MPI_Comm communicator) {
+  const auto smoothing = Triangulation<dim>::limit_level_difference_at_vertices;
+  if (is_parallel)
+    return std::make_unique<parallel::distributed::Triangulation<dim>>(communicator, smoothing);
+  return std::make_unique<Triangulation<dim>>(smoothing);
+}
+
+/// Give the faces on the boundary the ids of their parts.
+template <int dim>
+void name_faces(const ContinuumMesh<dim> &mesh, Triangulation<dim> &triangulation) {
+  std::map<std::vector<unsigned int>, types::boundary_id> ids;
+  for (const auto &face : mesh.faces)
+    ids[face.vertices] = face.part;
+  for (const auto &cell : triangulation.cell_iterators_on_level(0))
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary()) {
+        std::vector<unsigned int> vertices;
+        for (const unsigned int v : face->vertex_indices())
+          vertices.push_back(face->vertex_index(v));
+        std::sort(vertices.begin(), vertices.end());
+        const auto found = ids.find(vertices);
+        if (found != ids.end())
+          face->set_boundary_id(found->second);
+      }
+}
+
+} // namespace
+
+template <int dim>
+ContinuumBody<dim>::ContinuumBody(const Scene &scene, const ContinuumMesh<dim> &mesh)
+    : scene(scene), continuum(*scene.continuum), mesh(mesh),
+      is_parallel(Utilities::MPI::job_supports_mpi()),
+      communicator(is_parallel ? MPI_COMM_WORLD : MPI_COMM_SELF),
+      triangulation(make_triangulation<dim>(is_parallel, communicator)),
+      fe(FE_Q<dim>(scene.continuum_settings.degree), dim), dof_handler(*triangulation),
+      surfaces(mesh.parts.size() + 1, -1) {
+  for (unsigned int i = 0; i < continuum.contacts.size(); ++i)
+    surfaces[mesh.part(continuum.contacts[i].part)] = i;
+  for (const ContinuumTraction &load : continuum.tractions)
+    mesh.part(load.part);
+  triangulation->create_triangulation(mesh.vertices, mesh.cells, SubCellData());
+  name_faces(mesh, *triangulation);
+}
+
+template <int dim>
+void ContinuumBody<dim>::distribute_dofs() {
+  dof_handler.distribute_dofs(fe);
+  owned = dof_handler.locally_owned_dofs();
+  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+}
+
+template <int dim>
+void ContinuumBody<dim>::distribute() {
+  distribute_dofs();
+  constrain();
+}
+
+template <int dim>
+void ContinuumBody<dim>::constrain() {
+  constraints.clear();
+  constraints.reinit(relevant);
+  DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+  for (const ContinuumHold &part : continuum.holds)
+    hold(part);
+  constraints.close();
+  find_contact_nodes();
+}
+
+template <int dim>
+void ContinuumBody<dim>::hold(const ContinuumHold &part) {
+  const auto point = mesh.points.find(part.part);
+  if (point == mesh.points.end()) {
+    ComponentMask mask(dim, false);
+    for (unsigned int d = 0; d < dim; ++d)
+      mask.set(d, part.fixed[d]);
+    DoFTools::make_zero_boundary_constraints(dof_handler, mesh.part(part.part), constraints, mask);
+    return;
+  }
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (!cell->is_artificial())
+      for (const unsigned int v : cell->vertex_indices())
+        if (cell->vertex(v).distance(point->second) < 1e-6 * cell->diameter())
+          for (unsigned int d = 0; d < dim; ++d)
+            if (part.fixed[d])
+              constraints.add_line(cell->vertex_dof_index(v, d));
+}
+
+template <int dim>
+int ContinuumBody<dim>::surface_of(const types::boundary_id id) const {
+  return id < surfaces.size() ? surfaces[id] : -1;
+}
+
+template <int dim>
+bool ContinuumBody<dim>::is_loaded(const types::boundary_id id) const {
+  return std::any_of(continuum.tractions.begin(), continuum.tractions.end(),
+                     [&](const ContinuumTraction &load) { return mesh.part(load.part) == id; });
+}
+
+template <int dim>
+Tensor<1, dim> ContinuumBody<dim>::traction(const types::boundary_id id,
+                                            const Tensor<1, dim> &normal) const {
+  Tensor<1, dim> sum;
+  for (const ContinuumTraction &load : continuum.tractions)
+    if (mesh.part(load.part) == id) {
+      for (unsigned int d = 0; d < dim; ++d)
+        sum[d] += load.vector[d];
+      sum -= load.pressure * normal;
+    }
+  return sum;
+}
+
+template <int dim>
+void ContinuumBody<dim>::reinit(ContinuumVector &vector) const {
+  if (is_parallel)
+    vector.reinit(owned, relevant, communicator);
+  else
+    vector.reinit(dof_handler.n_dofs());
+}
+
+template <int dim>
+FullMatrix<double> ContinuumBody<dim>::cell_stiffness(
+    const typename DoFHandler<dim>::active_cell_iterator &cell) const {
+  const QGauss<dim> quadrature(fe.degree + 1);
+  FEValues<dim> values(fe, quadrature, update_gradients | update_JxW_values);
+  values.reinit(cell);
+  const LameConstants lame = lame_constants(continuum);
+  const unsigned int n = fe.n_dofs_per_cell();
+  FullMatrix<double> matrix(n, n);
+  for (const unsigned int q : values.quadrature_point_indices()) {
+    const double weight = values.JxW(q) * thickness();
+    for (unsigned int i = 0; i < n; ++i) {
+      const unsigned int a = fe.system_to_component_index(i).first;
+      const Tensor<1, dim> gi = values.shape_grad(i, q);
+      for (unsigned int j = 0; j <= i; ++j) {
+        const unsigned int b = fe.system_to_component_index(j).first;
+        const Tensor<1, dim> &gj = values.shape_grad(j, q);
+        matrix(i, j) += weight * (lame.lambda * gi[a] * gj[b] + lame.mu * gi[b] * gj[a] +
+                                  (a == b ? lame.mu * (gi * gj) : 0.));
+      }
+    }
+  }
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < i; ++j)
+      matrix(j, i) = matrix(i, j);
+  return matrix;
+}
+
+template <int dim>
+void ContinuumBody<dim>::assemble_stiffness(
+    const std::function<void(const FullMatrix<double> &,
+                             const std::vector<types::global_dof_index> &)> &add) const {
+  // Cells that differ in place and size only have the same matrix, but for a factor in 3D.
+  struct Known {
+    std::vector<Tensor<1, dim>> shape;
+    FullMatrix<double> matrix;
+    double size;
+  };
+  constexpr std::size_t most_known = 8;
+  std::vector<Known> known;
+  std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+  for (const auto &cell : dof_handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_indices(dofs);
+    const double size = cell->vertex(1).distance(cell->vertex(0));
+    std::vector<Tensor<1, dim>> shape;
+    for (const unsigned int v : cell->vertex_indices())
+      shape.push_back((cell->vertex(v) - cell->vertex(0)) / size);
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Known &other) {
+      for (unsigned int v = 0; v < shape.size(); ++v)
+        if ((shape[v] - other.shape[v]).norm() > 1e-12)
+          return false;
+      return true;
+    });
+    if (found == known.end()) {
+      Known cell_matrix{shape, cell_stiffness(cell), size};
+      add(cell_matrix.matrix, dofs);
+      if (known.size() < most_known)
+        known.push_back(cell_matrix);
+    } else if (dim == 2)
+      add(found->matrix, dofs);
+    else {
+      FullMatrix<double> scaled = found->matrix;
+      scaled *= size / found->size;
+      add(scaled, dofs);
+    }
+  }
+}
+
+template <int dim>
+ContinuumVector ContinuumBody<dim>::traction_forces() const {
+  ContinuumVector forces;
+  reinit(forces);
+  const QGauss<dim - 1> quadrature(fe.degree + 1);
+  FEFaceValues<dim> values(fe, quadrature,
+                           update_values | update_normal_vectors | update_JxW_values);
+  Vector<double> local(fe.n_dofs_per_cell());
+  std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->at_boundary())
+      for (const unsigned int f : cell->face_indices()) {
+        if (!cell->face(f)->at_boundary() || !is_loaded(cell->face(f)->boundary_id()))
+          continue;
+        values.reinit(cell, f);
+        local = 0.;
+        for (const unsigned int q : values.quadrature_point_indices()) {
+          const Tensor<1, dim> t = values.JxW(q) * thickness() *
+                                   traction(cell->face(f)->boundary_id(), values.normal_vector(q));
+          for (unsigned int i = 0; i < local.size(); ++i)
+            local[i] += t[fe.system_to_component_index(i).first] * values.shape_value(i, q);
+        }
+        cell->get_dof_indices(dofs);
+        constraints.distribute_local_to_global(local, dofs, forces);
+      }
+  forces.compress(VectorOperation::add);
+  return forces;
+}
+
+template <int dim>
+void ContinuumBody<dim>::find_contact_nodes() {
+  // Area times outward normal at each node, its components on the node's dofs.
+  const QGaussLobatto<dim - 1> quadrature(fe.degree + 1);
+  FEFaceValues<dim> values(fe, quadrature,
+                           update_quadrature_points | update_normal_vectors | update_JxW_values);
+  const std::vector<Point<dim>> &unit_points = fe.get_unit_support_points();
+  const auto &mapping = values.get_mapping();
+  std::vector<ContinuumVector> areas(continuum.contacts.size());
+  for (ContinuumVector &area : areas)
+    reinit(area);
+  std::vector<std::map<types::global_dof_index, ContinuumContactNode<dim>>> found(areas.size());
+  Vector<double> local(fe.n_dofs_per_cell());
+  std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+  for (const auto &cell : dof_handler.active_cell_iterators()) {
+    if (cell->is_artificial() || !cell->at_boundary())
+      continue;
+    for (const unsigned int f : cell->face_indices()) {
+      const int surface =
+          cell->face(f)->at_boundary() ? surface_of(cell->face(f)->boundary_id()) : -1;
+      if (surface < 0)
+        continue;
+      values.reinit(cell, f);
+      cell->get_dof_indices(dofs);
+      local = 0.;
+      for (unsigned int i = 0; i < fe.n_dofs_per_face(f); ++i) {
+        const unsigned int k = fe.face_to_cell_index(i, f),
+                           component = fe.system_to_component_index(k).first;
+        const Point<dim> place = mapping.transform_unit_to_real_cell(cell, unit_points[k]);
+        unsigned int nearest = 0;
+        for (const unsigned int q : values.quadrature_point_indices())
+          if (place.distance(values.quadrature_point(q)) <
+              place.distance(values.quadrature_point(nearest)))
+            nearest = q;
+        local[k] = values.JxW(nearest) * thickness() * values.normal_vector(nearest)[component];
+        if (component > 0 || !owned.is_element(dofs[k]))
+          continue;
+        ContinuumContactNode<dim> &node = found[surface][dofs[k]];
+        node.position = place;
+        node.surface = surface;
+        for (unsigned int d = 0; d < dim; ++d)
+          node.dofs[d] =
+              dofs[fe.component_to_system_index(d, fe.system_to_component_index(k).second)];
+      }
+      if (cell->is_locally_owned())
+        for (unsigned int k = 0; k < local.size(); ++k)
+          if (local[k] != 0.) { // held dofs keep their share, hanging ones pass it on
+            const auto *const entries = constraints.get_constraint_entries(dofs[k]);
+            if (entries == nullptr || entries->empty())
+              areas[surface](dofs[k]) += local[k];
+            else
+              for (const auto &[dof, factor] : *entries)
+                areas[surface](dof) += factor * local[k];
+          }
+    }
+  }
+  nodes.clear();
+  for (unsigned int s = 0; s < areas.size(); ++s) {
+    areas[s].compress(VectorOperation::add);
+    const unsigned int begin = nodes.size();
+    for (auto &[first_dof, node] : found[s]) {
+      Tensor<1, dim> area;
+      for (unsigned int d = 0; d < dim; ++d)
+        area[d] = areas[s](node.dofs[d]);
+      node.weight = area.norm();
+      if (node.weight == 0.)
+        continue; // a hanging node
+      Tensor<1, dim> &n = node.frame[0] = area / node.weight;
+      unsigned int axis = 0; // of t1: the first that does not lie near the normal
+      while (std::abs(n[axis]) > 0.9)
+        ++axis;
+      Tensor<1, dim> t;
+      t[axis] = 1.;
+      t -= (t * n) * n;
+      node.frame[1] = t / t.norm();
+      if constexpr (dim == 3)
+        node.frame[2] = cross_product_3d(n, node.frame[1]);
+      bool held = false; // what holds the node along its normal carries its force
+      for (unsigned int d = 0; d < dim; ++d)
+        held |= std::abs(n[d]) > 1e-6 && constraints.is_constrained(node.dofs[d]);
+      if (!held)
+        nodes.push_back(node);
+    }
+    std::sort(nodes.begin() + begin, nodes.end(), [](const auto &a, const auto &b) {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (a.position[d] != b.position[d])
+          return a.position[d] < b.position[d];
+      return false;
+    });
+  }
+}
+
+template class ContinuumBody<2>;
+template class ContinuumBody<3>;
+
+} // namespace frictionbeam

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/contact/contacts.h"
+#include "model/contact/ground_point.h"
+
+#include "base/user_error.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// Stress of a support law in virgin state at the strain @p strain.
+double axial_force(const Contact &contact, const double axial_strain, double &tangent) {
+  double strain[n_support_strains] = {axial_strain, 0., 0., 0.}, rate[n_support_strains] = {},
+         stress[n_support_strains], matrix[n_support_strains * n_support_strains] = {},
+         displacement[3] = {axial_strain * contact.length, 0., 0.};
+  std::vector<double> zero(contact.law->n_internal_variables + 1, 0.), state(zero);
+  const LawInput input{contact.parameters->data(),
+                       strain,
+                       rate,
+                       displacement,
+                       contact.length,
+                       0.,
+                       0.,
+                       20.,
+                       zero.data(),
+                       LawTangent::consistent};
+  LawOutput output{stress, matrix, state.data(), 0., ContactStatus::none};
+  contact.law->law->integrate(input, output);
+  tangent = matrix[0];
+  return stress[0];
+}
+
+/// How far the platen must be pushed towards the pipe for the contact to carry the force on it [m].
+double platen_position(const Contact &contact, const std::string &support) {
+  const double wanted = -contact.platen_force * contact.length / contact.weight;
+  double strain = -1e-12;
+  for (unsigned int iteration = 0; iteration < 200; ++iteration) {
+    double tangent = 0.;
+    const double force = axial_force(contact, strain, tangent);
+    if (std::abs(force - wanted) <= 1e-12 * std::abs(wanted))
+      return -strain * contact.length;
+    strain = tangent > 0. ? strain - (force - wanted) / tangent : 2. * strain;
+  }
+  throw UserError("Support " + support + ": its law '" + contact.law->name +
+                  "' cannot carry the Normal force on it. Give the law a larger rigidity.");
+}
+
+} // namespace
+
+Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+                   const ReducedSpace &space, const LawLibrary &laws)
+    : preload(Vector::Zero(space.n_unknowns())) {
+  list.reserve(discretization.support_cells().size());
+  std::map<unsigned int, FEValues<1, 3>> values; // by element of the collection
+  for (unsigned int c = 0; c < discretization.support_cells().size(); ++c) {
+    const SupportCell &support_cell = discretization.support_cells()[c];
+    const FrictionSupport &support = scene.supports[support_cell.support];
+    const auto cell = discretization.support_cell(c);
+    const auto fe_index = cell->active_fe_index();
+    FEValues<1, 3> &fe_values =
+        values
+            .try_emplace(fe_index, discretization.elements()[fe_index], QGauss<1>(1),
+                         update_values | update_gradients | update_JxW_values)
+            .first->second;
+    fe_values.reinit(cell);
+
+    Contact contact;
+    contact.law = &laws.find(support.law);
+    contact.parameters = &support.parameters;
+    contact.vertices = support_cell.vertices;
+    contact.axes = LocalAxes(support_cell.axis);
+    contact.length = support.ground.empty() ? fe_values.JxW(0) : support_cell.length;
+    contact.support = support_cell.support;
+    contact.site = support_cell.site;
+    const double share =
+        support.share * mesh.supports[support_cell.support][support_cell.site].tributary;
+    contact.weight = share * contact.length;
+    contact.platen_force = share * support.normal_force;
+    contact.restitution = support.restitution;
+    for (unsigned int d = 0; d < 3; ++d)
+      if (support.ground_motion[d].is_given())
+        moving.emplace_back(discretization.vertex_dofs().index(contact.vertices[1], d),
+                            &support.ground_motion[d]);
+    contact.state_offset = n_internal;
+    n_internal += contact.law->n_internal_variables;
+
+    std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    contact.dofs.assign(dofs.begin(), dofs.end());
+    contact.B.resize(n_support_strains, dofs.size());
+    for (unsigned int i = 0; i < dofs.size(); ++i) {
+      const GeneralizedStrain strain = generalized_strain(fe_values, contact.axes, i, 0);
+      for (int e = 0; e < n_support_strains; ++e)
+        contact.B(e, i) = strain[e];
+    }
+    if (!support.ground.empty())
+      stand_on_point(support, discretization, contact);
+    for (const unsigned int dof : contact.dofs)
+      for (const auto &term : space.terms(dof))
+        contact.unknowns.push_back(term.unknown);
+    for (const unsigned int vertex : contact.vertices)
+      for (unsigned int c = 0; c < 6; ++c)
+        if (const auto dof = discretization.vertex_dofs().index(vertex, c);
+            dof != numbers::invalid_dof_index)
+          for (const auto &term : space.terms(dof))
+            contact.vertex_unknowns.push_back(term.unknown);
+    std::sort(contact.unknowns.begin(), contact.unknowns.end());
+    contact.unknowns.erase(std::unique(contact.unknowns.begin(), contact.unknowns.end()),
+                           contact.unknowns.end());
+    contact.B_reduced.setZero(n_support_strains, contact.unknowns.size());
+    for (unsigned int i = 0; i < contact.dofs.size(); ++i)
+      for (const auto &term : space.terms(contact.dofs[i])) {
+        const auto place =
+            std::lower_bound(contact.unknowns.begin(), contact.unknowns.end(), term.unknown) -
+            contact.unknowns.begin();
+        contact.B_reduced.col(place) += term.weight * contact.B.col(i);
+      }
+
+    if (contact.platen_force != 0.) {
+      const double position = platen_position(contact, support.name);
+      for (unsigned int d = 0; d < 3; ++d) {
+        const auto dof = discretization.vertex_dofs().index(contact.vertices[1], d);
+        for (const auto &term : space.terms(dof)) {
+          preload[term.unknown] += contact.platen_force * -contact.axes.x[d] * term.weight;
+          if (space.terms(dof).begin() + 1 == space.terms(dof).end() && term.weight == 1.)
+            platen_positions.emplace_back(term.unknown, position * -contact.axes.x[d]);
+        }
+      }
+    }
+    list.push_back(std::move(contact));
+  }
+}
+
+Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
+                   const std::vector<int> &unknown_places, const unsigned int n_unknowns)
+    : list(contacts.list), n_internal(contacts.n_internal), preload(Vector::Zero(n_unknowns)),
+      own_parameters(contacts.own_parameters) {
+  for (Contact &contact : list) {
+    for (unsigned int &dof : contact.dofs)
+      dof = dof_places[dof];
+    for (int &unknown : contact.unknowns)
+      unknown = unknown_places[unknown];
+    for (int &unknown : contact.vertex_unknowns)
+      unknown = unknown_places[unknown];
+  }
+  for (const auto &[dof, course] : contacts.moving)
+    moving.emplace_back(dof_places[dof], course);
+  for (int unknown = 0; unknown < contacts.preload.size(); ++unknown)
+    if (contacts.preload[unknown] != 0.)
+      preload[unknown_places[unknown]] += contacts.preload[unknown];
+  for (const auto &[unknown, position] : contacts.platen_positions)
+    platen_positions.emplace_back(unknown_places[unknown], position);
+}
+
+void Contacts::set_parameters(const unsigned int i, const std::vector<double> &parameters) {
+  own_parameters.push_back(std::make_shared<const std::vector<double>>(parameters));
+  list[i].parameters = own_parameters.back().get();
+}
+
+void Contacts::prepare(ContactResponse &response) const {
+  const unsigned int n = list.size();
+  response.stress.resize(n);
+  response.tangent.resize(n);
+  response.status.resize(n);
+  response.failed = false;
+  response.state.internal.resize(n_internal + 1);
+  response.state.strain.resize(n);
+  response.state.touch.resize(n);
+  response.state.dissipated.resize(n);
+  response.state.wear.resize(n);
+  response.state.impulse.resize(n);
+}
+
+void Contacts::add_ground_motion(const std::function<double(const TimeFunction &)> &value,
+                                 Vector &imposed) const {
+  for (const auto &[dof, course] : moving)
+    imposed[dof] += value(*course);
+}
+
+void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
+                        const double time_increment, const LawTangent tangent,
+                        ContactResponse &response) const {
+  prepare(response);
+  for (unsigned int i = 0; i < list.size(); ++i) {
+    response.state.strain[i] = list[i].strain(all_dofs);
+    evaluate_law(i, committed, time, time_increment, tangent, response);
+  }
+}
+
+void Contacts::evaluate_law(const unsigned int i, const ContactState &committed, const double time,
+                            const double time_increment, const LawTangent tangent,
+                            ContactResponse &response) const {
+  const Contact &contact = list[i];
+  const Contact::Strains &strain = response.state.strain[i];
+  Contact::Strains rate = Contact::Strains::Zero();
+  if (time_increment > 0.)
+    rate = (strain - committed.strain[i]) / time_increment;
+  const double displacement[3] = {strain[0] * contact.length, strain[1] * contact.length,
+                                  strain[2] * contact.length};
+  const LawInput input{contact.parameters->data(),
+                       strain.data(),
+                       rate.data(),
+                       displacement,
+                       contact.length,
+                       time,
+                       time_increment,
+                       20.,
+                       committed.internal.data() + contact.state_offset,
+                       tangent};
+  LawOutput output{response.stress[i].data(), response.tangent[i].data(),
+                   response.state.internal.data() + contact.state_offset, 0., ContactStatus::none};
+  if (contact.law->law->integrate(input, output) != LawStatus::ok)
+    response.failed = true;
+  response.status[i] = output.contact;
+  response.state.touch[i] = output.contact == ContactStatus::open ? strain : committed.touch[i];
+  response.state.dissipated[i] = committed.dissipated[i] + contact.weight * output.dissipation;
+}
+
+void Contacts::add_forces(const ContactResponse &response, Vector &forces) const {
+  for (unsigned int i = 0; i < list.size(); ++i) {
+    const Contact &contact = list[i];
+    const Contact::Strains stress = contact.weight * response.stress[i];
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      forces[contact.unknowns[j]] += contact.B_reduced.col(j).dot(stress);
+  }
+}
+
+void Contacts::add_tangent(const ContactResponse &response, SparseMatrix &matrix) const {
+  for (unsigned int i = 0; i < list.size(); ++i) {
+    const Contact &contact = list[i];
+    const auto local =
+        (contact.weight * contact.B_reduced.transpose() * response.tangent[i] * contact.B_reduced)
+            .eval();
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      for (unsigned int k = 0; k < contact.unknowns.size(); ++k)
+        add_to(matrix, contact.unknowns[j], contact.unknowns[k], local(j, k));
+  }
+}
+
+void Contacts::place_platens(Vector &unknowns) const {
+  for (const auto &[unknown, value] : platen_positions)
+    unknowns[unknown] += value;
+}
+
+ContactState Contacts::initial_state(const Vector &all_dofs) const {
+  ContactState state;
+  state.internal.assign(n_internal + 1, 0.);
+  state.strain.resize(list.size());
+  state.dissipated.assign(list.size(), 0.);
+  state.wear = state.impulse = state.dissipated;
+  for (unsigned int i = 0; i < list.size(); ++i)
+    state.strain[i] = list[i].strain(all_dofs);
+  state.touch = state.strain;
+  if (all_dofs.isZero(0.))
+    return state;
+  // Touch down at the initial displacements: evaluated as if lifted off by one length, whatever is
+  // irreversible follows the node.
+  for (unsigned int i = 0; i < list.size(); ++i) {
+    const Contact &contact = list[i];
+    Contact::Strains strain = state.strain[i], rate = Contact::Strains::Zero(), stress;
+    strain[0] = 1.;
+    const double displacement[3] = {contact.length, strain[1] * contact.length,
+                                    strain[2] * contact.length};
+    const std::vector<double> zero(contact.law->n_internal_variables + 1, 0.);
+    const LawInput input{contact.parameters->data(),
+                         strain.data(),
+                         rate.data(),
+                         displacement,
+                         contact.length,
+                         0.,
+                         0.,
+                         20.,
+                         zero.data(),
+                         LawTangent::none};
+    LawOutput output{stress.data(), nullptr, state.internal.data() + contact.state_offset, 0.,
+                     ContactStatus::none};
+    contact.law->law->integrate(input, output);
+  }
+  return state;
+}
+
+} // namespace frictionbeam

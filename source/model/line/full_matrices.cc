@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/line/full_matrices.h"
+#include "model/line/pipe_element.h"
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+FullMatrices::FullMatrices(const Scene &scene, const LineMesh &mesh,
+                           const Discretization &discretization, const ReducedSpace &space,
+                           const bool lumped)
+    : K(space.n_dofs(), space.n_dofs()), M(space.n_dofs(), space.n_dofs()),
+      C(space.n_dofs(), space.n_unknowns()) {
+  using Triplet = Eigen::Triplet<double>;
+  std::vector<Triplet> stiffness, mass, map;
+  PipeElement element(discretization);
+  std::vector<types::global_dof_index> dofs(12);
+  for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
+    const auto cell = discretization.pipe_cell(i);
+    cell->get_dof_indices(dofs);
+    element.reinit(cell);
+    const PipeElement::Matrix12 k = element.stiffness();
+    PipeElement::Matrix12 m = PipeElement::Matrix12::Zero();
+    if (lumped) {
+      const double length =
+          element.arc() ? element.arc()->length() : (cell->vertex(1) - cell->vertex(0)).norm();
+      for (unsigned int c = 0; c < 12; ++c)
+        m(c, c) = c % 6 < 3 ? element.profile().mass * length / 2. : 0.;
+    } else
+      m = element.mass(cell);
+    for (unsigned int row = 0; row < 12; ++row)
+      for (unsigned int column = 0; column < 12; ++column) {
+        stiffness.emplace_back(dofs[row], dofs[column], k(row, column));
+        mass.emplace_back(dofs[row], dofs[column], m(row, column));
+      }
+  }
+  const VertexDofs &at = discretization.vertex_dofs();
+  for (const PointMass &point_mass : scene.masses)
+    for (const std::string &point : point_mass.points)
+      for (unsigned int d = 0; d < 3; ++d) {
+        const auto dof = at.index(mesh.points.at(point), d);
+        mass.emplace_back(dof, dof, point_mass.mass);
+      }
+  for (const Spring &spring : scene.springs)
+    for (unsigned int c = 0; c < 6; ++c) {
+      if (spring.stiffness[c] == 0.)
+        continue;
+      const auto one = at.index(mesh.points.at(spring.point), c);
+      stiffness.emplace_back(one, one, spring.stiffness[c]);
+      if (spring.other.empty())
+        continue;
+      const auto other = at.index(mesh.points.at(spring.other), c);
+      stiffness.emplace_back(other, other, spring.stiffness[c]);
+      stiffness.emplace_back(one, other, -spring.stiffness[c]);
+      stiffness.emplace_back(other, one, -spring.stiffness[c]);
+    }
+  for (unsigned int dof = 0; dof < space.n_dofs(); ++dof)
+    for (const auto &term : space.terms(dof))
+      map.emplace_back(dof, term.unknown, term.weight);
+  K.setFromTriplets(stiffness.begin(), stiffness.end());
+  M.setFromTriplets(mass.begin(), mass.end());
+  C.setFromTriplets(map.begin(), map.end());
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/line/linear_part.h"
+
+#include "base/user_error.h"
+#include "model/line/modal_damping.h"
+#include "model/line/pipe_element.h"
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile,
+                   const Vector3 &chord) {
+  CellLoad result;
+  if (!load.pipes.empty() && std::count(load.pipes.begin(), load.pipes.end(), pipe) == 0)
+    return result;
+  switch (load.kind) {
+  case Load::Kind::weight:
+    result.line_force = profile.mass * load.vector;
+    break;
+  case Load::Kind::line_force:
+    result.line_force = load.vector;
+    break;
+  case Load::Kind::temperature:
+    result.axial_strain =
+        profile.material.thermal_strain(load.installation, load.installation + load.value);
+    break;
+  case Load::Kind::pressure:
+    result.axial_strain = profile.pressure_strain * load.value;
+    result.curvature = profile.pressure_curvature * load.value;
+    result.pressure = load.value;
+    break;
+  case Load::Kind::wind: {
+    const double q = load.vector.norm();
+    const Vector3 t = chord / chord.norm(), across = (load.vector - (load.vector * t) * t) / q;
+    result.line_force = q * profile.wind_diameter * across.norm() * across;
+    break;
+  }
+  case Load::Kind::force:
+  case Load::Kind::displacement:
+    break;
+  }
+  return result;
+}
+
+namespace {
+
+/// Pressure needs a bore to act on; a section that is given by its figures has none.
+void check_pressure(const Scene &scene) {
+  for (const Load &load : scene.loads)
+    for (const Pipe &pipe : scene.pipes)
+      if (load.kind == Load::Kind::pressure && scene.sections[pipe.section].wall == 0. &&
+          (load.pipes.empty() || std::count(load.pipes.begin(), load.pipes.end(), pipe.name) > 0))
+        throw UserError("Load " + load.name + " puts pressure into pipe '" + pipe.name +
+                        "', whose section '" + scene.sections[pipe.section].name +
+                        "' is given by its area and inertia and so has no bore. Give its outer "
+                        "diameter and wall, or name the pipes under pressure in 'Pipes'.");
+}
+
+/// Unknowns of a small set of degrees of freedom, and how they depend on them: u_e = C_e q_e.
+struct LocalSpace {
+  std::vector<int> unknowns;
+  bool plain; ///< every degree of freedom is an unknown or held
+
+  LocalSpace(const std::vector<types::global_dof_index> &dofs, const ReducedSpace &space)
+      : plain(true) {
+    for (const auto dof : dofs)
+      for (const auto &term : space.terms(dof)) {
+        unknowns.push_back(term.unknown);
+        plain =
+            plain && term.weight == 1. && space.terms(dof).begin() + 1 == space.terms(dof).end();
+      }
+    std::sort(unknowns.begin(), unknowns.end());
+    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  }
+};
+
+/// Adds a matrix on degrees of freedom to the one on unknowns.
+template <typename Matrix>
+void add_local(const Matrix &local, const std::vector<types::global_dof_index> &dofs,
+               const ReducedSpace &space, SparseMatrix &global) {
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    for (const auto &row : space.terms(dofs[i]))
+      for (unsigned int j = 0; j < dofs.size(); ++j)
+        for (const auto &column : space.terms(dofs[j]))
+          add_to(global, row.unknown, column.unknown, row.weight * column.weight * local(i, j));
+}
+
+std::vector<types::global_dof_index> dofs_of_vertices(const VertexDofs &vertex_dofs,
+                                                      const std::vector<unsigned int> &vertices) {
+  std::vector<types::global_dof_index> dofs;
+  for (const unsigned int v : vertices)
+    for (unsigned int c = 0; c < 6; ++c)
+      if (vertex_dofs.index(v, c) != numbers::invalid_dof_index)
+        dofs.push_back(vertex_dofs.index(v, c));
+  return dofs;
+}
+
+} // namespace
+
+LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
+                       const Discretization &discretization, const ReducedSpace &space,
+                       const Contacts &contacts, const bool with_mass)
+    : load_forces(scene.loads.size(), Vector::Zero(space.n_unknowns())),
+      load_inertia(scene.loads.size()), load_drag(scene.loads.size()),
+      imposed_motions(scene.loads.size()), nodal_loads(scene.loads.size()) {
+  check_pressure(scene);
+  find_imposed_motions(scene, mesh, discretization, space, with_mass);
+  find_nodal_loads(scene, mesh, discretization, space);
+  make_pattern(discretization, space, contacts, scene, mesh);
+  if (with_mass)
+    M = K;
+  add_pipes(scene, discretization, space, with_mass);
+  add_springs(scene, mesh, discretization, space, with_mass);
+  if (with_mass) {
+    for (const PointMass &mass : scene.masses)
+      for (const std::string &point : mass.points) {
+        const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), {mesh.points.at(point)});
+        const std::vector<types::global_dof_index> places(dofs.begin(), dofs.begin() + 3);
+        const Eigen::Matrix3d local = mass.mass * Eigen::Matrix3d::Identity();
+        add_local(local, places, space, M);
+        add_imposed(local, places, space, load_inertia, products.mass);
+        add_imposed(scene.time.mass_damping * local, places, space, load_drag, products.damping);
+      }
+    make_damping(scene, mesh, discretization, space);
+  }
+}
+
+LinearPart::LinearPart(Matrices matrices)
+    : K(std::move(matrices.stiffness)), M(std::move(matrices.mass)), C(std::move(matrices.damping)),
+      spring_preload(std::move(matrices.preload)), load_forces(std::move(matrices.forces)),
+      load_inertia(std::move(matrices.inertia)), load_drag(std::move(matrices.drag)),
+      imposed_motions(std::move(matrices.imposed)), products(std::move(matrices.products)),
+      nodal_loads(load_forces.size()) {}
+
+void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
+                              const Discretization &discretization, const ReducedSpace &space) {
+  C.resize(K.rows(), K.cols());
+  const TimeSettings &time = scene.time;
+  if (time.mass_damping != 0. || time.stiffness_damping != 0.)
+    C = time.mass_damping * M + time.stiffness_damping * K;
+  if (time.modal_damping != 0.)
+    C = C + modal_damping(K, M, time.modal_damping);
+  SparseMatrix dashpots = K;
+  std::fill(dashpots.valuePtr(), dashpots.valuePtr() + dashpots.nonZeros(), 0.);
+  bool any = false;
+  for (const Spring &spring : scene.springs)
+    for (unsigned int c = 0; c < 6; ++c)
+      if (spring.damping[c] != 0.) {
+        std::vector<types::global_dof_index> dofs = {
+            discretization.vertex_dofs().index(mesh.points.at(spring.point), c)};
+        if (!spring.other.empty())
+          dofs.push_back(discretization.vertex_dofs().index(mesh.points.at(spring.other), c));
+        Eigen::Matrix2d local;
+        local << 1., -1., -1., 1.;
+        local *= spring.damping[c];
+        add_local(local, dofs, space, dashpots);
+        add_imposed(local, dofs, space, load_drag, products.damping);
+        any = true;
+      }
+  if (any)
+    C = C + dashpots;
+}
+
+void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
+                                  const Discretization &discretization, const ReducedSpace &space) {
+  for (unsigned int l = 0; l < scene.loads.size(); ++l) {
+    const Load &load = scene.loads[l];
+    if (load.kind == Load::Kind::force)
+      for (const Load::AtPoint &at : load.at)
+        for (unsigned int c = 0; c < 6; ++c)
+          nodal_loads[l][mesh.points.at(at.point)][c] += at.value[c];
+    if (load.kind == Load::Kind::weight)
+      for (const PointMass &mass : scene.masses)
+        for (const std::string &point : mass.points)
+          for (unsigned int d = 0; d < 3; ++d)
+            nodal_loads[l][mesh.points.at(point)][d] += mass.mass * load.vector[d];
+    for (const auto &[vertex, force] : nodal_loads[l])
+      for (unsigned int c = 0; c < 6; ++c) {
+        const auto dof = discretization.vertex_dofs().index(vertex, c);
+        if (force[c] == 0.)
+          continue;
+        if (dof == numbers::invalid_dof_index)
+          throw UserError("Load " + load.name +
+                          " puts a moment on a point that has no rotations. "
+                          "Leave the moment out.");
+        for (const auto &term : space.terms(dof))
+          load_forces[l][term.unknown] += term.weight * force[c];
+      }
+  }
+}
+
+void LinearPart::make_pattern(const Discretization &discretization, const ReducedSpace &space,
+                              const Contacts &contacts, const Scene &scene, const LineMesh &mesh) {
+  DynamicSparsityPattern pattern(space.n_unknowns());
+  const auto couple = [&](const std::vector<int> &unknowns) {
+    const std::vector<types::global_dof_index> columns(unknowns.begin(), unknowns.end());
+    for (const int row : unknowns)
+      pattern.add_entries(row, columns.begin(), columns.end(), true);
+  };
+  std::vector<types::global_dof_index> dofs(12);
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    if (discretization.info(cell).kind == Discretization::CellKind::pipe) {
+      cell->get_dof_indices(dofs);
+      couple(LocalSpace(dofs, space).unknowns);
+    }
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    couple(contacts[i].unknowns);
+  for (const Spring &spring : scene.springs) {
+    std::vector<unsigned int> vertices = {mesh.points.at(spring.point)};
+    if (!spring.other.empty())
+      vertices.push_back(mesh.points.at(spring.other));
+    couple(LocalSpace(dofs_of_vertices(discretization.vertex_dofs(), vertices), space).unknowns);
+  }
+  for (unsigned int i = 0; i < space.n_unknowns(); ++i)
+    pattern.add(i, i);
+
+  K.resize(space.n_unknowns(), space.n_unknowns());
+  K.resizeNonZeros(pattern.n_nonzero_elements());
+  int n = 0;
+  for (unsigned int i = 0; i < space.n_unknowns(); ++i) {
+    K.outerIndexPtr()[i] = n;
+    for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry) {
+      K.innerIndexPtr()[n] = entry->column();
+      K.valuePtr()[n++] = 0.;
+    }
+  }
+  K.outerIndexPtr()[space.n_unknowns()] = n;
+}
+
+void LinearPart::add_pipes(const Scene &scene, const Discretization &discretization,
+                           const ReducedSpace &space, const bool with_mass) {
+  PipeElement element(discretization);
+  std::vector<types::global_dof_index> dofs(12);
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
+    const auto &info = discretization.info(cell);
+    if (info.kind != Discretization::CellKind::pipe)
+      continue;
+    const std::string &pipe = scene.pipes[discretization.pipe_cells()[info.index].pipe].name;
+    cell->get_dof_indices(dofs);
+    element.reinit(cell);
+    const PipeElement::Matrix12 stiffness = element.stiffness();
+    add_local(stiffness, dofs, space, K);
+    add_imposed(stiffness, dofs, space, load_forces, products.stiffness);
+    if (with_mass) {
+      const PipeElement::Matrix12 mass = element.mass(cell);
+      add_local(mass, dofs, space, M);
+      add_imposed(mass, dofs, space, load_inertia, products.mass);
+      add_imposed(scene.time.mass_damping * mass + scene.time.stiffness_damping * stiffness, dofs,
+                  space, load_drag, products.damping);
+    }
+
+    const auto line = element.unit_line_loads();
+    const PipeElement::Vector12 strain = element.unit_axial_strain(),
+                                curvature = element.unit_curvature(),
+                                thrust = element.unit_thrust();
+    for (unsigned int l = 0; l < scene.loads.size(); ++l) {
+      const CellLoad load =
+          cell_load(scene.loads[l], pipe, element.profile(), cell->vertex(1) - cell->vertex(0));
+      if (load.axial_strain == 0. && load.line_force.norm() == 0. && load.pressure == 0.)
+        continue;
+      const PipeElement::Vector12 forces =
+          line * Eigen::Vector3d(load.line_force[0], load.line_force[1], load.line_force[2]) +
+          load.axial_strain * strain + load.curvature * curvature + load.pressure * thrust;
+      for (unsigned int i = 0; i < 12; ++i)
+        for (const auto &term : space.terms(dofs[i]))
+          load_forces[l][term.unknown] += term.weight * forces[i];
+    }
+  }
+}
+
+void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
+                             const Discretization &discretization, const ReducedSpace &space,
+                             const bool with_mass) {
+  const VertexDofs &vertex_dofs = discretization.vertex_dofs();
+  spring_preload = Vector::Zero(space.n_unknowns());
+  for (const Spring &spring : scene.springs)
+    for (const auto &term : space.terms(vertex_dofs.index(mesh.points.at(spring.point), 2)))
+      spring_preload[term.unknown] += term.weight * spring.preload;
+  for (const Spring &spring : scene.springs)
+    for (unsigned int c = 0; c < 6; ++c) {
+      if (spring.stiffness[c] == 0.)
+        continue;
+      std::vector<types::global_dof_index> dofs = {
+          vertex_dofs.index(mesh.points.at(spring.point), c)};
+      if (!spring.other.empty())
+        dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
+      for (const auto dof : dofs)
+        if (dof == numbers::invalid_dof_index)
+          throw UserError("Spring " + spring.name +
+                          " has a rotational stiffness at a point without rotations. Set it to 0.");
+      Eigen::Matrix2d local;
+      local << 1., -1., -1., 1.;
+      local *= spring.stiffness[c];
+      add_local(local, dofs, space, K);
+      add_imposed(local, dofs, space, load_forces, products.stiffness);
+      if (with_mass)
+        add_imposed(scene.time.stiffness_damping * local, dofs, space, load_drag, products.damping);
+    }
+}
+
+} // namespace frictionbeam

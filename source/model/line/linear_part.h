@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/contact/contacts.h"
+
+#include <unordered_map>
+
+namespace frictionbeam {
+
+/**
+ * What is linear in a scene, assembled once: stiffness and mass of pipes, springs and point masses
+ * on the free unknowns, and for each load (at factor 1) its forces and its imposed motions.
+ */
+class LinearPart {
+public:
+  LinearPart(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+             const ReducedSpace &space, const Contacts &contacts, const bool with_mass);
+
+  /// Of the motions b_l that loads impose, by pairs of loads: b_k^T A b_l; without entries if no
+  /// load imposes any.
+  struct Products {
+    Eigen::MatrixXd stiffness, mass, damping;
+  };
+
+  /// Of a model whose matrices come from elsewhere; damping may be without entries.
+  struct Matrices {
+    SparseMatrix stiffness, mass, damping;
+    Vector preload;
+    std::vector<Vector> forces;                                        ///< by load
+    std::vector<Vector> inertia, drag;                                 ///< likewise, or empty
+    std::vector<std::vector<std::pair<unsigned int, double>>> imposed; ///< likewise
+    Products products;
+  };
+  explicit LinearPart(Matrices matrices);
+
+  /// Symmetric, with the pattern of the contacts' tangents in it.
+  const SparseMatrix &stiffness() const { return K; }
+  /// Same pattern; empty if not asked for.
+  const SparseMatrix &mass() const { return M; }
+  /// Viscous damping; without entries if there is none or no mass was asked for.
+  const SparseMatrix &damping() const { return C; }
+
+  /// Forces of load @p l on the unknowns, those of its imposed motions included.
+  const Vector &forces(const unsigned int l) const { return load_forces[l]; }
+  /// Whether load @p l imposes motions on nodes whose cells have mass or damping.
+  bool accelerates(const unsigned int l) const { return load_inertia[l].size() > 0; }
+  /// Forces on the unknowns per second and first derivative in time of the factor of such a load:
+  /// inertia -M_ub u_b and Rayleigh damping of the motions that it imposes.
+  const Vector &inertia(const unsigned int l) const { return load_inertia[l]; }
+  const Vector &drag(const unsigned int l) const { return load_drag[l]; }
+  /// Forces that are there from the start, of springs and hangers.
+  const Vector &preload() const { return spring_preload; }
+  /// Motions that load @p l imposes on all degrees of freedom, as (dof, value) pairs.
+  const std::vector<std::pair<unsigned int, double>> &imposed(const unsigned int l) const {
+    return imposed_motions[l];
+  }
+  const Products &imposed_products() const { return products; }
+  /// What stored energy has besides q^T K q / 2, at factors x of the loads: -sum x_l f_l . q +
+  /// x^T b^T K b x / 2 over the loads that impose motions.
+  double stored_by_imposed(const std::vector<double> &factors, const Vector &unknowns) const;
+  /// What kinetic energy has besides v^T M v / 2, likewise of the factors' rates.
+  double kinetic_by_imposed(const std::vector<double> &rates, const Vector &velocity) const;
+  /// Forces and moments that load @p l puts on vertices by itself (point loads, weight of masses).
+  const std::map<unsigned int, Motion> &nodal(const unsigned int l) const { return nodal_loads[l]; }
+
+private:
+  void find_imposed_motions(const Scene &scene, const LineMesh &mesh,
+                            const Discretization &discretization, const ReducedSpace &space,
+                            const bool with_mass);
+  /// What a matrix on a few degrees of freedom is to motions that loads impose there: @p forces on
+  /// the unknowns and products.
+  void add_imposed(const Eigen::MatrixXd &local,
+                   const std::vector<dealii::types::global_dof_index> &dofs,
+                   const ReducedSpace &space, std::vector<Vector> &forces,
+                   Eigen::MatrixXd &products_of_motions) const;
+  void find_nodal_loads(const Scene &scene, const LineMesh &mesh,
+                        const Discretization &discretization, const ReducedSpace &space);
+  void make_pattern(const Discretization &discretization, const ReducedSpace &space,
+                    const Contacts &contacts, const Scene &scene, const LineMesh &mesh);
+  void add_pipes(const Scene &scene, const Discretization &discretization,
+                 const ReducedSpace &space, const bool with_mass);
+  void add_springs(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+                   const ReducedSpace &space, const bool with_mass);
+  void make_damping(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+                    const ReducedSpace &space);
+
+  SparseMatrix K, M, C;
+  Vector spring_preload;
+  std::vector<Vector> load_forces, load_inertia, load_drag;
+  std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;
+  /// The same by degree of freedom: loads and values.
+  std::unordered_map<dealii::types::global_dof_index, std::vector<std::pair<unsigned int, double>>>
+      imposed_at;
+  Products products;
+  std::vector<std::map<unsigned int, Motion>> nodal_loads;
+};
+
+/// Force per length and axial strain that a load puts on a cell of @p pipe with @p profile.
+struct CellLoad {
+  Vector3 line_force;
+  double axial_strain = 0.;
+  double curvature = 0.; ///< about an arc's axis [1/m]
+  double pressure = 0.;  ///< that pushes the sides of its joints apart [Pa]
+};
+/// @param chord of the cell, for wind
+CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile,
+                   const Vector3 &chord);
+
+} // namespace frictionbeam

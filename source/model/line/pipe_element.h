@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/unknowns/discretization.h"
+#include <frictionbeam/generalized_strain.h>
+
+#include <Eigen/Core>
+
+namespace frictionbeam {
+
+/**
+ * Matrices and vectors of one pipe cell, integrated through FEValues. Degrees of freedom stand in
+ * the order of deal.II's cell: 6 at vertex 0, 6 at vertex 1, global axes. Straight cells and arcs.
+ *
+ * Joints of flexibility F at the ends stand in series with the cell: if the nodes move by u, its
+ * ends move by (1 + F K)^-1 u, so that K becomes K (1 + F K)^-1 and loads are carried by the
+ * transposed.
+ */
+class PipeElement {
+public:
+  using Matrix12 = Eigen::Matrix<double, 12, 12>;
+  using Vector12 = Eigen::Matrix<double, 12, 1>;
+
+  explicit PipeElement(const Discretization &discretization);
+
+  /// Evaluate the shape functions on a cell; the functions below then speak of it.
+  void reinit(const Discretization::Cell &cell);
+
+  /// Integral of B^T D B, exact with two Gauss points (twelve for an arc).
+  Matrix12 stiffness() const;
+  /// Forces of a unit force per length in each global direction (columns) [N per N/m].
+  Eigen::Matrix<double, 12, 3> unit_line_loads() const;
+  /// Nodal forces that a unit axial strain, if it were free, would need.
+  Vector12 unit_axial_strain() const;
+  /// Nodal forces that a unit change of curvature about an arc's axis, if it were free, would need.
+  Vector12 unit_curvature() const;
+  /// Nodal forces that a unit pressure in the cell's joints, if they were free, would need.
+  Vector12 unit_thrust() const;
+  /// Motions of the cell's ends beyond its joints, which yield to the forces on them and to
+  /// pressure, if the nodes have the motions @p nodes and put the forces @p ends on the cell.
+  Vector12 inside(const Vector12 &nodes, const Vector12 &ends, const double pressure) const {
+    return jointed ? Vector12(nodes - joint_flexibility * ends + pressure * pushed) : nodes;
+  }
+  /// Consistent mass with rotary inertia, exact with four Gauss points (twelve for an arc).
+  Matrix12 mass(const Discretization::Cell &cell);
+
+  const Profile &profile() const { return *section; }
+  /// The cell as an exact arc; empty for a straight one.
+  const std::optional<ArcBeam> &arc() const { return bend; }
+
+private:
+  const Discretization &discretization;
+  dealii::FEValues<1, 3> straight_values, straight_mass_values;
+  std::unique_ptr<dealii::FEValues<1, 3>> arc_values; ///< if the line has arcs
+  dealii::FEValues<1, 3> *values = nullptr;           ///< of the cell
+  Matrix12 plain_stiffness() const;                   ///< without joints
+  void add_joints(const CellJoints &joints);
+
+  const Profile *section = nullptr;
+  bool jointed = false;
+  Matrix12 joint_flexibility; ///< F
+  Matrix12 beyond;            ///< (1 + F K)^-1
+  Vector12 pushed;            ///< free motion of the cell's ends per pressure
+  std::optional<ArcBeam> bend;
+  double stretch = 1.;                                    ///< length over chord
+  std::vector<std::array<GeneralizedStrain, 12>> strains; ///< by quadrature point, function
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/line_model.h"
+
+#include "mesh/build_line_mesh.h"
+#include "model/contact/finite_rigidity.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+namespace {
+
+std::optional<const CorotationalLine> corotational_line(const Scene &scene, const LineMesh &mesh,
+                                                        const Discretization &discretization,
+                                                        const ReducedSpace &space,
+                                                        const LinearPart &linear) {
+  if (scene.kinematics != Kinematics::corotational)
+    return {};
+  return std::optional<const CorotationalLine>(std::in_place, scene, mesh, discretization, space,
+                                               linear);
+}
+
+} // namespace
+
+bool has_transient_step(const Scene &scene) {
+  return std::any_of(scene.steps.begin(), scene.steps.end(),
+                     [](const LoadStep &step) { return step.transient; });
+}
+
+LineModel::LineModel(const Scene &scene, const LawLibrary &laws)
+    : LineModel(scene, build_line_mesh(scene), laws) {}
+
+LineModel::LineModel(const Scene &scene, LineMesh line_mesh, const LawLibrary &laws)
+    : mesh(std::move(line_mesh)), discretization(scene, mesh, laws),
+      space(scene, mesh, discretization), contacts(scene, mesh, discretization, space, laws),
+      linear(scene, mesh, discretization, space, contacts, has_transient_step(scene)),
+      corotational(corotational_line(scene, mesh, discretization, space, linear)),
+      whole{scene,
+            mesh,
+            discretization,
+            space,
+            contacts,
+            linear,
+            corotational ? &*corotational : nullptr} {
+  if (scene.solver.method == SolverSettings::Method::newton && !has_transient_step(scene) &&
+      scene.kinematics == Kinematics::linear)
+    make_rigid_contacts_finite(linear.stiffness(), contacts);
+}
+
+} // namespace frictionbeam

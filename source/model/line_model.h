@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/cell/corotational_line.h"
+#include "model/model.h"
+
+#include <optional>
+
+namespace frictionbeam {
+
+/**
+ * A scene's line, ready to be analysed: owns its parts in the order in which each is made from
+ * those before it. The scene and the laws must outlive it.
+ */
+class LineModel {
+public:
+  /// Meshes the scene's pipes. @throws UserError for what cannot be meshed or assembled
+  LineModel(const Scene &scene, const LawLibrary &laws);
+  /// On a mesh of the scene's pipes.
+  LineModel(const Scene &scene, LineMesh mesh, const LawLibrary &laws);
+  LineModel(const LineModel &) = delete; // its parts know each other
+  LineModel &operator=(const LineModel &) = delete;
+
+  const Model &model() const { return whole; }
+
+private:
+  const LineMesh mesh;
+  const Discretization discretization;
+  const ReducedSpace space;
+  Contacts contacts;
+  const LinearPart linear;
+  std::optional<const CorotationalLine> corotational;
+  const Model whole;
+};
+
+/// Whether the scene has a step in which mass counts.
+bool has_transient_step(const Scene &scene);
+
+} // namespace frictionbeam

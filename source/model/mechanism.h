@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/model.h"
+
+namespace frictionbeam {
+
+/**
+ * Check that nothing in a static scene can move as a rigid body: for every connected part of the
+ * line, whether restraints, springs and supports (one-way ones counted as if they held both ways)
+ * leave a rigid motion free.
+ * @throws UserError that names the part and its free motion.
+ * @return warnings, one for each part that friction alone holds against some motion.
+ */
+std::vector<std::string> check_mechanisms(const Model &model);
+
+} // namespace frictionbeam

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/unknowns/discretization.h"
+
+#include "base/user_error.h"
+#include "scene/file/parameter_reader.h"
+#include <frictionbeam/fe_timoshenko_beam.h>
+#include <frictionbeam/generalized_strain.h>
+
+#include <algorithm>
+#include <set>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// As create_line_triangulation(), of cells that have been checked: what it refuses are loops.
+std::vector<CellOrigin> triangulate(const std::vector<Point<3>> &points,
+                                    const std::vector<LineCell> &cells,
+                                    Triangulation<1, 3> &triangulation) {
+  try {
+    return create_line_triangulation(points, cells, triangulation);
+  } catch (const StandardExceptions::ExcMessage &) {
+    throw UserError("The loops of the pipes meet in such a way that they cannot be put in order.\n"
+                    "  read:    pipes that meet, four or more at a point, in many loops\n"
+                    "  allowed: loops that meet at points of three pipes\n"
+                    "  try:     pulling such a point apart by a short pipe");
+  }
+}
+
+} // namespace
+
+double bend_flexibility(const Pipe &pipe, const Section &section, const Material &material,
+                        const double bend_radius) {
+  if (bend_radius == 0. || pipe.bend_flexibility.rule == BendFlexibility::Rule::none)
+    return 1.;
+  if (pipe.bend_flexibility.rule == BendFlexibility::Rule::given)
+    return pipe.bend_flexibility.factor;
+  if (section.wall == 0.)
+    throw UserError("Pipe " + pipe.name +
+                    ": Bend flexibility = code needs the outer diameter and "
+                    "the wall of section '" +
+                    section.name +
+                    "', which is given by its area and inertia. Give them, a number, or none.");
+  const double r = section.outer_radius - section.wall / 2.;
+  const double t = section.wall, R = bend_radius, h = t * R / (r * r);
+  if (pipe.bend_flexibility.rule == BendFlexibility::Rule::von_karman)
+    return (10. + 12. * h * h) / (1. + 12. * h * h);
+  const double stiffening = 1. + 6. * pipe.bend_flexibility.pressure / material.youngs_modulus *
+                                     std::pow(r / t, 7. / 3.) * std::cbrt(R / r);
+  return std::max(1., 1.65 / h / stiffening);
+}
+
+Vector3 resolve(const Direction &direction, const Vector3 &tangent, const std::string &part) {
+  if (direction.kind == Direction::Kind::global)
+    return direction.sign * direction.vector;
+  if (tangent.norm() == 0.)
+    throw UserError("Support " + part +
+                    " follows the direction of a pipe, and no pipe reaches its "
+                    "point. Give its direction, or place it on a pipe.");
+  const LocalAxes axes(tangent);
+  return direction.sign * (direction.kind == Direction::Kind::along ? axes.x : axes.y);
+}
+
+namespace {
+
+/// The section law's tangent at zero strain, through the law interface.
+Table<2, double> section_tangent(const LawDescription &law, const Profile &profile) {
+  std::vector<double> parameters = default_parameters(law);
+  const std::pair<const char *, double> values[] = {{"Axial rigidity", profile.EA},
+                                                    {"Shear rigidity", profile.GA},
+                                                    {"Torsional rigidity", profile.GJ},
+                                                    {"Bending rigidity", profile.EI}};
+  for (const auto &[name, value] : values)
+    parameters[parameter_index(law, name)] = value;
+  const std::vector<double> zero(std::max(n_section_strains, law.n_internal_variables), 0.);
+  std::vector<double> stress(n_section_strains), tangent(n_section_strains * n_section_strains),
+      state(law.n_internal_variables);
+  const LawInput input{
+      parameters.data(), zero.data(),           zero.data(), nullptr, 1., 0., 0., 20.,
+      zero.data(),       LawTangent::consistent};
+  LawOutput output{stress.data(), tangent.data(), state.data(), 0., ContactStatus::none};
+  law.law->integrate(input, output);
+  Table<2, double> result(n_section_strains, n_section_strains);
+  result.fill(tangent.begin(), true);
+  return result;
+}
+
+/// Options of the friction element; in a turned cell the pipe is the second node.
+std::pair<FE_FrictionBeam::Rotations, bool> element_option(const FrictionSupport &support,
+                                                           const bool reversed) {
+  using Rotations = FE_FrictionBeam::Rotations;
+  switch (support.rotations) {
+  case FrictionSupport::Rotations::none:
+    return {Rotations::none, support.torsion};
+  case FrictionSupport::Rotations::averaged:
+    return {Rotations::averaged, support.torsion};
+  default:
+    return {reversed ? Rotations::second_node : Rotations::first_node, support.torsion};
+  }
+}
+
+/// How many times stiffer than its section a valve or flange is.
+constexpr double rigid_part = 1000.;
+
+Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
+                     const double bend_radius, const std::optional<Point3> &arc_centre,
+                     const LawDescription &law) {
+  const double E = material.youngs_modulus, G = E / (2. * (1. + material.poissons_ratio));
+  Profile profile;
+  profile.EA = E * section.area;
+  profile.GA = G * section.shear_area;
+  profile.GJ = G * section.torsion_constant;
+  profile.EI = E * section.inertia / bend_flexibility(pipe, section, material, bend_radius);
+  profile.mass = material.density * section.area + section.added_mass;
+  profile.wind_diameter = 2. * (section.outer_radius + section.insulation);
+  profile.rotary_inertia = section.rotary_inertia ? material.density * section.inertia : 0.;
+  profile.material = material;
+  profile.pressure_strain = section.bore_area() * (1. - 2. * material.poissons_ratio) / profile.EA;
+  const double stiffer = pipe.rigid ? rigid_part : 1.;
+  for (double *rigidity : {&profile.EA, &profile.GA, &profile.GJ, &profile.EI})
+    *rigidity *= stiffer;
+  profile.pressure_strain /= stiffer;
+  if (arc_centre) {
+    // The Bourdon effect: pressure straightens a bend (MEL 10-66, eq. 3-29).
+    const double r = section.outer_radius - section.wall / 2., nu = material.poissons_ratio;
+    if (section.wall > 0.)
+      profile.pressure_curvature =
+          -numbers::PI * r * r * r * r / (2. * stiffer * E * section.inertia) *
+          (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (bend_radius * bend_radius)) / bend_radius;
+    profile.arc_centre = arc_centre;
+  }
+  profile.tangent = section_tangent(law, profile);
+  return profile;
+}
+
+/// Of a reducer, the section in the middle of a cell; of another pipe, its own.
+Section section_of(const Scene &scene, const Pipe &pipe, const MeshedPipe &meshed,
+                   const unsigned int cell) {
+  const Section &begin = scene.sections[pipe.section];
+  if (!pipe.end_section)
+    return begin;
+  return between(begin, scene.sections[*pipe.end_section],
+                 (meshed.s[cell] + meshed.s[cell + 1]) / (2. * meshed.s.back()));
+}
+
+} // namespace
+
+namespace {
+
+/// What the triangulation cannot be made of, in the user's words.
+void check_cells(const std::vector<Point3> &points, const std::vector<LineCell> &cells) {
+  if (cells.empty())
+    throw UserError("The scene has no line.\n  read:    no pipe, and no point with a support or "
+                    "a spring\n  allowed: at least one of them\n  try:     a pipe, or, if the "
+                    "scene is a body, Model = continuum; 'check' draws lines only");
+  for (const LineCell &cell : cells) {
+    const Point3 &at = points[cell.vertices[0]];
+    if (!(at.distance(points[cell.vertices[1]]) > 0.))
+      throw UserError("Two points that a support or a spring joins stand at one place.\n  read:    "
+                      "(" +
+                      to_text(at[0]) + ", " + to_text(at[1]) + ", " + to_text(at[2]) +
+                      ") m for both\n  allowed: points apart from each other, as of a support and "
+                      "its Ground\n  try:     another Position of one of them");
+  }
+}
+
+} // namespace
+
+Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws)
+    : dofs(triangulation), points(mesh.vertices), n_own(mesh.vertices.size()) {
+  add_profiles(scene, mesh, laws);
+  std::vector<double> shear_flexibility;
+  for (const Profile &profile : sections)
+    shear_flexibility.push_back(profile.GA > 0. ? 12. * profile.EI / profile.GA : 0.);
+  fe.push_back(FE_TimoshenkoBeam(shear_flexibility));
+  std::map<unsigned int, ArcData> arcs;
+  for (unsigned int id = 0; id < sections.size(); ++id)
+    if (sections[id].arc_centre)
+      arcs[id] = sections[id].arc();
+  if (!arcs.empty())
+    fe.push_back(FE_ArcBeam(arcs));
+  first_option = fe.size();
+  using Rotations = FE_FrictionBeam::Rotations;
+  const auto add_option = [this](const std::pair<Rotations, bool> &option) {
+    if (std::find(options.begin(), options.end(), option) == options.end())
+      options.push_back(option);
+  };
+  for (const FrictionSupport &support : scene.supports) {
+    add_option(element_option(support, false));
+    add_option(element_option(support, true)); // the triangulation may turn the cell
+  }
+  const bool turning_spring =
+      std::any_of(scene.springs.begin(), scene.springs.end(), [](const Spring &spring) {
+        return spring.stiffness[3] != 0. || spring.stiffness[4] != 0. || spring.stiffness[5] != 0.;
+      });
+  if (!scene.springs.empty()) // carriers of free points
+    options.emplace_back(turning_spring ? Rotations::averaged : Rotations::none, turning_spring);
+  for (const auto &[rotations, torsion] : options)
+    fe.push_back(FE_FrictionBeam(rotations, torsion));
+  add_supports(scene, mesh);
+  add_carriers(scene, mesh);
+  check_cells(points, cells);
+  const std::vector<CellOrigin> origins = triangulate(points, cells, triangulation);
+  infos.resize(cells.size());
+  cell_level_index.resize(cells.size());
+  for (const auto &cell : dofs.active_cell_iterators()) {
+    const CellOrigin &origin = origins[cell->active_cell_index()];
+    cell_level_index[origin.index] = cell->index();
+    CellInfo &info = infos[cell->active_cell_index()];
+    if (origin.index < pipes.size()) {
+      info = {CellKind::pipe, origin.index};
+      pipes[origin.index].reversed = origin.reversed;
+    } else if (origin.index < pipes.size() + supports.size()) {
+      info = {CellKind::support, origin.index - static_cast<unsigned int>(pipes.size())};
+      fe_index[origin.index] =
+          element_index(scene.supports[supports[info.index].support], origin.reversed);
+    } else
+      info = {CellKind::carrier, 0};
+    cell->set_active_fe_index(fe_index[origin.index]);
+  }
+  dofs.distribute_dofs(fe);
+  add_joints(scene, mesh);
+  dofs_at_vertex = std::make_unique<const VertexDofs>(dofs);
+}
+
+Discretization::Cell Discretization::at(const unsigned int author_index) const {
+  return {&triangulation, 0, static_cast<int>(cell_level_index[author_index]), &dofs};
+}
+
+std::optional<ArcBeam> Discretization::arc(const Cell &cell) const {
+  const Profile &profile = sections[cell->material_id()];
+  if (!profile.arc_centre)
+    return {};
+  return ArcBeam(cell->vertex(0), cell->vertex(1), profile.arc());
+}
+
+void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
+                                  const LawLibrary &laws) {
+  const LawDescription &law = laws.find("elastic_section");
+  std::map<std::pair<unsigned int, double>, unsigned int> known; // pipe, bend radius
+  for (unsigned int p = 0; p < mesh.pipes.size(); ++p) {
+    const MeshedPipe &meshed = mesh.pipes[p];
+    const Pipe &pipe = scene.pipes[p];
+    for (unsigned int i = 0; i + 1 < meshed.vertices.size(); ++i) {
+      const auto arc = meshed.arc_centre.find(i);
+      const bool is_arc = arc != meshed.arc_centre.end();
+      unsigned int id = sections.size();
+      if (!is_arc && !pipe.end_section)
+        id = known.try_emplace({p, meshed.bend_radius[i]}, id).first->second;
+      if (id == sections.size()) {
+        const Section section = section_of(scene, pipe, meshed, i);
+        sections.push_back(
+            make_profile(pipe, section, scene.materials[pipe.material], meshed.bend_radius[i],
+                         is_arc ? std::optional<Point3>(arc->second) : std::nullopt, law));
+        if (pipe.total_mass)
+          sections[id].mass = *pipe.total_mass / meshed.s.back() + section.added_mass;
+      }
+      cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, id});
+      fe_index.push_back(is_arc ? 1 : 0);
+      pipes.push_back({p, i, false});
+    }
+  }
+}
+
+unsigned int Discretization::element_index(const FrictionSupport &support,
+                                           const bool reversed) const {
+  const auto option = element_option(support, reversed);
+  return first_option + (std::find(options.begin(), options.end(), option) - options.begin());
+}
+
+void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
+  for (unsigned int i = 0; i < scene.supports.size(); ++i) {
+    const FrictionSupport &support = scene.supports[i];
+    for (unsigned int site = 0; site < mesh.supports[i].size(); ++site) {
+      const unsigned int on = mesh.supports[i][site].vertex;
+      unsigned int ground;
+      double length = support.length;
+      const Vector3 &tangent = mesh.supports[i][site].tangent;
+      if (support.kind == "guide" && tangent.norm() > 0. && std::abs(tangent[2]) > 1. - 1e-6)
+        throw UserError(
+            "Support " + support.name +
+            ": with a gap, friction or a stiffness, a guide on a vertical pipe would "
+            "hold one of its two horizontal directions only. Give two supports of Kind = "
+            "stop instead, with Normal = 1 0 0 and Normal = 0 1 0.");
+      Vector3 axis = -1. * resolve(support.normal, tangent, support.name);
+      if (support.ground.empty()) {
+        ground = points.size();
+        points.push_back(points[on] + support.length * axis);
+      } else {
+        ground = mesh.points.at(support.ground);
+        const Vector3 way = points[ground] - points[on];
+        if (way.norm() == 0.)
+          throw UserError("Support " + support.name + " and its Ground " + support.ground +
+                          " are at the same place. Place them a Length apart along the Normal.");
+        if (axis.norm() == 0.)
+          axis = (support.normal.sign) * way;
+        if (length == 0.)
+          length = way.norm();
+      }
+      cells.push_back({{on, ground}, 0});
+      fe_index.push_back(element_index(support, false));
+      supports.push_back({i, site, {on, ground}, axis / axis.norm(), length});
+    }
+  }
+}
+
+void Discretization::add_carriers(const Scene &scene, const LineMesh &mesh) {
+  std::set<unsigned int> reached;
+  for (const LineCell &cell : cells)
+    reached.insert(cell.vertices.begin(), cell.vertices.end());
+  for (const Spring &spring : scene.springs)
+    for (const std::string &name : {spring.point, spring.other}) {
+      if (name.empty() || !reached.insert(mesh.points.at(name)).second)
+        continue;
+      const unsigned int vertex = mesh.points.at(name);
+      points.push_back(points[vertex] + Vector3({0., 0., -1.}));
+      cells.push_back({{vertex, static_cast<unsigned int>(points.size() - 1)}, 0});
+      fe_index.push_back(fe.size() - 1);
+    }
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/unknowns/reduced_space.h"
+
+#include <frictionbeam/generalized_strain.h>
+
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+Tensor<1, 6> translation(const Vector3 &direction) {
+  Tensor<1, 6> row;
+  for (unsigned int d = 0; d < 3; ++d)
+    row[d] = direction[d];
+  return row;
+}
+
+Tensor<1, 6> motion(const unsigned int component) {
+  Tensor<1, 6> row;
+  row[component] = 1.;
+  return row;
+}
+
+/// Add what of a direction is not held yet, as a unit vector.
+void add_orthonormal(Tensor<1, 6> direction, std::vector<Tensor<1, 6>> &held) {
+  for (const Tensor<1, 6> &other : held)
+    direction -= (direction * other) * other;
+  if (direction.norm() > 1e-6)
+    held.push_back(direction / direction.norm());
+}
+
+/// Every direction in which something is held.
+std::vector<ReducedSpace::Held> collect(const Scene &scene, const LineMesh &mesh,
+                                        const Discretization &discretization) {
+  std::vector<ReducedSpace::Held> rows;
+  for (unsigned int i = 0; i < scene.restraints.size(); ++i)
+    for (const Site &site : mesh.restraints[i])
+      for (const Tensor<1, 6> &direction : held_directions(scene.restraints[i], site))
+        rows.push_back({site.vertex, direction});
+  for (const Load &load : scene.loads)
+    if (load.kind == Load::Kind::displacement)
+      for (const Load::AtPoint &at : load.at)
+        for (unsigned int c = 0; c < 6; ++c)
+          if (at.given[c])
+            rows.push_back({mesh.points.at(at.point), motion(c)});
+  for (unsigned int c = 0; c < 6; ++c)
+    if (!scene.free_motions[c])
+      for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v)
+        rows.push_back({v, motion(c)});
+
+  // The ground: fixed, or a platen free along its normal.
+  std::vector<bool> platen(discretization.vertices().size(), false);
+  for (const SupportCell &cell : discretization.support_cells()) {
+    const FrictionSupport &support = scene.supports[cell.support];
+    const unsigned int ground = cell.vertices[1];
+    if (support.normal_force == 0. || ground < discretization.n_line_vertices())
+      continue;
+    platen[ground] = true;
+    const LocalAxes axes(cell.axis);
+    rows.push_back({ground, translation(axes.y)});
+    rows.push_back({ground, translation(axes.z)});
+    for (unsigned int c = 3; c < 6; ++c)
+      rows.push_back({ground, motion(c)});
+  }
+  for (unsigned int v = discretization.n_line_vertices(); v < platen.size(); ++v)
+    if (!platen[v])
+      for (unsigned int c = 0; c < 6; ++c)
+        rows.push_back({v, motion(c)});
+  return rows;
+}
+
+/// The held directions of one vertex, brought to the form: one motion = combination of free ones.
+struct VertexElimination {
+  std::array<int, 6> pivot_row{{-1, -1, -1, -1, -1, -1}};
+  std::vector<Tensor<1, 6>> rows;
+
+  void hold(Tensor<1, 6> row) {
+    for (unsigned int c = 0; c < 6; ++c)
+      if (pivot_row[c] >= 0) {
+        const double factor = row[c];
+        row -= factor * rows[pivot_row[c]];
+        row[c] = 0.;
+      }
+    unsigned int pivot = 0;
+    for (unsigned int c = 1; c < 6; ++c)
+      if (std::abs(row[c]) > std::abs(row[pivot]) * (1. + 1e-12))
+        pivot = c;
+    if (std::abs(row[pivot]) < 1e-10) // held already
+      return;
+    row /= double(row[pivot]);
+    row[pivot] = 1.;
+    for (auto &other : rows) {
+      const double factor = other[pivot];
+      other -= factor * row;
+      other[pivot] = 0.;
+    }
+    pivot_row[pivot] = rows.size();
+    rows.push_back(row);
+  }
+};
+
+} // namespace
+
+std::vector<Tensor<1, 6>> held_directions(const Restraint &restraint, const Site &site) {
+  std::vector<Tensor<1, 6>> held;
+  for (unsigned int c = 0; c < 6; ++c)
+    if (restraint.fixed[c])
+      held.push_back(motion(c));
+  for (const Direction &direction : restraint.translations) {
+    add_orthonormal(translation(resolve(direction, site.tangent, restraint.name)), held);
+    if (direction.kind == Direction::Kind::across && std::abs(site.tangent[2]) > 1. - 1e-6)
+      add_orthonormal(translation(LocalAxes(site.tangent).z), held);
+  }
+  return held;
+}
+
+ReducedSpace::ReducedSpace(const Scene &scene, const LineMesh &mesh,
+                           const Discretization &discretization)
+    : rows(collect(scene, mesh, discretization)) {
+  const VertexDofs &vertex_dofs = discretization.vertex_dofs();
+  std::map<unsigned int, VertexElimination> eliminations;
+  for (const Held &held : rows)
+    eliminations[held.vertex].hold(held.direction);
+
+  AffineConstraints<double> constraints;
+  for (const auto &[vertex, elimination] : eliminations)
+    for (unsigned int c = 0; c < 6; ++c) {
+      const auto dof = vertex_dofs.index(vertex, c);
+      if (elimination.pivot_row[c] < 0 || dof == numbers::invalid_dof_index)
+        continue;
+      constraints.add_line(dof);
+      const Tensor<1, 6> &row = elimination.rows[elimination.pivot_row[c]];
+      for (unsigned int other = 0; other < 6; ++other)
+        if (other != c && std::abs(row[other]) > 1e-14)
+          constraints.add_entry(dof, vertex_dofs.index(vertex, other), -row[other]);
+    }
+  constraints.close();
+
+  const auto n = discretization.dof_handler().n_dofs();
+  std::vector<int> number(n, -1);
+  for (types::global_dof_index dof = 0; dof < n; ++dof)
+    if (!constraints.is_constrained(dof))
+      number[dof] = n_free++;
+  start.assign(1, 0);
+  for (types::global_dof_index dof = 0; dof < n; ++dof) {
+    if (number[dof] >= 0)
+      terms_of_all.push_back({number[dof], 1.});
+    else
+      for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
+        terms_of_all.push_back({number[other], weight});
+    start.push_back(terms_of_all.size());
+  }
+}
+
+ReducedSpace::ReducedSpace(const unsigned int n_unknowns,
+                           const std::vector<std::vector<Term>> &terms)
+    : n_free(n_unknowns), start(1, 0) {
+  for (const std::vector<Term> &of_one : terms) {
+    terms_of_all.insert(terms_of_all.end(), of_one.begin(), of_one.end());
+    start.push_back(terms_of_all.size());
+  }
+}
+
+void ReducedSpace::expand(const Vector &unknowns, Vector &dofs) const {
+  dofs.resize(n_dofs());
+  for (unsigned int dof = 0; dof < n_dofs(); ++dof) {
+    double value = 0.;
+    for (const Term &term : terms(dof))
+      value += term.weight * unknowns[term.unknown];
+    dofs[dof] = value;
+  }
+}
+
+Vector ReducedSpace::restrict_forces(const Vector &dofs) const {
+  Vector forces = Vector::Zero(n_free);
+  for (unsigned int dof = 0; dof < n_dofs(); ++dof)
+    for (const Term &term : terms(dof))
+      forces[term.unknown] += term.weight * dofs[dof];
+  return forces;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "results/results.h"
+
+namespace frictionbeam {
+
+/**
+ * Judge the account of energy of every static step, in which nothing may be left over but rounding:
+ * above a millionth of the turnover a remark says so, above a hundredth the step has not converged.
+ * With large displacements the account measures the increments instead, and is not judged.
+ */
+void judge_energy(const Scene &scene, Results &results);
+
+/// Turnover below which a step's is rounding of the largest step's [J].
+double least_turnover(const std::vector<StepReport> &steps);
+
+} // namespace frictionbeam

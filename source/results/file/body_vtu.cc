@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/body_results.h"
+#include "results/file/output_file.h"
+
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <sstream>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// Stress of plane or solid bodies, components xx, yy, xy (zz, yz, zx).
+template <int dim>
+class StressOutput : public DataPostprocessor<dim> {
+public:
+  explicit StressOutput(const LameConstants &lame) : lame(lame) {}
+
+  std::vector<std::string> get_names() const override {
+    if (dim == 2)
+      return {"stress_xx", "stress_yy", "stress_xy"};
+    return {"stress_xx", "stress_yy", "stress_xy", "stress_zz", "stress_yz", "stress_zx"};
+  }
+  UpdateFlags get_needed_update_flags() const override { return update_gradients; }
+  std::vector<DataComponentInterpretation::DataComponentInterpretation>
+  get_data_component_interpretation() const override {
+    return std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+        get_names().size(), DataComponentInterpretation::component_is_scalar);
+  }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
+                             std::vector<dealii::Vector<double>> &values) const override {
+    for (unsigned int q = 0; q < values.size(); ++q) {
+      const auto &g = inputs.solution_gradients[q];
+      double trace = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        trace += g[d][d];
+      const auto stress = [&](const unsigned int i, const unsigned int j) {
+        return (i == j ? lame.lambda * trace : 0.) + lame.mu * (g[i][j] + g[j][i]);
+      };
+      values[q][0] = stress(0, 0);
+      values[q][1] = stress(1, 1);
+      values[q][2] = stress(0, 1);
+      if (dim == 3) {
+        values[q][3] = stress(2, 2);
+        values[q][4] = stress(1, dim - 1);
+        values[q][5] = stress(dim - 1, 0);
+      }
+    }
+  }
+
+private:
+  const LameConstants lame;
+};
+
+} // namespace
+
+template <int dim>
+void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<ContinuumState> &states,
+                         const std::string &folder) {
+  const unsigned int rank = this_process(body.communicator),
+                     n_ranks = n_processes(body.communicator);
+  std::vector<std::pair<double, std::string>> records;
+  for (const ContinuumState &state : states) {
+    const std::string name = "continuum_" + std::to_string(state.step);
+    const StressOutput<dim> stress(lame_constants(body.continuum));
+    DataOut<dim> out;
+    out.attach_dof_handler(body.dof_handler);
+    out.add_data_vector(state.displacement, std::vector<std::string>(dim, "displacement"),
+                        DataOut<dim>::type_dof_data,
+                        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                            dim, DataComponentInterpretation::component_is_part_of_vector));
+    out.add_data_vector(state.displacement, stress);
+    ContinuumVector traction;
+    body.reinit(traction);
+    for (unsigned int i = 0; i < body.nodes.size(); ++i)
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int d = 0; d < dim; ++d)
+          traction(body.nodes[i].dofs[d]) +=
+              body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
+    traction.update_ghost_values();
+    out.add_data_vector(traction, std::vector<std::string>(dim, "contact_traction"),
+                        DataOut<dim>::type_dof_data,
+                        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                            dim, DataComponentInterpretation::component_is_part_of_vector));
+    out.build_patches(body.fe.degree);
+    const auto piece = [&](const unsigned int i) {
+      return name + (n_ranks > 1 ? "_" + std::to_string(i) : "") + ".vtu";
+    };
+    std::ostringstream text; // deal.II has words of its own for a stream that fails
+    out.write_vtu(text);
+    write_file(folder + "/" + piece(rank), text.str());
+    std::string entry = piece(0);
+    if (n_ranks > 1 && rank == 0) {
+      std::vector<std::string> pieces;
+      for (unsigned int i = 0; i < n_ranks; ++i)
+        pieces.push_back(piece(i));
+      entry = name + ".pvtu";
+      std::ostringstream record;
+      out.write_pvtu_record(record, pieces);
+      write_file(folder + "/" + entry, record.str());
+    }
+    records.emplace_back(state.time, entry);
+  }
+  if (rank == 0) {
+    std::ostringstream text;
+    DataOutBase::write_pvd_record(text, records);
+    write_file(folder + "/continuum.pvd", text.str());
+  }
+}
+
+template void write_continuum_vtu<2>(const ContinuumBody<2> &, const std::vector<ContinuumState> &,
+                                     const std::string &);
+template void write_continuum_vtu<3>(const ContinuumBody<3> &, const std::vector<ContinuumState> &,
+                                     const std::string &);
+
+} // namespace frictionbeam

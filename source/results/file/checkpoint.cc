@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/file/checkpoint.h"
+
+#include "base/user_error.h"
+#include "results/file/output_file.h"
+#include "results/file/summary.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr const char *first_line = "FrictionBeam checkpoint 1\n";
+
+std::string file_in(const std::string &folder) { return folder + "/checkpoint.bin"; }
+
+/// Fowler, Noll and Vo's hash FNV-1a of 64 bits.
+class Hash {
+public:
+  void add(const void *const bytes, const std::size_t size) {
+    const auto *const begin = static_cast<const unsigned char *>(bytes);
+    for (std::size_t i = 0; i < size; ++i)
+      value = (value ^ begin[i]) * 1099511628211u;
+  }
+  template <typename Numbers>
+  void add_numbers(const Numbers &numbers) {
+    add(numbers.data(), numbers.size() * sizeof(*numbers.data()));
+  }
+  void add(const SparseMatrix &matrix) {
+    add(matrix.valuePtr(), matrix.nonZeros() * sizeof(double));
+  }
+  void add(const TimeFunction &function) {
+    add_numbers(function.breaks);
+    for (const double t : function.breaks)
+      add_number(function(t));
+  }
+  void add_number(const double number) { add(&number, sizeof(number)); }
+
+  std::string text() const {
+    std::ostringstream out;
+    out << std::hex << value;
+    return out.str();
+  }
+
+private:
+  std::uint64_t value = 14695981039346656037u;
+};
+
+/// Of the numbers that files beside the parameter file have a part in: mesh, tables, laws.
+std::string hash_of_model(const Model &model) {
+  Hash hash;
+  hash.add(model.linear.stiffness());
+  hash.add(model.linear.mass());
+  hash.add(model.linear.damping());
+  for (unsigned int l = 0; l < model.scene.loads.size(); ++l) {
+    hash.add_numbers(model.linear.forces(l));
+    hash.add(model.scene.loads[l].history);
+  }
+  for (const FrictionSupport &support : model.scene.supports)
+    for (const TimeFunction &motion : support.ground_motion)
+      hash.add(motion);
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    hash.add_numbers(std::string(contact.law->name));
+    hash.add_numbers(*contact.parameters);
+    hash.add_numbers(contact.B_reduced.reshaped().eval());
+    hash.add_number(contact.weight);
+  }
+  return hash.text();
+}
+
+std::string flavour() {
+#ifdef DEBUG
+  return "debug";
+#else
+  return "release";
+#endif
+}
+
+} // namespace
+
+void transfer(Archive &archive, Point3 &point) { archive(point[0], point[1], point[2]); }
+void transfer(Archive &archive, Vector3 &vector) { archive(vector[0], vector[1], vector[2]); }
+
+void transfer(Archive &archive, Station &station) {
+  archive(station.pipe, station.s, station.position, station.displacement, station.force,
+          station.node, station.y, station.z, station.part, station.bend_radius, station.bend_axis);
+}
+
+void transfer(Archive &archive, Frame &frame) {
+  archive(frame.step, frame.increment, frame.time, frame.end_of_step, frame.line, frame.supports,
+          frame.reactions);
+}
+
+void transfer(Archive &archive, History &history) {
+  archive(history.point, history.time, history.displacement);
+}
+
+void transfer(Archive &archive, StressEnvelope &envelope) {
+  archive(envelope.from, envelope.stress, envelope.time);
+}
+
+void transfer(Archive &archive, StepEnvelope &envelope) {
+  archive(envelope.step, envelope.start, envelope.end, envelope.n_instants,
+          envelope.n_line_instants, envelope.supports, envelope.restraints, envelope.points,
+          envelope.sum_normal, envelope.sum_friction, envelope.displacement,
+          envelope.displaced_most, envelope.least, envelope.largest, envelope.least_at,
+          envelope.largest_at, envelope.stresses, envelope.nozzles, envelope.least_frame,
+          envelope.largest_frame);
+}
+
+Checkpoint::Checkpoint(const Model &model)
+    : interval(model.scene.output.checkpoint_interval), path(file_in(model.scene.output.directory)),
+      last(std::chrono::steady_clock::now()) {
+  std::string options;
+  for (const std::string &option : model.scene.overrides)
+    if (option.find("Checkpoint interval") == std::string::npos)
+      options += option + '\n';
+  identity = {{"program", program_version() + ", " + flavour() + ", deal.II " + deal_ii_version()},
+              {"parameter file", model.scene.input},
+              {"options --set", options},
+              {"model (its mesh, tables and laws)", hash_of_model(model)}};
+}
+
+bool Checkpoint::is_due() const {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - last;
+  return interval > 0. && passed.count() >= interval;
+}
+
+void Checkpoint::write(const Archive &archive) {
+  Hash hash;
+  hash.add_numbers(archive.bytes());
+  std::string content = archive.bytes(), check = hash.text();
+  Archive file;
+  file(identity, content, check);
+  replace_file(path, first_line + file.bytes());
+  last = std::chrono::steady_clock::now();
+}
+
+std::optional<Archive> Checkpoint::read() const {
+  if (!std::filesystem::exists(path))
+    return std::nullopt;
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  const std::string bytes = text.str(), start(first_line);
+  const std::string advice =
+      "\n  try:     the run without --resume, from its beginning, or another --output-directory";
+  const auto damaged = [&]() {
+    return UserError("The checkpoint " + path +
+                     " cannot be used.\n  read:    a file that is not "
+                     "whole or not a checkpoint of this format\n  allowed: the file as a run wrote "
+                     "it" +
+                     advice);
+  };
+  if (bytes.compare(0, start.size(), start) != 0)
+    throw damaged();
+  Identity found;
+  std::string content, check;
+  try {
+    Archive file(bytes.substr(start.size()));
+    file(found, content, check);
+  } catch (const dealii::ExceptionBase &) {
+    throw damaged();
+  }
+  Hash hash;
+  hash.add_numbers(content);
+  if (hash.text() != check || found.size() != identity.size())
+    throw damaged();
+  for (unsigned int i = 0; i < identity.size(); ++i)
+    if (found[i] != identity[i]) {
+      const bool is_short = found[i].second.size() + identity[i].second.size() < 200;
+      throw UserError(
+          "The checkpoint " + path + " is of another case: its " + identity[i].first +
+          " is not that of this run.\n  read:    " +
+          (is_short ? found[i].second + "; this run: " + identity[i].second : "another text") +
+          "\n  allowed: --resume with the program, parameter file and options that wrote it" +
+          advice);
+    }
+  return Archive(content);
+}
+
+bool Checkpoint::is_in(const std::string &folder) {
+  return std::filesystem::exists(file_in(folder));
+}
+
+void Checkpoint::remove(const std::string &folder) {
+  std::error_code ignored;
+  std::filesystem::remove(file_in(folder), ignored);
+  std::filesystem::remove(file_beside(file_in(folder)), ignored); // of a run killed as it wrote it
+}
+
+} // namespace frictionbeam

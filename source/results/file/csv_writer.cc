@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/file/csv_writer.h"
+#include "results/text.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <filesystem>
+#include <set>
+
+namespace frictionbeam {
+
+namespace {
+
+template <typename Numbers>
+void add_numbers(std::string &row, const Numbers &numbers) {
+  for (const double number : numbers)
+    (row += ',') += exact_number(number);
+}
+
+std::string instant(const Scene &scene, const Frame &frame) {
+  return csv_field(step_name(scene, frame)) + ',' + std::to_string(frame.increment) + ',' +
+         exact_number(frame.time);
+}
+
+/// Names of the histories' files; points that differ only in signs that no file name takes get a
+/// number.
+std::vector<std::string> history_names(const std::vector<History> &histories) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const auto &history : histories) {
+    const std::string stem = "history_" + file_name_part(history.point);
+    std::string name = stem;
+    for (unsigned int i = 2; !taken.insert(name).second; ++i)
+      name = stem + "_" + std::to_string(i);
+    names.push_back(name + ".csv");
+  }
+  return names;
+}
+
+} // namespace
+
+std::string csv_field(const std::string &text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"')
+      quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+void remove_line_tables(const std::string &folder) {
+  std::error_code error; // there may be none
+  for (const char *const name : {"supports.csv", "line.csv", "reactions.csv", "envelope.csv"})
+    std::filesystem::remove(std::filesystem::path(folder) / name, error);
+}
+
+CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::string &folder,
+                     const bool keep)
+    : scene(scene), results(results), supports(folder + "/supports.csv", keep),
+      line(folder + "/line.csv", keep), reactions(folder + "/reactions.csv", keep),
+      n_written(results.histories.size(), 0) {
+  for (const auto &name : history_names(results.histories))
+    histories.push_back(std::make_unique<OutputFile>(folder + "/" + name, keep));
+  if (keep)
+    return;
+  supports.stream() << "support,step,increment,time,status,fn,ft1,ft2,gap,slip1,slip2,"
+                       "work_friction,mt\n";
+  line.stream() << "step,pipe,s,x,y,z,ux,uy,uz,rx,ry,rz,N,Vy,Vz,Mx,My,Mz\n";
+  reactions.stream() << "restraint,step,increment,time,fx,fy,fz,mx,my,mz\n";
+  supports.flush();
+  line.flush();
+  reactions.flush();
+  for (const auto &history : histories) {
+    history->stream() << "time,ux,uy,uz,rx,ry,rz\n";
+    history->flush();
+  }
+}
+
+void CsvWriter::transfer(Archive &archive) {
+  archive(supports, line, reactions, n_written);
+  for (const auto &history : histories)
+    archive(*history);
+}
+
+void CsvWriter::append(const Frame &frame) {
+  append_supports(frame);
+  append_reactions(frame);
+  if (frame.end_of_step)
+    append_line(frame);
+  finish();
+}
+
+void CsvWriter::finish() {
+  AssertDimension(results.histories.size(), histories.size());
+  for (unsigned int h = 0; h < histories.size(); ++h) {
+    const History &history = results.histories[h];
+    for (; n_written[h] < history.time.size(); ++n_written[h]) {
+      std::string row = exact_number(history.time[n_written[h]]);
+      Motion motion = history.displacement[n_written[h]];
+      for (unsigned int d = 0; d < 3; ++d)
+        motion[d] /= scene.units.factor("m");
+      add_numbers(row, motion);
+      histories[h]->stream() << row << '\n';
+    }
+    histories[h]->flush();
+  }
+}
+
+void CsvWriter::append_supports(const Frame &frame) {
+  AssertDimension(frame.supports.size(), results.supports.size());
+  const std::string when = instant(scene, frame);
+  for (unsigned int i = 0; i < frame.supports.size(); ++i) {
+    const SupportState &state = frame.supports[i];
+    std::string row =
+        csv_field(results.supports[i].name) + ',' + when + ',' + status_word(state.status);
+    add_numbers(row, std::array<double, 8>{{state.fn, state.ft1, state.ft2, state.gap, state.slip1,
+                                            state.slip2, state.work_friction, state.mt}});
+    supports.stream() << row << '\n';
+  }
+  supports.flush();
+}
+
+void CsvWriter::append_reactions(const Frame &frame) {
+  AssertDimension(frame.reactions.size(), results.restraints.size());
+  const std::string when = instant(scene, frame);
+  for (unsigned int i = 0; i < frame.reactions.size(); ++i) {
+    std::string row = csv_field(results.restraints[i].name) + ',' + when;
+    add_numbers(row, frame.reactions[i]);
+    reactions.stream() << row << '\n';
+  }
+  reactions.flush();
+}
+
+void CsvWriter::append_line(const Frame &frame) {
+  const std::string step = csv_field(step_name(scene, frame));
+  for (const Station &station : frame.line) {
+    AssertIndexRange(station.pipe, scene.pipes.size());
+    std::string row = step + ',' + csv_field(scene.pipes[station.pipe].name);
+    add_numbers(row, std::array<double, 4>{{station.s, station.position[0], station.position[1],
+                                            station.position[2]}});
+    add_numbers(row, station.displacement);
+    add_numbers(row, station.force);
+    line.stream() << row << '\n';
+  }
+  line.flush();
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/contact_problem/global_contact_problem.h"
+
+#include <optional>
+#include <string>
+
+/**
+ * @file
+ * Friction-contact problems in the HDF5 format of FCLIB
+ * (https://frictionalcontactlibrary.github.io), read and written with HDF5 itself. Everything that
+ * is wrong with a file is a UserError.
+ */
+namespace frictionbeam {
+
+/// Have a child process read a file that may be damaged: HDF5 may not survive it.
+/// @throws UserError then
+void try_contact_file(const std::string &path);
+
+/// Read and check the group /fclib_local of a file.
+LocalContactProblem read_local_contact_problem(const std::string &path);
+
+/// The reactions in the group /solution of a file, if there are @p n of them.
+std::optional<Eigen::VectorXd> read_contact_reactions(const std::string &path,
+                                                      const unsigned int n);
+
+/// Put r and u into the group /solution of a file, in place of what that group held; all else stays
+/// as it is. The file is replaced at once, by a copy, so that nothing can be half written.
+void replace_contact_solution(const std::string &path, const LocalContactSolution &solution);
+
+/// Write a new file with the group /fclib_local, and r, u in /solution.
+void write_local_contact_problem(const std::string &path, const LocalContactProblem &problem,
+                                 const Eigen::VectorXd &reactions, const std::string &title,
+                                 const std::string &description);
+
+/// Write a new file with the group /fclib_global, and r, u, v in /solution.
+void write_global_contact_problem(const std::string &path, const GlobalContactProblem &problem,
+                                  const std::string &title, const std::string &description);
+
+} // namespace frictionbeam

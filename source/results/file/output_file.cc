@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/file/output_file.h"
+#include "base/user_error.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace frictionbeam {
+
+namespace {
+
+std::string unwritable(const std::string &what, const std::string &path, const int error) {
+  return "The " + what + " '" + path + "' cannot be written: " +
+         (error != 0 ? std::strerror(error) : "the system gives no reason") +
+         ". Choose another folder with --output-directory, or see to it that this one may be "
+         "written to and that the disk is not full.";
+}
+
+bool is_full(const int error) {
+  return error == ENOSPC || error == EDQUOT || error == EFBIG || error == EIO;
+}
+
+} // namespace
+
+void throw_unwritable(const std::string &what, const std::string &path, const int error) {
+  throw OutputError(unwritable(what, path, error));
+}
+
+void prepare_output_folder(const std::string &folder) {
+  namespace fs = std::filesystem;
+  if (folder.empty())
+    throw UserError("The name of the output folder is empty. Give one, for example 'results'.");
+  const auto check = [&](const bool good, const int error) {
+    if (!good && is_full(error))
+      throw_unwritable("output folder", folder, error);
+    if (!good) // a wrong name, or no right to write there
+      throw UserError(unwritable("output folder", folder, error));
+  };
+  std::error_code error;
+  fs::create_directories(folder, error);
+  check(!error, error.value());
+
+  // of one name, so that what a run leaves that is killed right here, the next one removes
+  const fs::path probe = fs::path(folder) / ".write-test";
+  errno = 0;
+  std::ofstream file(probe);
+  file << "test\n" << std::flush;
+  const bool good = !file.fail();
+  const int reason = errno;
+  file.close();
+  fs::remove(probe, error);
+  check(good, reason);
+}
+
+namespace {
+
+/// Have a file, or a folder's list of files, written to the disk.
+void hand_to_disk(const std::string &path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY);
+  if (descriptor < 0 || fsync(descriptor) != 0) {
+    const int error = errno;
+    if (descriptor >= 0)
+      close(descriptor);
+    throw_unwritable("file", path, error);
+  }
+  close(descriptor);
+}
+
+} // namespace
+
+OutputFile::OutputFile(const std::string &path, const bool keep) : path(path) {
+  errno = 0;
+  file.imbue(std::locale::classic());
+  file.open(path, std::ios::binary | (keep ? std::ios::app : std::ios::trunc));
+  if (!file)
+    throw_unwritable("file", path, errno);
+}
+
+void OutputFile::transfer(Archive &archive) {
+  namespace fs = std::filesystem;
+  std::uintmax_t size = 0;
+  if (!archive.reads()) {
+    flush();
+    hand_to_disk(path);
+    size = fs::file_size(path);
+  }
+  archive(size);
+  if (!archive.reads())
+    return;
+  const std::uintmax_t found = fs::file_size(path);
+  if (found < size)
+    throw UserError("The run cannot be resumed.\n  read:    " + path + " with " +
+                    std::to_string(found) + " bytes\n  allowed: at least the " +
+                    std::to_string(size) +
+                    " bytes that it had at the checkpoint\n  try:     the "
+                    "run without --resume, from its beginning");
+  fs::resize_file(path, size);
+}
+
+void OutputFile::flush() {
+  if (file) // else the reason is there since it failed
+    errno = 0;
+  file.flush();
+  if (!file)
+    throw_unwritable("file", path, errno);
+}
+
+void write_file(const std::string &path, const std::string &text) {
+  OutputFile file(path);
+  file.stream() << text;
+  file.flush();
+}
+
+std::string file_beside(const std::string &path) { return path + ".new"; }
+
+void replace_file(const std::string &path, const std::string &text) {
+  const std::string beside = file_beside(path);
+  std::error_code error;
+  try {
+    write_file(beside, text);
+    hand_to_disk(beside);
+  } catch (const OutputError &) {
+    std::filesystem::remove(beside, error);
+    throw;
+  }
+  std::filesystem::rename(beside, path, error);
+  if (error)
+    throw_unwritable("file", path, error.value());
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  hand_to_disk(folder.empty() ? "." : folder);
+}
+
+} // namespace frictionbeam

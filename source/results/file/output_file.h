@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/archive.h"
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace frictionbeam {
+
+/// Results that cannot be written: the path, the system's reason, what is whole, what to try. The
+/// program prints the text and ends with exit status 4.
+class OutputError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// @param what a file or a folder @param error of errno
+[[noreturn]] void throw_unwritable(const std::string &what, const std::string &path,
+                                   const int error);
+
+/**
+ * Create the folder for a run's results, with the folders above it, and prove that files can be
+ * written there, before an analysis of an hour finds out. What it holds stays.
+ *
+ * Throws UserError that names the folder, the system's reason and what to try; OutputError if the
+ * disk is full.
+ */
+void prepare_output_folder(const std::string &folder);
+
+/// A file being written. Everything that goes wrong is an OutputError with the file's path, the
+/// system's reason and what to try.
+class OutputFile {
+public:
+  /// Open @p path for writing; what it held is lost unless @p keep is set: then it is written on.
+  explicit OutputFile(const std::string &path, const bool keep = false);
+
+  /// The length of the file, which is handed to the disk; reading, the file is cut to it.
+  void transfer(Archive &archive);
+
+  /// Where to write. It uses the classic locale.
+  std::ostream &stream() { return file; }
+
+  /// Hand everything written so far to the system, and check that it took it.
+  void flush();
+
+private:
+  std::string path;
+  std::ofstream file;
+};
+
+/// Write @p text to the file @p path; errors as OutputFile.
+void write_file(const std::string &path, const std::string &text);
+
+/// The same, so that at every moment the file is either the old one or the new one, on the disk
+/// too.
+void replace_file(const std::string &path, const std::string &text);
+/// Where replace_file() writes the new one first.
+std::string file_beside(const std::string &path);
+
+} // namespace frictionbeam

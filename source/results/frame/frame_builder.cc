@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/frame/section_forces.h"
+
+#include "results/frame/frame_builder.h"
+
+#include "model/cell/corotational_line.h"
+
+#include <limits>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+Quadrature<1> station_points(const unsigned int n) {
+  std::vector<Point<1>> points;
+  for (unsigned int i = 1; i <= n; ++i)
+    points.emplace_back(static_cast<double>(i) / (n + 1));
+  return Quadrature<1>(points);
+}
+
+std::string instance_name(const std::string &name, const unsigned int site, const bool several) {
+  return several ? name + "." + std::to_string(site + 1) : name;
+}
+
+Vector3 vector_at(const PipeElement::Vector12 &values, const unsigned int first) {
+  return Vector3({values[first], values[first + 1], values[first + 2]});
+}
+
+} // namespace
+
+FrameBuilder::FrameBuilder(const Model &model, const bool both_sides)
+    : model(model), both_sides(both_sides), element(model.discretization),
+      station_values(model.discretization.elements()[0],
+                     station_points(model.scene.output.stations), update_values) {
+  const auto &cells = model.discretization.pipe_cells();
+  for (unsigned int i = 0; i < cells.size(); ++i)
+    if (cells[i].position == 0)
+      first_cell.push_back(i);
+  // deal.II takes over what it computed of a like cell before, which differs by rounding: the first
+  // frame of a resumed run shall be computed as one among many.
+  for (unsigned int i = 0; i < cells.size(); ++i)
+    element.reinit(model.discretization.pipe_cell(i));
+  find_cells_at_restraints();
+}
+
+std::vector<SupportInfo> FrameBuilder::support_infos() const {
+  std::vector<SupportInfo> infos;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const FrictionSupport &support = model.scene.supports[contact.support];
+    infos.push_back(
+        {instance_name(support.name, contact.site, model.mesh.supports[contact.support].size() > 1),
+         support.kind, model.discretization.vertices()[contact.vertices[0]], -contact.axes.x,
+         contact.axes.z, contact.axes.y});
+  }
+  return infos;
+}
+
+std::vector<RestraintInfo> FrameBuilder::restraint_infos() const {
+  std::vector<RestraintInfo> infos;
+  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
+    for (unsigned int site = 0; site < model.mesh.restraints[i].size(); ++site)
+      infos.push_back(
+          {instance_name(model.scene.restraints[i].name, site, model.mesh.restraints[i].size() > 1),
+           model.scene.restraints[i].kind,
+           model.mesh.vertices[model.mesh.restraints[i][site].vertex]});
+  for (const Spring &spring : model.scene.springs)
+    infos.push_back(
+        {spring.name, spring.kind, model.mesh.vertices[model.mesh.points.at(spring.point)]});
+  return infos;
+}
+
+Motion FrameBuilder::motion(const LineState &state, const std::string &point) const {
+  Motion result{};
+  for (unsigned int c = 0; c < 6; ++c) {
+    const auto dof = model.discretization.vertex_dofs().index(model.mesh.points.at(point), c);
+    if (dof != numbers::invalid_dof_index)
+      result[c] = state.dofs[dof];
+  }
+  return result;
+}
+
+Motion FrameBuilder::velocity(const LineState &state, const std::string &point) const {
+  Motion result{};
+  for (unsigned int c = 0; c < 6; ++c) {
+    const auto dof = model.discretization.vertex_dofs().index(model.mesh.points.at(point), c);
+    if (dof != numbers::invalid_dof_index)
+      for (const auto &term : model.space.terms(dof))
+        result[c] += term.weight * state.velocity[term.unknown];
+  }
+  return result;
+}
+
+Vector3 FrameBuilder::support_force(const LineState &state, const unsigned int i) const {
+  const Contact &contact = model.contacts[i];
+  const Contact::Strains stress = contact.weight / contact.length * state.contact_stress[i];
+  return stress[0] * contact.axes.x + stress[1] * contact.axes.y + stress[2] * contact.axes.z;
+}
+
+Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) const {
+  Motion force = motion(state, spring.point);
+  if (!spring.other.empty()) {
+    const Motion other = motion(state, spring.other);
+    for (unsigned int c = 0; c < 6; ++c)
+      force[c] -= other[c];
+  }
+  for (unsigned int c = 0; c < 6; ++c)
+    force[c] *= -spring.stiffness[c];
+  if (state.with_preload)
+    force[2] += spring.preload;
+  return force;
+}
+
+SupportState FrameBuilder::support_state(const LineState &state, const unsigned int i) const {
+  const Contact &contact = model.contacts[i];
+  const double share = contact.weight / contact.length;
+  const Contact::Strains &stress = state.contact_stress[i], &strain = state.contacts.strain[i];
+  SupportState result;
+  result.status = state.contact_status[i];
+  result.fn = -share * stress[0];
+  result.ft1 = share * stress[2];
+  result.ft2 = share * stress[1];
+  result.mt = -share * stress[3];
+  result.work_friction = state.contacts.dissipated[i];
+  result.wear = state.contacts.wear[i];
+  result.impulse = state.contacts.impulse[i];
+  FrictionThreshold law{};
+  law.shear_rigidity_y = law.shear_rigidity_z = std::numeric_limits<double>::infinity();
+  if (contact.law->threshold != nullptr)
+    contact.law->threshold(contact.parameters->data(), law);
+  result.gap = strain[0] * contact.length + law.gap;
+  if (result.status != ContactStatus::open) {
+    // What is left of the displacement since contact began when the elastic part is taken out.
+    const Contact::Strains &touch = state.contacts.touch[i];
+    const auto slip = [&](const unsigned int e, const double rigidity) {
+      const double elastic = rigidity > 0. ? stress[e] / rigidity : 0.;
+      return -(strain[e] - touch[e] - elastic) * contact.length;
+    };
+    result.slip1 = slip(2, law.shear_rigidity_z);
+    result.slip2 = slip(1, law.shear_rigidity_y);
+  }
+  return result;
+}
+
+Frame FrameBuilder::make(const LineState &state) {
+  Frame frame;
+  frame.time = state.time;
+  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
+    add_pipe(state, p, frame.line);
+  add_vertex_forces(state);
+  add_inertia(state);
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    frame.supports.push_back(support_state(state, i));
+  frame.reactions = reactions_of_vertices(state);
+  return frame;
+}
+
+std::vector<Station> FrameBuilder::stations() {
+  LineState at_rest;
+  at_rest.dofs = Vector::Zero(model.space.n_dofs());
+  at_rest.load_factors.assign(model.scene.loads.size(), 0.);
+  if (model.corotational)
+    at_rest.turns = model.corotational->at_rest().turns;
+  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  std::vector<Station> line;
+  for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
+    add_pipe(at_rest, p, line);
+  return line;
+}
+
+void FrameBuilder::add_pipe(const LineState &state, const unsigned int pipe,
+                            std::vector<Station> &line) {
+  const unsigned int n = model.mesh.pipes[pipe].bend_radius.size();
+  for (unsigned int i = 0; i < n; ++i)
+    if (model.corotational)
+      add_turned_cell(state, first_cell[pipe] + i, line);
+    else
+      add_cell(state, first_cell[pipe] + i, line);
+}
+
+void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
+                            std::vector<Station> &line) {
+  const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
+  const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
+  const auto cell = model.discretization.pipe_cell(index);
+  element.reinit(cell);
+  const Profile &profile = element.profile();
+
+  std::vector<types::global_dof_index> dofs(12);
+  cell->get_dof_indices(dofs);
+  PipeElement::Vector12 u;
+  for (unsigned int i = 0; i < 12; ++i)
+    u[i] = state.dofs[dofs[i]];
+  const CellLoad load = load_on(state, pipe_cell, profile, cell->vertex(1) - cell->vertex(0));
+  const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
+  const PipeElement::Vector12 ends =
+      element.stiffness() * u - element.unit_line_loads() * line_force -
+      load.axial_strain * element.unit_axial_strain() - load.curvature * element.unit_curvature() -
+      load.pressure * element.unit_thrust();
+  for (const unsigned int v : {0u, 1u})
+    for (unsigned int c = 0; c < 6; ++c)
+      vertex_forces[cell->vertex_index(v)][c] += ends[6 * v + c];
+  u = element.inside(u, ends, load.pressure); // beyond joints
+  if (element.arc())
+    return add_arc(pipe_cell, ends, u, load, line);
+
+  // From here on in the direction of the route: section force F and moment M act on the face that
+  // looks forward, with F' = -q, M' = -x cross F.
+  const unsigned int start = pipe_cell.reversed ? 6 : 0;
+  const Point3 begin = cell->vertex(pipe_cell.reversed ? 1 : 0);
+  const Vector3 axis = cell->vertex(pipe_cell.reversed ? 0 : 1) - begin;
+  const LocalAxes axes(axis);
+  const double length = axis.norm();
+  const Vector3 force = -vector_at(ends, start), moment = -vector_at(ends, start + 3);
+  const auto station = [&](const double x) {
+    Station result;
+    result.pipe = pipe_cell.pipe;
+    result.s = meshed.s[pipe_cell.position] +
+               x / length * (meshed.s[pipe_cell.position + 1] - meshed.s[pipe_cell.position]);
+    result.position = begin + x * axes.x;
+    const Vector3 F = force - x * load.line_force;
+    const Vector3 M = moment - cross_product_3d(axes.x, x * force - x * x / 2. * load.line_force);
+    result.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    place(pipe_cell, axes, result);
+    return result;
+  };
+  const auto at_node = [&](const double x, const unsigned int first) {
+    Station result = station(x);
+    for (unsigned int c = 0; c < 6; ++c)
+      result.displacement[c] = u[first + c];
+    return result;
+  };
+
+  begin_cell(at_node(0., start), line);
+  station_values.reinit(cell);
+  const unsigned int n = model.scene.output.stations;
+  const Vector3 across = load.line_force - (load.line_force * axes.x) * axes.x;
+  for (unsigned int i = 0; i < n; ++i) {
+    const double x = length * (i + 1) / (n + 1), rest = length - x;
+    Station result = station(x);
+    result.node = false;
+    const unsigned int q = pipe_cell.reversed ? n - 1 - i : i;
+    for (unsigned int j = 0; j < 12; ++j)
+      for (unsigned int c = 0; c < 6; ++c)
+        result.displacement[c] += u[j] * station_values.shape_value_component(j, q, c);
+    // Deflection of the clamped cell under its own load, which the shape functions leave out.
+    Vector3 bubble = x * rest / (2. * profile.EA) * (load.line_force - across);
+    bubble += x * x * rest * rest / (24. * profile.EI) * across;
+    if (profile.GA > 0.)
+      bubble += x * rest / (2. * profile.GA) * across;
+    const Vector3 turn =
+        cross_product_3d(axes.x, x * rest * (rest - x) / (12. * profile.EI) * across);
+    for (unsigned int d = 0; d < 3; ++d) {
+      result.displacement[d] += bubble[d];
+      result.displacement[3 + d] += turn[d];
+    }
+    line.push_back(result);
+  }
+  line.push_back(at_node(length, 6 - start));
+}
+
+CellLoad FrameBuilder::load_on(const LineState &state, const PipeCell &cell, const Profile &profile,
+                               const Vector3 &chord) const {
+  CellLoad load;
+  for (unsigned int l = 0; l < state.load_factors.size(); ++l) {
+    const CellLoad one =
+        cell_load(model.scene.loads[l], model.scene.pipes[cell.pipe].name, profile, chord);
+    load.line_force += state.load_factors[l] * one.line_force;
+    load.axial_strain += state.load_factors[l] * one.axial_strain;
+    load.curvature += state.load_factors[l] * one.curvature;
+    load.pressure += state.load_factors[l] * one.pressure;
+  }
+  return load;
+}
+
+void FrameBuilder::place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const {
+  const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
+  station.y = axes.y;
+  station.z = axes.z;
+  station.part = station.s / meshed.s.back();
+  station.bend_radius = meshed.bend_radius[pipe_cell.position];
+  if (const auto axis = meshed.bend_axis.find(pipe_cell.position); axis != meshed.bend_axis.end())
+    station.bend_axis = axis->second;
+}
+
+/// Where the forces jump (a support, a point load), a node appears with both sides.
+void FrameBuilder::begin_cell(const Station &first, std::vector<Station> &line) const {
+  bool jumps = both_sides || line.empty() || line.back().pipe != first.pipe;
+  if (!jumps)
+    for (unsigned int c = 0; c < 6; ++c)
+      jumps = jumps || std::abs(first.force[c] - line.back().force[c]) >
+                           1e-6 * (std::abs(first.force[c]) + std::abs(line.back().force[c]));
+  if (jumps)
+    line.push_back(first);
+}
+
+void FrameBuilder::add_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
+                           const PipeElement::Vector12 &motions, const CellLoad &load,
+                           std::vector<Station> &line) const {
+  const ArcBeam &arc = *element.arc();
+  const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
+  const unsigned int n = model.scene.output.stations, n_stations = n + 2;
+  const Vector3 force = -vector_at(ends, 0), moment = -vector_at(ends, 3);
+  FullMatrix<double> shapes, slopes;
+  for (unsigned int i = 0; i < n_stations; ++i) {
+    // Along the route; psi along the deal.II cell.
+    const double part = static_cast<double>(i) / (n + 1),
+                 psi = arc.angle() * (pipe_cell.reversed ? 1. - part : part);
+    Station station;
+    station.pipe = pipe_cell.pipe;
+    station.node = i == 0 || i == n + 1;
+    station.s = meshed.s[pipe_cell.position] +
+                part * (meshed.s[pipe_cell.position + 1] - meshed.s[pipe_cell.position]);
+    station.position = arc.point(psi);
+    arc.shapes(psi, shapes, slopes);
+    const Tensor<1, 6> clamped =
+        arc.clamped_motion(psi, load.line_force, load.axial_strain, load.curvature);
+    for (unsigned int c = 0; c < 6; ++c) {
+      station.displacement[c] = station.node ? 0. : clamped[c];
+      for (unsigned int j = 0; j < 12; ++j)
+        station.displacement[c] += shapes(c, j) * motions[j];
+    }
+    auto [F, M] = section_of_arc(arc, psi, force, moment, load.line_force);
+    const LocalAxes axes((pipe_cell.reversed ? -1. : 1.) * arc.tangent(psi));
+    if (pipe_cell.reversed) { // the face that looks forward along the route is the other one
+      F *= -1.;
+      M *= -1.;
+    }
+    station.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    place(pipe_cell, axes, station);
+    if (i == 0)
+      begin_cell(station, line);
+    else
+      line.push_back(station);
+  }
+}
+
+void FrameBuilder::add_vertex_forces(const LineState &state) {
+  for (unsigned int l = 0; l < state.load_factors.size(); ++l)
+    for (const auto &[vertex, dead] : model.linear.nodal(l)) {
+      const Motion force =
+          model.corotational ? model.corotational->nodal_load(l, vertex, {state.dofs, state.turns})
+                             : dead;
+      for (unsigned int c = 0; c < 6; ++c)
+        vertex_forces[vertex][c] -= state.load_factors[l] * force[c];
+    }
+  for (const Spring &spring : model.scene.springs) {
+    const Motion force = spring_force(state, spring);
+    for (unsigned int c = 0; c < 6; ++c) {
+      vertex_forces[model.mesh.points.at(spring.point)][c] -= force[c];
+      if (!spring.other.empty())
+        vertex_forces[model.mesh.points.at(spring.other)][c] += force[c];
+    }
+  }
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Contact::Strains stress = contact.weight * state.contact_stress[i];
+    for (const unsigned int vertex : contact.vertices)
+      for (unsigned int c = 0; c < 6 && vertex < vertex_forces.size(); ++c)
+        for (unsigned int j = 0; j < contact.dofs.size(); ++j)
+          if (model.discretization.vertex_dofs().index(vertex, c) == contact.dofs[j])
+            vertex_forces[vertex][c] += contact.B.col(j).dot(stress);
+  }
+}
+
+} // namespace frictionbeam

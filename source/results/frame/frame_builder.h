@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/line/pipe_element.h"
+#include "model/line_state.h"
+#include "model/model.h"
+#include "results/results.h"
+
+namespace frictionbeam {
+
+/// Turns a state of the analysis into what is reported: section forces, support forces, reactions.
+class FrameBuilder {
+public:
+  /// @param both_sides nodes within a pipe always appear with the forces on either side, so that
+  /// frames have equally many stations and can be combined; otherwise only where forces jump.
+  explicit FrameBuilder(const Model &model, const bool both_sides = false);
+
+  std::vector<SupportInfo> support_infos() const;
+  std::vector<RestraintInfo> restraint_infos() const;
+
+  /// Displacements and section forces along the pipes, supports, reactions.
+  Frame make(const LineState &state);
+
+  /// Frame::line at rest: places and axes.
+  std::vector<Station> stations();
+
+  /// Frame::reactions alone, of linear kinematics, from the cells at the restraints. reaction()
+  /// then knows the vertices of restraints and imposed motions.
+  std::vector<Motion> reactions(const LineState &state);
+
+  /// Motion of a named point in global axes.
+  Motion motion(const LineState &state, const std::string &point) const;
+
+  /// Velocity of a named point in global axes, that of imposed motions left out.
+  Motion velocity(const LineState &state, const std::string &point) const;
+
+  /// State of friction element @p i.
+  SupportState support_state(const LineState &state, const unsigned int i) const;
+
+  /// Force of restraints and imposed motions on a vertex, of the frame made last.
+  const Motion &reaction(const unsigned int vertex) const { return vertex_forces[vertex]; }
+  /// Force of friction element @p i on its pipe in global axes [N].
+  Vector3 support_force(const LineState &state, const unsigned int i) const;
+  /// Force of a spring on its first point.
+  Motion spring_force(const LineState &state, const Spring &spring) const;
+
+  /// In corotational kinematics: linear (3) and angular momentum about the origin (3), kinetic and
+  /// stored energy of the line together.
+  std::array<double, 7> momentum_and_energy(const LineState &state) const;
+
+private:
+  /// A pipe cell at a restraint, or at a node that a load moves.
+  struct HeldCell {
+    std::array<unsigned int, 2> vertices{};
+    std::vector<dealii::types::global_dof_index> dofs;
+    PipeElement::Matrix12 stiffness, mass;
+    std::vector<std::pair<unsigned int, PipeElement::Vector12>> loads; ///< those that it carries
+  };
+
+  void find_cells_at_restraints();
+  /// What holds each restraint, by the forces at the vertices.
+  std::vector<Motion> reactions_of_vertices(const LineState &state) const;
+  void add_pipe(const LineState &state, const unsigned int pipe, std::vector<Station> &line);
+  void add_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
+  /// Forces M a + C v of a state in motion on the nodes of restraints, of imposed motions too.
+  void add_inertia(const LineState &state);
+  /// The same in corotational kinematics: section forces in the axes that turn with the cell.
+  void add_turned_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
+  /// Sum of a state's loads on a pipe cell.
+  CellLoad load_on(const LineState &state, const PipeCell &cell, const Profile &profile,
+                   const Vector3 &chord) const;
+  /// What a station knows of the pipe there, with its local axes.
+  void place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const;
+  void begin_cell(const Station &first, std::vector<Station> &line) const;
+  /// Stations of an arc; its end forces and motions stand in the order of the deal.II cell.
+  void add_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
+               const PipeElement::Vector12 &motions, const CellLoad &load,
+               std::vector<Station> &line) const;
+  void add_vertex_forces(const LineState &state);
+
+  const Model &model;
+  const bool both_sides;
+  std::vector<bool> is_held; ///< vertices of restraints and imposed motions
+  PipeElement element;
+  std::vector<HeldCell> held_cells;
+  dealii::FEValues<1, 3> station_values;
+  std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()
+  std::vector<Motion> vertex_forces;    ///< what holds each vertex of the line
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/frame/frame_builder.h"
+
+#include <map>
+#include <tuple>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// Of displacements linear along a cell, without rotary inertia.
+PipeElement::Matrix12 mass_in_any_frame(const double mass) {
+  PipeElement::Matrix12 result = PipeElement::Matrix12::Zero();
+  for (unsigned int d = 0; d < 3; ++d) {
+    result(d, d) = result(6 + d, 6 + d) = mass / 3.;
+    result(d, 6 + d) = result(6 + d, d) = mass / 6.;
+  }
+  return result;
+}
+
+} // namespace
+
+void FrameBuilder::find_cells_at_restraints() {
+  is_held.assign(model.discretization.n_line_vertices(), false);
+  for (const auto &sites : model.mesh.restraints)
+    for (const Site &site : sites)
+      is_held[site.vertex] = true;
+  for (const Load &load : model.scene.loads)
+    if (load.kind == Load::Kind::displacement)
+      for (const Load::AtPoint &at : load.at)
+        is_held[model.mesh.points.at(at.point)] = true;
+  for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i) {
+    const auto cell = model.discretization.pipe_cell(i);
+    if (!is_held[cell->vertex_index(0)] && !is_held[cell->vertex_index(1)])
+      continue;
+    HeldCell held;
+    held.vertices = {{cell->vertex_index(0), cell->vertex_index(1)}};
+    held.dofs.resize(12);
+    cell->get_dof_indices(held.dofs);
+    const Profile &profile = model.discretization.profiles()[cell->material_id()];
+    held.mass = model.corotational ? mass_in_any_frame(profile.mass * cell->diameter())
+                                   : element.mass(cell);
+    element.reinit(cell);
+    held.stiffness = element.stiffness();
+    const Vector3 chord = cell->vertex(1) - cell->vertex(0);
+    for (unsigned int l = 0; l < model.scene.loads.size(); ++l) {
+      const CellLoad load = cell_load(
+          model.scene.loads[l], model.scene.pipes[model.discretization.pipe_cells()[i].pipe].name,
+          profile, chord);
+      const PipeElement::Vector12 forces =
+          element.unit_line_loads() *
+              Eigen::Vector3d(load.line_force[0], load.line_force[1], load.line_force[2]) +
+          load.axial_strain * element.unit_axial_strain() +
+          load.curvature * element.unit_curvature() + load.pressure * element.unit_thrust();
+      if (!forces.isZero(0.))
+        held.loads.emplace_back(l, forces);
+    }
+    held_cells.push_back(held);
+  }
+}
+
+std::vector<Motion> FrameBuilder::reactions(const LineState &state) {
+  Assert(model.corotational == nullptr, ExcMessage("Turned cells are evaluated with the frame."));
+  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  for (const HeldCell &cell : held_cells) {
+    PipeElement::Vector12 u;
+    for (unsigned int c = 0; c < 12; ++c)
+      u[c] = state.dofs[cell.dofs[c]];
+    PipeElement::Vector12 ends = cell.stiffness * u;
+    for (const auto &[l, forces] : cell.loads)
+      ends -= state.load_factors[l] * forces;
+    for (const unsigned int v : {0u, 1u})
+      for (unsigned int c = 0; c < 6; ++c)
+        vertex_forces[cell.vertices[v]][c] += ends[6 * v + c];
+  }
+  add_vertex_forces(state);
+  add_inertia(state);
+  return reactions_of_vertices(state);
+}
+
+std::vector<Motion> FrameBuilder::reactions_of_vertices(const LineState &state) const {
+  std::vector<Motion> result;
+  // Restraints that share a point each report what acts in their own directions.
+  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
+    for (const Site &site : model.mesh.restraints[i]) {
+      Motion reaction{};
+      for (const Tensor<1, 6> &held : held_directions(model.scene.restraints[i], site)) {
+        double force = 0.;
+        for (unsigned int c = 0; c < 6; ++c)
+          force += held[c] * vertex_forces[site.vertex][c];
+        for (unsigned int c = 0; c < 6; ++c)
+          reaction[c] += force * held[c];
+      }
+      result.push_back(reaction);
+    }
+  for (const Spring &spring : model.scene.springs)
+    result.push_back(spring_force(state, spring));
+  return result;
+}
+
+void FrameBuilder::add_inertia(const LineState &state) {
+  const bool at_rest =
+      state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
+  if (at_rest)
+    return;
+  std::map<types::global_dof_index, std::pair<double, double>> imposed; // velocity, acceleration
+  for (unsigned int l = 0; l < state.load_rates.size(); ++l)
+    for (const auto &[dof, value] : model.linear.imposed(l)) {
+      imposed[dof].first += state.load_rates[l] * value;
+      imposed[dof].second += state.load_accelerations[l] * value;
+    }
+  const auto rates = [&](const types::global_dof_index dof) {
+    const auto given = imposed.find(dof);
+    std::pair<double, double> result =
+        given == imposed.end() ? std::pair<double, double>() : given->second;
+    for (const auto &term : model.space.terms(dof)) {
+      result.first += term.weight * state.velocity[term.unknown];
+      result.second += term.weight * state.acceleration[term.unknown];
+    }
+    return result;
+  };
+  const auto add = [&](const unsigned int vertex, const unsigned int c, const double force) {
+    if (is_held[vertex])
+      vertex_forces[vertex][c] += force;
+  };
+  const TimeSettings &time = model.scene.time;
+  for (const HeldCell &cell : held_cells) {
+    PipeElement::Vector12 v, a;
+    for (unsigned int c = 0; c < 12; ++c)
+      std::tie(v[c], a[c]) = rates(cell.dofs[c]);
+    PipeElement::Vector12 forces = cell.mass * (a + time.mass_damping * v);
+    if (time.stiffness_damping != 0. && !model.corotational)
+      forces += time.stiffness_damping * (cell.stiffness * v);
+    for (const unsigned int end : {0u, 1u})
+      for (unsigned int c = 0; c < 6; ++c)
+        add(cell.vertices[end], c, forces[6 * end + c]);
+  }
+  const VertexDofs &at = model.discretization.vertex_dofs();
+  for (const PointMass &mass : model.scene.masses)
+    for (const std::string &point : mass.points)
+      for (unsigned int d = 0; d < 3; ++d) {
+        const unsigned int vertex = model.mesh.points.at(point);
+        const auto dof = at.index(vertex, d);
+        const auto [velocity, acceleration] = rates(dof);
+        add(vertex, d, mass.mass * (acceleration + time.mass_damping * velocity));
+      }
+  for (const Spring &spring : model.scene.springs)
+    for (unsigned int c = 0; c < 6; ++c) {
+      const double damping = spring.damping[c] + time.stiffness_damping * spring.stiffness[c];
+      if (damping == 0.)
+        continue;
+      const unsigned int one = model.mesh.points.at(spring.point);
+      double rate = rates(at.index(one, c)).first;
+      if (!spring.other.empty()) {
+        const unsigned int other = model.mesh.points.at(spring.other);
+        rate -= rates(at.index(other, c)).first;
+        add(other, c, -damping * rate);
+      }
+      add(one, c, damping * rate);
+    }
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/frame/section_forces.h"
+
+#include "model/line/pipe_element.h"
+
+#include <map>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// Cells whose lengths and directions differ by rounding only are alike.
+constexpr double alike = 1e-11;
+
+using Key = std::array<long long, 7>;
+
+Vector3 vector_at(const Eigen::Matrix<double, 9, 1> &values, const unsigned int first) {
+  return Vector3({values[first], values[first + 1], values[first + 2]});
+}
+
+} // namespace
+
+std::pair<Vector3, Vector3> section_of_arc(const ArcBeam &arc, const double psi,
+                                           const Vector3 &force, const Vector3 &moment,
+                                           const Vector3 &line_force) {
+  // Equilibrium of what lies between the cell's beginning and the section: q acts on each slice.
+  const Vector3 arm = arc.point(psi) - arc.point(0.);
+  const double R = arc.radius();
+  const Vector3 slices =
+      psi * R * arm -
+      R * R * ((1. - std::cos(psi)) * arc.tangent(0.) + (psi - std::sin(psi)) * arc.inward(0.));
+  return {force - psi * R * line_force,
+          moment - cross_product_3d(arm, force) + cross_product_3d(slices, line_force)};
+}
+
+SectionForces::SectionForces(const Model &model)
+    : per_cell(model.scene.output.stations + 2), buffer(6 * per_cell) {
+  const auto &pipe_cells = model.discretization.pipe_cells();
+  std::vector<std::vector<unsigned int>> in_pipe(model.mesh.pipes.size());
+  for (unsigned int i = 0; i < pipe_cells.size(); ++i) {
+    auto &list = in_pipe[pipe_cells[i].pipe];
+    list.resize(std::max<std::size_t>(list.size(), pipe_cells[i].position + 1));
+    list[pipe_cells[i].position] = i;
+  }
+  std::map<Key, unsigned int> known;
+  std::vector<types::global_dof_index> dofs(12);
+  for (const auto &list : in_pipe)
+    for (const unsigned int index : list) {
+      const auto cell = model.discretization.pipe_cell(index);
+      const Vector3 chord = cell->vertex(1) - cell->vertex(0);
+      const bool is_alone = model.discretization.joints(cell) != nullptr ||
+                            model.discretization.profiles()[cell->material_id()].arc_centre;
+      const auto rounded = [](const double value) { return std::llround(value / alike); };
+      Key key{pipe_cells[index].pipe, static_cast<long long>(cell->material_id()),
+              pipe_cells[index].reversed ? 1 : 0};
+      key[3] = is_alone ? -1 - static_cast<long long>(index)
+                        : std::llround(std::log(chord.norm()) / alike);
+      for (unsigned int d = 0; d < 3; ++d)
+        key[4 + d] = rounded(chord[d] / chord.norm());
+      const auto [entry, is_new] = known.try_emplace(key, kinds.size());
+      if (is_new)
+        kinds.push_back(make_kind(model, index));
+      Cell one;
+      one.kind = entry->second;
+      cell->get_dof_indices(dofs);
+      std::copy(dofs.begin(), dofs.end(), one.dofs.begin());
+      cells.push_back(one);
+    }
+}
+
+SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned int index) const {
+  const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
+  const auto cell = model.discretization.pipe_cell(index);
+  PipeElement element(model.discretization);
+  element.reinit(cell);
+  const bool is_arc = element.arc().has_value();
+  const Vector3 chord = cell->vertex(1) - cell->vertex(0);
+  const LocalAxes axes((pipe_cell.reversed ? -1. : 1.) * chord);
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // into the axes that the start speaks of
+  if (!is_arc)
+    for (unsigned int d = 0; d < 3; ++d) {
+      turn(0, d) = axes.x[d];
+      turn(1, d) = axes.y[d];
+      turn(2, d) = axes.z[d];
+    }
+  const unsigned int first = pipe_cell.reversed && !is_arc ? 6 : 0;
+  // The section force acts on the face that looks away from the start.
+  Eigen::Matrix<double, 6, 12> pick = Eigen::Matrix<double, 6, 12>::Zero();
+  pick.block<3, 3>(0, first) = -turn;
+  pick.block<3, 3>(3, first + 3) = -turn;
+
+  Kind kind;
+  kind.start = pick * element.stiffness();
+  const PipeElement::Vector12 strain = element.unit_axial_strain(),
+                              curvature = element.unit_curvature(), thrust = element.unit_thrust();
+  const Eigen::Matrix<double, 12, 3> line_loads = element.unit_line_loads();
+  for (const Load &load : model.scene.loads) {
+    const CellLoad one =
+        cell_load(load, model.scene.pipes[pipe_cell.pipe].name, element.profile(), chord);
+    const Eigen::Vector3d q(one.line_force[0], one.line_force[1], one.line_force[2]);
+    Vector9 share;
+    share.head<6>() = -pick * (line_loads * q + one.axial_strain * strain +
+                               one.curvature * curvature + one.pressure * thrust);
+    share.tail<3>() = turn * q;
+    kind.loads.push_back(share);
+  }
+  kind.sum.setZero();
+  kind.spacing = chord.norm() / (per_cell - 1);
+  if (!is_arc)
+    return kind;
+  const ArcBeam &arc = *element.arc();
+  for (unsigned int i = 0; i < per_cell; ++i) {
+    const double part = static_cast<double>(i) / (per_cell - 1),
+                 psi = arc.angle() * (pipe_cell.reversed ? 1. - part : part),
+                 side = pipe_cell.reversed ? -1. : 1.;
+    const LocalAxes there(side * arc.tangent(psi));
+    Matrix6x9 station;
+    for (unsigned int j = 0; j < 9; ++j) {
+      const Vector9 unit = Vector9::Unit(j);
+      const auto [F, M] =
+          section_of_arc(arc, psi, vector_at(unit, 0), vector_at(unit, 3), vector_at(unit, 6));
+      station.col(j) << F * there.x, F * there.y, F * there.z, M * there.x, M * there.y,
+          M * there.z;
+    }
+    kind.arc_stations.push_back(side * station);
+  }
+  return kind;
+}
+
+void SectionForces::sum_loads(const std::vector<double> &factors) {
+  for (Kind &kind : kinds) {
+    kind.sum.setZero();
+    for (unsigned int l = 0; l < factors.size(); ++l)
+      kind.sum += factors[l] * kind.loads[l];
+  }
+}
+
+const double *SectionForces::forces_of(const Kind &kind, const Vector9 &start) {
+  if (!kind.arc_stations.empty()) {
+    for (unsigned int i = 0; i < per_cell; ++i)
+      Eigen::Map<Eigen::Matrix<double, 6, 1>>(buffer.data() + 6 * i) = kind.arc_stations[i] * start;
+    return buffer.data();
+  }
+  // F' = -q, M' = -x cross F
+  const double qx = start[6], qy = start[7], qz = start[8];
+  for (unsigned int i = 0; i < per_cell; ++i) {
+    const double x = i * kind.spacing, half = x * x / 2.;
+    double *const force = buffer.data() + 6 * i;
+    force[0] = start[0] - x * qx;
+    force[1] = start[1] - x * qy;
+    force[2] = start[2] - x * qz;
+    force[3] = start[3];
+    force[4] = start[4] + x * start[2] - half * qz;
+    force[5] = start[5] - x * start[1] + half * qy;
+  }
+  return buffer.data();
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/line_state.h"
+#include "model/model.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+/**
+ * N, Vy, Vz, Mx, My, Mz at all stations of a line in linear kinematics, as FrameBuilder gives them
+ * with both sides of each node, for every instant of a motion: what depends on the cells alone is
+ * worked out once, and cells that are alike share it. The forces at a cell's start are A u - the
+ * sum of the loads' own; those at its other stations follow from equilibrium.
+ */
+class SectionForces {
+public:
+  explicit SectionForces(const Model &model);
+
+  unsigned int n_stations() const { return cells.size() * per_cell; }
+
+  /// Between which values the forces of all stations of a cell are.
+  struct Bounds {
+    std::array<double, 6> low, high;
+  };
+
+  /// Call use(i, forces, n) for each cell with the forces of stations i to i + n - 1, six each;
+  /// cells of which skip(cell, bounds) is true are left out.
+  template <typename Skip, typename Use>
+  void evaluate(const LineState &state, const Skip &skip, const Use &use) {
+    sum_loads(state.load_factors);
+    for (unsigned int i = 0; i < cells.size(); ++i) {
+      const Kind &kind = kinds[cells[i].kind];
+      const Vector9 start = start_of(kind, cells[i], state.dofs);
+      if (kind.arc_stations.empty() && skip(i, bounds_of(kind, start)))
+        continue;
+      use(i * per_cell, forces_of(kind, start), per_cell);
+    }
+  }
+  unsigned int n_cells() const { return cells.size(); }
+
+private:
+  using Matrix6x9 = Eigen::Matrix<double, 6, 9>;
+  using Vector9 = Eigen::Matrix<double, 9, 1>; ///< forces at the start (6), force per length (3)
+
+  /// Cells of equal length, direction, section and loads. The forces at the start of a straight one
+  /// are those in its local axes, of an arc those in global axes at the deal.II cell's beginning.
+  struct Kind {
+    Eigen::Matrix<double, 6, 12> start;  ///< forces there of unit motions
+    std::vector<Vector9> loads;          ///< of each load at factor 1
+    std::vector<Matrix6x9> arc_stations; ///< of an arc: forces at each station; empty: straight
+    double spacing = 0.;                 ///< of stations [m]
+    Vector9 sum;                         ///< of the loads at present
+  };
+  struct Cell {
+    unsigned int kind = 0;
+    std::array<unsigned int, 12> dofs{};
+  };
+
+  Kind make_kind(const Model &model, const unsigned int index) const;
+  void sum_loads(const std::vector<double> &factors);
+  static Vector9 start_of(const Kind &kind, const Cell &cell, const Vector &dofs) {
+    Vector9 start = kind.sum;
+    for (unsigned int i = 0; i < 12; ++i)
+      start.head<6>() += dofs[cell.dofs[i]] * kind.start.col(i);
+    return start;
+  }
+  /// Of a straight cell: forces are linear along it, and moments at most q L^2/8 off the chord.
+  Bounds bounds_of(const Kind &kind, const Vector9 &start) const {
+    const double L = (per_cell - 1) * kind.spacing;
+    Bounds result;
+    const auto set = [&](const unsigned int c, const double end, const double arch) {
+      result.low[c] = std::min(start[c], end) - arch;
+      result.high[c] = std::max(start[c], end) + arch;
+    };
+    for (unsigned int c = 0; c < 3; ++c)
+      set(c, start[c] - L * start[6 + c], 0.);
+    set(3, start[3], 0.);
+    set(4, start[4] + L * (start[2] - L / 2. * start[8]), L * L / 8. * std::abs(start[8]));
+    set(5, start[5] - L * (start[1] - L / 2. * start[7]), L * L / 8. * std::abs(start[7]));
+    return result;
+  }
+  const double *forces_of(const Kind &kind, const Vector9 &start);
+
+  const unsigned int per_cell; ///< stations
+  std::vector<Kind> kinds;
+  std::vector<Cell> cells; ///< in the order of the frames' stations
+  std::vector<double> buffer;
+};
+
+/// Section force and moment (global axes) of an arc at @p psi from those at its beginning.
+std::pair<Vector3, Vector3> section_of_arc(const ArcBeam &arc, const double psi,
+                                           const Vector3 &force, const Vector3 &moment,
+                                           const Vector3 &line_force);
+
+} // namespace frictionbeam

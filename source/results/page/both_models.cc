@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/page/both_models.h"
+#include "results/page/html.h"
+#include "results/text.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+void include_model(Results &both, const Results &results, const std::string &model) {
+  const std::string prefix = model + "/";
+  for (QuantityResult quantity : results.quantities) {
+    quantity.name = prefix + quantity.name;
+    both.quantities.push_back(quantity);
+  }
+  for (StepReport step : results.steps) {
+    step.step = prefix + step.step;
+    both.steps.push_back(step);
+  }
+  for (Check check : results.certificate) {
+    check.name = prefix + check.name;
+    both.certificate.push_back(check);
+  }
+  for (const std::string &remark : results.remarks)
+    both.remarks.push_back(model + ": " + remark);
+  both.method += (both.method.empty() ? "" : "; ") + model + ": " + results.method;
+  if (results.status != RunStatus::converged)
+    both.status = results.status;
+  Cost &sum = both.cost;
+  const Cost &cost = results.cost;
+  sum.mesh_seconds += cost.mesh_seconds;
+  sum.setup_seconds += cost.setup_seconds;
+  sum.solve_seconds += cost.solve_seconds;
+  sum.unknowns += cost.unknowns;
+  sum.cells += cost.cells;
+  sum.contacts += cost.contacts;
+  sum.steps += cost.steps;
+  sum.iterations += cost.iterations;
+  sum.factorizations += cost.factorizations;
+}
+
+std::string side_by_side(const Results &both) {
+  std::vector<std::string> names;
+  for (const QuantityResult &quantity : both.quantities) {
+    const std::string name = quantity.name.substr(quantity.name.find('/') + 1);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  }
+  const auto column = [&](const std::string &model) {
+    std::vector<std::string> cells;
+    for (const std::string &name : names) {
+      std::string cell = "\u2013";
+      for (const QuantityResult &quantity : both.quantities)
+        if (quantity.name == model + "/" + name)
+          cell = rounded_number(quantity.value, 6) + " " + quantity.unit;
+      cells.push_back(cell);
+    }
+    return cells;
+  };
+  return HtmlTable()
+             .text("Quantity", names)
+             .right("Line", column("line"))
+             .right("Continuum", column("continuum"))
+             .str() +
+         html_note("The folders line and continuum have the report of each.");
+}
+
+} // namespace frictionbeam

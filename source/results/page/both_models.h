@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "results/results.h"
+
+namespace frictionbeam {
+
+/// Take over what one model of a scene gave, with its name before every name: `line/u_0`.
+void include_model(Results &both, const Results &results, const std::string &model);
+
+/// The quantities of the models side by side, as HTML.
+std::string side_by_side(const Results &both);
+
+} // namespace frictionbeam

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/page/plot.h"
+#include "results/text.h"
+
+#include "base/process.h"
+#include "base/temporary_folder.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace frictionbeam {
+
+namespace {
+
+std::string read_file(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// In gnuplot's single quotes, which know no escapes but the doubled quote.
+std::string quoted(const std::string &text) {
+  std::string result = "'";
+  for (const char c : text)
+    result += c == '\'' ? "''" : static_cast<unsigned char>(c) < 0x20 ? " " : std::string(1, c);
+  return result + "'";
+}
+
+void replace_all(std::string &text, const std::string &from, const std::string &to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+/// Places of a series to draw: of each of some 500 stretches its first, lowest, highest and last.
+std::vector<std::size_t> thinned(const std::vector<double> &y) {
+  constexpr std::size_t n_stretches = 500;
+  std::vector<std::size_t> places;
+  if (y.size() <= 4 * n_stretches) {
+    for (std::size_t i = 0; i < y.size(); ++i)
+      places.push_back(i);
+    return places;
+  }
+  for (std::size_t stretch = 0; stretch < n_stretches; ++stretch) {
+    const std::size_t begin = stretch * y.size() / n_stretches;
+    const std::size_t end = (stretch + 1) * y.size() / n_stretches;
+    const auto [low, high] = std::minmax_element(y.begin() + begin, y.begin() + end);
+    std::array<std::size_t, 4> found{{begin, static_cast<std::size_t>(low - y.begin()),
+                                      static_cast<std::size_t>(high - y.begin()), end - 1}};
+    std::sort(found.begin(), found.end());
+    places.insert(places.end(), found.begin(), std::unique(found.begin(), found.end()));
+  }
+  return places;
+}
+
+/// Whether anything was written that can be drawn.
+bool write_data(const Plot &plot, const Plot::Series &series, std::ostream &script) {
+  AssertDimension(series.x.size(), series.y.size());
+  bool some = false;
+  for (const std::size_t i : thinned(series.y)) {
+    const double x = series.x[i], y = series.y[i];
+    if (std::isfinite(x) && std::isfinite(y) && (x > 0. || !plot.log_x) &&
+        (y > 0. || !plot.log_y)) {
+      script << rounded_number(x, 9) << ' ' << rounded_number(y, 9) << '\n';
+      some = true;
+    } else
+      script << '\n';
+  }
+  return some;
+}
+
+/// A range that gnuplot does not complain about where all values are the same.
+void write_range(const Plot &plot, const char axis, std::ostream &script) {
+  const bool log = axis == 'x' ? plot.log_x : plot.log_y;
+  double low = std::numeric_limits<double>::max(), high = -low;
+  for (const auto &series : plot.series)
+    for (const double value : axis == 'x' ? series.x : series.y)
+      if (std::isfinite(value) && (value > 0. || !log)) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  script << "set " << axis << "range [*:*]\n";
+  if (axis == 'x')
+    script << "set autoscale xfix\n";
+  if (log && axis == 'x' && low < high) {
+    script << "set xrange [" << rounded_number(low / 1.3, 9) << ':' << rounded_number(high * 1.3, 9)
+           << "]\nset xtics autofreq\n";
+    if (high < 30. * low) // less than two decades want more than one number
+      for (int decade = std::floor(std::log10(low)) - 1; std::pow(10., decade) < high * 1.3;
+           ++decade)
+        for (const double digit : {1., 2., 5.})
+          script << "set xtics add (" << rounded_number(digit * std::pow(10., decade)) << ")\n";
+    return;
+  }
+  if (high < low || high - low > 1e-9 * std::max(std::abs(high), std::abs(low)))
+    return;
+  const double margin = high == 0. ? 1. : std::abs(high) * (log ? 0.5 : 0.1);
+  script << "set " << axis << "range [" << rounded_number(low - margin, 12) << ':'
+         << rounded_number(high + margin, 12) << "]\n";
+}
+
+void write_plot(const Plot &plot, const std::string &name, const std::string &file,
+                std::ostream &script) {
+  std::vector<unsigned int> drawn;
+  std::string key;
+  for (unsigned int i = 0; i < plot.series.size(); ++i) {
+    script << "$data" << i << " << END_OF_DATA\n";
+    if (write_data(plot, plot.series[i], script)) {
+      drawn.push_back(i);
+      key += plot.series[i].label;
+    }
+    script << "END_OF_DATA\n";
+  }
+  script << "set terminal svg size " << plot.width << ',' << plot.height
+         << " dynamic noenhanced font 'sans-serif,11' name '" << name << "' background 'white'\n"
+         << "set output " << quoted(file) << '\n'
+         << "set title " << quoted(plot.title) << " font 'sans-serif,13'"
+         << "\nset xlabel " << quoted(plot.x_label) << " offset 0,0.3\nset ylabel "
+         << quoted(plot.y_label) << '\n'
+         << (plot.log_x ? "set logscale x 10\n" : "unset logscale x\n")
+         << (plot.log_y ? "set logscale y 10\n" : "unset logscale y\n") << "set format x '"
+         << (!plot.x_format.empty() ? plot.x_format
+             : plot.log_x           ? "1e%T"
+                                    : "%g")
+         << "'\nset format y '" << (plot.log_y ? "1e%T" : "%g") << "'\n";
+  write_range(plot, 'x', script);
+  write_range(plot, 'y', script);
+  script << (key.empty() ? "unset key\n"
+             : plot.key == Plot::Key::right
+                 ? "set key outside right top vertical Left reverse samplen 2 spacing 1.4 "
+                   "noenhanced\n"
+                 : "set key default\nset key outside top center horizontal samplen 2 noenhanced\n");
+  script << "unset label\n";
+  for (const Plot::Label &label : plot.labels)
+    script << "set label " << quoted(label.text) << " at " << rounded_number(label.x, 9) << ','
+           << rounded_number(label.y, 9)
+           << " front offset 0.7,0.6 font 'sans-serif,9' textcolor rgb '#333333' noenhanced\n";
+  if (drawn.empty()) {
+    script << "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\nunset output\n";
+    return;
+  }
+  for (const unsigned int i : drawn) {
+    const auto &series = plot.series[i];
+    const bool line = series.style != Plot::Series::Style::points;
+    const bool points = series.style != Plot::Series::Style::line;
+    script << (i == drawn.front() ? "plot " : ", ") << "$data" << i << " using 1:2 with "
+           << (line ? (points ? "linespoints" : "lines") : "points") << " linecolor rgb '"
+           << (series.colour.empty() ? series_colour(i) : series.colour) << "'";
+    if (line)
+      script << " linewidth " << rounded_number(series.line_width) << " dashtype "
+             << (series.dashed ? "'--'" : "solid");
+    if (points)
+      script << " pointtype "
+             << std::array<int, 7>{{7, 5, 9, 13, 11, 4,
+                                    2}}[(series.marker > 0 ? series.marker - 1 : i % 6) % 7]
+             << " pointsize " << rounded_number(series.point_size);
+    script << ' ' << (series.label.empty() ? "notitle" : "title " + quoted(series.label));
+  }
+  script << "\nunset output\n";
+}
+
+/// Run gnuplot on a script; what went wrong, or nothing.
+std::string run_gnuplot(const std::string &folder) {
+  constexpr double seconds = 600.;
+  const ProcessResult process =
+      run_process({"gnuplot", "--default-settings", folder + "/script"}, "", seconds);
+  if (process.exit_status == 127)
+    return "gnuplot is not installed (Debian: gnuplot-nox)";
+  if (process.timed_out)
+    return "gnuplot took more than " + rounded_number(seconds) + " s";
+  return process.exit_status == 0 ? "" : "gnuplot failed: " + process.output.substr(0, 500);
+}
+
+/// Remove the groups that hold nothing, which gnuplot writes by the hundred.
+std::string without_empty_groups(const std::string &svg) {
+  std::string result;
+  std::size_t at = 0;
+  while (true) {
+    const std::size_t group = svg.find("<g ", at);
+    if (group == std::string::npos)
+      return result + svg.substr(at);
+    result += svg.substr(at, group - at);
+    const std::size_t content = svg.find('>', group) + 1;
+    const std::size_t next = svg.find_first_not_of(" \n\t", content);
+    if (svg.compare(next, 4, "</g>") == 0)
+      at = svg.find_first_not_of(" \n\t", next + 4);
+    else {
+      result += svg.substr(group, content - group);
+      at = next;
+    }
+  }
+}
+
+/// Without prolog and description, and with ids that no other chart has.
+std::string as_element(std::string svg, const std::string &name) {
+  const std::size_t begin = svg.find("<svg"), end = svg.rfind("</svg>");
+  if (begin == std::string::npos || end == std::string::npos)
+    return "";
+  svg = svg.substr(begin, end + 6 - begin);
+  const auto erase = [&](const std::string &from, const std::string &to) {
+    const std::size_t first = svg.find(from), last = svg.find(to);
+    if (first != std::string::npos && last != std::string::npos && first < last)
+      svg.erase(first, last + to.size() - first);
+  };
+  erase("<title>", "</desc>");
+  if (svg.find("xlink:href", svg.find("</defs>")) == std::string::npos) // no marker is used
+    erase("<defs>", "</defs>");
+  for (const char *id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_canvas"})
+    replace_all(svg, id, name + "_" + id);
+  return without_empty_groups(svg);
+}
+
+} // namespace
+
+std::string series_colour(const unsigned int i) {
+  static const std::array<std::string, 6> colours{
+      {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00"}}; // Okabe and Ito
+  return colours[i % colours.size()];
+}
+
+DrawnPlots draw_plots(const std::vector<Plot> &plots, const std::string &prefix) {
+  DrawnPlots drawn;
+  drawn.svg.resize(plots.size());
+  if (plots.empty())
+    return drawn;
+  const TemporaryFolder folder;
+  if (folder.path.empty()) {
+    drawn.problem = "no temporary folder can be made for gnuplot";
+    return drawn;
+  }
+
+  const auto name = [&](const std::size_t i) { return prefix + std::to_string(i); };
+  const auto file = [&](const std::size_t i) { return folder.path + "/" + name(i) + ".svg"; };
+  {
+    std::ofstream script(folder.path + "/script");
+    script << "set encoding utf8\n"
+              "set style line 10 linecolor rgb '#dddddd' linewidth 0.6\n"
+              "set grid back linestyle 10\n"
+              "set border 3 linecolor rgb '#666666'\n"
+              "set tics nomirror out scale 0.5 textcolor rgb '#333333'\n"
+              "set xzeroaxis linetype 1 linecolor rgb '#888888' linewidth 0.8\n"
+              "set samples 2\n";
+    for (std::size_t i = 0; i < plots.size(); ++i)
+      write_plot(plots[i], name(i), file(i), script);
+    if (!script.flush()) {
+      drawn.problem = "the data for gnuplot cannot be written to " + folder.path;
+      return drawn;
+    }
+  }
+  drawn.problem = run_gnuplot(folder.path);
+  for (std::size_t i = 0; drawn.problem.empty() && i < plots.size(); ++i)
+    drawn.svg[i] = as_element(read_file(file(i)), name(i));
+  return drawn;
+}
+
+} // namespace frictionbeam

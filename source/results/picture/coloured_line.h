@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "results/results.h"
+
+namespace frictionbeam {
+
+/**
+ * The line in isometric view as one SVG element, coloured by a number at each station: a mode by
+ * its displacement, stresses by their utilization.
+ */
+struct ColouredLine {
+  std::string title, legend;  ///< the legend says what the colours are
+  std::vector<double> values; ///< at each station of the frame, >= 0
+  double largest = 1.;        ///< of the colour scale
+  double scale = 0.;          ///< of displacements, drawn if not 0, beside the line as built
+};
+std::string draw_coloured_line(const Scene &scene, const Frame &frame, const ColouredLine &what);
+
+} // namespace frictionbeam

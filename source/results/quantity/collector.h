@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/increment/motion_piece.h"
+#include "results/frame/frame_builder.h"
+
+#include <functional>
+
+namespace frictionbeam {
+
+class SmoothCourses;
+
+/**
+ * Gathers results while the analysis runs: frames at the ends of steps and at output instants,
+ * histories of monitored points, and the values of the quantities that the scene asks for.
+ */
+class Collector {
+public:
+  /// Called with each frame as soon as it is made, so that it can be written.
+  using FrameSink = std::function<void(const Frame &)>;
+
+  Collector(const Model &model, Results &results, FrameSink sink);
+
+  /// To be called after every increment of the analysis.
+  void observe(const unsigned int step, const unsigned int increment,
+               const unsigned int n_increments, const LineState &state);
+
+  /// To be called with every smooth piece of a motion, before its end is observed: extremes and
+  /// integrals over time are then exact.
+  void observe_piece(const MotionPiece &piece);
+  /// Whether anything that is asked for needs that.
+  bool wants_pieces() const;
+
+  /// Whether observe() will look at more than contacts and the motion of the scene's points.
+  bool needs_line(const unsigned int step, const unsigned int increment,
+                  const unsigned int n_increments, const double time) const;
+
+  /// To be called for every case made after the load sequence: @p made is put out and kept.
+  void observe_case(const std::string &name, const Frame &made);
+
+  /// Fill in the quantities' results; those never reached are left out with a remark. If the
+  /// analysis stopped between outputs, @p state, the last in equilibrium, is put out as well.
+  void finish(const LineState &state);
+
+  /// What was gathered so far.
+  void transfer(Archive &archive);
+
+private:
+  struct Pending {
+    std::optional<double> value;
+    double previous = 0., since = 0.;   ///< value before, and the time that it belongs to
+    double sum = 0., duration = 0.;     ///< integrals over time
+    double at_start = 0., largest = 0.; ///< largest: by size
+    bool begun = false, struck = false; ///< struck: a rigid support whose force it is an extreme of
+  };
+
+  /// Follow a quantity over an interval of time.
+  void follow(const Quantity &quantity, const LineState &state, Pending &pending);
+  /// The same from begin to end of a smooth piece.
+  void follow(const unsigned int quantity, const SmoothCourses &courses, const unsigned int number,
+              const MotionPiece &piece);
+  void find_change(const Quantity &quantity, const LineState &state, Pending &pending) const;
+
+  /// Note for extremes of forces which rigid supports were struck.
+  void watch_impacts(const bool transient, const LineState &state);
+
+  double evaluate(const Quantity &quantity, const LineState &state);
+  /// The same, where the absolute value is asked for without that.
+  double evaluate_signed(const Quantity &quantity, const LineState &state);
+  /// The quantity in a frame alone, for cases that have no state of the line.
+  double evaluate(const Quantity &quantity, const Frame &made) const;
+  double section_force(const Quantity &quantity, const Frame &made,
+                       const unsigned int component) const;
+  const Station &station_at(const Quantity &quantity, const Frame &made) const;
+  double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
+  const Frame &current_frame(const LineState &state);
+  void put_out(const LineState &state, const bool keep);
+  bool output_is_due(const LoadStep &step, const double time, const bool last) const;
+
+  const Model &model;
+  Results &results;
+  FrameSink sink;
+  FrameBuilder builder;
+  std::vector<Pending> pending; ///< beside Scene::quantities
+  Frame frame;
+  bool frame_is_current = false, is_put_out = true;
+  unsigned int current_step = 0, current_increment = 0;
+  std::vector<ContactStatus> previous_status; ///< of the contacts
+  double previous_time = 0., last_output = 0., largest_error = 0.;
+};
+
+/// SI unit of what a quantity measures.
+std::string unit_of(const std::string &what);
+
+} // namespace frictionbeam

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene/scene.h"
+
+namespace frictionbeam {
+
+/// Whether a quantity is an extreme in time of a force of this support, or of all of them.
+bool is_extreme_of_force(const Quantity &quantity, const std::string &support);
+
+/**
+ * What the user should know about an extreme of a force of a rigid support that was struck: an
+ * impact has an impulse, and its force, infinite for no time, is no number.
+ * @throws UserError if the quantity has a reference, which nothing can be compared with
+ */
+std::string remark_on_impact(const Quantity &quantity);
+
+} // namespace frictionbeam

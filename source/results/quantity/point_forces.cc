@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/quantity/point_forces.h"
+
+namespace frictionbeam {
+
+double force_of_support(const FrameBuilder &builder, const Results &results, const unsigned int i,
+                        const LineState &state, const unsigned int component) {
+  return component < 3
+             ? builder.support_force(state, i)[component]
+             : builder.support_state(state, i).mt * results.supports[i].normal[component - 3];
+}
+
+double force_at_point(const Model &model, const FrameBuilder &builder, const Results &results,
+                      const std::string &point, const LineState &state,
+                      const unsigned int component) {
+  const unsigned int vertex = model.mesh.points.at(point);
+  double force = builder.reaction(vertex)[component]; // of restraints
+  for (const Spring &spring : model.scene.springs)
+    if (spring.point == point || spring.other == point)
+      force += (spring.point == point ? 1. : -1.) * builder.spring_force(state, spring)[component];
+  for (unsigned int i = 0; i < results.supports.size(); ++i)
+    for (const unsigned int side : {0u, 1u}) // on the pipe, on what it stands on
+      if (model.contacts[i].vertices[side] == vertex)
+        force += (side == 0 ? 1. : -1.) * force_of_support(builder, results, i, state, component);
+  return force;
+}
+
+} // namespace frictionbeam

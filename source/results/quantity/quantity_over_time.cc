@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/frame/smooth_courses.h"
+
+#include "results/quantity/collector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+/// Straight line between two instants.
+double between(const double t0, const double x0, const double t1, const double x1, const double t) {
+  return t1 > t0 ? x0 + (t - t0) / (t1 - t0) * (x1 - x0) : x1;
+}
+
+} // namespace
+
+void Collector::find_change(const Quantity &quantity, const LineState &state,
+                            Pending &change) const {
+  const ContactStatus wanted = quantity.what == "stick"  ? ContactStatus::stick
+                               : quantity.what == "slip" ? ContactStatus::slip
+                               : quantity.what == "open" ? ContactStatus::open
+                                                         : ContactStatus::closed;
+  for (const ContactEvent &event : state.events) {
+    // closed: with or without friction
+    const bool is_it = event.status == wanted ||
+                       (wanted == ContactStatus::closed && event.status != ContactStatus::open);
+    if (!change.value && is_it && event.time >= quantity.from &&
+        results.supports[event.contact].name == quantity.where)
+      change.value = quantity.scale * event.time;
+  }
+}
+
+void Collector::follow(const Quantity &quantity, const LineState &state, Pending &course) {
+  using Over = Quantity::Over;
+  if (course.since > quantity.to)
+    return;
+  const double rounding = 1e-9 * std::abs(state.time), value = evaluate(quantity, state);
+  const double before = course.previous, since = course.since;
+  course.previous = value;
+  course.since = state.time;
+  if (state.time < quantity.from - rounding || since > quantity.to)
+    return;
+  // Both ends of the interval may lie between two instants.
+  const double first = course.begun ? since : std::max(since, std::min(quantity.from, state.time)),
+               last = std::min(state.time, quantity.to);
+  const double at_first = between(since, before, state.time, value, first),
+               at_last = between(since, before, state.time, value, last);
+  if (quantity.over == Over::maximum || quantity.over == Over::minimum) {
+    const double sign = quantity.over == Over::maximum ? 1. : -1.;
+    double extreme = sign * at_last;
+    if (course.begun)
+      extreme = std::max(extreme, sign * *course.value);
+    else if (quantity.from > since)
+      extreme = std::max(extreme, sign * at_first);
+    course.value = sign * extreme;
+  } else {
+    course.largest = std::max({course.largest, std::abs(at_first), std::abs(at_last)});
+    course.sum += (last - first) * (at_first + at_last) / 2.;
+    course.duration += last - first;
+    if (!course.begun)
+      course.at_start = at_first;
+    const double change = at_last - course.at_start;
+    const bool lasts = course.duration > 0.;
+    course.value = quantity.over == Over::integral ? course.sum
+                   : quantity.over == Over::change ? change
+                   : quantity.over == Over::rate   ? (lasts ? change / course.duration : 0.)
+                   : lasts                         ? course.sum / course.duration
+                                                   : value;
+  }
+  course.begun = true;
+}
+
+namespace {
+
+/// What changes with time within a piece; max_error is gathered at the ends of steps.
+bool is_followed(const Quantity &quantity) {
+  return quantity.over != Quantity::Over::end && quantity.over != Quantity::Over::time_of &&
+         quantity.what != "max_error";
+}
+
+} // namespace
+
+bool Collector::wants_pieces() const {
+  return std::any_of(model.scene.quantities.begin(), model.scene.quantities.end(), &is_followed);
+}
+
+void Collector::observe_piece(const MotionPiece &piece) {
+  std::vector<unsigned int> followed;
+  for (unsigned int i = 0; i < pending.size(); ++i) {
+    const Quantity &quantity = model.scene.quantities[i];
+    if (is_followed(quantity) && piece.begin < quantity.to && piece.end > quantity.from)
+      followed.push_back(i);
+  }
+  if (followed.empty())
+    return;
+  Eigen::VectorXd sizes(followed.size());
+  for (std::size_t k = 0; k < followed.size(); ++k)
+    sizes[k] = pending[followed[k]].largest;
+  const SmoothCourses courses(
+      [&](const double time) {
+        frame_is_current = false;
+        const LineState &state = piece.state_at(time);
+        Eigen::VectorXd values(followed.size());
+        for (std::size_t k = 0; k < followed.size(); ++k) // without corners
+          values[k] = evaluate_signed(model.scene.quantities[followed[k]], state);
+        return values;
+      },
+      piece.begin, piece.end, sizes,
+      [&](const SmoothCourses &so_far) {
+        for (std::size_t k = 0; k < followed.size(); ++k) {
+          const Quantity &quantity = model.scene.quantities[followed[k]];
+          const Pending &course = pending[followed[k]];
+          if (quantity.over == Quantity::Over::change || quantity.over == Quantity::Over::rate)
+            continue; // asks for the ends
+          const double sign = quantity.over == Quantity::Over::maximum ? 1. : -1.;
+          const bool is_extreme = sign > 0. || quantity.over == Quantity::Over::minimum;
+          if (!is_extreme || quantity.absolute || !course.begun || piece.begin < quantity.from ||
+              piece.end > quantity.to || so_far.may_exceed(k, sign, *course.value))
+            return false;
+        }
+        return true;
+      });
+  frame_is_current = false;
+  for (std::size_t k = 0; k < followed.size(); ++k)
+    follow(followed[k], courses, k, piece);
+}
+
+void Collector::follow(const unsigned int i, const SmoothCourses &courses,
+                       const unsigned int number, const MotionPiece &piece) {
+  using Over = Quantity::Over;
+  const Quantity &quantity = model.scene.quantities[i];
+  Pending &course = pending[i];
+  const double first = std::max(piece.begin, quantity.from),
+               last = std::min(piece.end, quantity.to);
+  std::vector<double> corners = {first};
+  if (quantity.absolute)
+    for (const double zero : courses.zeros(number, first, last))
+      corners.push_back(zero);
+  corners.push_back(last);
+  const double scale = quantity.scale < 0. ? -1. : 1.;
+  const auto of_size = [&](const double value) {
+    return quantity.absolute ? scale * std::abs(value) : value;
+  };
+  const double at_first = of_size(courses.value(number, first)),
+               at_last = of_size(courses.value(number, last));
+  course.largest = std::max(course.largest, courses.size(number));
+  course.duration += last - first;
+  if (!course.begun)
+    course.at_start = at_first;
+  const bool is_extreme = quantity.over == Over::maximum || quantity.over == Over::minimum;
+  const double upwards = quantity.over == Over::maximum ? 1. : -1.;
+  double extreme = std::max(upwards * at_first, upwards * at_last);
+  if (is_extreme && course.begun)
+    extreme = std::max(extreme, upwards * *course.value);
+  for (std::size_t k = 1; k < corners.size(); ++k) { // |what| is smooth in between
+    const double from = corners[k - 1], to = corners[k],
+                 side = quantity.absolute && courses.value(number, (from + to) / 2.) * scale < 0.
+                            ? -1.
+                            : 1.;
+    if (!is_extreme)
+      course.sum += side * courses.integral(number, from, to);
+    else if (const auto found =
+                 courses.extreme(number, side * upwards, from, to, side * upwards * extreme))
+      extreme = upwards * side * found->value;
+  }
+  const double change = at_last - course.at_start;
+  course.value = is_extreme                        ? upwards * extreme
+                 : quantity.over == Over::integral ? course.sum
+                 : quantity.over == Over::change   ? change
+                 : quantity.over == Over::rate     ? change / course.duration
+                                                   : course.sum / course.duration;
+  course.begun = true;
+  course.previous = at_last;
+  course.since = piece.end;
+}
+
+} // namespace frictionbeam

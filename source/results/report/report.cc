@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/report/report.h"
+#include "results/file/output_file.h"
+#include "results/file/summary.h"
+#include "results/frame/frame_choice.h"
+#include "results/how_well_known.h"
+#include "results/page/html.h"
+#include "results/picture/line_picture.h"
+#include "results/remarks.h"
+#include "results/report/report_charts.h"
+#include "results/report/report_modes.h"
+#include "results/report/report_study.h"
+#include "results/report/report_tables.h"
+#include "results/stress/stresses.h"
+#include "results/text.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr unsigned int n_frames_at_most = 6;
+constexpr std::size_t n_input_at_most = 200000; ///< characters
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm local{};
+  char text[64] = "";
+  if (localtime_r(&time, &local) != nullptr)
+    std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M %Z", &local);
+  return text;
+}
+
+/// The step at which the run stopped, in a sentence; empty if the solver left no word.
+std::string where_it_stopped(const Results &results) {
+  for (const StepReport &step : results.steps)
+    if (!step.converged)
+      return " It stopped in step '" + step.step + "'" +
+             (step.remark.empty() ? "."
+                                  : ": " + step.remark + (step.remark.back() == '.' ? "" : "."));
+  return "";
+}
+
+std::string status_box(const Results &results) {
+  std::string word, sentence;
+  switch (results.status) {
+  case RunStatus::converged:
+    word = "\u2713 Converged";
+    sentence = "Every step of the load sequence came to its end. Displacements are known to: load "
+               "increments " +
+               in_words(results.known.increments) + ", time step " +
+               in_words(results.known.time_step) + ", cells " + in_words(results.known.cells) + ".";
+    break;
+  case RunStatus::no_equilibrium:
+    word = "\u26a0 No equilibrium";
+    sentence = "The supports cannot hold the line under these loads: it slides or moves away." +
+               where_it_stopped(results);
+    break;
+  case RunStatus::failed:
+    word = "\u2717 Failed";
+    sentence = "The solver did not come to the end of the load sequence. What follows is what it "
+               "reached." +
+               where_it_stopped(results);
+    break;
+  }
+  return "<div class=\"status " + status_word(results.status) + "\"><b>" + word + "</b>" +
+         escape_xml(sentence) + "</div>\n";
+}
+
+std::string heading(const Scene &scene, const Results &results) {
+  const bool has_title = !scene.title.empty();
+  std::string text = "<h1>" + escape_xml(has_title ? scene.title : scene.name) + "</h1>\n";
+  text += "<p class=\"facts\">";
+  const auto fact = [&](const std::string &what) {
+    text += what.empty() ? "" : "<span>" + escape_xml(what) + "</span>";
+  };
+  fact(has_title ? scene.name : "");
+  fact(results.method);
+  fact("FrictionBeam " + program_version() + " with deal.II " + deal_ii_version());
+  fact(now());
+  text += "</p>\n" + status_box(results);
+  const auto remarks = all_remarks(scene, results);
+  if (!remarks.empty()) {
+    text += "<div class=\"remarks\"><b>Remarks</b><ul>\n";
+    for (const auto &remark : remarks)
+      text += "<li>" + escape_xml(remark) + "</li>\n";
+    text += "</ul></div>\n";
+  }
+  return text;
+}
+
+std::string pictures(const Scene &scene, const Results &results,
+                     const std::vector<const Frame *> &frames, const double scale) {
+  std::vector<std::pair<std::string, std::string>> panels;
+  for (const Frame *frame : frames)
+    panels.emplace_back(step_name(scene, *frame), "<div class=\"picture\">" +
+                                                      draw_line(scene, results, *frame, scale) +
+                                                      "</div>\n");
+  return html_tabs("line-of", panels) +
+         (results.envelopes.empty()
+              ? ""
+              : html_note("Of a transient step the line is shown as it is at the step's end."));
+}
+
+std::string input(const Scene &scene) {
+  std::string text;
+  if (!scene.overrides.empty()) {
+    text += "<p>Set on the command line:</p>\n<pre>";
+    for (const auto &override_text : scene.overrides)
+      text += escape_xml(override_text) + "\n";
+    text += "</pre>\n<p>The file:</p>\n";
+  }
+  text += "<pre>" + escape_xml(scene.input.substr(0, n_input_at_most)) + "</pre>\n";
+  if (scene.input.size() > n_input_at_most)
+    text += html_note("The rest of the file is left out here.");
+  return text;
+}
+
+} // namespace
+
+void write_report(const Scene &scene, const Results &results, const std::string &folder) {
+  const auto frames = frames_to_show(results, n_frames_at_most);
+  const double scale = displacement_scale(frames);
+
+  std::string links, sections;
+  const auto add = [&](const std::string &id, const std::string &title, const std::string &body) {
+    links += "<a href=\"#" + id + "\">" + escape_xml(title) + "</a>";
+    sections += html_section(id, title, body);
+  };
+  if (!results.quantities.empty())
+    add("quantities", "Quantities", quantity_table(results));
+  if (results.accuracy)
+    add("accuracy", "Accuracy", accuracy_section(*results.accuracy));
+  if (!frames.empty()) {
+    std::string steps = step_table(scene, results, frames);
+    if (frames.size() == n_frames_at_most && scene.steps.size() > n_frames_at_most)
+      steps +=
+          html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
+                    std::to_string(scene.steps.size()) + " steps; the csv files have all of them.");
+    add("steps", "Steps", steps);
+    if (!frames.back()->line.empty()) // a scene may have no pipe at all
+      add("line", "Line", pictures(scene, results, frames, scale));
+    const ReportCharts charts = make_report_charts(scene, results, frames);
+    if (!charts.section_forces.empty())
+      add("forces", "Section forces", charts.section_forces);
+    if (!charts.histories.empty())
+      add("histories", "Histories", charts.histories);
+    if (!results.supports.empty() && frames.size() > 1)
+      add("states", "States", state_table(scene, results));
+    if (!results.supports.empty())
+      add("supports", "Supports", support_tables(scene, results, frames));
+    if (!results.restraints.empty())
+      add("reactions", "Reactions", reaction_tables(scene, results, frames));
+    if (!results.points.empty())
+      add("displacements", "Displacements", displacement_tables(scene, results, frames));
+    if (!results.stresses.empty())
+      add("stresses", "Stresses", stress_section(scene, results));
+    if (!results.nozzles.empty())
+      add("nozzles", "Allowable loads", nozzle_section(results));
+    if (!results.friction_study.multipliers.empty())
+      add("friction", "Friction study", friction_study_section(results));
+    if (!results.supports.empty() || !results.restraints.empty())
+      add("restraints", "Restraint summary", restraint_summary(scene, results));
+    if (!results.modes.empty())
+      add("modes", "Modes", mode_section(scene, results));
+    write_file(folder + "/line.svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
+                                         draw_line(scene, results, *frames.back(), scale));
+  }
+  for (const ReportSection &section : results.sections)
+    add(section.id, section.title, section.html);
+  add("solver", "Solver", solver_tables(results));
+  add("input", "Input", input(scene));
+  write_file(folder + "/report.html",
+             html_page(scene.title.empty() ? scene.name : scene.title,
+                       heading(scene, results) + "<nav>" + links + "</nav>\n" + sections));
+}
+
+} // namespace frictionbeam

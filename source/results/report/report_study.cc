@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/report/report_study.h"
+#include "results/file/csv_writer.h"
+#include "results/file/envelope_tables.h"
+#include "results/file/output_file.h"
+#include "results/page/html.h"
+#include "results/report/limits.h"
+#include "results/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace frictionbeam {
+
+namespace {
+
+double size_of(const SupportState &s) { return std::hypot(s.fn, s.ft1, s.ft2); }
+double size_of(const Motion &f) { return std::hypot(f[0], f[1], f[2]); }
+
+/// Rows with the largest weights, falling.
+std::vector<std::size_t> largest_first(const std::vector<double> &weight) {
+  std::vector<std::size_t> rows(weight.size());
+  std::iota(rows.begin(), rows.end(), std::size_t(0));
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const std::size_t a, const std::size_t b) { return weight[a] > weight[b]; });
+  rows.resize(std::min(rows.size(), n_rows_at_most));
+  return rows;
+}
+
+} // namespace
+
+std::string restraint_summary(const Scene &scene, const Results &results) {
+  struct Row {
+    std::string name, kind, step, when;
+    double force = 0., normal = 0., friction = 0., moment = 0., impulse = 0., impact = 0.;
+    bool is_struck = false;
+    void set(const double size, const std::string &in_step, const std::string &instant) {
+      force = size;
+      step = in_step;
+      when = instant;
+    }
+  };
+  std::vector<Row> all;
+  for (const SupportInfo &info : results.supports)
+    all.push_back({info.name, info.kind, "", ""});
+  for (const RestraintInfo &info : results.restraints)
+    all.push_back({info.name, info.kind, "", ""});
+  const auto set_support = [](Row &row, const SupportState &state) {
+    row.normal = state.fn;
+    row.friction = friction_force(state);
+  };
+  const auto set_restraint = [](Row &row, const Motion &f) {
+    row.moment = std::hypot(f[3], f[4], f[5]);
+  };
+  const std::size_t n_supports = results.supports.size();
+  for (const Frame &frame : results.frames) {
+    if (!frame.end_of_step)
+      continue;
+    const StepEnvelope *const envelope = results.envelope_of(frame.step);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      Row &row = all[i];
+      const bool support = i < n_supports;
+      const std::size_t r = i - n_supports;
+      Extremes force; // of a transient step
+      if (envelope != nullptr)
+        force = support ? envelope->supports[i].force : envelope->restraints[r].force;
+      const double size = force.is_known() ? force.largest
+                          : support        ? size_of(frame.supports[i])
+                                           : size_of(frame.reactions[r]);
+      if (envelope != nullptr && support && envelope->supports[i].n_impacts > 0) {
+        row.is_struck = true;
+        row.impulse += envelope->supports[i].impulse;
+        row.impact = std::max(row.impact, envelope->supports[i].impact.largest);
+      }
+      if (size <= row.force && !row.step.empty())
+        continue;
+      row.set(size, step_name(scene, frame),
+              force.is_known() ? rounded_number(force.largest_at, 5) : "end");
+      if (support)
+        set_support(row, force.is_known() ? envelope->supports[i].at_largest : frame.supports[i]);
+      else
+        set_restraint(row,
+                      force.is_known() ? envelope->restraints[r].at_largest : frame.reactions[r]);
+    }
+  }
+  std::vector<double> weight;
+  for (const Row &row : all)
+    weight.push_back(row.force);
+  std::vector<std::string> names, kinds, steps, when, notes;
+  std::vector<double> force, normal, friction, moment, impulse, impact;
+  bool any_struck = false;
+  for (const std::size_t i : largest_first(weight)) {
+    names.push_back(all[i].name);
+    kinds.push_back(all[i].kind);
+    steps.push_back(all[i].step);
+    when.push_back(all[i].when);
+    force.push_back(all[i].force);
+    normal.push_back(all[i].normal);
+    friction.push_back(all[i].friction);
+    moment.push_back(all[i].moment);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    impulse.push_back(all[i].is_struck ? all[i].impulse : none);
+    impact.push_back(all[i].is_struck ? all[i].impact : none);
+    notes.push_back(
+        all[i].is_struck ? "rigid, impact: no peak force; give a stiffness or see impulse" : "");
+    any_struck = any_struck || all[i].is_struck;
+  }
+  HtmlTable table(results.units);
+  table.text("support", names)
+      .text("kind", kinds)
+      .numbers("largest force", "N", force)
+      .numbers("fn", "N", normal)
+      .numbers("friction", "N", friction)
+      .numbers("moment", "N m", moment)
+      .text("in step", steps);
+  std::string note = "The largest force of each support over all steps, and the step that it comes "
+                     "from; the worst line is the first.";
+  if (!results.envelopes.empty()) {
+    table.right("at time [s]", when);
+    note += " Of static steps their ends count, of transient ones every time step; fn, friction "
+            "and moment are those of that instant.";
+  }
+  if (any_struck) {
+    table.numbers("impulse", "N s", impulse)
+        .numbers("largest impact", "N s", impact)
+        .text("note", notes);
+    note += " The force of a rigid support does not exist at the instant in which it is struck: "
+            "the table has its force at all other instants, its impulse over the transient steps "
+            "and the largest impulse of one impact. Give it a stiffness for a force.";
+  }
+  return table.str() + html_note(note);
+}
+
+std::string displacement_tables(const Scene &scene, const Results &results,
+                                const std::vector<const Frame *> &frames) {
+  std::vector<std::pair<std::string, std::string>> panels;
+  for (const Frame *const frame : frames) {
+    std::vector<std::string> names;
+    std::array<std::vector<double>, 6> motions;
+    std::array<double, 2> largest{};
+    for (const auto &[name, position] : results.points) {
+      const Point3 &place = position;
+      const auto station =
+          std::find_if(frame->line.begin(), frame->line.end(), [&](const Station &s) {
+            return s.node && s.position.distance(place) < 1e-9 * (1. + place.norm());
+          });
+      if (station == frame->line.end() || names.size() == n_rows_at_most)
+        continue;
+      names.push_back(name);
+      for (unsigned int c = 0; c < 6; ++c) {
+        motions[c].push_back(station->displacement[c]);
+        largest[c / 3] = std::max(largest[c / 3], std::abs(station->displacement[c]));
+      }
+    }
+    const char *const titles[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
+    HtmlTable table(results.units);
+    table.text("point", names);
+    for (unsigned int c = 0; c < 6; ++c)
+      table.numbers(titles[c], c < 3 ? "m" : "rad", motions[c], largest[c / 3]);
+    const StepEnvelope *const envelope = results.envelope_of(frame->step);
+    panels.emplace_back(step_name(scene, *frame),
+                        (envelope != nullptr ? "<h3>Over the step</h3>\n" +
+                                                   displacement_envelope_table(results, *envelope) +
+                                                   "<h3>At its end</h3>\n"
+                                             : "") +
+                            table.str());
+  }
+  return html_tabs("displacements-of", panels) +
+         html_note("Of the named points, in global axes; line.csv has every station.");
+}
+
+std::vector<double> largest_forces(const Results &results) {
+  std::vector<double> largest(results.supports.size() + results.restraints.size(), 0.);
+  for (const Frame &frame : results.frames) {
+    for (std::size_t i = 0; i < frame.supports.size(); ++i)
+      largest[i] = std::max(largest[i], size_of(frame.supports[i]));
+    for (std::size_t i = 0; i < frame.reactions.size(); ++i)
+      largest[results.supports.size() + i] =
+          std::max(largest[results.supports.size() + i], size_of(frame.reactions[i]));
+  }
+  for (const StepEnvelope &envelope : results.envelopes) {
+    for (std::size_t i = 0; i < envelope.supports.size(); ++i)
+      largest[i] = std::max(largest[i], envelope.supports[i].force.largest);
+    for (std::size_t i = 0; i < envelope.restraints.size(); ++i)
+      largest[results.supports.size() + i] =
+          std::max(largest[results.supports.size() + i], envelope.restraints[i].force.largest);
+  }
+  return largest;
+}
+
+std::string friction_study_section(const Results &results) {
+  const FrictionStudy &study = results.friction_study;
+  std::vector<double> worst(study.names.size(), 0.);
+  std::vector<std::string> at(study.names.size());
+  for (std::size_t m = 0; m < study.multipliers.size(); ++m)
+    for (std::size_t i = 0; i < worst.size(); ++i)
+      if (study.largest[m][i] > worst[i]) {
+        worst[i] = study.largest[m][i];
+        at[i] = rounded_number(study.multipliers[m]);
+      }
+  const auto rows = largest_first(worst);
+  std::vector<std::string> names, which;
+  std::vector<double> most;
+  for (const std::size_t i : rows) {
+    names.push_back(study.names[i]);
+    which.push_back(at[i]);
+    most.push_back(worst[i]);
+  }
+  HtmlTable table(results.units);
+  table.text("support", names);
+  for (std::size_t m = 0; m < study.multipliers.size(); ++m) {
+    std::vector<double> values;
+    for (const std::size_t i : rows)
+      values.push_back(study.largest[m][i]);
+    table.numbers("friction \u00d7 " + rounded_number(study.multipliers[m]), "N", values,
+                  most.empty() ? 0. : most.front());
+  }
+  return table.numbers("worst", "N", most).right("at \u00d7", which).str() +
+         html_note(
+             "Largest force of each support over all steps (of transient steps at any of "
+             "their instants, blows on rigid supports left out), with all friction "
+             "coefficients multiplied. Each run's own results are in the folders friction_*.");
+}
+
+void write_friction_study(const Results &results, const std::string &folder) {
+  const FrictionStudy &study = results.friction_study;
+  if (study.multipliers.empty())
+    return;
+  std::string text = "support";
+  for (const double multiplier : study.multipliers)
+    text += ",x" + exact_number(multiplier);
+  text += '\n';
+  for (std::size_t i = 0; i < study.names.size(); ++i) {
+    text += csv_field(study.names[i]);
+    for (std::size_t m = 0; m < study.multipliers.size(); ++m)
+      text += ',' + exact_number(study.largest[m][i] / results.units.factor("N"));
+    text += '\n';
+  }
+  write_file(folder + "/friction_study.csv", text);
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "results/results.h"
+
+namespace frictionbeam {
+
+/// Every support and restraint with its largest force over all steps and the step of it, the
+/// largest first, as HTML.
+std::string restraint_summary(const Scene &scene, const Results &results);
+
+/// Displacements and rotations of the named points on pipes, a tab for each of at most six frames.
+std::string displacement_tables(const Scene &scene, const Results &results,
+                                const std::vector<const Frame *> &frames);
+
+/// Largest force of each support over all steps [N]; they come in the order of
+/// Results::supports, then Results::restraints.
+std::vector<double> largest_forces(const Results &results);
+
+/// The table of a study over multipliers of friction, as HTML.
+std::string friction_study_section(const Results &results);
+
+/// Write friction_study.csv, if there is one.
+void write_friction_study(const Results &results, const std::string &folder);
+
+} // namespace frictionbeam

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/increment/step_report.h"
+#include "results/extremes.h"
+#include "results/known_error.h"
+#include "scene/scene.h"
+
+/**
+ * @file
+ * What an analysis leaves behind, as plain data in SI units: everything that the writers of csv,
+ * json, vtu and report need, and nothing of how it was computed.
+ */
+namespace frictionbeam {
+
+/// A friction element in place.
+struct SupportInfo {
+  std::string name; ///< `rests` for a single one, `rests.1`, `rests.2`, ... for a repeated one
+  std::string kind;
+  Point3 position;
+  Vector3 normal, t1, t2; ///< right-handed (t1, t2, n), n from the ground into the pipe
+};
+
+/// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in
+/// compression.
+struct SupportState {
+  ContactStatus status = ContactStatus::open;
+  double fn = 0., ft1 = 0., ft2 = 0.; ///< [N]
+  double gap = 0.;                    ///< [m], >= 0 open
+  double slip1 = 0., slip2 = 0.;      ///< of the pipe on the ground since contact began [m]
+  double work_friction = 0.;          ///< dissipated so far [J]
+  double wear = 0.;    ///< integral of fn times the sliding velocity so far, transient steps [J]
+  double impulse = 0.; ///< of fn so far, transient steps, impacts included [N s]
+  double mt = 0.;      ///< moment about the normal, of Torsion [N m]
+};
+
+/// A restraint or spring in place; its forces on the pipe in global axes are in Frame::reactions.
+struct RestraintInfo {
+  std::string name, kind;
+  Point3 position;
+};
+
+/// A point of a pipe: a mesh node or a station between two.
+struct Station {
+  unsigned int pipe = 0;
+  double s = 0.; ///< along the pipe [m]
+  Point3 position;
+  Motion displacement{}; ///< global axes [m, rad]
+  Motion force{};        ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
+  bool node = true;
+  Vector3 y, z;            ///< local axes of the section forces
+  double part = 0.;        ///< s over the pipe's length
+  double bend_radius = 0.; ///< [m]; 0: not in a bend
+  Vector3 bend_axis;       ///< of a bend: unit normal of its plane
+};
+
+/// The state at one instant. Neighbouring stations of one pipe are joined by the pipe; a pipe's
+/// stations are stored one after the other.
+struct Frame {
+  unsigned int step = 0; ///< place in Scene::steps
+  unsigned int increment = 0;
+  double time = 0.;
+  bool end_of_step = true;
+  std::vector<Station> line;
+  std::vector<SupportState> supports;
+  std::vector<Motion> reactions; ///< of RestraintInfo
+};
+
+/// What a friction element has met in a transient step.
+struct SupportEnvelope {
+  std::array<Extremes, 6> values; ///< fn, ft1, ft2, gap, slip1, slip2
+  Extremes force, friction;       ///< sizes
+  SupportState at_largest;        ///< when the force was largest
+  double impulse = 0.;            ///< of fn over the step, impacts included [N s]
+  /// Of a rigid contact: the impulses of the time steps in which it closed [N s]. A force that
+  /// belongs to such a time step is the impulse over its length, and left out above.
+  Extremes impact;
+  unsigned int n_impacts = 0;
+};
+
+/// What a restraint or spring has met in a transient step.
+struct RestraintEnvelope {
+  std::array<Extremes, 6> values;
+  Extremes force;      ///< its size
+  Motion at_largest{}; ///< when the force was largest
+};
+
+/// A stress at every station of a line, its largest in a transient step, by the formula of the
+/// stress code at each instant.
+struct StressEnvelope {
+  std::string from; ///< of an expansion range: the step before; empty: sustained or occasional
+  std::vector<double> stress, time; ///< [Pa, s]
+};
+
+/// The forces on a nozzle when it used most of what is allowed.
+struct NozzleEnvelope {
+  double utilization = -1., time = 0.;
+  Motion force{};
+};
+
+/// A station of StepEnvelope, also within a step where the line's frames leave it out.
+struct StationPlace {
+  unsigned int pipe = 0;
+  double s = 0.; ///< along the pipe [m]
+};
+
+/// Largest and smallest values over all time steps of a transient step, its start included.
+struct StepEnvelope {
+  unsigned int step = 0; ///< place in Scene::steps
+  double start = 0., end = 0.;
+  std::size_t n_instants = 0,
+              n_line_instants = 0;             ///< of a reduced line, the line is known at fewer
+  std::vector<SupportEnvelope> supports;       ///< beside Results::supports
+  std::vector<RestraintEnvelope> restraints;   ///< beside Results::restraints
+  std::vector<std::array<Extremes, 6>> points; ///< displacements, beside Results::points
+  Extremes sum_normal, sum_friction;           ///< over the supports
+  Extremes displacement;                       ///< size, of the line's nodes
+  StationPlace displaced_most;
+  /// N, Vy, Vz, Mx, My, Mz of each of Results::stations, six numbers each.
+  std::vector<double> least, largest, least_at, largest_at;
+  std::vector<StressEnvelope> stresses;
+  std::vector<NozzleEnvelope> nozzles; ///< in the order of nozzles, and of restraints for each
+  std::optional<Frame> least_frame, largest_frame; ///< by components, where combinations need them
+};
+
+/// The least and the largest that each component of a combination with a transient step can be.
+struct CombinationRange {
+  unsigned int step = 0; ///< of the combination's frame
+  Frame least, largest;
+};
+
+/// One eigenfrequency, and its shape with a largest displacement of 1.
+struct ModeResult {
+  double frequency = 0.;                  ///< [Hz]
+  std::array<double, 3> participation{};  ///< of x, y, z, for q^T M q = 1 [kg^1/2]
+  std::array<double, 3> effective_mass{}; ///< [kg]
+  double residual = 0.;                   ///< |K q - w^2 M q| / (w^2 |M q|)
+  Frame shape;
+};
+
+/// Stresses of one case by a stress code, at each station of its frame.
+struct StressCase {
+  std::string name, kind, code; ///< kind: sustained, expansion, occasional
+  Frame frame;
+  std::vector<double> stress, allowed;        ///< [Pa]
+  std::vector<std::array<double, 3>> factors; ///< flexibility, intensification in and out of plane
+  std::string step;                           ///< that it is of; of a range, the later one
+  unsigned int worst = 0;                     ///< the station of largest stress over allowed
+  std::vector<double> time; ///< when each stress was met, of a transient step; empty: at the end
+};
+
+/// How much of the allowed loads of an anchor or nozzle one step uses.
+struct NozzleUse {
+  std::string name, support, step;
+  Motion force{};
+  std::array<double, 6> allowed{};
+  double utilization = 0.;
+  std::optional<double> time; ///< of the largest use in a transient step [s]; empty: at its end
+};
+
+/// Largest force of one support or restraint over all steps, for each multiplier of friction.
+struct FrictionStudy {
+  std::vector<double> multipliers;
+  std::vector<std::string> names;           ///< of supports and restraints
+  std::vector<std::vector<double>> largest; ///< by multiplier, by name [N]
+};
+
+/// Motion of a monitored point at every increment.
+struct History {
+  std::string point;
+  std::vector<double> time;
+  std::vector<Motion> displacement;
+};
+
+void transfer(Archive &archive, Point3 &point);
+void transfer(Archive &archive, Vector3 &vector);
+void transfer(Archive &archive, Station &station);
+void transfer(Archive &archive, Frame &frame);
+void transfer(Archive &archive, History &history);
+void transfer(Archive &archive, StressEnvelope &envelope);
+void transfer(Archive &archive, StepEnvelope &envelope);
+
+struct QuantityResult {
+  std::string name, unit, source;
+  double value = 0.;
+  std::optional<double> reference,
+      error;         ///< error relative to the reference (absolute if that is 0)
+  double whole = 0.; ///< of a change or rate: the largest of what changes; else 0
+  /// An extreme of a force that a rigid support has in an impact: there is no such number.
+  bool of_impact = false;
+};
+
+/// A line of the certificate: the worst of all increments.
+struct Check {
+  std::string name, unit, meaning;
+  double value = 0.;
+};
+
+/// A section of the report besides those that every report has.
+struct ReportSection {
+  std::string id, title, html;
+};
+
+enum class RunStatus { converged, failed, no_equilibrium };
+
+struct Cost {
+  double wall_seconds = 0., mesh_seconds = 0., setup_seconds = 0., solve_seconds = 0.;
+  std::size_t unknowns = 0, cells = 0, contacts = 0;
+  std::size_t steps = 0, iterations = 0, factorizations = 0;
+  std::size_t back_substitutions = 0; ///< with a matrix of the whole line
+  double peak_memory_mb = 0.;
+};
+
+/// How an answer came to the Accuracy that was demanded.
+struct AccuracyAccount {
+  struct Run {
+    std::string settings;         ///< as of --set
+    double seconds = 0.;          ///< mesh, set-up, solution
+    std::optional<double> change; ///< of the quantities, relative to the run it is compared with
+    bool converged = false;
+  };
+  double demanded = 0., estimate = 0.; ///< relative
+  std::string model;                   ///< line or continuum, if it was left to the program
+  std::optional<double> line_error;    ///< estimate of what a line leaves out, relative
+  std::string model_reason;            ///< in plain words
+  bool reached = false;
+  std::vector<std::string> chosen;   ///< settings, as of --set
+  std::vector<std::string> left_out; ///< quantities that do not count, and why
+  std::vector<Run> runs;
+};
+
+struct Results {
+  std::vector<SupportInfo> supports;
+  std::vector<RestraintInfo> restraints;
+  std::vector<std::pair<std::string, Point3>> points; ///< with a name, by name
+  std::vector<Frame> frames;           ///< ends of steps, and output instants in between
+  std::vector<StationPlace> stations;  ///< of the envelopes
+  std::vector<StepEnvelope> envelopes; ///< of transient steps
+  std::vector<CombinationRange> combination_ranges;
+  std::vector<History> histories;
+  std::vector<QuantityResult> quantities;
+  std::vector<ModeResult> modes;
+  std::vector<StressCase> stresses;
+  std::vector<NozzleUse> nozzles;
+  FrictionStudy friction_study;
+  std::array<double, 3> total_mass{}; ///< that modes could move [kg]
+  std::string modal_method;           ///< in plain words
+  UnitSystem units;                   ///< in which the writers show everything
+  std::vector<StepReport> steps;
+  std::vector<Check> certificate;
+  std::optional<EnergyAccount> energy; ///< of all steps together
+  std::vector<std::string> remarks;    ///< warnings to the user
+  HowWellKnown known;
+  std::optional<AccuracyAccount> accuracy;
+  std::string method;     ///< in plain words
+  std::string integrator; ///< of transient steps, likewise; empty if there is none
+  std::vector<ReportSection> sections;
+  RunStatus status = RunStatus::failed;
+  Cost cost;
+
+  /// Fill certificate and energy from the steps.
+  void certify(const Scene &scene);
+  /// The envelope of a step; null of static ones.
+  const StepEnvelope *envelope_of(const unsigned int step) const {
+    for (const StepEnvelope &envelope : envelopes)
+      if (envelope.step == step)
+        return &envelope;
+    return nullptr;
+  }
+};
+
+} // namespace frictionbeam

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/stress/stress_evaluation.h"
+
+#include "results/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+Vector3 tangent_at(const LineMesh &mesh, const unsigned int pipe, const unsigned int vertex) {
+  const MeshedPipe &meshed = mesh.pipes[pipe];
+  const auto found = std::find(meshed.vertices.begin(), meshed.vertices.end(), vertex);
+  const unsigned int i = found - meshed.vertices.begin();
+  return meshed.tangent(mesh.vertices, i > 0 ? i - 1 : 0, i > 0);
+}
+
+} // namespace
+
+std::vector<StressEvaluation::TeeSite> StressEvaluation::find_tees(const Scene &scene,
+                                                                   const LineMesh &mesh) {
+  std::vector<TeeSite> sites;
+  for (const Tee &tee : scene.tees) {
+    const unsigned int vertex = mesh.points.at(tee.point);
+    TeeSite site{&tee, mesh.vertices[vertex], Vector3(), 0, 0};
+    std::optional<unsigned int> run;
+    for (unsigned int p = 0; p < scene.pipes.size(); ++p) {
+      const auto &vertices = mesh.pipes[p].vertices;
+      if (scene.pipes[p].name == tee.branch)
+        site.branch = p;
+      else if (!run && std::count(vertices.begin(), vertices.end(), vertex) > 0)
+        run = p;
+    }
+    site.run = run.value_or(site.branch);
+    const Vector3 normal =
+        cross_product_3d(tangent_at(mesh, site.run, vertex), tangent_at(mesh, site.branch, vertex));
+    if (normal.norm() > 1e-6)
+      site.normal = normal / normal.norm();
+    sites.push_back(site);
+  }
+  return sites;
+}
+
+StressEvaluation::StressEvaluation(const Scene &scene, const LineMesh &mesh, const Results &results)
+    : scene(scene), results(results), code(make_stress_code(scene.stress.code)),
+      tees(find_tees(scene, mesh)) {}
+
+const Frame *StressEvaluation::frame_of(const std::string &step) const {
+  const Frame *found = nullptr;
+  for (const Frame &frame : results.frames)
+    if (frame.end_of_step && step_name(scene, frame) == step)
+      found = &frame;
+  return found;
+}
+
+StressPoint StressEvaluation::point(const Station &station) const {
+  const Pipe &pipe = scene.pipes[station.pipe];
+  const Material &material = scene.materials[pipe.material];
+  Section section = scene.sections[pipe.section];
+  if (pipe.end_section)
+    section = between(section, scene.sections[*pipe.end_section], station.part);
+  StressPoint point;
+  point.diameter = 2. * section.outer_radius;
+  point.wall = section.wall;
+  point.corrosion = section.corrosion;
+  point.youngs_modulus = material.youngs_modulus;
+  point.stiffening_pressure = pipe.bend_flexibility.pressure;
+  point.allowable_cold = material.allowable_cold;
+  point.allowable_hot = material.allowable_hot;
+  if (station.bend_radius > 0.) {
+    point.part = StressPoint::Part::bend;
+    point.bend_radius = station.bend_radius;
+  }
+  if (const TeeSite *const site = tee_at(station)) {
+    const Section &run = scene.sections[scene.pipes[site->run].section];
+    point.part = station.pipe == site->branch ? StressPoint::Part::branch_of_tee
+                                              : StressPoint::Part::run_of_tee;
+    point.tee = site->tee->kind;
+    point.pad = site->tee->pad;
+    point.crotch_radius = site->tee->crotch_radius;
+    point.run_diameter = 2. * run.outer_radius;
+    point.run_wall = run.wall;
+  }
+  return point;
+}
+
+StressEvaluation::Axes StressEvaluation::axes(const Station &station, const double pressure) const {
+  Vector3 normal = station.bend_axis;
+  if (const TeeSite *const site = tee_at(station))
+    normal = site->normal;
+  return {station.y * normal, station.z * normal, pressure};
+}
+
+const StressEvaluation::TeeSite *StressEvaluation::tee_at(const Station &station) const {
+  if (station.node)
+    for (const TeeSite &site : tees)
+      if (site.position.distance(station.position) < 1e-9 * (1. + station.position.norm()))
+        return &site;
+  return nullptr;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/stress/stress_evaluation.h"
+
+#include "results/stress/stresses.h"
+#include "results/text.h"
+#include "scene/history_origins.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+/// Factors of every station, for who asks.
+void add_factors(const StressEvaluation &evaluation, StressCase &result) {
+  for (const Station &station : result.frame.line) {
+    const StressPoint point = evaluation.point(station);
+    const StressCode::Factors i = evaluation.code->intensification(point);
+    const double k = point.part == StressPoint::Part::bend
+                         ? b31_3_bend(point.diameter, point.wall, point.bend_radius,
+                                      point.youngs_modulus, point.stiffening_pressure)
+                               .k
+                         : 1.;
+    result.factors.push_back({{k, i.in_plane, i.out_of_plane}});
+  }
+}
+
+void find_worst(StressCase &result) {
+  for (unsigned int i = 0; i < result.stress.size(); ++i)
+    if (result.stress[i] / result.allowed[i] >
+        result.stress[result.worst] / result.allowed[result.worst])
+      result.worst = i;
+}
+
+} // namespace
+
+namespace {
+
+/// What the history of a load makes of it in a step: at the end of a static one, the largest size
+/// at corners and at a thousand instants of a transient one.
+double size_by_history(const Scene &scene, const unsigned int step, const unsigned int load) {
+  const TimeFunction &history = scene.loads[load].history;
+  if (!history.is_given())
+    return 1.;
+  double begin = -HistoryOrigins(scene, step).loads[load]; // in the history's own time
+  for (unsigned int s = 0; s < step; ++s)
+    begin += scene.steps[s].duration;
+  const double duration = scene.steps[step].duration, end = begin + duration;
+  double largest = std::abs(history(end));
+  if (!scene.steps[step].transient)
+    return largest;
+  for (const double corner : history.breaks)
+    if (corner >= begin && corner <= end)
+      largest =
+          std::max({largest, std::abs(history.before(corner)), std::abs(history.after(corner))});
+  for (unsigned int i = 0; i < 1000; ++i)
+    largest = std::max(largest, std::abs(history(begin + i * duration / 1000.)));
+  return largest;
+}
+
+} // namespace
+
+double pressure_in(const Scene &scene, const std::string &step, const unsigned int pipe) {
+  double largest = 0.;
+  for (unsigned int s = 0; s < scene.steps.size(); ++s)
+    if (scene.steps[s].name == step)
+      for (const auto &[l, factor] : scene.steps[s].loads) {
+        const Load &load = scene.loads[l];
+        const auto &pipes = load.pipes;
+        if (load.kind == Load::Kind::pressure &&
+            (pipes.empty() || std::count(pipes.begin(), pipes.end(), scene.pipes[pipe].name) > 0))
+          largest = std::max(largest, std::abs(factor * load.value) * size_by_history(scene, s, l));
+      }
+  for (const Combination &combination : scene.combinations)
+    if (combination.name == step)
+      for (const auto &part : combination.cases)
+        largest = std::max(largest, pressure_in(scene, part.first, pipe));
+  return largest;
+}
+
+namespace {
+
+using Formulas = StressCode::Formula (StressCode::*)(const StressPoint &) const;
+
+/// The stresses of a case whose forces are known at one instant, or within bounds: the code's
+/// stresses are convex in the forces, so that none between the bounds is larger than that at one
+/// of their corners.
+class StressOfCase {
+public:
+  StressOfCase(const StressEvaluation &evaluation, const Frame &frame) : evaluation(evaluation) {
+    least = largest = &frame;
+    for (const CombinationRange &range : evaluation.results.combination_ranges)
+      if (range.step == frame.step) {
+        least = &range.least;
+        largest = &range.largest;
+      }
+  }
+
+  /// @param before forces that the case's count from, or null
+  double operator()(const unsigned int i, const StressPoint &point, const double pressure,
+                    const Formulas formula, const Motion *const before) const {
+    const Station &station = least->line[i];
+    const StressEvaluation::Axes axes = evaluation.axes(station, pressure);
+    const StressCode::Formula stress = ((*evaluation.code).*formula)(point);
+    double result = 0.;
+    const unsigned int n_corners = least == largest ? 1 : 16;
+    for (unsigned int corner = 0; corner < n_corners; ++corner) {
+      Motion force = station.force;
+      const std::array<unsigned int, 4> varies{{0, 3, 4, 5}}; // shears make no stress
+      for (unsigned int k = 0; k < 4; ++k)
+        if ((corner >> k & 1) != 0)
+          force[varies[k]] = largest->line[i].force[varies[k]];
+      if (before != nullptr)
+        for (unsigned int c = 0; c < 6; ++c)
+          force[c] -= (*before)[c];
+      result = std::max(result, stress(axes.forces(force.data())));
+    }
+    return result;
+  }
+
+private:
+  const StressEvaluation &evaluation;
+  const Frame *least, *largest;
+};
+
+/// The largest stresses over a transient step; false if there are none.
+bool take_envelope(const Results &results, const Frame &frame, const std::string &from,
+                   StressCase &result) {
+  const StepEnvelope *const envelope = results.envelope_of(frame.step);
+  if (envelope == nullptr)
+    return false;
+  for (const StressEnvelope &one : envelope->stresses)
+    if (one.from == from && one.stress.size() == frame.line.size()) {
+      result.stress = one.stress;
+      result.time = one.time;
+      return true;
+    }
+  return false;
+}
+
+} // namespace
+
+std::vector<StressCase>
+evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &results,
+                  const std::function<double(const std::string &, const unsigned int)> &pressure) {
+  std::vector<StressCase> cases;
+  if (scene.stress.code.empty())
+    return cases;
+  const StressEvaluation evaluation(scene, mesh, results);
+  const StressCode &code = *evaluation.code;
+  const auto add = [&](const std::string &step, const bool occasional) {
+    const Frame *const frame = evaluation.frame_of(step);
+    if (frame == nullptr)
+      return;
+    StressCase result;
+    result.name = result.step = step;
+    result.kind = occasional ? "occasional" : "sustained";
+    result.frame = *frame;
+    const bool is_known = take_envelope(results, *frame, "", result);
+    const StressOfCase stress_of(evaluation, *frame);
+    for (unsigned int i = 0; i < frame->line.size(); ++i) {
+      const Station &station = frame->line[i];
+      const StressPoint point = evaluation.point(station);
+      if (!is_known)
+        result.stress.push_back(
+            stress_of(i, point, pressure(step, station.pipe), &StressCode::sustained, nullptr));
+      result.allowed.push_back(occasional ? code.allowed_occasional(point, scene.stress)
+                                          : code.allowed_sustained(point));
+    }
+    find_worst(result);
+    cases.push_back(std::move(result));
+  };
+  for (const std::string &step : scene.stress.sustained)
+    add(step, false);
+  const std::size_t n_sustained = cases.size();
+  for (const std::string &step : scene.stress.occasional)
+    add(step, true);
+  for (const auto &[from, to] : scene.stress.expansion) {
+    const Frame *const before = evaluation.frame_of(from), *const after = evaluation.frame_of(to);
+    if (before == nullptr || after == nullptr)
+      continue;
+    AssertDimension(before->line.size(), after->line.size());
+    StressCase result;
+    result.name = from + " to " + to;
+    result.step = to;
+    result.kind = "expansion";
+    result.frame = *after;
+    const bool is_known = take_envelope(results, *after, from, result);
+    const StressOfCase stress_of(evaluation, *after);
+    for (unsigned int i = 0; i < after->line.size(); ++i) {
+      const StressPoint point = evaluation.point(after->line[i]);
+      double sustained = 0.;
+      for (std::size_t s = 0; s < n_sustained; ++s)
+        sustained = std::max(sustained, cases[s].stress[i]);
+      if (!is_known)
+        result.stress.push_back(
+            stress_of(i, point, 0., &StressCode::expansion_range, &before->line[i].force));
+      result.allowed.push_back(code.allowed_range(point, scene.stress, sustained));
+    }
+    find_worst(result);
+    cases.push_back(std::move(result));
+  }
+  for (StressCase &result : cases) {
+    result.code = code.name();
+    add_factors(evaluation, result);
+  }
+  return cases;
+}
+
+std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
+                                      const Results &results) {
+  const std::string &what = quantity.what;
+  std::optional<double> largest;
+  for (const StressCase &one : results.stresses) {
+    const bool range = one.kind == "expansion";
+    if ((what == "SL" && range) || (what == "SE" && !range) ||
+        (!quantity.step.empty() && quantity.step != one.step))
+      continue;
+    for (unsigned int i = 0; i < one.stress.size(); ++i) {
+      if (!quantity.where.empty() &&
+          one.frame.line[i].position.distance(mesh.vertices[mesh.points.at(quantity.where)]) > 1e-9)
+        continue;
+      const double value = what == "flexibility"   ? one.factors[i][0]
+                           : what == "sif_in"      ? one.factors[i][1]
+                           : what == "sif_out"     ? one.factors[i][2]
+                           : what == "utilization" ? one.stress[i] / one.allowed[i]
+                                                   : one.stress[i];
+      largest = std::max(largest.value_or(0.), value);
+    }
+  }
+  return largest;
+}
+
+std::vector<std::pair<unsigned int, unsigned int>> nozzle_sites(const Scene &scene,
+                                                                const Results &results) {
+  std::vector<std::pair<unsigned int, unsigned int>> sites;
+  for (unsigned int n = 0; n < scene.nozzles.size(); ++n)
+    for (unsigned int i = 0; i < results.restraints.size(); ++i) {
+      const std::string &name = results.restraints[i].name, &support = scene.nozzles[n].support;
+      if (name == support || name.substr(0, name.rfind('.')) == support)
+        sites.emplace_back(n, i);
+    }
+  return sites;
+}
+
+double utilization(const NozzleLimit &nozzle, const Motion &force) {
+  double result = 0.;
+  for (unsigned int c = 0; c < 6; ++c)
+    if (nozzle.allowed[c] > 0.)
+      result = std::max(result, std::abs(force[c]) / nozzle.allowed[c]);
+  return result;
+}
+
+std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &results) {
+  std::vector<NozzleUse> uses;
+  const auto sites = nozzle_sites(scene, results);
+  for (unsigned int n = 0; n < scene.nozzles.size(); ++n)
+    for (const Frame &frame : results.frames) {
+      const StepEnvelope *const envelope = results.envelope_of(frame.step);
+      for (unsigned int k = 0; frame.end_of_step && k < sites.size(); ++k) {
+        if (sites[k].first != n)
+          continue;
+        const NozzleLimit &nozzle = scene.nozzles[n];
+        const unsigned int i = sites[k].second;
+        NozzleUse use{nozzle.name,
+                      results.restraints[i].name,
+                      step_name(scene, frame),
+                      frame.reactions[i],
+                      nozzle.allowed,
+                      0.,
+                      {}};
+        if (envelope != nullptr) {
+          use.force = envelope->nozzles[k].force;
+          use.time = envelope->nozzles[k].time;
+        }
+        use.utilization = utilization(nozzle, use.force);
+        uses.push_back(use);
+      }
+    }
+  return uses;
+}
+
+} // namespace frictionbeam

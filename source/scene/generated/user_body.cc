@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/part/body_parts.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+namespace generated {
+
+namespace {
+
+/// The law of this section before it is declared, or null if there is none of that name.
+const LawDescription *law_of(const ParameterReader &in, const LawLibrary &laws) {
+  const std::vector<std::string> known = laws.names(LawKind::support);
+  const std::string name = in.raw("Law", "coulomb");
+  return std::count(known.begin(), known.end(), name) == 0 ? nullptr : &laws.find(name);
+}
+
+double number_of(const ParameterReader &in, const std::string &entry, const std::string &text) {
+  double value;
+  if (!to_number(text, value))
+    in.fail(entry, "numbers", "a number in place of '" + text + "'");
+  return value;
+}
+
+/// "left x; bottom x y"
+std::vector<ContinuumHold> parse_holds(const ParameterReader &in) {
+  std::vector<ContinuumHold> holds;
+  for (const std::string &item : split(in.text("Held"), ';')) {
+    const std::vector<std::string> words = split(item, ' ');
+    ContinuumHold hold;
+    hold.part = words[0];
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::size_t axis = std::string("xyz").find(words[i]);
+      if (words[i].size() != 1 || axis == std::string::npos)
+        in.fail("Held", "a part or point and the directions x y z in which it is held, between ;",
+                "'left x; bottom y'", "'" + item + "'");
+      hold.fixed[axis] = true;
+    }
+    if (words.size() < 2)
+      in.fail("Held", "a part or point and the directions x y z in which it is held, between ;",
+              "'" + words[0] + " x'", "'" + item + "'");
+    holds.push_back(hold);
+  }
+  return holds;
+}
+
+/// "top 0 -1e6; side pressure 5e6"
+std::vector<ContinuumTraction> parse_tractions(const ParameterReader &in) {
+  std::vector<ContinuumTraction> tractions;
+  for (const std::string &item : split(in.text("Loaded"), ';')) {
+    const std::vector<std::string> words = split(item, ' ');
+    ContinuumTraction traction;
+    traction.part = words[0];
+    if (words.size() == 3 && words[1] == "pressure")
+      traction.pressure = number_of(in, "Loaded", words[2]);
+    else if (words.size() == 3 || words.size() == 4)
+      for (std::size_t i = 1; i < words.size(); ++i)
+        traction.vector[i - 1] = number_of(in, "Loaded", words[i]);
+    else
+      in.fail("Loaded", "a part and its traction tx ty (tz), or 'pressure' and p [Pa], between ;",
+              "'top 0 -1e6; side pressure 5e6'", "'" + item + "'");
+    tractions.push_back(traction);
+  }
+  return tractions;
+}
+
+} // namespace
+
+void declare_body(ParameterReader &in, const LawLibrary &laws) {
+  in.declare_number("Young's modulus", 2.1e11, "Pa", positive, 1e300, "Of the body.");
+  in.declare_number("Poisson", 0.3, "-", 0., 0.4999, "Ratio of the body.");
+  in.declare_choice("Plane", "stress", {"stress", "strain"}, "Kind of plane problem.");
+  in.declare_number("Thickness", 1., "m", positive, 1e300, "Of a plane body.");
+  in.declare_text("Held", "", "parts or points with directions, 'left x; bottom y'",
+                  "Displacements held at zero.");
+  in.declare_text("Loaded", "", "parts with tractions [Pa], 'top 0 -1e6; side pressure 5e6'",
+                  "Loads at a factor of one.");
+  in.declare_text("Frictional", "", "names of parts, separated by commas",
+                  "Parts on a foundation with friction.");
+  in.declare_number("Pressure", 0., "Pa", 0., 1e300,
+                    "That presses frictional parts on, from the start; 0: unilateral contact.");
+  in.declare_text("Factors", "1", "numbers [-]",
+                  "Of the loads, at the ends of the steps step_1, step_2, ...");
+  in.declare_text("Law", "coulomb", join(laws.names(LawKind::support)),
+                  "Of friction, a law of supports: its elements are those on one square metre, 1 m "
+                  "long.");
+  if (const LawDescription *const law = law_of(in, laws))
+    for (int i = 0; i < law->n_parameters; ++i) {
+      const LawParameter &p = law->parameters[i];
+      in.declare_number(p.name, p.default_value, p.unit, p.minimum, p.maximum,
+                        "Law " + std::string(law->name) + ": " + p.meaning + ".");
+    }
+  else
+    in.find("Law", in.raw("Law", "coulomb"), laws.names(LawKind::support), "support law");
+}
+
+void build_body(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
+  ContinuumScene body;
+  body.dimension = scene.continuum_settings.dimension;
+  body.plane_strain = in.text("Plane") == "strain";
+  body.thickness = in.number("Thickness");
+  body.youngs_modulus = in.number("Young's modulus");
+  body.poissons_ratio = in.number("Poisson");
+  if (scene.mesh.file.empty())
+    in.fail_section("no Mesh/File", "a mesh of the body's own, a .geo or .msh file",
+                    "subsection Mesh, set File = body.geo");
+  body.holds = parse_holds(in);
+  body.tractions = parse_tractions(in);
+  const LawDescription &law = laws.find(in.text("Law"));
+  ContinuumContact contact;
+  contact.law = law.name;
+  for (int i = 0; i < law.n_parameters; ++i)
+    contact.parameters.push_back(in.number(law.parameters[i].name));
+  if (in.number("Pressure") > 0.)
+    contact.pressure = in.number("Pressure");
+  for (const std::string &part : in.list("Frictional")) {
+    contact.part = part;
+    body.contacts.push_back(contact);
+  }
+  if (body.contacts.empty())
+    in.fail("Frictional", "at least one part of the mesh's boundary", "'top'");
+  for (const double factor : in.numbers("Factors"))
+    body.steps.push_back({"step_" + std::to_string(body.steps.size() + 1), factor,
+                          scene.continuum_settings.increments});
+  if (body.steps.empty())
+    in.fail("Factors", "at least one number", "1");
+  scene.continuum = body;
+}
+
+} // namespace generated
+
+namespace parts {
+
+namespace {
+
+[[noreturn]] void fail_form(const ParameterReader &in, const std::string &entry,
+                            const std::string &read) {
+  in.fail(
+      entry,
+      "of a continuum: ux uy uz at POINT; mean_ux mean_uy mean_uz slip_length slip_end open_end "
+      "sum_normal sum_friction at PART; N at X [m]; then '; reference R; source TEXT'",
+      "'mean_ux at left; reference 0.012; source hand calculation'", "'" + read + "'");
+}
+
+/// What is asked of a surface with friction shall be one.
+void check_contact_part(const ParameterReader &in, const std::string &entry,
+                        const ContinuumQuantity &quantity, const ContinuumScene &body) {
+  using Kind = ContinuumQuantity::Kind;
+  if (quantity.kind == Kind::displacement || quantity.kind == Kind::mean_displacement ||
+      quantity.kind == Kind::axial_force)
+    return;
+  std::string known;
+  for (const ContinuumContact &contact : body.contacts) {
+    if (contact.part == quantity.where)
+      return;
+    known += (known.empty() ? "" : ", ") + contact.part;
+  }
+  in.fail(entry, "a part of the boundary with friction: " + known, "another part",
+          "'" + quantity.where + "'");
+}
+
+} // namespace
+
+void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
+  using Kind = ContinuumQuantity::Kind;
+  const std::vector<std::pair<std::string, Kind>> kinds = {{"ux", Kind::displacement},
+                                                           {"uy", Kind::displacement},
+                                                           {"uz", Kind::displacement},
+                                                           {"mean_ux", Kind::mean_displacement},
+                                                           {"mean_uy", Kind::mean_displacement},
+                                                           {"mean_uz", Kind::mean_displacement},
+                                                           {"N", Kind::axial_force},
+                                                           {"slip_length", Kind::slip_length},
+                                                           {"slip_end", Kind::slip_end},
+                                                           {"open_end", Kind::open_end},
+                                                           {"sum_normal", Kind::sum_normal},
+                                                           {"sum_friction", Kind::sum_friction}};
+  const ParameterFile::Section *const section = in.file().find("Quantities");
+  if (section == nullptr)
+    return;
+  auto &quantities = scene.continuum->quantities;
+  for (const ParameterFile::Entry &entry : section->entries) {
+    if (entry.name == "Source")
+      continue;
+    const std::vector<std::string> pieces = split(entry.value, ';');
+    const std::vector<std::string> words =
+        pieces.empty() ? std::vector<std::string>() : split(pieces[0], ' ');
+    if (words.empty())
+      fail_form(in, entry.name, entry.value);
+    ContinuumQuantity quantity;
+    quantity.name = entry.name;
+    // A quantity of the generated scene is given a reference by its name alone.
+    const auto known =
+        std::find_if(quantities.begin(), quantities.end(),
+                     [&](const ContinuumQuantity &other) { return other.name == entry.name; });
+    const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                   [&](const auto &k) { return k.first == words[0]; });
+    std::size_t first = 1;
+    const bool is_reference = known != quantities.end() && words[0] == "reference";
+    if (has_line(scene) && !is_reference)
+      continue; // a quantity of the line
+    if (is_reference) {
+      quantity = *known;
+      first = 0;
+    } else if (kind == kinds.end() || words.size() != 3 || words[1] != "at")
+      fail_form(in, entry.name, pieces[0]);
+    else {
+      quantity.kind = kind->second;
+      quantity.where = words[2];
+      const char last = words[0].back();
+      quantity.component = last == 'y' ? 1 : last == 'z' ? 2 : 0;
+      if (quantity.kind == Kind::axial_force && !to_number(words[2], quantity.x))
+        fail_form(in, entry.name, pieces[0]);
+      if (quantity.component >= scene.continuum->dimension)
+        in.fail(entry.name, "ux and uy in a plane body", "mean_uy", "'" + words[0] + "'");
+      check_contact_part(in, entry.name, quantity, *scene.continuum);
+    }
+    for (std::size_t i = first; i < pieces.size(); ++i) {
+      const auto blank = pieces[i].find(' ');
+      const std::string key = pieces[i].substr(0, blank),
+                        value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
+      double number;
+      if (key == "reference" && to_number(value, number)) {
+        if (!in.scene_changed() || entry.is_override)
+          quantity.reference = number;
+      } else if (key == "source")
+        quantity.source = value;
+      else
+        fail_form(in, entry.name, pieces[i]);
+    }
+    if (quantity.reference && quantity.source.empty())
+      quantity.source = in.text("Source");
+    if (known != quantities.end())
+      *known = quantity;
+    else
+      quantities.push_back(quantity);
+  }
+}
+
+} // namespace parts
+
+} // namespace frictionbeam

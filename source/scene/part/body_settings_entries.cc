@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/part/body_parts.h"
+
+namespace frictionbeam::parts {
+
+void declare_continuum(ParameterReader &in) {
+  in.declare_count("Degree", 3, 1, "Of the elements' polynomials, per direction.", 10);
+  in.declare_count("Cells", 2, 1,
+                   "Of the first mesh across the height of a generated body; about square.");
+  in.declare_number("Tolerance", 1e-3, "-", positive, 1.,
+                    "Relative, of every quantity: the mesh is refined until the estimated errors "
+                    "are below it.");
+  in.declare_choice("Refinement", "adaptive", {"adaptive", "uniform", "none"},
+                    "adaptive: the cells with the largest error estimate, and those at the ends of "
+                    "slip zones; uniform: all; none: the first mesh only.");
+  in.declare_number("Fraction", 0.8, "-", positive, 1.,
+                    "Of the squared error estimate that the cells to be refined hold together.");
+  in.declare_count("Max refinements", 20, 0, "Of the first mesh.", 100);
+  in.declare_count("Max unknowns", 200000, 1, "A mesh that has more is not refined any further.",
+                   100000000);
+  in.declare_choice(
+      "Linear solver", "auto", {"auto", "direct", "amg"},
+      "direct: factorization (with mpirun: Amesos KLU, which works on one process); "
+      "amg: CG or GMRES with Trilinos ML, needs mpirun; auto: direct for up to 60,000 "
+      "unknowns in 2D and 15,000 in 3D and without mpirun, else amg.");
+  in.declare_count("Increments", 1, 1,
+                   "Of each step. Friction depends on the path: 1 applies a step's loads at once.");
+  in.declare_count("Dimension", 2, 2, "Of a generated slab: 2, or 3 with its width.", 3);
+}
+
+void parse_continuum(const ParameterReader &in, Scene &scene) {
+  ContinuumSettings &settings = scene.continuum_settings;
+  using Refinement = ContinuumSettings::Refinement;
+  using LinearSolver = ContinuumSettings::LinearSolver;
+  settings.degree = in.count("Degree");
+  if (settings.degree > 12)
+    in.fail("Degree", "1 to 12", "2 or 3, with more cells");
+  settings.cells = in.count("Cells");
+  settings.tolerance = in.number("Tolerance");
+  settings.refinement = in.text("Refinement") == "adaptive"  ? Refinement::adaptive
+                        : in.text("Refinement") == "uniform" ? Refinement::uniform
+                                                             : Refinement::none;
+  settings.fraction = in.number("Fraction");
+  settings.max_refinements = in.count("Max refinements");
+  settings.max_unknowns = in.count("Max unknowns");
+  settings.linear_solver = in.text("Linear solver") == "auto"     ? LinearSolver::automatic
+                           : in.text("Linear solver") == "direct" ? LinearSolver::direct
+                                                                  : LinearSolver::amg;
+  settings.increments = in.count("Increments");
+  settings.dimension = in.count("Dimension");
+  if (settings.dimension > 3)
+    in.fail("Dimension", "2 or 3", "2");
+}
+
+void check_model(const ParameterReader &in, const Scene &scene) {
+  const bool is_automatic = scene.model == ModelKind::automatic;
+  if (scene.model != ModelKind::line && !is_automatic && !scene.continuum)
+    in.fail("Model", "line or auto for Scene = " + in.text("Scene"),
+            "line; slab, long bar and body are continua");
+  if (scene.accuracy > 0. && scene.model == ModelKind::both)
+    in.fail("Accuracy", "Model = line, continuum or auto", "one after the other",
+            in.text("Accuracy"));
+  if (is_automatic && scene.accuracy == 0.)
+    in.fail("Model", "auto together with Accuracy, by which it chooses", "set Accuracy = 1e-2");
+  if (scene.model != ModelKind::continuum && !is_automatic && scene.steps.empty())
+    in.fail("Model", "continuum or auto for Scene = " + in.text("Scene"), "continuum");
+}
+
+bool has_line(const Scene &scene) {
+  return scene.model != ModelKind::continuum && !scene.steps.empty();
+}
+
+} // namespace frictionbeam::parts

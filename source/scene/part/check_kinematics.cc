@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/part/parts.h"
+
+#include <algorithm>
+
+namespace frictionbeam::parts {
+
+void check_kinematics(const ParameterReader &in, const Scene &scene) {
+  if (scene.kinematics == Kinematics::linear)
+    return;
+  const auto refuse = [&](const bool is_there, const std::string &what, const std::string &hint) {
+    if (is_there)
+      in.fail("Kinematics", "linear with " + what, hint, "corotational with " + what);
+  };
+  const auto any = [](const auto &parts, const auto &is) {
+    return std::any_of(parts.begin(), parts.end(), is);
+  };
+  refuse(scene.model != ModelKind::line, "Model = continuum", "Model = line");
+  const bool bends = any(scene.pipes, [](const Pipe &pipe) {
+    return std::any_of(pipe.route.begin(), pipe.route.end(),
+                       [](const RoutePoint &point) { return point.bend_radius > 0.; });
+  });
+  refuse(scene.mesh.arcs && bends, "Bends = arcs", "Bends = straight pieces in section Mesh");
+  refuse(scene.solver.method == SolverSettings::Method::elastic, "Method = elastic",
+         "Method = exact or newton in section Solver");
+  refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");
+  refuse(scene.modal.n_modes > 0, "modes and spectra", "a case of its own for them");
+  const bool transient = any(scene.steps, [](const LoadStep &step) { return step.transient; });
+  if (transient) {
+    const TimeSettings &time = scene.time;
+    refuse(time.integrator != TimeSettings::Integrator::moreau_jean,
+           "another integrator than moreau_jean", "Integrator = moreau_jean in section Time");
+    refuse(time.reduction.modes != ReductionSettings::Modes::all, "Modes",
+           "Modes = all in section Time");
+    refuse(time.theta != 0.5, "Theta above 0.5", "Theta = 0.5 in section Time");
+    refuse(time.mass_damping != 0. || time.stiffness_damping != 0. || time.modal_damping != 0.,
+           "Rayleigh or modal damping", "Damping of springs");
+    refuse(any(scene.loads,
+               [](const Load &load) {
+                 return load.kind == Load::Kind::displacement &&
+                        std::any_of(load.at.begin(), load.at.end(), [](const Load::AtPoint &at) {
+                          return at.given[3] || at.given[4] || at.given[5];
+                        });
+               }),
+           "imposed rotations in a scene with transient steps", "a spring that turns the point");
+  }
+  refuse(any(scene.supports,
+             [](const FrictionSupport &support) {
+               return support.rotations != FrictionSupport::Rotations::none || support.torsion;
+             }),
+         "Rotations or Torsion of a support", "removing them there");
+  const int n_rotations = scene.free_motions[3] + scene.free_motions[4] + scene.free_motions[5];
+  refuse(n_rotations > 1 && any(scene.springs,
+                                [](const Spring &spring) {
+                                  return spring.stiffness[3] != 0. || spring.stiffness[4] != 0. ||
+                                         spring.stiffness[5] != 0.;
+                                }),
+         "springs that turn, in space", "Free motions = uy, uz, rx or another plane");
+  refuse(any(scene.initial,
+             [](const InitialCondition &initial) { return initial.displacement != Motion{}; }),
+         "an initial displacement", "a static step before");
+}
+
+} // namespace frictionbeam::parts

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/part/parts.h"
+
+#include <algorithm>
+
+namespace frictionbeam::parts {
+
+namespace {
+
+/// "rigid" or a stiffness > 0.
+double parse_stiffness(const ParameterReader &in, const std::string &entry,
+                       const std::string &unit) {
+  const std::string text = in.text(entry);
+  double value;
+  if (text == "rigid")
+    return Joint::rigid;
+  if (!to_number(text, value) || value <= 0.)
+    in.fail(entry, "rigid, or a number > 0 [" + unit + "]", "rigid");
+  return in.in_bounds(entry, value * in.si(unit), unit);
+}
+
+std::string parse_point_on(const ParameterReader &in, const Scene &scene) {
+  const std::string point = in.text("At");
+  check_point(in, "At", point, scene);
+  return point;
+}
+
+} // namespace
+
+void declare_joint(ParameterReader &in) {
+  in.declare_text("At", "", "name of a point", "Where the joint is; it has no length.");
+  in.declare_text(
+      "Pipe", "", "name of a pipe",
+      "Which it belongs to: the joint is between the point and this pipe's run after it "
+      "(before it, at the pipe's end). May be left out if there is only one.");
+  in.declare_text("Axial", "rigid", "rigid, or a number > 0 [N/m]", "Stiffness along the pipe.");
+  in.declare_text("Lateral", "rigid", "rigid, or a number > 0 [N/m]", "Stiffness across the pipe.");
+  in.declare_text("Bending", "rigid", "rigid, or a number > 0 [N m/rad]",
+                  "Stiffness about both axes across the pipe; small: a hinge.");
+  in.declare_text("Torsion", "rigid", "rigid, or a number > 0 [N m/rad]",
+                  "Stiffness about the pipe.");
+  in.declare_number("Thrust area", 0., "m2", 0., 1e300,
+                    "Of a bellows: pressure times this area pushes its two sides apart.");
+}
+
+void parse_joint(const ParameterReader &in, const std::string &name, Scene &scene) {
+  Joint joint;
+  joint.name = name;
+  joint.kind = "joint";
+  joint.point = parse_point_on(in, scene);
+  joint.pipe = in.text("Pipe");
+  if (joint.pipe.empty() && scene.pipes.size() == 1)
+    joint.pipe = scene.pipes.front().name;
+  in.find("Pipe", joint.pipe, names(scene.pipes), "pipe");
+  joint.axial = parse_stiffness(in, "Axial", "N/m");
+  joint.lateral = parse_stiffness(in, "Lateral", "N/m");
+  joint.bending = parse_stiffness(in, "Bending", "N m/rad");
+  joint.torsion = parse_stiffness(in, "Torsion", "N m/rad");
+  joint.thrust_area = in.number("Thrust area");
+  if (joint.thrust_area > 0. && joint.axial == Joint::rigid)
+    in.fail("Thrust area", "a thrust area of a joint that yields along the pipe",
+            "'Axial', the stiffness of the bellows");
+  scene.joints.push_back(joint);
+}
+
+void declare_tee(ParameterReader &in) {
+  in.declare_text("At", "", "name of a point", "Where the branch leaves the run.");
+  in.declare_text("Branch", "", "name of a pipe", "The branch, which begins or ends there.");
+  in.declare_choice("Kind", "welding tee",
+                    {"welding tee", "reinforced", "unreinforced", "extruded", "welded-in",
+                     "integrally reinforced"},
+                    "For the stress intensification factors of ASME B31.3, appendix D.");
+  in.declare_number("Pad", 0., "m", 0., 1e300, "Thickness of a reinforced tee's pad.");
+  in.declare_number("Crotch radius", 0., "m", 0., 1e300, "Of an extruded or welding tee.");
+  in.declare_text("Flexibility", "rigid",
+                  "rigid, code, or in-plane and out-of-plane stiffness "
+                  "[N m/rad]",
+                  "Of the branch's foot. rigid: as B31.3 has it; code: the springs of ASME III "
+                  "NB-3686.5 for branch connections.");
+}
+
+void parse_tee(const ParameterReader &in, const std::string &name, Scene &scene) {
+  Tee tee;
+  tee.name = name;
+  tee.point = parse_point_on(in, scene);
+  tee.branch = in.text("Branch");
+  in.find("Branch", tee.branch, names(scene.pipes), "pipe");
+  const std::string kind = in.text("Kind");
+  using Kind = Tee::Kind;
+  tee.kind = kind == "welding tee"    ? Kind::welding
+             : kind == "reinforced"   ? Kind::reinforced
+             : kind == "unreinforced" ? Kind::unreinforced
+             : kind == "extruded"     ? Kind::extruded
+             : kind == "welded-in"    ? Kind::welded_in
+                                      : Kind::integral;
+  tee.pad = in.number("Pad");
+  tee.crotch_radius = in.number("Crotch radius");
+  scene.tees.push_back(tee);
+
+  const std::string flexibility = in.text("Flexibility");
+  if (flexibility == "rigid")
+    return;
+  Joint joint;
+  joint.name = name;
+  joint.kind = "tee";
+  joint.point = tee.point;
+  joint.pipe = tee.branch;
+  if (flexibility == "code") {
+    // theta = k M d/(E I_b): ASME III NB-3686.5, d the branch's and D the run's outer diameter.
+    const auto of_point = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &p) {
+      return p.name != tee.branch &&
+             std::any_of(p.route.begin(), p.route.end(),
+                         [&](const RoutePoint &r) { return r.name == tee.point; });
+    });
+    const Pipe &branch = scene.pipes[in.find("Branch", tee.branch, names(scene.pipes), "pipe")];
+    const Section &b = scene.sections[branch.section];
+    if (of_point == scene.pipes.end() || b.wall == 0. ||
+        scene.sections[of_point->section].wall == 0.)
+      in.fail("Flexibility",
+              "code where the run has a point of that name, and run and branch give "
+              "'Outer diameter' and 'Wall'",
+              "two numbers, or rigid");
+    const Section &r = scene.sections[of_point->section];
+    const double d = 2. * b.outer_radius, D = 2. * r.outer_radius;
+    const double root = std::sqrt(r.wall / b.wall * d / D) * b.wall / r.wall;
+    const double stiffness = scene.materials[branch.material].youngs_modulus * b.inertia / d;
+    joint.out_of_plane = stiffness / (0.1 * std::pow(D / r.wall, 1.5) * root);
+    joint.in_plane = stiffness / (0.2 * D / r.wall * root);
+  } else {
+    const std::vector<double> values = in.numbers("Flexibility");
+    if (values.size() != 2 || values[0] <= 0. || values[1] <= 0.)
+      in.fail("Flexibility", "rigid, code, or two numbers > 0 [N m/rad]", "code");
+    joint.in_plane = in.in_bounds("Flexibility", values[0] * in.si("N m/rad"), "N m/rad");
+    joint.out_of_plane = in.in_bounds("Flexibility", values[1] * in.si("N m/rad"), "N m/rad");
+  }
+  scene.joints.push_back(joint);
+}
+
+void declare_hanger(ParameterReader &in) {
+  in.declare_choice("Kind", "variable", {"variable", "constant"},
+                    "variable: a spring; constant: the same force wherever the pipe goes.");
+  in.declare_text("At", "", "names of points, separated by commas", "One such hanger at each.");
+  in.declare_number("Stiffness", 0., "N/m", 0., 1e300,
+                    "Of a variable hanger; 0: sized, for 'Variation'.");
+  in.declare_number("Cold load", 0., "N", 0., 1e300,
+                    "Its upward force before anything has moved; 0: sized, so that it carries the "
+                    "weight when the line is hot.");
+  in.declare_number("Variation", 0.25, "-", positive, 1.,
+                    "Largest change of load between hot and cold over the hot load, when sized.");
+  in.declare_text("Weight step", "", "name of a step",
+                  "With the weight that a sized hanger carries; empty: the first step.");
+  in.declare_text("Hot step", "", "name of a step",
+                  "With the travel that it must follow; empty: the second step, or the first if "
+                  "there is only one.");
+}
+
+void parse_hanger(const ParameterReader &in, const std::string &name, Scene &scene) {
+  Hanger hanger;
+  hanger.name = name;
+  hanger.points = in.list("At");
+  if (hanger.points.empty())
+    in.fail("At", "at least one point", "the name of a point");
+  for (const std::string &point : hanger.points)
+    check_point(in, "At", point, scene);
+  hanger.constant = in.text("Kind") == "constant";
+  hanger.stiffness = in.number("Stiffness");
+  if (hanger.constant && hanger.stiffness > 0.)
+    in.fail("Stiffness", "no stiffness of a constant hanger", "Kind = variable");
+  hanger.cold_load = in.number("Cold load");
+  if (hanger.stiffness > 0. && hanger.cold_load == 0.)
+    in.fail("Cold load", "a load > 0 beside a stiffness, or neither for a sized hanger",
+            "the cold load, or removing 'Stiffness'");
+  hanger.largest_variation = in.number("Variation");
+  hanger.weight_step = in.text("Weight step");
+  hanger.hot_step = in.text("Hot step");
+  for (unsigned int i = 0; i < hanger.points.size(); ++i) {
+    Spring spring; // of a sized one, stiffness and preload follow
+    spring.name = hanger.points.size() > 1 ? name + "." + std::to_string(i + 1) : name;
+    spring.kind = hanger.constant ? "constant hanger" : "spring hanger";
+    spring.point = hanger.points[i];
+    spring.stiffness[2] = hanger.stiffness;
+    spring.preload = hanger.cold_load;
+    hanger.springs.push_back(scene.springs.size());
+    scene.springs.push_back(spring);
+  }
+  scene.hangers.push_back(hanger);
+}
+
+void check_hangers(const ParameterReader &in, Scene &scene) {
+  const std::vector<std::string> steps = names(scene.steps);
+  for (Hanger &hanger : scene.hangers) {
+    for (std::string *step : {&hanger.weight_step, &hanger.hot_step}) {
+      if (step->empty())
+        *step = step == &hanger.weight_step ? steps.front()
+                                            : steps[std::min<std::size_t>(1, steps.size() - 1)];
+      if (std::count(steps.begin(), steps.end(), *step) == 0)
+        in.fail_section("step '" + *step + "' of hanger " + hanger.name,
+                        "a step of this file: " + join(steps), "one of these");
+    }
+  }
+}
+
+void declare_nozzle(ParameterReader &in) {
+  in.declare_text("Support", "", "name of an anchor, restraint or spring",
+                  "Whose forces are compared. Of one that stands at several points: name.1, ...");
+  in.declare_text("Allowed", "", "fx fy fz [N] mx my mz [N m], none negative",
+                  "Largest absolute values, global axes; 0: no limit.");
+}
+
+void parse_nozzle(const ParameterReader &in, const std::string &name, Scene &scene) {
+  NozzleLimit nozzle;
+  nozzle.name = name;
+  nozzle.support = in.text("Support");
+  std::vector<std::string> known = names(scene.restraints);
+  for (const Spring &spring : scene.springs)
+    known.push_back(spring.name);
+  in.find("Support", nozzle.support.substr(0, nozzle.support.find('.')), known, "anchor");
+  const std::vector<double> values = in.numbers("Allowed");
+  if (values.size() != 6 || *std::min_element(values.begin(), values.end()) < 0. ||
+      *std::max_element(values.begin(), values.end()) == 0.)
+    in.fail("Allowed", "six numbers >= 0, at least one of them > 0",
+            "'10000 10000 10000 8000 8000 8000'");
+  for (unsigned int i = 0; i < 6; ++i)
+    nozzle.allowed[i] =
+        in.in_bounds("Allowed", values[i] * in.si(i < 3 ? "N" : "N m"), i < 3 ? "N" : "N m");
+  scene.nozzles.push_back(nozzle);
+}
+
+void declare_stress(ParameterReader &in) {
+  in.declare_choice("Code", "none", {"none", "B31.3"}, "By which stresses are judged.");
+  in.declare_text("Sustained", "", "names of steps, separated by commas",
+                  "With weight and pressure: SL against Sh.");
+  in.declare_text("Expansion", "", "pairs 'step to step', separated by commas",
+                  "Whose difference is a displacement stress range, such as 'weight to heat': SE "
+                  "against SA.");
+  in.declare_text("Occasional", "", "names of steps, separated by commas",
+                  "With wind or earthquake as well: SL against 1.33 Sh.");
+  in.declare_number("Cycles factor", 1., "-", positive, 1.2, "f of the allowable range SA.");
+  in.declare_flag("Liberal", false, "SA = f (1.25 (Sc + Sh) - SL), with the sustained SL.");
+  in.declare_number("Occasional factor", 1.33, "-", 1., 3., "Of Sh.");
+}
+
+void parse_stress(const ParameterReader &in, Scene &scene) {
+  StressSettings &stress = scene.stress;
+  stress.code = in.text("Code") == "none" ? "" : in.text("Code");
+  const std::vector<std::string> known = case_names(scene);
+  const auto steps = [&](const std::string &entry) {
+    const std::vector<std::string> list = in.list(entry);
+    for (const std::string &step : list)
+      in.find(entry, step, known, "step");
+    return list;
+  };
+  stress.sustained = steps("Sustained");
+  stress.occasional = steps("Occasional");
+  for (const std::string &pair : in.list("Expansion")) {
+    const std::vector<std::string> words = split(pair, ' ');
+    if (words.size() != 3 || words[1] != "to")
+      in.fail("Expansion", "pairs 'step to step', separated by commas", "'weight to heat'",
+              "'" + pair + "'");
+    in.find("Expansion", words[0], known, "step");
+    in.find("Expansion", words[2], known, "step");
+    stress.expansion.emplace_back(words[0], words[2]);
+  }
+  stress.cycles_factor = in.number("Cycles factor");
+  stress.liberal = in.flag("Liberal");
+  stress.occasional_factor = in.number("Occasional factor");
+  if (stress.code.empty())
+    return;
+  if (stress.sustained.empty() && stress.occasional.empty() && stress.expansion.empty())
+    in.fail("Sustained", "at least one of Sustained, Expansion, Occasional",
+            "set Sustained = " + known.front());
+  for (const Pipe &pipe : scene.pipes) {
+    const Material &material = scene.materials[pipe.material];
+    if (material.allowable_cold == 0. || material.allowable_hot == 0.)
+      in.fail("Code", "materials with 'Allowable cold' and 'Allowable hot'",
+              "these two entries in section 'Material " + material.name + "'");
+    if (scene.sections[pipe.section].wall == 0.)
+      in.fail("Code", "sections with 'Outer diameter' and 'Wall'",
+              "these in section 'Section " + scene.sections[pipe.section].name + "'");
+  }
+}
+
+} // namespace frictionbeam::parts

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/part/parts.h"
+
+#include <algorithm>
+
+namespace frictionbeam::parts {
+
+void declare_load(ParameterReader &in) {
+  in.declare_choice("Kind", "weight",
+                    {"weight", "temperature", "pressure", "force", "line force", "displacement",
+                     "ground acceleration", "wind"},
+                    "weight: of pipes, contents and masses; temperature: of operation; pressure: "
+                    "inside, its thrust; force: at points; line force: per length of pipe; "
+                    "displacement: imposed at points; ground acceleration: of all supports "
+                    "together, motions are then relative to the ground; wind: on the pipe's outer "
+                    "diameter.");
+  in.declare_text("Acceleration", "0 0 -9.81", "x y z [m/s2]",
+                  "Of weight; of the ground for ground acceleration.");
+  in.declare_text("History", "", time_function_form,
+                  "Factor on the load; 0 before a table's beginning, its last value after its "
+                  "end. In a static step it multiplies the load, which goes evenly from its value "
+                  "before the step to that of the step. Empty: 1.");
+  in.declare_choice("History time", "step", {"step", "run"},
+                    "Where the time of History begins. step: with the step, or with the first of "
+                    "the steps, all transient or all static, that follow each other and name the "
+                    "load; run: with the run, of which a static step takes its Duration.");
+  in.declare_number("Temperature", 20., "degC", -273.15, 1e300,
+                    "Of operation; the pipe expands by its difference from 'Installation "
+                    "temperature'.");
+  in.declare_number("Pressure", 0., "Pa", -1e300, 1e300, "Inside, above the one outside.");
+  in.declare_text(
+      "Wind", "0 0 0", "x y z [Pa]",
+      "Dynamic pressure of the wind, rho v^2/2, in its direction. A pipe feels the part "
+      "across it: q C D |w| w, w that part of the unit vector.");
+  in.declare_number("Shape factor", 0.7, "-", 0., 10., "C of wind; 0.7 is usual for cylinders.");
+  in.declare_text("Pipes", "", "names of pipes, separated by commas",
+                  "Of temperature, pressure, line force and wind; empty: all.");
+  in.declare_text("Forces", "", "point fx fy fz [N], or with mx my mz [N m]; more after ';'",
+                  "Of force, in global axes.");
+  in.declare_flag("Follow", false,
+                  "Of force: it turns with its point, as the jet from a broken pipe does; with "
+                  "Kinematics = corotational.");
+  in.declare_text("Force per length", "0 0 0", "x y z [N/m]", "Of line force, in global axes.");
+  in.declare_text(
+      "Displacements", "",
+      "point, then motions with values: ux uy uz [m], rx ry rz [degrees]; more after ';'",
+      "Of displacement, in global axes, such as 'P ux 0.01 uz 0; Q ry 1.5'. Motions that "
+      "are not named stay free.");
+}
+
+namespace {
+
+Load::AtPoint parse_force(const ParameterReader &in, const std::string &text, const Scene &scene) {
+  const std::vector<std::string> words = split(text, ' ');
+  if (words.size() != 4 && words.size() != 7)
+    in.fail("Forces", "point fx fy fz, or point fx fy fz mx my mz; more after ';'",
+            "'P1 0 0 -1000'", "'" + text + "'");
+  Load::AtPoint at;
+  at.point = words[0];
+  check_point(in, "Forces", at.point, scene);
+  for (unsigned int i = 1; i < words.size(); ++i)
+    if (!to_number(words[i], at.value[i - 1]))
+      in.fail("Forces", "a point and numbers", "a number in place of '" + words[i] + "'",
+              "'" + text + "'");
+    else
+      at.value[i - 1] = in.in_bounds("Forces", at.value[i - 1] * in.si(i <= 3 ? "N" : "N m"),
+                                     i <= 3 ? "N" : "N m");
+  return at;
+}
+
+Load::AtPoint parse_displacement(const ParameterReader &in, const std::string &text,
+                                 const Scene &scene) {
+  const std::vector<std::string> words = split(text, ' ');
+  const std::string form =
+      "point, then ux, uy, uz, rx, ry or rz, each with a number; more after ';'";
+  if (words.size() < 3 || words.size() % 2 == 0)
+    in.fail("Displacements", form, "'P1 ux 0.01'", "'" + text + "'");
+  Load::AtPoint at;
+  at.point = words[0];
+  check_point(in, "Displacements", at.point, scene);
+  for (unsigned int i = 1; i < words.size(); i += 2) {
+    const unsigned int motion = motion_index(words[i]);
+    if (motion == 6 || at.given[motion] || !to_number(words[i + 1], at.value[motion]))
+      in.fail("Displacements", form, "another text than '" + words[i] + " " + words[i + 1] + "'",
+              "'" + text + "'");
+    at.given[motion] = true;
+    at.value[motion] =
+        in.in_bounds("Displacements", at.value[motion] * (motion >= 3 ? degree : in.si("m")), "m");
+  }
+  return at;
+}
+
+/// Entries of one kind of load are refused for another.
+void check_kind(const ParameterReader &in, const std::string &kind) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> entries = {
+      {"Acceleration", {"weight", "ground acceleration"}},
+      {"Temperature", {"temperature"}},
+      {"Pressure", {"pressure"}},
+      {"Wind", {"wind"}},
+      {"Shape factor", {"wind"}},
+      {"Pipes", {"temperature", "pressure", "line force", "wind"}},
+      {"Forces", {"force"}},
+      {"Follow", {"force"}},
+      {"Force per length", {"line force"}},
+      {"Displacements", {"displacement"}}};
+  for (const auto &[entry, kinds] : entries)
+    if (in.given(entry) && std::count(kinds.begin(), kinds.end(), kind) == 0)
+      in.fail(entry, "this entry with Kind = " + join(kinds), "set Kind = " + kinds[0],
+              entry + " = " + in.text(entry) + " with Kind = " + kind);
+}
+
+} // namespace
+
+void parse_load(const ParameterReader &in, const std::string &name,
+                const double installation_temperature, Scene &scene) {
+  Load load;
+  load.name = name;
+  const std::string kind = in.text("Kind");
+  check_kind(in, kind);
+  load.pipes = in.list("Pipes");
+  for (const std::string &pipe : load.pipes)
+    in.find("Pipes", pipe, names(scene.pipes), "pipe");
+  load.history = parse_time_function(in, "History", in.text("History"));
+  if (in.text("History time") == "run")
+    load.history.clock = TimeFunction::Clock::run;
+  if (kind == "weight" || kind == "ground acceleration") {
+    load.kind = Load::Kind::weight; // the inertia of what the ground carries along acts like one
+    load.vector = in.vector("Acceleration", "m/s2");
+    if (kind == "ground acceleration") {
+      if (!in.given("Acceleration"))
+        in.fail("Acceleration", "the direction and scale of the ground's motion", "'1 0 0'");
+      load.vector *= -1.;
+    }
+  } else if (kind == "temperature") {
+    load.kind = Load::Kind::temperature;
+    if (!in.given("Temperature"))
+      in.fail("Temperature", "the operating temperature [degC]", "set Temperature = 120");
+    load.value = in.number("Temperature") - installation_temperature;
+    load.installation = installation_temperature;
+  } else if (kind == "pressure") {
+    load.kind = Load::Kind::pressure;
+    load.value = in.number("Pressure");
+  } else if (kind == "wind") {
+    load.kind = Load::Kind::wind;
+    load.vector = in.number("Shape factor") * in.vector("Wind", "Pa");
+    if (load.vector.norm() == 0.)
+      in.fail("Wind", "a vector that is not zero, the dynamic pressure", "'500 0 0'");
+  } else if (kind == "line force") {
+    load.kind = Load::Kind::line_force;
+    load.vector = in.vector("Force per length", "N/m");
+  } else {
+    const bool force = kind == "force";
+    const std::string entry = force ? "Forces" : "Displacements";
+    load.follows = in.flag("Follow");
+    if (load.follows && scene.kinematics == Kinematics::linear)
+      in.fail("Follow", "forces that follow their point with Kinematics = corotational",
+              "set Kinematics = corotational, before the first subsection");
+    load.kind = force ? Load::Kind::force : Load::Kind::displacement;
+    for (const std::string &text : split(in.text(entry), ';'))
+      if (!text.empty())
+        load.at.push_back(force ? parse_force(in, text, scene)
+                                : parse_displacement(in, text, scene));
+    if (load.at.empty())
+      in.fail(entry, "at least one point", force ? "'P1 0 0 -1000'" : "'P1 ux 0.01'");
+  }
+  scene.loads.push_back(load);
+}
+
+void declare_step(ParameterReader &in) {
+  in.declare_text(
+      "Loads", "", "names of loads, separated by commas, each with a factor [-] if not 1",
+      "All loads that act at the end of the step, such as 'weight, hot 0.5'. Loads of "
+      "the step before that are not named go back to zero. Steps are taken in the order "
+      "of the file.");
+  in.declare_count("Increments", 1, 1, "Of a static step: how many pieces the change is cut into.");
+  in.declare_choice("Analysis", "static", {"static", "transient"}, "Without or with inertia.");
+  in.declare_number("Duration", 1., "s", positive, 1e300,
+                    "Of a static step, the time that laws and quantities see.");
+  in.declare_number("Ramp", 0., "s", 0., 1e300,
+                    "Of a transient step: time in which the loads reach their values; 0: at once.");
+}
+
+void parse_step(const ParameterReader &in, const std::string &name, Scene &scene) {
+  LoadStep step;
+  step.name = name;
+  for (const std::string &item : in.list("Loads")) {
+    const std::vector<std::string> words = split(item, ' ');
+    double factor = 1.;
+    if (words.size() > 2 || (words.size() == 2 && !to_number(words[1], factor)))
+      in.fail("Loads", "names of loads with factors, separated by commas", "'weight, hot 0.5'",
+              "'" + item + "'");
+    const unsigned int load = in.find("Loads", words[0], names(scene.loads), "load");
+    for (const auto &present : step.loads)
+      if (present.first == load)
+        in.fail("Loads", "every load once", "one factor for '" + words[0] + "'");
+    step.loads.emplace_back(load, factor);
+  }
+  step.n_increments = in.count("Increments");
+  step.transient = in.text("Analysis") == "transient";
+  step.duration = in.number("Duration");
+  step.ramp = in.number("Ramp");
+  if (step.transient && in.given("Increments"))
+    in.fail("Increments", "Increments of static steps", "'Step' in section Time instead");
+  if (!step.transient && in.given("Ramp"))
+    in.fail("Ramp", "Ramp of transient steps; a static one changes evenly to its end",
+            "Analysis = transient, or removing 'Ramp'");
+  if (step.ramp > step.duration)
+    in.fail("Ramp", "at most the step's Duration, " + to_text(step.duration) + " s",
+            "a shorter ramp");
+  scene.steps.push_back(step);
+}
+
+} // namespace frictionbeam::parts

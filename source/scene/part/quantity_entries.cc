@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/part/parts.h"
+
+#include <algorithm>
+
+namespace frictionbeam::parts {
+
+namespace {
+
+const std::vector<std::string>
+    motions = {"ux", "uy", "uz", "rx", "ry", "rz", "vx", "vy", "vz", "wx", "wy", "wz"},
+    reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
+    section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"},
+    contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work", "wear", "impulse", "mt"},
+    changes = {"stick", "slip", "open", "closed"}, modal = {"frequency"},
+    stresses = {"flexibility", "sif_in", "sif_out", "SL", "SE", "utilization"},
+    of_motion = {"momentum_x",         "momentum_y",         "momentum_z", "angular_momentum_x",
+                 "angular_momentum_y", "angular_momentum_z", "energy"},
+    sums = {"sum_normal", "sum_friction", "n_stick",  "n_slip",
+            "n_open",     "slip_length",  "max_error"},
+    over = {"max", "min", "mean", "integral", "change", "rate", "time_of"};
+
+bool contains(const std::vector<std::string> &list, const std::string &item) {
+  return std::count(list.begin(), list.end(), item) > 0;
+}
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string> &b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Supports that stand at several places are called name.1, name.2, ...: is this one of them?
+bool is_repeated(const std::string &where, const std::vector<std::string> &supports) {
+  const auto dot = where.rfind('.');
+  return dot != std::string::npos && dot + 1 < where.size() &&
+         where.find_first_not_of("0123456789", dot + 1) == std::string::npos &&
+         contains(supports, where.substr(0, dot));
+}
+
+void check_where(const ParameterReader &in, const Quantity &quantity, const Scene &scene) {
+  const std::vector<std::string> supports = names(scene.supports);
+  const std::vector<std::string> holders =
+      supports + names(scene.restraints) + names(scene.springs);
+  const std::string &what = quantity.what, &where = quantity.where;
+  const std::string entry = quantity.name;
+  if (what == "frequency") {
+    double number;
+    if (!to_number(where, number) || number < 1. || number > scene.modal.n_modes)
+      in.fail(entry, "frequency N, with N from 1 to the Number of modes in section Modes",
+              "'frequency 1'", "'" + where + "'");
+    return;
+  }
+  if (contains(stresses, what)) {
+    if (scene.stress.code.empty())
+      in.fail(entry, what + " where section Stress has a Code", "set Code = B31.3 there");
+    if (!where.empty() || what != "utilization")
+      check_point(in, entry, where, scene);
+    return;
+  }
+  if (contains(motions, what) || contains(section_forces, what))
+    check_point(in, entry, where, scene);
+  else if (contains(reactions, what)) {
+    if (!contains(holders, where) && !is_repeated(where, holders) && scene.mesh.file.empty())
+      in.find(entry, where, point_names(scene) + holders, "point, support or spring");
+  } else if (contains(contact, what) || contains(changes, what)) {
+    if (!is_repeated(where, supports))
+      in.find(entry, where, supports, "friction support");
+  } else if (contains(of_motion, what)) {
+    if (scene.kinematics == Kinematics::linear || !where.empty())
+      in.fail(entry, what + " of the whole line, with Kinematics = corotational",
+              "set Kinematics = corotational, and no point");
+  } else if (what == "slip_length") {
+    if (!where.empty())
+      in.fail(entry, "slip_length of all friction supports", "no place");
+  } else if (what == "max_error") {
+    if (!scene.exact)
+      in.fail(entry, "max_error in scenes with an exact solution",
+              "a section Exact, Scene = oscillator, or slab with Sequence = cycle");
+  } else if (!where.empty())
+    in.find(entry, where, supports, "friction support");
+}
+
+[[noreturn]] void fail_form(const ParameterReader &in, const std::string &entry,
+                            const std::string &read) {
+  in.fail(entry,
+          "what at where, step NAME, time T; scale F; unit U; reference R; source TEXT (all but "
+          "'what' may be left out; |what| is its absolute value), or max, min, mean, integral, "
+          "change or rate and then what at where, from T, to T, or time_of slip at SUPPORT, from T",
+          "'ux at P1, step heat; reference 0.012; source hand calculation'", "'" + read + "'");
+}
+
+double number_of(const ParameterReader &in, const std::string &entry, const std::string &text) {
+  double value;
+  if (!to_number(text, value))
+    in.fail(entry, "a number", "a number in place of '" + text + "'");
+  return value;
+}
+
+/// max, min, mean, integral, change, rate, time_of
+void parse_over(const std::string &word, Quantity &quantity) {
+  using Over = Quantity::Over;
+  quantity.over = word == "max"        ? Over::maximum
+                  : word == "min"      ? Over::minimum
+                  : word == "mean"     ? Over::mean
+                  : word == "integral" ? Over::integral
+                  : word == "change"   ? Over::change
+                  : word == "rate"     ? Over::rate
+                                       : Over::time_of;
+}
+
+bool is_of_continuum(const Scene &scene, const std::string &name) {
+  if (!scene.continuum)
+    return false;
+  const auto &list = scene.continuum->quantities;
+  return std::any_of(list.begin(), list.end(),
+                     [&](const ContinuumQuantity &one) { return one.name == name; });
+}
+
+/// `[over] [|]what[|] [at where][, step NAME][, time T][, from T][, to T]`
+void parse_definition(const ParameterReader &in, const std::string &text, const Scene &scene,
+                      Quantity &quantity) {
+  for (const std::string &piece : split(text, ',')) {
+    std::vector<std::string> words = split(piece, ' ');
+    if (words.empty())
+      fail_form(in, quantity.name, text);
+    if (quantity.what.empty()) {
+      if (contains(over, words[0]) && words.size() > 1) {
+        parse_over(words[0], quantity);
+        words.erase(words.begin());
+      }
+      std::string what = words[0];
+      quantity.absolute = what.size() > 2 && what.front() == '|' && what.back() == '|';
+      if (quantity.absolute)
+        what = what.substr(1, what.size() - 2);
+      quantity.what = what;
+      in.find(quantity.name, what,
+              quantity.over == Quantity::Over::time_of
+                  ? changes
+                  : motions + reactions + section_forces + contact + modal + stresses + of_motion +
+                        sums,
+              "quantity");
+      using Side = Quantity::Side;
+      if (words.size() == 3 && words[1] == "at")
+        quantity.where = words[2];
+      else if (words.size() == 3 && contains(section_forces, what) &&
+               (words[1] == "before" || words[1] == "after")) {
+        quantity.where = words[2];
+        quantity.side = words[1] == "before" ? Side::before : Side::after;
+      } else if (words.size() == 2 && what == "frequency")
+        quantity.where = words[1];
+      else if (words.size() != 1)
+        fail_form(in, quantity.name, piece);
+    } else if (words.size() == 2 && words[0] == "step") {
+      quantity.step = words[1];
+      in.find(quantity.name, words[1], case_names(scene), "step");
+    } else if (words.size() == 2 && words[0] == "pipe" && contains(section_forces, quantity.what)) {
+      quantity.pipe = words[1];
+      in.find(quantity.name, words[1], names(scene.pipes), "pipe");
+    } else if (words.size() == 2 && words[0] == "time")
+      quantity.time = number_of(in, quantity.name, words[1]);
+    else if (words.size() == 2 && quantity.over != Quantity::Over::end &&
+             (words[0] == "from" || words[0] == "to"))
+      (words[0] == "from" ? quantity.from : quantity.to) = number_of(in, quantity.name, words[1]);
+    else
+      fail_form(in, quantity.name, piece);
+  }
+}
+
+} // namespace
+
+void declare_quantities(ParameterReader &in) {
+  in.declare_text("Source", "", "any text",
+                  "Where references come from, unless a quantity says so.");
+  const ParameterFile::Section *const section = in.file().find("Quantities");
+  if (section == nullptr)
+    return;
+  for (const ParameterFile::Entry &entry : section->entries)
+    if (entry.name != "Source")
+      in.declare_text(entry.name, "",
+                      "what at where, step NAME, time T; scale F; reference R; source TEXT",
+                      "A number to compute.");
+}
+
+void parse_quantities(const ParameterReader &in, Scene &scene) {
+  const ParameterFile::Section *const section = in.file().find("Quantities");
+  if (section == nullptr)
+    return;
+  std::vector<std::string> dropped; // references
+  for (const ParameterFile::Entry &entry : section->entries) {
+    if (entry.name == "Source")
+      continue;
+    const std::vector<std::string> pieces = split(entry.value, ';');
+    if (pieces.empty())
+      fail_form(in, entry.name, "nothing");
+    // A quantity of the generated scene is given a reference by its name alone.
+    const bool is_reference = pieces[0].rfind("reference ", 0) == 0;
+    const auto known =
+        std::find_if(scene.quantities.begin(), scene.quantities.end(),
+                     [&](const Quantity &other) { return other.name == entry.name; });
+    if (is_reference && known == scene.quantities.end() && is_of_continuum(scene, entry.name))
+      continue;
+    Quantity quantity;
+    quantity.name = entry.name;
+    if (is_reference && known != scene.quantities.end())
+      quantity = *known;
+    else if (known != scene.quantities.end())
+      in.fail(entry.name,
+              "a name that the generated scene does not use itself: " +
+                  join(names(scene.quantities)),
+              "another name");
+    if (!is_reference || known == scene.quantities.end()) {
+      parse_definition(in, pieces[0], scene, quantity);
+      check_where(in, quantity, scene);
+    }
+    for (unsigned int i = is_reference ? 0 : 1; i < pieces.size(); ++i) {
+      const auto blank = pieces[i].find(' ');
+      const std::string key = pieces[i].substr(0, blank),
+                        value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
+      if (key == "scale")
+        quantity.scale = number_of(in, entry.name, value);
+      else if (key == "reference")
+        quantity.reference = number_of(in, entry.name, value);
+      else if (key == "unit")
+        quantity.unit = value;
+      else if (key == "source")
+        quantity.source = value;
+      else
+        fail_form(in, entry.name, pieces[i]);
+    }
+    if (quantity.reference && in.scene_changed() && !entry.is_override) {
+      quantity.reference.reset();
+      dropped.push_back(quantity.name);
+    }
+    if (quantity.reference && quantity.source.empty())
+      quantity.source = in.text("Source");
+    if (is_reference)
+      *known = quantity;
+    else
+      scene.quantities.push_back(quantity);
+  }
+  if (!dropped.empty())
+    scene.remarks.push_back("No reference in this run for " + join(dropped) +
+                            ": --set has changed the scene that the references in the file belong "
+                            "to.");
+}
+
+} // namespace frictionbeam::parts

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/part/parts.h"
+
+#include <frictionbeam/law_closed_form.h>
+
+#include <algorithm>
+
+namespace frictionbeam::parts {
+
+namespace {
+
+const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
+const std::vector<std::string> kinds = {"anchor", "restraint", "guide",    "line stop", "stop",
+                                        "rest",   "rod",       "friction", "snubber"};
+/// Friction coefficients in use for sliding pairs; a design takes its supplier's.
+const std::vector<std::pair<std::string, double>> pads = {
+    {"steel", 0.3}, {"ptfe", 0.1}, {"graphite", 0.15}, {"concrete", 0.5}, {"roller", 0.03}};
+const std::vector<std::string> element_entries = {
+    "Law",          "Normal", "Length",      "Rotations",     "Torsion",
+    "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time"};
+
+bool is_restraint(const std::string &kind) { return kind == "anchor" || kind == "restraint"; }
+bool is_pair(const std::string &kind) {
+  return kind == "guide" || kind == "line stop" || kind == "stop";
+}
+
+double friction_of(const std::string &pad, const double otherwise) {
+  for (const auto &[name, friction] : pads)
+    if (pad == name)
+      return friction;
+  return otherwise;
+}
+
+std::string default_law(const std::string &kind) {
+  return kind == "snubber" ? "snubber" : "coulomb";
+}
+
+/// The law of this section before it is declared, or null if there is none of that name.
+const LawDescription *law_of(const ParameterReader &in, const LawLibrary &laws) {
+  const std::vector<std::string> known = laws.names(LawKind::support);
+  const std::string name = in.raw("Law", default_law(in.raw("Kind", "rest")));
+  return std::count(known.begin(), known.end(), name) == 0 ? nullptr : &laws.find(name);
+}
+
+} // namespace
+
+unsigned int motion_index(const std::string &name) {
+  return std::find(motions.begin(), motions.end(), name) - motions.begin();
+}
+
+std::array<bool, 6> parse_motions(const ParameterReader &in, const std::string &entry) {
+  std::array<bool, 6> result{};
+  for (const std::string &name : in.list(entry)) {
+    const unsigned int i = motion_index(name);
+    if (i == 6)
+      in.fail(entry, "motions out of " + join(motions) + ", separated by commas",
+              "one of these in place of '" + name + "'");
+    result[i] = true;
+  }
+  return result;
+}
+
+void declare_support(ParameterReader &in, const LawLibrary &laws) {
+  const std::string kind = in.raw("Kind", "rest");
+  in.declare_choice(
+      "Kind", "rest", kinds,
+      "anchor: all six motions held; restraint: those in Fixed; guide: no motion "
+      "sideways (horizontal, across the pipe); line stop: none along the pipe; stop: none "
+      "along Normal, either way; rest: stands under the pipe, lifts off, slides with friction; "
+      "rod: carries the pipe from above without friction, goes slack when it rises; friction: "
+      "as rest, with any normal; snubber: nothing in static steps, holds along Normal in "
+      "vibrations, by the law of that name.");
+  in.declare_text("At", "", "names of points, separated by commas", "Where the support stands.");
+  in.declare_text("Pipe", "", "name of a pipe", "Repeated along this pipe, instead of At.");
+  in.declare_number("Every", 0., "m", 0., 1e300,
+                    "Distance along the pipe; the first one at this distance from From, none at "
+                    "From and To themselves.");
+  in.declare_text("From", "", "name of a point of that pipe", "Empty: its first point.");
+  in.declare_text("To", "", "name of a point of that pipe", "Empty: its last point.");
+  in.declare_flag("Continuous", false,
+                  "A bed from From to To instead of Every; the law's rigidities and Normal force "
+                  "are then per metre of pipe.");
+  in.declare_text("Fixed", kind == "restraint" ? "ux, uy, uz" : "ux, uy, uz, rx, ry, rz",
+                  "motions out of ux, uy, uz, rx, ry, rz", "Of anchor and restraint, global axes.");
+  in.declare_text("Law", default_law(kind), join(laws.names(LawKind::support)),
+                  "Of the friction element. Its parameters are entries of the support.");
+  in.declare_text(
+      "Normal", "0 0 1", "x y z [-], along, or across",
+      "Direction from the ground into the pipe, of rest and friction; along the pipe or "
+      "across it (horizontal). With Ground, and not given: from that point to the support.");
+  in.declare_number("Length", 1., "m", positive, 1e300,
+                    "Of the friction element. Rigidity over length is stiffness; with Rotations it "
+                    "is the lever arm as well. Not given, it is 1 m in all units, and with Ground "
+                    "the distance to that point.");
+  in.declare_choice("Rotations", "none", {"none", "averaged", "pipe"},
+                    "Rotations of the pipe in the shear strain: none; averaged over the element "
+                    "(moment T l/2 on the pipe); the pipe's own (T l: contact at its surface, with "
+                    "Length its radius).");
+  in.declare_flag("Torsion", false, "Torsional stiffness about the normal, from the law.");
+  in.declare_number("Normal force", 0., "N", 0., 1e300,
+                    "Of a platen that is pressed onto the pipe; 0: the ground stands still.");
+  in.declare_text("Ground", "", "name of a point of another pipe",
+                  "What the support stands on; empty: the ground. What of the way there is across "
+                  "the normal, is a rigid arm of that pipe.");
+  in.declare_number("Restitution", 0., "-", 0., 1.,
+                    "Newton's coefficient of an impact on a rigid contact, in transient steps: "
+                    "relative velocity after over the one before.");
+  in.declare_text("Ground motion", "", "x; y; z, each " + std::string(time_function_form),
+                  "Displacement of the ground in global axes [m]: a belt, one support's motion in "
+                  "an earthquake, a gap that changes. Empty: it stands still.");
+  in.declare_choice("Ground motion time", "step", {"step", "run"},
+                    "Where the time of Ground motion begins. step: with the step, or with the "
+                    "first of the steps, all transient or all static, that follow each other; run: "
+                    "with the run.");
+  std::vector<std::string> pad_names = {"none"};
+  for (const auto &pad : pads)
+    pad_names.push_back(pad.first);
+  in.declare_choice(
+      "Pad", "none", pad_names,
+      "What steel slides on, which gives 'Friction coefficient' a default: steel 0.3, "
+      "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03.");
+  if (const LawDescription *const law = law_of(in, laws))
+    for (int i = 0; i < law->n_parameters; ++i) {
+      const LawParameter &p = law->parameters[i];
+      double value = p.default_value;
+      if (std::string(p.name) == "Friction coefficient")
+        value = friction_of(in.raw("Pad", "none"), is_pair(kind) || kind == "rod" ? 0. : value);
+      in.declare_number(p.name, value, p.unit, p.minimum, p.maximum,
+                        "Law " + std::string(law->name) + ": " + p.meaning + ".");
+    }
+  else
+    in.find("Law", in.raw("Law", default_law(kind)), laws.names(LawKind::support), "support law");
+}
+
+namespace {
+
+Placement parse_placement(const ParameterReader &in, const Scene &scene) {
+  Placement placement;
+  placement.points = in.list("At");
+  placement.pipe = in.text("Pipe");
+  if (placement.points.empty() == placement.pipe.empty())
+    in.fail_section(placement.pipe.empty() ? "neither 'At' nor 'Pipe'" : "both 'At' and 'Pipe'",
+                    "either At, or Pipe with Every, or Pipe with Continuous = true",
+                    "set At = <name of a point>");
+  for (const std::string &point : placement.points) {
+    check_point(in, "At", point, scene);
+    if (std::count(placement.points.begin(), placement.points.end(), point) > 1)
+      in.fail("At", "every point once", "removing one '" + point + "'");
+  }
+  placement.every = in.number("Every");
+  placement.continuous = in.flag("Continuous");
+  placement.from = in.text("From");
+  placement.to = in.text("To");
+  if (placement.pipe.empty()) {
+    for (const char *entry : {"Every", "From", "To", "Continuous"})
+      if (in.given(entry))
+        in.fail(entry, "this entry beside 'Pipe' only", "Pipe = <name of a pipe> instead of At");
+    return placement;
+  }
+  const Pipe &pipe = scene.pipes[in.find("Pipe", placement.pipe, names(scene.pipes), "pipe")];
+  if ((placement.every > 0.) == placement.continuous)
+    in.fail_section(placement.continuous ? "both 'Every' and 'Continuous'"
+                                         : "'Pipe' without 'Every' and 'Continuous'",
+                    "Pipe with Every = <distance in m>, or Pipe with Continuous = true",
+                    "set Every = 6");
+  for (const char *entry : {"From", "To"})
+    if (const std::string point = in.text(entry); !point.empty()) {
+      check_point(in, entry, point, scene);
+      const bool on_pipe = std::any_of(pipe.route.begin(), pipe.route.end(),
+                                       [&](const RoutePoint &p) { return p.name == point; }) ||
+                           pipe.route.empty() || [&] {
+                             const std::vector<std::string> free = names(scene.points);
+                             return std::count(free.begin(), free.end(), point) > 0;
+                           }();
+      if (!on_pipe)
+        in.fail(entry, "a point of pipe '" + pipe.name + "'", "a point of its route");
+    }
+  return placement;
+}
+
+/// Unit normal of rest and friction supports; zero for one that stands on a point, the way to which
+/// is its normal unless another one is given.
+Direction parse_normal(const ParameterReader &in) {
+  Direction direction;
+  if (!in.text("Ground").empty() && !in.given("Normal") && in.text("Kind") != "rod")
+    return direction;
+  const std::string text = in.text("Normal");
+  if (text == "along" || text == "across") {
+    direction.kind = text == "along" ? Direction::Kind::along : Direction::Kind::across;
+    return direction;
+  }
+  direction.vector = in.vector("Normal");
+  if (direction.vector.norm() == 0.)
+    in.fail("Normal", "a vector that is not zero", "'0 0 1', upwards");
+  direction.vector /= direction.vector.norm();
+  return direction;
+}
+
+void refuse(const ParameterReader &in, const std::vector<std::string> &entries,
+            const std::string &kind, const std::string &where_allowed) {
+  for (const std::string &entry : entries)
+    if (in.given(entry))
+      in.fail(entry, where_allowed, "removing '" + entry + "', or another Kind than " + kind,
+              entry + " = " + in.text(entry) + " with Kind = " + kind);
+}
+
+std::vector<std::string> law_entries(const LawDescription &law) {
+  std::vector<std::string> entries;
+  for (int i = 0; i < law.n_parameters; ++i)
+    entries.push_back(law.parameters[i].name);
+  return entries;
+}
+
+/// The method exact believes a law's closed form, the others its integrate(): they must agree.
+void check_closed_form(const ParameterReader &in, const LawDescription &law,
+                       const std::vector<double> &parameters) {
+  const std::vector<std::string> faults = closed_form_faults(law, parameters);
+  if (!faults.empty())
+    in.fail("Law", "a law that does not contradict itself: " + faults.front(),
+            "another law, or mend this one until frictionbeam-check-law says that it conforms");
+}
+
+} // namespace
+
+void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
+                   Scene &scene) {
+  const std::string kind = in.text("Kind");
+  const Placement placement = parse_placement(in, scene);
+  const LawDescription &law = laws.find(in.text("Law"));
+  const std::vector<std::string> own_entries = law_entries(law);
+
+  if (is_restraint(kind)) {
+    refuse(in, element_entries, kind,
+           "a friction element's entries for guide, line stop, rest and "
+           "friction");
+    refuse(in, own_entries, kind, "a law's entries for guide, line stop, rest and friction");
+    refuse(in, {"Pad"}, kind, "a pad under rest, guide, stop and friction");
+    Restraint restraint;
+    restraint.name = name;
+    restraint.kind = kind;
+    restraint.placement = placement;
+    restraint.fixed = parse_motions(in, "Fixed");
+    if (std::count(restraint.fixed.begin(), restraint.fixed.end(), true) == 0)
+      in.fail("Fixed", "at least one of " + join(motions), "'ux, uy, uz'");
+    scene.restraints.push_back(restraint);
+    return;
+  }
+  refuse(in, {"Fixed"}, kind, "Fixed for anchor and restraint");
+  if (kind == "guide" || kind == "line stop")
+    refuse(in, {"Normal"}, kind, "Normal for stop, rest, friction and snubber");
+  if (is_pair(kind) || kind == "rod")
+    refuse(in, {"Normal force"}, kind, "Normal force for rest and friction");
+  if (kind == "rod")
+    refuse(in, {"Normal"}, kind, "Normal for stop, rest, friction and snubber; a rod is vertical");
+  if (kind == "snubber") {
+    refuse(in, {"Length", "Rotations", "Torsion", "Normal force", "Restitution", "Pad"}, kind,
+           "a friction element's entries for guide, stop, rest, rod and friction");
+    if (law.name != default_law(kind))
+      in.fail("Law", "the law 'snubber' with Kind = snubber",
+              "Kind = friction, which takes any law");
+  }
+
+  FrictionSupport support;
+  support.name = name;
+  support.kind = kind;
+  support.placement = placement;
+  support.law = law.name;
+  for (const std::string &entry : own_entries)
+    support.parameters.push_back(in.number(entry));
+  check_closed_form(in, law, support.parameters);
+  support.length = in.number("Length");
+  bool has_stiffness = false;
+  for (int i = 0; i < law.n_parameters; ++i)
+    has_stiffness = has_stiffness ||
+                    (std::string(law.parameters[i].name).find("rigidity") != std::string::npos &&
+                     support.parameters[i] > 0.);
+  if (has_stiffness && !in.given("Length") && in.text("Ground").empty() && !scene.units.is_si())
+    scene.remarks.push_back("Support " + name + ": its Length is not given and is 1 m, " +
+                            to_text(1. / scene.units.factor("m")) + " " + scene.units.name("m") +
+                            ". Its stiffness is the rigidity over that.");
+  using Rotations = FrictionSupport::Rotations;
+  const std::string rotations = in.text("Rotations");
+  support.rotations = rotations == "pipe"       ? Rotations::pipe
+                      : rotations == "averaged" ? Rotations::averaged
+                                                : Rotations::none;
+  support.torsion = in.flag("Torsion");
+  support.normal_force = in.number("Normal force");
+  support.ground = in.text("Ground");
+  if (!support.ground.empty() && !in.given("Length"))
+    support.length = 0.;
+  if (!support.ground.empty()) {
+    check_point(in, "Ground", support.ground, scene);
+    const auto &points = support.placement.points;
+    if (std::count(points.begin(), points.end(), support.ground) > 0)
+      in.fail("Ground", "another point than those of At", "a point of another pipe");
+    if (support.normal_force > 0.)
+      in.fail("Normal force", "either a platen with a normal force or a ground that is a pipe",
+              "removing 'Ground' or 'Normal force'");
+  }
+  support.restitution = in.number("Restitution");
+  if (const std::string motion = in.text("Ground motion"); !motion.empty()) {
+    const std::vector<std::string> courses = split(motion, ';');
+    if (courses.size() != 3)
+      in.fail("Ground motion", "three courses in time, x; y; z", "'0.1*t; 0; 0'");
+    for (unsigned int d = 0; d < 3; ++d) {
+      TimeFunction &one = support.ground_motion[d];
+      one = parse_time_function(in, "Ground motion", courses[d]);
+      if (one.is_given()) // its values are lengths in the file's unit
+        one.course = [course = one.course, unit = in.si("m")](const double time) {
+          return unit * course(time);
+        };
+      if (in.text("Ground motion time") == "run")
+        support.ground_motion[d].clock = TimeFunction::Clock::run;
+    }
+    if (!support.ground.empty())
+      in.fail("Ground motion", "either a ground that moves or one that is a pipe",
+              "removing 'Ground'");
+  }
+  if (!is_pair(kind)) {
+    support.normal = parse_normal(in);
+    scene.supports.push_back(support);
+    return;
+  }
+
+  // A guide or stop without gap, friction and a stiffness of its own holds exactly.
+  if (kind == "stop")
+    support.normal = parse_normal(in);
+  else
+    support.normal.kind = kind == "guide" ? Direction::Kind::across : Direction::Kind::along;
+  bool exact = law.name == std::string("coulomb") && support.ground.empty() &&
+               !in.given("Length") && !in.flag("Torsion") && !support.ground_moves() &&
+               !in.given("Restitution");
+  for (unsigned int i = 0; i < own_entries.size(); ++i)
+    if (own_entries[i] == "Gap" || own_entries[i] == "Friction coefficient")
+      exact = exact && support.parameters[i] == 0.;
+    else
+      exact = exact && !in.given(own_entries[i]);
+  if (exact) {
+    Restraint restraint;
+    restraint.name = name;
+    restraint.kind = kind;
+    restraint.placement = placement;
+    restraint.translations.push_back(support.normal);
+    scene.restraints.push_back(restraint);
+    return;
+  }
+  support.name = name + ".plus";
+  scene.supports.push_back(support);
+  support.name = name + ".minus";
+  support.normal.sign = -1.;
+  scene.supports.push_back(support);
+}
+
+void print_laws(std::ostream &out, const LawLibrary &laws) {
+  for (const std::string &name : laws.names(LawKind::support)) {
+    const LawDescription &law = laws.find(name);
+    out << "\n# Entries of a Support with Law = " << name << " (" << law.reference << "):\n";
+    for (int i = 0; i < law.n_parameters; ++i) {
+      const LawParameter &p = law.parameters[i];
+      out << "#   " << p.name << " = " << p.default_value << " [" << p.unit << "] " << p.meaning
+          << '\n';
+    }
+  }
+}
+
+} // namespace frictionbeam::parts

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene/body.h"
+#include "scene/components.h"
+#include "scene/kinematics.h"
+#include "scene/modal.h"
+#include "scene/reduction.h"
+#include "scene/time_function.h"
+#include "scene/units.h"
+#include <frictionbeam/law.h>
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/**
+ * @file
+ * The scene: what a parameter file describes, as plain data in SI units (angles in radians), named
+ * and checked once at the door. Parts refer to each other by their place in these lists. No mesh
+ * and no unknowns here.
+ */
+namespace frictionbeam {
+
+using Point3 = dealii::Point<3>;
+using Vector3 = dealii::Tensor<1, 3>;
+/// Three translations [m] and three rotations [rad], or three forces [N] and three moments [N m].
+using Motion = std::array<double, 6>;
+
+struct Material {
+  std::string name;
+  double youngs_modulus = 0.; ///< [Pa]
+  double poissons_ratio = 0.;
+  double density = 0.;                            ///< [kg/m3]
+  double expansion = 0.;                          ///< [1/K]
+  std::vector<MaterialPoint> table;               ///< rising in temperature; empty: the same at all
+  double allowable_cold = 0., allowable_hot = 0.; ///< Sc and Sh of a stress code [Pa]
+
+  /// Free strain from one temperature to another [degC].
+  double thermal_strain(const double from, const double to) const;
+  /// At a temperature [degC] of the table, modulus and mean expansion from 20 degC.
+  MaterialPoint at(const double temperature) const;
+};
+
+struct Section {
+  std::string name;
+  double area = 0.;             ///< metal [m2]
+  double inertia = 0.;          ///< about either axis [m4]
+  double torsion_constant = 0.; ///< [m4]
+  double shear_area = 0.;       ///< [m2]; 0: no shear flexibility
+  double outer_radius = 0.;     ///< [m]; 0 where the section is given by its figures
+  double wall = 0.;             ///< [m]; 0 likewise
+  double added_mass = 0.;       ///< contents, insulation [kg/m]
+  bool rotary_inertia = true;   ///< of the metal, in the mass
+  double insulation = 0.;       ///< thickness [m]
+  double corrosion = 0.;        ///< allowance, off the wall's inside in sustained stresses [m]
+
+  double bore_area() const; ///< [m2]; 0 where the wall is not known
+};
+
+/// The section of a reducer, @p part of its way from @p begin to @p end: diameter and wall change
+/// evenly.
+Section between(const Section &begin, const Section &end, const double part);
+
+struct RoutePoint {
+  std::string name; ///< may be empty
+  Point3 position;
+  double bend_radius = 0.; ///< of the bend that rounds this corner; 0: sharp
+};
+
+/// How much more flexible than a straight pipe a bend is.
+struct BendFlexibility {
+  /// code: k = 1.65/h >= 1, h = t R/r^2; von_karman: (10 + 12 h^2)/(1 + 12 h^2)
+  enum class Rule { none, code, von_karman, given } rule = Rule::code;
+  double factor = 1.;   ///< if given
+  double pressure = 0.; ///< that stiffens the bend [Pa], for code
+};
+
+struct Pipe {
+  std::string name;
+  unsigned int section = 0, material = 0;
+  std::vector<RoutePoint> route; ///< empty if the pipe is the curve of this name in Mesh/File
+  BendFlexibility bend_flexibility;
+  double bend_radius = 0.; ///< of a pipe from a file that is a bend [m]; 0: straight
+  std::optional<unsigned int> end_section; ///< of a reducer, whose section changes evenly to it
+  bool rigid = false;                      ///< a valve, a flange: 1000 times as stiff
+  std::optional<double> total_mass;        ///< of the pipe itself [kg], instead of its metal's
+};
+
+/// A point with a name that is no corner of a route: on a pipe, or free in space.
+struct NamedPoint {
+  std::string name;
+  Point3 position;
+};
+
+/// Where a support stands: at named points, or repeated along a pipe between two of its points.
+struct Placement {
+  std::vector<std::string> points;
+  std::string pipe;        ///< if repeated
+  std::string from, to;    ///< named points on the pipe; empty: its ends
+  double every = 0.;       ///< distance [m], the first one at that distance from `from`
+  bool continuous = false; ///< a bed: at every mesh node from `from` to `to`, each for its share
+};
+
+/// A direction in space, or one that follows the pipe where the support stands.
+struct Direction {
+  enum class Kind { global, along, across } kind = Kind::global; ///< across: local y of the pipe
+  Vector3 vector;                                                ///< unit, if global
+  double sign = 1.;                                              ///< -1: the opposite direction
+};
+
+/// A friction element with its law.
+struct FrictionSupport {
+  enum class Rotations { none, averaged, pipe };
+
+  std::string name, kind; ///< kind as the user called it: rest, guide, ...
+  Placement placement;
+  Direction normal; ///< from the ground into the pipe; zero: from the point Ground to that of At
+  std::string law;
+  std::vector<double> parameters; ///< of the law, in its order; per metre for a continuous bed
+  double length = 1.;             ///< of the element [m]; 0: the distance to the point Ground
+  double share = 1.;              ///< of a whole element that this is: scales its forces, stiffness
+                                  ///< and normal_force
+  Rotations rotations = Rotations::none;
+  bool torsion = false;
+  double normal_force = 0.; ///< of a platen that is pressed on [N], for a whole element (per metre
+                            ///< for a bed); 0: the ground is fixed
+  std::string ground;       ///< named point of another pipe to stand on; empty: the ground
+  double restitution = 0.;  ///< Newton's, of an impact on a rigid contact: 0 to 1
+  std::array<TimeFunction, 3> ground_motion; ///< of the ground, global axes [m]; not given: 0
+
+  bool ground_moves() const {
+    return ground_motion[0].is_given() || ground_motion[1].is_given() ||
+           ground_motion[2].is_given();
+  }
+};
+
+/// Motions held exactly: anchor, guide, line stop, any set of fixed motions.
+struct Restraint {
+  std::string name, kind;
+  Placement placement;
+  std::array<bool, 6> fixed{};         ///< global axes
+  std::vector<Direction> translations; ///< further directions held
+};
+
+/// Linear spring in global axes, to the ground or between two points.
+struct Spring {
+  std::string name;
+  std::string point, other;    ///< other empty: the ground
+  Motion stiffness{};          ///< [N/m] (3), [N m/rad] (3)
+  Motion damping{};            ///< [N s/m] (3), [N m s/rad] (3)
+  double preload = 0.;         ///< upward force on its point at no displacement [N]
+  std::string kind = "spring"; ///< as the user called it
+};
+
+struct PointMass {
+  std::string name;
+  std::vector<std::string> points;
+  double mass = 0.; ///< [kg]
+};
+
+struct Load {
+  enum class Kind { weight, temperature, pressure, force, line_force, displacement, wind };
+  struct AtPoint {
+    std::string point;
+    Motion value{};              ///< force and moment, or displacement and rotation
+    std::array<bool, 6> given{}; ///< displacement: which motions are imposed
+  };
+
+  std::string name;
+  Kind kind = Kind::weight;
+  Vector3 vector;                 ///< weight: acceleration [m/s2]; line_force: [N/m]; wind:
+                                  ///< dynamic pressure times shape factor, its way [Pa]
+  double value = 0.;              ///< temperature: rise above installation [K]; pressure [Pa]
+  double installation = 20.;      ///< temperature: where the rise begins [degC]
+  std::vector<std::string> pipes; ///< temperature, pressure, line_force: empty means all
+  std::vector<AtPoint> at;        ///< force, displacement
+  bool follows = false;           ///< force: turns with its point
+  TimeFunction history;           ///< by which it is multiplied
+};
+
+/// One step of the declared load sequence: all loads active at its end, with factors; they change
+/// linearly in time from their values before.
+struct LoadStep {
+  std::string name;
+  std::vector<std::pair<unsigned int, double>> loads; ///< load, factor
+  unsigned int n_increments = 1;                      ///< static
+  bool transient = false;
+  double duration = 1.; ///< [s]; of a static step, the pseudo-time it takes
+  double ramp = 0.;     ///< transient: time in which the loads reach their values [s]; 0: at once
+};
+
+struct InitialCondition {
+  std::vector<std::string> points, pipes; ///< pipes: all their nodes
+  Motion displacement{}, velocity{};
+  /// Named point: displacement and velocity are those of a rigid body there; empty: of each node.
+  std::string about;
+};
+
+/// A number that the user asks for.
+struct Quantity {
+  std::string name;
+  std::string what; ///< ux .. rz, fx .. mz, N .. Mz, fn, ft1, ft2, gap, slip1, slip2, work,
+                    ///< frequency, sum_normal, sum_friction, n_stick, n_slip, n_open, slip_length,
+                    ///< max_error
+  bool absolute = false;
+  /// Over an interval of time: change and rate are between its ends, and the change per time.
+  enum class Over { end, maximum, minimum, mean, integral, change, rate, time_of } over = Over::end;
+  double from = 0., to = 1e300; ///< interval of time [s], if not `end`
+  std::string where; ///< named point, or name of a support or restraint; number of a mode
+  enum class Side { any, before, after } side = Side::any; ///< of a point, for N .. Mz
+  std::string pipe;           ///< on which the point is meant, for N .. Mz; empty: the first
+  std::string step;           ///< empty: the last one
+  std::optional<double> time; ///< [s], instead of a step's end
+  double scale = 1.;
+  std::string unit; ///< to show, of a scaled one; empty: what it measures
+  std::optional<double> reference;
+  std::string source;
+};
+
+/// Exact course of one motion of one point, for quantities of kind max_error.
+struct ExactHistory {
+  std::string point;
+  unsigned int component = 0;
+  std::function<double(const double)> value;
+  double largest = 0.; ///< errors are relative to this value [m]; 0: they are in metres
+};
+
+struct MeshSettings {
+  std::string file;                ///< .geo or .msh of the user's own; empty: routes
+  double cell_length = 0.;         ///< longest cell of a straight run [m]; 0: one cell a run
+  unsigned int cells_per_bend = 8; ///< in 90 degrees
+  bool arcs = false;               ///< a bend is one exact arc, not straight cells
+  double most_cells = 200000.;     ///< more are refused
+};
+
+struct SolverSettings {
+  enum class Method { elastic, newton, exact } method = Method::exact;
+  double tolerance = 1e-10;         ///< of the residual, relative to the largest force
+  double contact_tolerance = 1e-8;  ///< exact: of the contact laws, each contact on its own scale
+  unsigned int max_iterations = 50; ///< newton, an increment; elastic: max_elastic_iterations
+  unsigned int max_elastic_iterations = 10000;
+  unsigned int max_halvings = 10; ///< of an increment
+};
+
+struct TimeSettings {
+  enum class Integrator {
+    newmark,
+    generalized_alpha,
+    moreau_jean,
+    nonsmooth_alpha,
+    event
+  } integrator = Integrator::moreau_jean;
+  double step = 0.;                ///< [s]; 0: by the mesh
+  double output_interval = 0.;     ///< [s]; 0: every step
+  double tolerance = 0.;           ///< of displacements in one step [m]; 0: fixed steps
+  double beta = 0.25, gamma = 0.5; ///< newmark
+  double spectral_radius = 1.;     ///< at infinity, of the alpha schemes
+  double theta = 0.5;              ///< moreau_jean
+  double mass_damping = 0., stiffness_damping = 0.; ///< C = mass [1/s] M + stiffness [s] K
+  double modal_damping = 0.; ///< of the line's own modes; rigid ones have none
+  ReductionSettings reduction;
+};
+
+struct OutputSettings {
+  std::string directory;
+  unsigned int stations = 3;    ///< between the nodes of a cell
+  bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
+  bool vtu = true, report = true;
+  bool contact_problems = false;    ///< FCLIB files of every static increment
+  double checkpoint_interval = 60.; ///< of wall time [s]; 0: none
+  bool resume = false;              ///< from the checkpoint in the directory, if there is one
+  bool quiet = false;               ///< no progress on a terminal
+};
+
+/// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.
+enum class ModelKind { line, continuum, both, automatic };
+
+struct Scene {
+  std::string name; ///< of the parameter file, without folder and ending
+  std::string title;
+  std::string input;                  ///< the file's text, as read, for the report
+  std::vector<std::string> overrides; ///< the --set options
+  std::vector<std::string> remarks;   ///< what the user should know about how the file was read
+  double accuracy = 0.; ///< demanded of the quantities, relative; 0: the file says how finely
+  /// Headings of the file's parts and where they stand ("case.prm:12").
+  std::vector<std::pair<std::string, std::string>> origins;
+
+  std::vector<Material> materials;
+  std::vector<Section> sections;
+  std::vector<Pipe> pipes;
+  std::vector<NamedPoint> points;
+  std::vector<FrictionSupport> supports;
+  std::vector<Restraint> restraints;
+  std::vector<Spring> springs;
+  std::vector<PointMass> masses;
+  std::vector<Joint> joints;
+  std::vector<Tee> tees;
+  std::vector<Hanger> hangers;
+  std::vector<NozzleLimit> nozzles;
+  StressSettings stress;
+  std::vector<double> friction_multipliers; ///< of a study; empty: the friction as it is
+  std::vector<Load> loads;
+  std::vector<LoadStep> steps;
+  std::vector<InitialCondition> initial;
+  std::vector<Quantity> quantities;
+  std::vector<std::string> monitors; ///< points whose motion is recorded at every increment
+  std::optional<ExactHistory> exact;
+  std::array<bool, 6> free_motions{{true, true, true, true, true, true}}; ///< of pipe nodes
+
+  UnitSystem units; ///< of the file, and of what is shown
+  ModalSettings modal;
+  std::vector<Spectrum> spectra;
+  SpectrumSettings response;
+  std::vector<Combination> combinations;
+
+  ModelKind model = ModelKind::line;
+  Kinematics kinematics = Kinematics::linear; ///< of the line
+  std::optional<ContinuumScene> continuum;    ///< of a scene that has one, unless model is line
+
+  ContinuumSettings continuum_settings;
+  MeshSettings mesh;
+  SolverSettings solver;
+  TimeSettings time;
+  OutputSettings output;
+};
+
+/// A message about a scene that came after it was read, with the place of the part that it names in
+/// front: "case.prm:12: Support rest ...". Unchanged if it names none.
+std::string with_place(const Scene &scene, const std::string &message);
+
+} // namespace frictionbeam
