@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The linear part of a long line shall be set up and solved in at most 4 times what a bare deal.II
 // loop and one factorization need in the same run, and give the same deflection.
-#include <frictionbeam/analysis/load_sequence.h>
+#include "analysis/sequence/load_sequence.h"
+#include "model/line_model.h"
 #include <frictionbeam/fe_timoshenko_beam.h>
 #include <frictionbeam/generalized_strain.h>
 
@@ -89,21 +90,15 @@ struct Outcome {
 
 Outcome solve_with_application(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws) {
   const Timer timer;
-  const Discretization discretization(scene, mesh, laws);
-  const ReducedSpace space(scene, mesh, discretization);
-  const Contacts contacts(scene, mesh, discretization, space, laws);
-  const double discretized = timer.wall_time();
-  const LinearPart linear(scene, mesh, discretization, space, contacts, false);
+  const LineModel line(scene, mesh, laws);
   const double assembled = timer.wall_time();
-  const Model model{scene, mesh, discretization, space, contacts, linear};
-  LoadSequence sequence(model);
+  LoadSequence sequence(line.model());
   const bool converged = sequence.run([](const LoadSequence::Progress &, const LineState &) {});
   const double seconds = timer.wall_time();
-  std::cout << "  discretization " << discretized << " s, assembly " << assembled - discretized
-            << " s, solution " << seconds - assembled << " s, "
+  std::cout << "  model " << assembled << " s, solution " << seconds - assembled << " s, "
             << (converged ? "residual " : "NOT converged, residual ")
             << sequence.reports().back().residual << '\n';
-  const auto dof = discretization.vertex_dofs().index(observed(mesh), 2);
+  const auto dof = line.model().discretization.vertex_dofs().index(observed(mesh), 2);
   return {seconds, sequence.state().dofs[dof]};
 }
 

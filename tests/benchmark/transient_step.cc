@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a time step costs, in back-substitutions with the factored matrix of the same line.
-#include <frictionbeam/analysis/line_factorization.h>
-#include <frictionbeam/analysis/load_sequence.h>
-#include <frictionbeam/scene/read_scene.h>
-#include <frictionbeam/scene/user_error.h>
+#include "analysis/algebra/line_factorization.h"
+#include "analysis/increment/time_step.h"
+#include "analysis/sequence/load_sequence.h"
+#include "base/user_error.h"
+#include "model/line_model.h"
+#include "scene/read_scene.h"
 
 #include <algorithm>
 #include <chrono>
@@ -74,12 +76,8 @@ double back_substitution(const Model &model) {
 
 void measure(const std::string &file, const std::vector<std::string> &options,
              const LawLibrary &laws, const Scene &scene) {
-  const LineMesh mesh = build_line_mesh(scene);
-  const Discretization discretization(scene, mesh, laws);
-  const ReducedSpace space(scene, mesh, discretization);
-  const Contacts contacts(scene, mesh, discretization, space, laws);
-  const LinearPart linear(scene, mesh, discretization, space, contacts, true);
-  const Model model{scene, mesh, discretization, space, contacts, linear};
+  const LineModel line(scene, laws);
+  const Model &model = line.model();
   std::cout << file;
   for (const std::string &option : options)
     std::cout << "; " << option;

@@ -5,11 +5,11 @@
 // straight pipe, written out here.
 #include "../check.h"
 
-#include <frictionbeam/analysis/load_sequence.h>
-#include <frictionbeam/model/corotational_line.h>
-#include <frictionbeam/results/envelope.h>
-#include <frictionbeam/results/frame_builder.h>
-#include <frictionbeam/scene/read_scene.h>
+#include "analysis/sequence/load_sequence.h"
+#include "model/line_model.h"
+#include "results/frame/envelope.h"
+#include "results/frame/frame_builder.h"
+#include "scene/read_scene.h"
 
 #include <algorithm>
 #include <functional>
@@ -108,27 +108,14 @@ void run(const std::string &file, const std::vector<std::string> &options, const
   Scene scene = read_scene(file, options, laws);
   if (combined)
     scene.combinations.push_back({Combination::Kind::sum, "both", {{"hold", 1.}, {"shake", -2.}}});
-  const LineMesh mesh = build_line_mesh(scene);
-  const Discretization discretization(scene, mesh, laws);
-  const ReducedSpace space(scene, mesh, discretization);
-  const Contacts contacts(scene, mesh, discretization, space, laws);
-  const LinearPart linear(scene, mesh, discretization, space, contacts, true);
-  std::optional<CorotationalLine> corotational;
-  if (scene.kinematics == Kinematics::corotational)
-    corotational.emplace(scene, mesh, discretization, space, linear);
-  const Model model{scene,
-                    mesh,
-                    discretization,
-                    space,
-                    contacts,
-                    linear,
-                    corotational ? &*corotational : nullptr};
+  const LineModel line(scene, laws);
+  const Model &model = line.model();
   Results results;
   Reference reference(model, results);
   results.supports = reference.builder.support_infos();
   results.restraints = reference.builder.restraint_infos();
-  for (const auto &[name, vertex] : mesh.points)
-    results.points.emplace_back(name, mesh.vertices[vertex]);
+  for (const auto &[name, vertex] : model.mesh.points)
+    results.points.emplace_back(name, model.mesh.vertices[vertex]);
   auto envelope = std::make_unique<Envelope>(model, results);
   Results read; // by an envelope that goes on from a checkpoint
   read.supports = results.supports;
@@ -209,7 +196,8 @@ void run(const std::string &file, const std::vector<std::string> &options, const
   std::size_t n_asked = 0, n_straight = 0; // of bends there are as many cells as wind asks for
   for (std::size_t i = 0; i < n; ++i) {
     const Station &station = reference.last.line[i];
-    const bool at_tee = station.position.distance(mesh.vertices[mesh.points.at("T")]) < 1e-9;
+    const bool at_tee =
+        station.position.distance(model.mesh.vertices[model.mesh.points.at("T")]) < 1e-9;
     if (station.bend_radius > 0. || at_tee)
       continue;
     ++n_asked;

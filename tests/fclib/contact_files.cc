@@ -218,7 +218,7 @@ void Tests::broken_files() const {
 
   const program::Run run = program::execute({program, "contact"});
   CHECK(run.exit_status == 1);
-  CHECK(contains(run.output, "takes one argument"));
+  CHECK(contains(run.output, "file is required"));
 }
 
 /// The rack's own forces solve the problem that it exports, in either form, and our solution of

@@ -3,10 +3,12 @@
 // of its own (exit status 3). Inputs are all files of the project with one to three changes, which
 // depend on a seed and the number of the run alone. CONTRIBUTING.md says how to use it.
 //   fuzz PROJECT [--runs N] [--first N] [--seed N] [--seconds N] [--law LIBRARY] [--keep FOLDER]
-//   fuzz PROJECT --replay FOLDER     the parameter files of a folder, as they are
+//   fuzz PROJECT --replay FOLDER [--time N]   the files of a folder, as they are, N seconds each
 #include "parameter_text.h"
 #include "subjects.h"
 #include "trial.h"
+
+#include <frictionbeam/law_library.h>
 
 #include <chrono>
 #include <filesystem>
@@ -24,6 +26,7 @@ struct Options {
   std::string project, law, keep, replay;
   std::uint64_t runs = 1000, first = 0, seed = 1;
   double seconds = 1e9;
+  unsigned int time = Trial().seconds;
 };
 
 Options read_options(const int argc, char **argv) {
@@ -39,6 +42,8 @@ Options read_options(const int argc, char **argv) {
       options.seed = std::stoull(value);
     else if (name == "--seconds")
       options.seconds = std::stod(value);
+    else if (name == "--time")
+      options.time = std::stoul(value);
     else if (name == "--law")
       options.law = value;
     else if (name == "--keep")
@@ -124,10 +129,14 @@ private:
 int replay(const std::string &folder, Subjects &subjects) {
   unsigned int n = 0, n_bad = 0;
   for (const auto &entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() != ".prm")
+    const std::string ending = entry.path().extension().string();
+    if (ending != ".prm" && ending != ".hdf5")
       continue;
     Input input;
+    if (ending == ".hdf5")
+      input.kind = Input::Kind::contact;
     input.origin = entry.path().string();
+    input.folder = subjects.folder_of(folder);
     input.text = read_file(input.origin);
     const Outcome outcome = subjects.run(input);
     ++n;
@@ -149,10 +158,12 @@ int main(int argc, char **argv) {
   const auto passed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  Subjects subjects(options.project, options.law);
+  frictionbeam::LawLibrary laws;
+  laws.load_builtin(); // which those to come find loaded
+  Subjects subjects(options.project, options.law, options.time);
   if (!options.replay.empty())
     return replay(options.replay, subjects);
-  const unsigned int n_before = subjects.measure();
+  subjects.prepare();
   Record record(options.keep);
   std::map<int, std::uint64_t> n_status;
   std::uint64_t n = 0, n_slow = 0;
@@ -173,5 +184,5 @@ int main(int argc, char **argv) {
             << passed() << " s; " << n_slow << " took long and ended when asked\n";
   for (const auto &[status, times] : n_status)
     std::cout << "exit status " << status << ": " << times << '\n';
-  return record.report() != 0 || n_before > 0 ? 1 : 0;
+  return record.report();
 }

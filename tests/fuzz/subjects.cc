@@ -47,6 +47,9 @@ std::string changed_bytes(const std::string &bytes, Random &random) {
   return result;
 }
 
+/// Files that take longer are run less often [s].
+constexpr double longest = 0.1;
+
 const char *const law_scene = R"(
 set Law libraries = LIBRARY
 subsection Material steel
@@ -84,7 +87,8 @@ std::string Input::ending() const {
                                                        : "_" + beside;
 }
 
-Subjects::Subjects(const std::string &project, const std::string &law) : law(law) {
+Subjects::Subjects(const std::string &project, const std::string &law, const unsigned int seconds)
+    : law(law), seconds(seconds) {
   std::string name = fs::exists("/dev/shm") ? "/dev/shm/fuzz-XXXXXX" : "/tmp/fuzz-XXXXXX";
   if (mkdtemp(name.data()) == nullptr)
     throw std::runtime_error("No temporary folder can be made.");
@@ -165,37 +169,35 @@ void Subjects::make_checkpoint() {
     }
 }
 
-unsigned int Subjects::measure() {
+void Subjects::prepare() {
+  for (const File &file : files)
+    if (fs::path(file.path).filename() == "plant.prm") {
+      write(folders[file.folder] + "/" + file_name, file.text);
+      warm_up({{"run", file_name}, folders[file.folder]});
+    }
   make_contact_problems();
   make_checkpoint();
-  unsigned int n_faults = 0;
-  for (File &file : files) {
-    write(folders[file.folder] + "/" + file_name, file.text);
-    const Outcome outcome = fuzz::run({{"run", file_name}, folders[file.folder], 1});
-    file.slow = outcome.slow;
-    if (!outcome.fault.empty()) {
-      ++n_faults;
-      std::cout << file.path << ", as it is: " << outcome.fault << std::endl;
-    }
-  }
-  std::cout << files.size() << " parameter files, "
-            << std::count_if(files.begin(), files.end(), [](const File &file) { return file.slow; })
-            << " of them are looked at by 'check' only; " << contact_problems.size()
-            << " contact problems, " << (checkpoint_folder.empty() ? "no" : "a") << " checkpoint\n";
-  return n_faults;
+  std::cout << files.size() << " parameter files, " << contact_problems.size()
+            << " contact problems, " << (checkpoint_folder.empty() ? "no" : "a") << " checkpoint"
+            << std::endl;
 }
 
-Input Subjects::draw(const std::uint64_t seed, const std::uint64_t number) const {
+Input Subjects::draw(const std::uint64_t seed, const std::uint64_t number) {
   Random random(seed * 1000003 + number);
   const std::size_t what = below(random, 100);
   std::size_t chosen = below(random, files.size());
   for (unsigned int i = 0; i < 3 && files[chosen].path.find("broken") != std::string::npos; ++i)
     chosen = below(random, files.size()); // what is refused at once has less to tell
-  const File &file = files[chosen];
+  File &file = files[chosen];
+  if (file.seconds < 0.) {
+    write(folders[file.folder] + "/" + file_name, file.text);
+    file.seconds = fuzz::run({{"run", file_name}, folders[file.folder]}).seconds;
+  }
+  const bool only_looked_at = below(random, file.seconds > longest ? 20 : 12) != 0;
   Input input;
   input.origin = file.path;
   input.folder = file.folder;
-  input.command = file.slow || below(random, 12) == 0 ? "check" : "run";
+  input.command = (file.seconds > longest) == only_looked_at ? "check" : "run";
   if (what < 2 && !contact_problems.empty()) {
     input.kind = Input::Kind::contact;
     input.folder = folders.size() - 2;
@@ -228,9 +230,16 @@ Input Subjects::draw(const std::uint64_t seed, const std::uint64_t number) const
   return input;
 }
 
+std::size_t Subjects::folder_of(const std::string &folder) const {
+  for (const File &file : files)
+    if (fs::equivalent(fs::path(file.path).parent_path(), folder))
+      return file.folder;
+  return 0;
+}
+
 Outcome Subjects::run(const Input &input) {
   const std::string &folder = folders[input.folder];
-  Trial trial{{input.command, file_name}, folder};
+  Trial trial{{input.command, file_name}, folder, seconds};
   if (input.kind == Input::Kind::contact) {
     write(folder + "/problem.hdf5", input.text);
     trial.words = {"contact", "problem.hdf5"};

@@ -26,22 +26,26 @@ struct Input {
 /// All files of the project that the program reads, and a place to run them, changed.
 class Subjects {
 public:
-  Subjects(const std::string &project, const std::string &law);
+  /// @param seconds of computing that a run may take
+  Subjects(const std::string &project, const std::string &law, const unsigned int seconds);
   ~Subjects();
 
-  /// Run all parameter files as they are; those that take long will only be looked at by 'check'.
-  /// @return how many have a fault
-  unsigned int measure();
-  /// The input of run @p number, which depends on nothing else but @p seed.
-  Input draw(const std::uint64_t seed, const std::uint64_t number) const;
+  /// Make contact problems and a checkpoint to be changed.
+  void prepare();
+  /// The input of run @p number, which depends on nothing else but @p seed; but of files that take
+  /// long, which depends on the computer, most runs are a 'check'.
+  Input draw(const std::uint64_t seed, const std::uint64_t number);
   Outcome run(const Input &input);
+  /// Where the files of @p folder find those that they name; the first one if it is not of the
+  /// project.
+  std::size_t folder_of(const std::string &folder) const;
 
 private:
   struct File {
     std::string path, text;
     std::size_t folder;
     std::vector<std::string> beside; ///< files of its folder that it names
-    bool slow = false;
+    double seconds = -1.;            ///< that it takes as it is; -1: has not been run
   };
   void add_folder(const std::string &path);
   void make_contact_problems();
@@ -49,6 +53,7 @@ private:
 
   std::string place; ///< a folder in memory
   std::string law;   ///< library
+  const unsigned int seconds;
   std::vector<std::string> folders;
   std::vector<File> files;
   std::vector<std::string> contact_problems; ///< bytes

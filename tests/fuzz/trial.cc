@@ -3,17 +3,19 @@
 
 #include "parameter_text.h"
 
-#include <check_command.h>
-#include <contact_command.h>
-#include <run_case.h>
+#include "command/check_command.h"
+#include "command/contact_command.h"
+#include "command/run_case.h"
 
-#include <frictionbeam/analysis/interruption.h>
-#include <frictionbeam/results/output_file.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/interruption.h"
+#include "base/user_error.h"
+#include "results/file/output_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,6 +23,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -149,6 +152,11 @@ double computing_time(const pid_t process) {
   return time.tv_sec + 1e-9 * time.tv_nsec;
 }
 
+/// Of computing after it was asked to end [s].
+constexpr double time_to_end = 8.;
+/// Of a process that does not compute, and may only have to wait for others [s].
+constexpr double most_waiting = 60.;
+
 /// @return status of waitpid(); a hang is ended, and noted.
 int wait_for(const pid_t child, const Trial &trial, Outcome &outcome) {
   using Clock = std::chrono::steady_clock;
@@ -159,24 +167,26 @@ int wait_for(const pid_t child, const Trial &trial, Outcome &outcome) {
   Clock::time_point asked = start;
   bool interrupted = false;
   int status = 0;
-  for (unsigned int n = 0; waitpid(child, &status, WNOHANG) != child; ++n) {
-    const double passed = since(start), computed = n % 50 == 49 ? computing_time(child) : 0.;
+  pollfd ended = {static_cast<int>(syscall(SYS_pidfd_open, child, 0)), POLLIN, 0};
+  while (waitpid(child, &status, WNOHANG) != child) {
+    const double passed = since(start), computed = computing_time(child);
     if (!interrupted && trial.interrupt_after > 0 && passed > 1e-3 * trial.interrupt_after) {
       interrupted = true;
       kill(child, SIGTERM);
     }
     // A program may hang without computing, and a machine may be busy.
-    if (!outcome.slow && (computed > trial.seconds || passed > 10. * trial.seconds)) {
+    if (!outcome.slow && (computed > trial.seconds || passed > most_waiting)) {
       outcome.slow = true;
       asked = Clock::now();
       kill(child, SIGTERM);
     } else if (outcome.slow &&
-               (computed > trial.seconds + 8. || since(asked) > 10. * trial.seconds)) {
+               (computed > trial.seconds + time_to_end || since(asked) > most_waiting)) {
       outcome.fault = "hang";
       kill(child, SIGKILL);
     }
-    usleep(n < 200 ? 300 : 2000);
+    poll(&ended, 1, 20); // [ms]
   }
+  close(ended.fd);
   return status;
 }
 
@@ -187,11 +197,13 @@ Outcome run(const Trial &trial) {
   const std::string results = trial.folder + "/results";
   if (!trial.keep_before)
     fs::remove_all(results, ignored);
+  const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child == 0)
     become(trial);
   Outcome outcome;
   const int status = wait_for(child, trial, outcome);
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   outcome.output = read_file(trial.folder + "/log");
   if (outcome.fault.empty() && outcome.status == -SIGXCPU)
@@ -201,6 +213,21 @@ Outcome run(const Trial &trial) {
   if (!trial.keep_after)
     fs::remove_all(results, ignored);
   return outcome;
+}
+
+void warm_up(const Trial &trial) {
+  const fs::path here = fs::current_path();
+  fs::current_path(trial.folder);
+  std::ostringstream unread;
+  std::streambuf *const out = std::cout.rdbuf(unread.rdbuf());
+  const int status = command(trial.words);
+  std::cout.rdbuf(out);
+  fs::current_path(here);
+  fs::remove_all(trial.folder + "/results");
+  signal(SIGINT, SIG_DFL); // the program's own handlers are for its children
+  signal(SIGTERM, SIG_DFL);
+  if (status != 0)
+    throw std::runtime_error("What is run first ends with " + std::to_string(status) + ".");
 }
 
 } // namespace fuzz

@@ -8,9 +8,9 @@
 namespace fuzz {
 
 struct Trial {
-  std::vector<std::string> words;               ///< command line, without the program
-  std::string folder;                           ///< to run in; results go to its folder `results`
-  unsigned int seconds = 10;                    ///< of computing that it may take
+  std::vector<std::string> words; ///< command line, without the program
+  std::string folder;             ///< to run in; results go to its folder `results`
+  unsigned int seconds = 2;       ///< of computing until it is asked to end, within 8 s more
   bool keep_before = false, keep_after = false; ///< the folder `results`
   unsigned int interrupt_after = 0;             ///< [ms]; 0: not
 };
@@ -21,10 +21,14 @@ struct Outcome {
   std::string fault;
   int status = 0;    ///< exit status, or -signal
   bool slow = false; ///< ended on request after the time it may take
+  double seconds = 0.;
   std::string output;
 };
 
 Outcome run(const Trial &trial);
+
+/// Run in this process, so that those that come after have everything loaded and bound.
+void warm_up(const Trial &trial);
 
 /// Text without digits and without what stands in quotes.
 std::string without_numbers(const std::string &text);

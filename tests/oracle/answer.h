@@ -9,12 +9,22 @@
 namespace oracle {
 
 /// What two runs of related scenes can be asked to agree on, at the end of each step: motions of
-/// named points, forces of supports. Each is a vector, which turns with the scene.
+/// named points, forces and slip of supports, and with what they use of what is allowed; then the
+/// same of spectra and combinations. Most are vectors, which turn with the scene.
 struct Answer {
-  enum class Kind { displacement, rotation, force, moment };
+  enum class Kind { displacement, rotation, force, moment, ratio };
+  enum class Turns {
+    vector,   ///< with the scene
+    absolute, ///< sizes of components: of ranges, of sums of squares
+    fixed,    ///< a number that stays
+    unknown   ///< sums of both; can only be asked for where nothing turns
+  };
   struct Entry {
     Kind kind;
     Vec value;
+    Turns turns = Turns::vector;
+    bool by_stations =
+        false; ///< the largest of the stations of the line, which depend on its nodes
   };
   std::vector<std::map<std::string, Entry>> steps;
   std::vector<double> frequencies;
@@ -27,6 +37,9 @@ struct Answer {
 struct Mapping {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< of vectors; of rotations, times its det
   double length = 1., force = 1., time = 1.;          ///< factors
+  bool same_stations = true;
+  /// Steps of the original one and of the changed one that are to agree; empty: each with its own.
+  std::vector<std::pair<std::size_t, std::size_t>> steps;
 };
 
 /// The largest difference between an answer and the one that follows from the original by the

@@ -69,6 +69,10 @@ void turn(Scene &scene, const Eigen::Matrix3d &Q) {
     point.position = Q * point.position;
   for (Support &support : scene.supports) {
     support.normal = Q * support.normal;
+    for (auto &row : support.ground_motion) {
+      const Vec x = Q * Vec(row[1], row[2], row[3]);
+      row = {row[0], x[0], x[1], x[2]};
+    }
     support.fixed = permuted(Q, support.fixed);
     if ((support.kind == "rest" || support.kind == "rod") && !vertical_stays)
       support.kind = "friction";
@@ -88,6 +92,10 @@ void turn(Scene &scene, const Eigen::Matrix3d &Q) {
     initial.displacement = turned(Q, initial.displacement);
     initial.velocity = turned(Q, initial.velocity);
   }
+  for (Spectrum &spectrum : scene.spectra)
+    spectrum.directions = Q.cwiseAbs() * spectrum.directions;
+  for (Nozzle &nozzle : scene.nozzles)
+    nozzle.allowed = permuted(Q, nozzle.allowed);
   scene.free_motions = permuted(Q, scene.free_motions);
 }
 
@@ -107,7 +115,7 @@ bool reverse_routes(Scene &scene) {
         return false; // it stands after its point
   for (const Support &support : scene.supports)
     if (!support.pipe.empty())
-      return false;
+      return false; // its places are counted along the pipe
   for (const Tee &tee : scene.tees)
     if ((tee.code || tee.in_plane > 0.) && tee.at[0] == 'P')
       return false; // at a corner of the run: its plane is that of one leg
@@ -172,6 +180,9 @@ bool cut_a_pipe(Scene &scene, Random &random) {
   for (Load &load : scene.loads)
     if (std::count(load.pipes.begin(), load.pipes.end(), first.name) > 0)
       load.pipes.push_back(second.name);
+  for (Initial &initial : scene.initial)
+    if (!initial.pipes.empty())
+      return false; // a node more starts with it
   scene.pipes[which] = first;
   scene.pipes.insert(scene.pipes.begin() + which + 1, second);
   return true;
@@ -184,7 +195,7 @@ void scale_lengths(Scene &scene, const double a) {
       values[c] *= c < 3 ? translations : rotations;
   };
   for (Section &s : scene.sections) {
-    for (double *length : {&s.diameter, &s.wall, &s.insulation})
+    for (double *length : {&s.diameter, &s.wall, &s.insulation, &s.corrosion})
       *length *= a;
     s.area *= a2;
     s.shear_area *= a2;
@@ -203,10 +214,21 @@ void scale_lengths(Scene &scene, const double a) {
   for (Point &point : scene.points)
     point.position *= a;
   for (Support &s : scene.supports) {
-    for (double *length : {&s.every, &s.length, &s.gap})
+    for (double *length : {&s.every, &s.length, &s.gap, &s.patch_radius})
       *length *= a;
     for (double *force : {&s.normal_force, &s.axial_rigidity, &s.shear_rigidity})
-      *force *= a2;
+      *force *= s.continuous ? a : a2; // per metre
+    s.torsional_rigidity *= s.continuous ? a3 : a2 * a2;
+    for (auto &row : s.ground_motion)
+      for (double &value : row)
+        value *= a;
+    s.drag *= a3; // [N s]
+    s.whip.stiffness *= a;
+    s.whip.coefficient *= std::pow(a, 2. - s.whip.exponent);
+    s.snubber.stiffness *= a;
+    s.snubber.acceleration /= a;
+    s.snubber.dead_band *= a;
+    s.snubber.drag *= a2;
   }
   for (Spring &s : scene.springs) {
     scale(s.stiffness, a, a3);
@@ -222,6 +244,8 @@ void scale_lengths(Scene &scene, const double a) {
     j.thrust_area *= a2;
   }
   for (Tee &t : scene.tees) {
+    t.pad *= a;
+    t.crotch_radius *= a;
     t.in_plane *= a3;
     t.out_of_plane *= a3;
   }
@@ -239,13 +263,24 @@ void scale_lengths(Scene &scene, const double a) {
         scale(at.second, a2, a3);
       else
         scale(at.second, a, 1.);
+    for (auto &row : load.history)
+      row[0] *= a;
   }
   for (Step &step : scene.steps) {
     step.duration *= a;
     step.ramp *= a;
   }
-  for (Initial &initial : scene.initial)
+  for (Initial &initial : scene.initial) {
     scale(initial.displacement, a, 1.);
+    scale(initial.velocity, 1., 1. / a);
+  }
+  for (Spectrum &spectrum : scene.spectra)
+    for (auto &point : spectrum.curve)
+      point = {point[0] / a, point[1] / a};
+  for (Nozzle &nozzle : scene.nozzles)
+    scale(nozzle.allowed, a2, a3);
+  for (Setting &setting : scene.settings)
+    setting.value *= std::pow(a, setting.length + setting.time);
   for (auto &[entry, value] : scene.more)
     if (entry == "Time/Step")
       value = std::to_string(std::stod(value) * a * 1e6) + "e-6";
@@ -255,7 +290,8 @@ void scale_lengths(Scene &scene, const double a) {
 bool stand_on_pipes(Scene &scene) {
   for (Support &support : scene.supports) {
     const bool rest = support.kind == "rest" || support.kind == "friction";
-    if (!rest || support.at.size() != 1 || support.normal_force > 0.)
+    if (!rest || support.at.size() != 1 || support.normal_force > 0. || !support.ground.empty() ||
+        !support.ground_motion.empty())
       continue;
     Vec on = Vec::Zero();
     bool found = false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace oracle {
@@ -70,6 +71,14 @@ struct Scales {
   double operator()(const bool force, const int component) const {
     return values[(force ? 2 : 0) + (component < 3 ? 0 : 1)];
   }
+  /// A line that has been loaded more before: what is below 1e-4 of that is judged as if it were
+  /// that much, for the state was reached by increments from there, which keep its rounding.
+  void follow(Scales &largest_so_far) {
+    for (int i = 0; i < 4; ++i) {
+      largest_so_far.values[i] = std::max(largest_so_far.values[i], values[i]);
+      values[i] = std::max(values[i], 1e-4 * largest_so_far.values[i]);
+    }
+  }
 
 private:
   void include(const int kind, const Real value) {
@@ -115,6 +124,7 @@ void compare_lines(const Scene &scene, const frictionbeam::Frame &program, const
 void compare_supports(const frictionbeam::Results &program, const frictionbeam::Frame &shown,
                       const State &state, const Scales &scales, const std::string &step,
                       Comparison &result) {
+  constexpr double least = 1e-8;
   for (const Contact &contact : state.contacts)
     for (std::size_t i = 0; i < program.supports.size(); ++i) {
       if (program.supports[i].name != contact.name)
@@ -128,13 +138,20 @@ void compare_supports(const frictionbeam::Results &program, const frictionbeam::
         result.add(step + ", " + contact.name + " f" + "xyz"[d],
                    is.fn * info.normal[d] + is.ft1 * info.t1[d] + is.ft2 * info.t2[d], right[d],
                    scales(true, 0));
+      if (contact.twist_stiffness > 0)
+        result.add(step + ", " + contact.name + " |mt|", std::abs(is.mt), std::abs(contact.moment),
+                   scales(true, 3));
       result.add(step + ", " + contact.name + " fn", is.fn, contact.force[0], scales(true, 0));
       if (contact.platen == 0)
         result.add(step + ", " + contact.name + " gap", is.gap, contact.gap + contact.motion[0],
                    scales(false, 0));
       using Theirs = frictionbeam::ContactStatus;
       using Ours = Contact::Status;
-      if (contact.sure && scales(true, 0) > 1e-3) { // without any force, states mean nothing
+      // A state means something where what decides it, gap or force, is more than rounding.
+      const bool felt = contact.status == Ours::open
+                            ? contact.gap + contact.motion[0] > least * scales(false, 0)
+                            : contact.force[0] > least * scales(true, 0);
+      if (contact.sure && felt) {
         const Theirs status = contact.status == Ours::open    ? Theirs::open
                               : contact.status == Ours::stick ? Theirs::stick
                               : contact.status == Ours::slip  ? Theirs::slip
@@ -142,7 +159,7 @@ void compare_supports(const frictionbeam::Results &program, const frictionbeam::
         result.add(step + ", " + contact.name + " status", static_cast<int>(is.status),
                    static_cast<int>(status), 1.);
       }
-      if (contact.status != Ours::open) {
+      if (contact.status != Ours::open && contact.sure_of_touch) {
         const Vec3 slip = contact.plastic - contact.touch;
         result.add(step + ", " + contact.name + " slip1", is.slip1, slip[1], scales(false, 0));
         result.add(step + ", " + contact.name + " slip2", is.slip2, slip[2], scales(false, 0));
@@ -153,7 +170,8 @@ void compare_supports(const frictionbeam::Results &program, const frictionbeam::
 Vec6 nodal_force(const Frame &frame, const State &state, const int node) {
   Vector held = frame.residual(state.motion, state.factors);
   for (const Contact &contact : state.contacts)
-    held -= contact.rows.transpose() * contact.force;
+    held -=
+        contact.rows.transpose() * contact.force + contact.twist_row.transpose() * contact.moment;
   return held.segment<6>(6 * node);
 }
 
@@ -193,17 +211,22 @@ void compare_reactions(const Scene &scene, const frictionbeam::Results &program,
 
 } // namespace
 
-Comparison compare(const Scene &scene, const Outcome &program, const Solution &oracle) {
+Comparison compare(const Outcome &program, const Solution &oracle) {
+  const Scene &scene = *oracle.scene;
   Comparison result;
   const frictionbeam::Results &results = program.results;
   unsigned int compared = 0;
+  std::optional<Scales> largest_so_far;
   for (const frictionbeam::Frame &shown : results.frames) {
     if (!shown.end_of_step || shown.increment == 0 || shown.step >= oracle.steps.size())
       continue;
     ++compared;
     const State &state = oracle.steps[shown.step];
     result.unsure = result.unsure || !state.sure;
-    const Scales scales(scene, state, *oracle.frame);
+    Scales scales(scene, state, *oracle.frame);
+    if (!largest_so_far)
+      largest_so_far = scales;
+    scales.follow(*largest_so_far);
     const double terms =
         (oracle.frame->stiffness().cwiseAbs() * state.motion.cwiseAbs()).maxCoeff();
     // Solver/Tolerance leaves 1e-10 of the largest force, clamped free strains included.

@@ -18,7 +18,7 @@ struct Comparison {
   void add(const std::string &name, double program, double right, double scale);
 };
 
-Comparison compare(const Scene &scene, const Outcome &program, const Solution &oracle);
+Comparison compare(const Outcome &program, const Solution &oracle);
 
 /// The oracle's answers, as lines of text.
 std::string describe(const Scene &scene, const Solution &solution);

@@ -82,7 +82,7 @@ std::vector<double> Frame::breaks_of(const int pipe) const {
         return otherwise;
       };
       const double from = place(support.from, 0.), to = place(support.to, path.length);
-      for (int i = 1; from + i * support.every < to - near_enough; ++i)
+      for (int i = 1; !support.continuous && from + i * support.every < to - near_enough; ++i)
         breaks.push_back(from + i * support.every);
     }
   std::sort(breaks.begin(), breaks.end());
@@ -162,7 +162,7 @@ std::vector<Place> Frame::places(const Support &support) const {
   std::vector<Place> result;
   for (const std::string &point : support.at) {
     const int node = point_node.at(point);
-    result.push_back({node, tangents[node]});
+    result.push_back({node, tangents[node], 1.});
   }
   if (support.pipe.empty())
     return result;
@@ -176,10 +176,20 @@ std::vector<Place> Frame::places(const Support &support) const {
       return otherwise;
     };
     const double from = place(support.from, 0.), to = place(support.to, paths[p].length);
-    for (int i = 1; from + i * support.every < to - near_enough; ++i)
+    if (support.continuous)
+      for (std::size_t i = 0; i < on_pipe[p].size(); ++i) {
+        const auto &[s, node] = on_pipe[p][i];
+        if (s < from - near_enough || s > to + near_enough)
+          continue;
+        const double before = i == 0 ? s : std::max(on_pipe[p][i - 1].first, from),
+                     after = i + 1 == on_pipe[p].size() ? s : std::min(on_pipe[p][i + 1].first, to);
+        result.push_back(
+            {node, tangents[node], (std::max(s - before, 0.) + std::max(after - s, 0.)) / 2.});
+      }
+    for (int i = 1; !support.continuous && from + i * support.every < to - near_enough; ++i)
       for (const auto &[s, node] : on_pipe[p])
         if (std::abs(s - from - i * support.every) < near_enough) {
-          result.push_back({node, tangents[node]});
+          result.push_back({node, tangents[node], 1.});
           break;
         }
   }

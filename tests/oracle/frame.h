@@ -19,7 +19,8 @@ struct Figures {
 /// Where a support stands.
 struct Place {
   int node;
-  Vec tangent; ///< of the first pipe there; at a corner, of its bisector
+  Vec tangent;       ///< of the first pipe there; at a corner, of its bisector
+  double share = 1.; ///< of a bed: metres of pipe that fall to it
 };
 
 /// One piece of a pipe between places that need a node.

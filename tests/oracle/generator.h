@@ -11,7 +11,8 @@ namespace oracle {
 /// Draws a scene part by part: first the line, then what stands on it, then loads and steps.
 class Generator {
 public:
-  Generator(const std::uint64_t seed, const Kinds &kinds) : random(seed), kinds(kinds) {}
+  Generator(const std::uint64_t seed, const Kinds &kinds)
+      : seed(seed), random(seed), kinds(kinds) {}
   Scene make();
 
 private:
@@ -27,9 +28,26 @@ private:
   void components();
   void loads();
   void steps();
+
+  // Further features, in random_more.cc and random_motion.cc.
+  void extras();
+  void more();
+  void figures_instead_of_diameters();
+  void ground_on_pipe(Support &support);
+  void bed();
+  void size_a_hanger();
+  void histories(double end);
+  void ground_motion(Support &support, double from, double end);
+  void moving();
+  void special_law();
+  void snubber();
+  void large();
+  void response();
+  void judged();
   std::string new_name(const std::string &letter) { return letter + std::to_string(++n_names); }
   std::string free_point(); ///< a point where nothing stands yet; empty: none
 
+  const std::uint64_t seed;
   Random random;
   const Kinds kinds;
   Scene scene;

@@ -54,7 +54,8 @@ Options read(const int argc, char **argv) {
   if (argc < 4)
     throw std::runtime_error(
         "oracle_hunt KIND FIRST NUMBER [--processes P] [--found FOLDER] "
-        "[--open SEED,...] [--show]; KIND is linear, friction or a relation's name");
+        "[--open SEED,...] [--show]; KIND is linear, friction, more, or a relation's "
+        "name, and for other scenes RELATION:FAMILY, more, moving, large or response");
   options.kind = argv[1];
   options.first = std::stoull(argv[2]);
   options.number = std::stoull(argv[3]);
@@ -76,10 +77,18 @@ Options read(const int argc, char **argv) {
 
 std::unique_ptr<Judge> make_judge(const Options &options, frictionbeam::LawLibrary &laws,
                                   const std::string &folder) {
+  const auto colon = options.kind.find(':');
+  const std::string name = options.kind.substr(0, colon),
+                    family = colon == std::string::npos ? "" : options.kind.substr(colon + 1);
   for (const Relation &relation : relations())
-    if (relation.name == options.kind)
-      return std::make_unique<RelationJudge>(laws, folder, relation);
-  return std::make_unique<OracleJudge>(laws, folder, options.kind == "friction", 1e-8);
+    if (relation.name == name)
+      return std::make_unique<RelationJudge>(laws, folder, relation, family);
+  if (name != "linear" && name != "friction" && name != "more")
+    throw std::runtime_error("no kind of scene and no relation is called " + name);
+  Kinds kinds;
+  kinds.contacts = name != "linear";
+  kinds.more = name == "more";
+  return std::make_unique<OracleJudge>(laws, folder, kinds, 1e-8);
 }
 
 void report_wrong(const Options &options, Judge &judge, const Scene &scene,
@@ -153,6 +162,7 @@ int main(int argc, char **argv) {
     dealii::MultithreadInfo::set_thread_limit(1);
     frictionbeam::LawLibrary laws;
     laws.load_builtin();
+    make_judge(options, laws, ""); // throws if there is none of that name
     auto &tally = *static_cast<Tally *>(
         mmap(nullptr, sizeof(Tally), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
     std::map<pid_t, int> running;

@@ -22,11 +22,7 @@ bool wind_on_bends(const Scene &scene) {
 
 } // namespace
 
-Scene OracleJudge::make(const std::uint64_t seed) const {
-  Kinds kinds;
-  kinds.contacts = contacts;
-  return random_scene(seed, kinds);
-}
+Scene OracleJudge::make(const std::uint64_t seed) const { return random_scene(seed, kinds); }
 
 Verdict OracleJudge::judge(const Scene &scene, const std::uint64_t) {
   Verdict verdict;
@@ -47,7 +43,12 @@ Verdict OracleJudge::judge(const Scene &scene, const std::uint64_t) {
   if (program.halvings() > 0)
     return skip("increments were cut");
   const Solution solution = solve(scene);
-  const Comparison comparison = compare(scene, program, solution);
+  if (solution.hanger_pushes) {
+    verdict.kind = Verdict::Kind::wrong;
+    verdict.text = "a hanger that would have to push was sized";
+    return verdict;
+  }
+  const Comparison comparison = compare(program, solution);
   if (comparison.unsure)
     return skip("the oracle's contacts have not converged");
   verdict.numbers = comparison.numbers;

@@ -29,9 +29,9 @@ public:
 /// The program against the dense solver, to @p tolerance.
 class OracleJudge : public Judge {
 public:
-  OracleJudge(frictionbeam::LawLibrary &laws, const std::string &folder, const bool contacts,
+  OracleJudge(frictionbeam::LawLibrary &laws, const std::string &folder, const Kinds &kinds,
               const double tolerance)
-      : laws(laws), folder(folder), contacts(contacts), tolerance(tolerance) {}
+      : laws(laws), folder(folder), kinds(kinds), tolerance(tolerance) {}
 
   Scene make(std::uint64_t seed) const override;
   Verdict judge(const Scene &scene, std::uint64_t seed) override;
@@ -39,7 +39,7 @@ public:
 private:
   frictionbeam::LawLibrary &laws;
   const std::string folder;
-  const bool contacts;
+  const Kinds kinds;
   const double tolerance;
 };
 

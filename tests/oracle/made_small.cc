@@ -62,6 +62,12 @@ std::vector<Change> changes(const Scene &scene) {
   each(scene.hangers.size(), [](Scene &s, const std::size_t i) { return leave_out(s.hangers, i); });
   each(scene.initial.size(), [](Scene &s, const std::size_t i) { return leave_out(s.initial, i); });
   each(scene.more.size(), [](Scene &s, const std::size_t i) { return leave_out(s.more, i); });
+  each(scene.settings.size(),
+       [](Scene &s, const std::size_t i) { return leave_out(s.settings, i); });
+  each(scene.spectra.size(), [](Scene &s, const std::size_t i) { return leave_out(s.spectra, i); });
+  each(scene.combinations.size(),
+       [](Scene &s, const std::size_t i) { return leave_out(s.combinations, i); });
+  each(scene.nozzles.size(), [](Scene &s, const std::size_t i) { return leave_out(s.nozzles, i); });
   each(scene.points.size(), [](Scene &s, const std::size_t i) { return leave_out(s.points, i); });
   each(scene.monitors.size(),
        [](Scene &s, const std::size_t i) { return leave_out(s.monitors, i); });
@@ -84,6 +90,8 @@ std::vector<Change> changes(const Scene &scene) {
   }
   list.push_back([](Scene &s) { return set(s.units, std::string("si")); });
   list.push_back([](Scene &s) { return set(s.modes, 0); });
+  list.push_back([](Scene &s) { return set(s.quantities, false); });
+  list.push_back([](Scene &s) { return set(s.large_displacements, false); });
   list.push_back([](Scene &s) { return set(s.stations, 0); });
   list.push_back([](Scene &s) { return set(s.cell_length, 0.); });
   list.push_back([](Scene &s) { return set(s.arcs, true); });
@@ -91,6 +99,16 @@ std::vector<Change> changes(const Scene &scene) {
   list.push_back([](Scene &s) { return set(s.sections_reversed, false); });
   for (std::size_t i = 0; i < scene.supports.size(); ++i) {
     list.push_back([=](Scene &s) { return set(s.supports[i].kind, std::string("anchor")); });
+    list.push_back([=](Scene &s) { return set(s.supports[i].ground, std::string()); });
+    list.push_back([=](Scene &s) { return set(s.supports[i].pad, std::string()); });
+    list.push_back([=](Scene &s) { return set(s.supports[i].torsional_rigidity, 0.); });
+    list.push_back([=](Scene &s) { return set(s.supports[i].patch_radius, 0.); });
+    list.push_back([=](Scene &s) { return set(s.supports[i].dynamic_friction, -1.); });
+    list.push_back([=](Scene &s) { return set(s.supports[i].restitution, 0.); });
+    list.push_back([=](Scene &s) { return set(s.supports[i].normal_force, 0.); });
+    each(scene.supports[i].ground_motion.size(), [=](Scene &s, const std::size_t row) {
+      return leave_out(s.supports[i].ground_motion, row);
+    });
     list.push_back([=](Scene &s) { return set(s.supports[i].friction, 0.); });
     list.push_back([=](Scene &s) { return set(s.supports[i].gap, 0.); });
     list.push_back([=](Scene &s) { return set(s.supports[i].axial_rigidity, 0.); });
@@ -103,8 +121,15 @@ std::vector<Change> changes(const Scene &scene) {
   }
   for (std::size_t i = 0; i < scene.steps.size(); ++i) {
     list.push_back([=](Scene &s) { return set(s.steps[i].increments, 1); });
+    list.push_back([=](Scene &s) { return set(s.steps[i].ramp, 0.); });
     each(scene.steps[i].loads.size(),
          [=](Scene &s, const std::size_t l) { return leave_out(s.steps[i].loads, l); });
+  }
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+    each(scene.loads[i].history.size(),
+         [=](Scene &s, const std::size_t row) { return leave_out(s.loads[i].history, row); });
+    list.push_back([=](Scene &s) { return set(s.loads[i].run_time, false); });
+    list.push_back([=](Scene &s) { return set(s.loads[i].follow, false); });
   }
   for (std::size_t i = 0; i < scene.sections.size(); ++i) {
     list.push_back([=](Scene &s) { return set(s.sections[i].shear, Section::Shear::none); });
@@ -157,6 +182,13 @@ void tidy(Scene &scene) {
     drop(s.at, lost);
     return s.at.empty() && pipes.count(s.pipe) == 0;
   });
+  for (Support &s : scene.supports) { // a post that nothing carries any more is no ground
+    const bool is_post = s.ground.rfind("post", 0) == 0 &&
+                         std::none_of(scene.springs.begin(), scene.springs.end(),
+                                      [&](const Spring &spring) { return spring.at == s.ground; });
+    if (lost(s.ground) || is_post)
+      s.ground.clear();
+  }
   drop(scene.springs, [&](const Spring &s) { return lost(s.at) || lost(s.to); });
   drop(scene.hangers, [&](const Hanger &h) { return lost(h.at); });
   drop(scene.masses, [&](Mass &m) {
@@ -165,7 +197,11 @@ void tidy(Scene &scene) {
   });
   drop(scene.joints, [&](const Joint &j) { return lost(j.at) || pipes.count(j.pipe) == 0; });
   drop(scene.tees, [&](const Tee &t) { return lost(t.at) || pipes.count(t.branch) == 0; });
-  drop(scene.initial, [&](const Initial &i) { return lost(i.at.front()); });
+  drop(scene.initial, [&](Initial &i) {
+    drop(i.at, lost);
+    drop(i.pipes, [&](const std::string &pipe) { return pipes.count(pipe) == 0; });
+    return (i.at.empty() && i.pipes.empty()) || lost(i.about);
+  });
   drop(scene.monitors, lost);
   for (std::size_t l = scene.loads.size(); l-- > 0;) {
     Load &load = scene.loads[l];

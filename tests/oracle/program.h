@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "results/results.h"
+#include "scene/scene.h"
 #include <frictionbeam/law_library.h>
-#include <frictionbeam/results/results.h>
-#include <frictionbeam/scene/scene.h>
 
 #include <string>
 
@@ -24,5 +24,10 @@ struct Outcome {
 /// which exists.
 Outcome run_program(frictionbeam::LawLibrary &laws, const std::string &file,
                     const std::string &folder);
+
+/// As run_program(), but a signal ends the run after every increment or time step, @p times times,
+/// and each time it is resumed from its checkpoint in a process of its own.
+Outcome run_interrupted(frictionbeam::LawLibrary &laws, const std::string &file,
+                        const std::string &folder, int times);
 
 } // namespace oracle

@@ -139,7 +139,10 @@ void Generator::components() {
   if (random.chance(0.3)) {
     const std::string at = free_point();
     if (!at.empty()) {
-      Hanger hanger{new_name("hanger"), at, random.chance(0.4)};
+      Hanger hanger;
+      hanger.name = new_name("hanger");
+      hanger.at = at;
+      hanger.constant = random.chance(0.4);
       hanger.cold_load = random.number(100., 20000.);
       if (!hanger.constant)
         hanger.stiffness = std::pow(10., random.number(3., 6.));

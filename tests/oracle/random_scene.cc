@@ -222,6 +222,7 @@ Scene Generator::make() {
     scene.modes = random.whole(1, 5);
     scene.lumped = random.chance(0.3);
   }
+  extras();
   return scene;
 }
 

@@ -43,7 +43,17 @@ private:
 struct Kinds {
   bool contacts = false;  ///< unilateral supports with and without friction
   bool transient = false; ///< a transient step at the end
+  /// Further features. They are drawn after all others from a stream of their own, so that the
+  /// scene of a seed without them stays what it is.
+  bool more = false;     ///< of statics: grounds on pipes, beds, torsion, sized hangers, histories
+  bool moving = false;   ///< of transient steps: dynamic friction, snubbers, damping, moving ground
+  bool large = false;    ///< large displacements
+  bool response = false; ///< modes, spectra, combinations, stresses, nozzles
+  bool elastic = false;  ///< all contacts have a stiffness of their own
 };
+
+/// The kinds of a family's name: more, moving, large, response; or none of these if it is empty.
+Kinds kinds_of(const std::string &family, Random &random);
 
 /// The scene of a seed: an anchored line with branches, and everything on it that is drawn.
 Scene random_scene(std::uint64_t seed, const Kinds &kinds);

@@ -18,9 +18,19 @@ bool is_transient(const Scene &scene) {
 Scene RelationJudge::make(const std::uint64_t seed) const {
   Random random(seed + 77);
   Kinds kinds;
-  kinds.contacts = random.chance(0.7);
-  kinds.transient = relation.transient_tolerance > 0. && random.chance(0.3);
-  return random_scene(seed, kinds);
+  if (family.empty()) {
+    kinds.contacts = random.chance(0.7);
+    kinds.transient = random.chance(0.3);
+  } else
+    kinds = kinds_of(family, random);
+  kinds.transient = kinds.transient && relation.transient_tolerance > 0.;
+  kinds.moving = kinds.moving && kinds.transient;
+  kinds.elastic = relation.elastic;
+  kinds.contacts = kinds.contacts || kinds.elastic;
+  Scene scene = random_scene(seed, kinds);
+  if (relation.prepare != nullptr)
+    relation.prepare(scene);
+  return scene;
 }
 
 Verdict RelationJudge::judge(const Scene &scene, const std::uint64_t seed) {
@@ -44,7 +54,9 @@ Verdict RelationJudge::judge(const Scene &scene, const std::uint64_t seed) {
   if (first.several_equilibria())
     return skip("several equilibria");
   write_scene(related->scene, folder + "/related.prm", "");
-  const Outcome second = run_program(laws, folder + "/related.prm", folder);
+  const Outcome second = relation.interrupted ? run_interrupted(laws, folder + "/related.prm",
+                                                                folder, random.whole(1, 6))
+                                              : run_program(laws, folder + "/related.prm", folder);
   // Where an increment was cut, the path that friction follows is another one.
   if (first.halvings() > 0 || second.halvings() > 0)
     return skip("increments were cut");

@@ -51,6 +51,7 @@ Maybe cut(const Scene &scene, Random &random) {
   Related related{scene, {}};
   if (scene.modes > 0) // which depend on the cells
     return {};
+  related.mapping.same_stations = false;
   return cut_a_pipe(related.scene, random) ? Maybe(related) : Maybe();
 }
 
@@ -59,6 +60,10 @@ Maybe point_added(const Scene &scene, Random &random) {
   Related related{scene, {}};
   if (scene.modes > 0 || !add_a_point(related.scene, "Z1", random))
     return {};
+  for (const Support &support : scene.supports)
+    if (support.continuous) // a bed acts at its nodes
+      return {};
+  related.mapping.same_stations = false;
   related.scene.masses.push_back({"nothing", {"Z1"}, 0.});
   return related;
 }
@@ -104,6 +109,9 @@ Maybe scaled(const Scene &scene, Random &random) {
   for (const Section &section : scene.sections)
     if (!section.size.empty())
       return {};
+  for (const Hanger &hanger : scene.hangers)
+    if (hanger.cold_load == 0.)
+      return {}; // which is sized for 25 mm at least
   Related related{scene, {}};
   const double a = random.number(0.2, 5.);
   scale_lengths(related.scene, a);
@@ -139,6 +147,7 @@ Maybe ground_is_a_pipe(const Scene &scene, Random &) {
 
 Maybe bends_as_pieces(const Scene &scene, Random &) {
   Related related{scene, {}};
+  related.mapping.same_stations = false;
   related.scene.arcs = false;
   related.scene.cells_per_bend = 200;
   for (const Load &load : scene.loads)
@@ -178,7 +187,13 @@ const std::vector<Relation> &relations() {
       {"pairs", "exact guides as two contacts", &guides_as_pairs, 1e-7, 0.},
       {"ground", "supports on an anchored pipe", &ground_is_a_pipe, 1e-7, 0.},
       {"arcs", "bends cut into 200 straight pieces", &bends_as_pieces, 2e-4, 0.},
-      {"newton", "method newton where contacts are elastic", &by_newton, 1e-6, 0.}};
+      {"newton", "method newton where contacts are elastic", &by_newton, 1e-6, 0., true},
+      {"split", "a step cut into two", &step_split, 1e-9, 1e-9},
+      {"again", "the last step once more", &last_step_again, 1e-7, 0.},
+      {"slow", "all steps as slow motions", &slowly, 1e-5, 0., true, false, &make_static},
+      {"resumed", "the run interrupted and resumed", &interrupted, 1e-15, 1e-15, false, true},
+      {"small", "small displacements by linear kinematics", &linear_kinematics, 1e-4, 0., false,
+       false, &make_small_displacements}};
   return all;
 }
 

@@ -27,6 +27,8 @@ struct Material {
   /// Rows of temperature [degC], Young's modulus [Pa], mean expansion from 20 degC [1/K].
   std::vector<std::array<double, 3>> table;
   double modulus_temperature = 20.; ///< at which the modulus is taken from the table
+  std::string grade;                ///< of the program's tables; empty: by the figures
+  double allowable_cold = 0., allowable_hot = 0.;
 };
 
 struct Section {
@@ -41,6 +43,7 @@ struct Section {
   double contents = 0.;            ///< density [kg/m3]
   double insulation = 0.;          ///< thickness [m]
   double insulation_density = 0.;  ///< [kg/m3]
+  double corrosion = 0.;           ///< allowance of stresses [m]
   bool rotary_inertia = true;
 };
 
@@ -68,6 +71,16 @@ struct Point {
   Vec position;
 };
 
+/// What a snubber's law has.
+struct Snubber {
+  double stiffness = 0., velocity = 0., acceleration = 0., dead_band = 0., drag = 0.;
+};
+
+/// Of a pipe whip restraint, F = coefficient d^exponent [N, d in m].
+struct Whip {
+  double stiffness = 0., coefficient = 0., exponent = 0.;
+};
+
 struct Support {
   enum class Rotations { none, averaged, pipe } rotations = Rotations::none;
   std::string name, kind = "rest";
@@ -82,14 +95,26 @@ struct Support {
   double axial_rigidity = 0., shear_rigidity = 0., ratio = 1.; ///< 0: rigid
   double friction = 0., dynamic_friction = -1.;
   double gap = 0.;
-  std::string ground;   ///< point to stand on; empty: the ground
+  std::string ground;      ///< point to stand on; empty: the ground
+  std::string pad;         ///< instead of the friction coefficient, which is then its own
+  bool own_normal = false; ///< with ground: normal and length are given, not the way from there
+  bool continuous = false; ///< a bed along pipe instead of every; rigidities per metre
+  double torsional_rigidity = 0., patch_radius = 0.; ///< of torsion, if the first is not 0
+  double restitution = 0.;
+  std::vector<std::array<double, 4>> ground_motion; ///< rows of a table: t, x, y, z
+  bool ground_run_time = false;                     ///< of ground_motion
+  Snubber snubber;
+  std::string law;  ///< "skeleton" (axial rigidity and drag), "whip_restraint"; empty: coulomb
+  double drag = 0.; ///< of the skeleton [N s]
+  Whip whip;
   bool as_pair = false; ///< a guide or stop without gap as two contacts, not as a held direction
 
   bool holds_exactly() const {
     if (as_pair)
       return false;
     return kind == "anchor" || kind == "restraint" ||
-           ((kind == "guide" || kind == "line stop" || kind == "stop") && friction == 0. &&
+           (ground_motion.empty() && restitution == 0. &&
+            (kind == "guide" || kind == "line stop" || kind == "stop") && friction == 0. &&
             gap == 0. && axial_rigidity == 0. && shear_rigidity == 0. && ground.empty());
   }
 };
@@ -115,12 +140,16 @@ struct Tee {
   std::string name, at, branch;
   bool code = false;                       ///< springs of ASME III NB-3686.5
   double in_plane = 0., out_of_plane = 0.; ///< else; 0: rigid
+  std::string kind;                        ///< of stresses
+  double pad = 0., crotch_radius = 0.;
 };
 
 struct Hanger {
   std::string name, at;
   bool constant = false;
-  double stiffness = 0., cold_load = 0.;
+  double stiffness = 0., cold_load = 0.; ///< without cold load it is sized
+  double variation = 0.25;
+  std::string weight_step, hot_step; ///< for which it is sized; empty: the first and the second
 };
 
 struct Load {
@@ -130,6 +159,9 @@ struct Load {
   std::vector<std::string> pipes;  ///< empty: all
   std::vector<std::pair<std::string, Six>> at; ///< forces, or displacements [m, degrees]
   std::vector<std::array<bool, 6>> given;      ///< displacements: which
+  std::vector<std::array<double, 2>> history;  ///< rows of a table of its factor: t, factor
+  bool run_time = false;                       ///< of the history
+  bool follow = false;                         ///< of forces
 };
 
 struct Step {
@@ -140,8 +172,34 @@ struct Step {
   double duration = 1., ramp = 0.;
 };
 
+/// Which motions or directions and how much; a turn of the scene turns them.
+struct Spectrum {
+  std::string name;
+  std::vector<std::array<double, 2>> curve; ///< frequency, acceleration
+  Vec directions = Vec::Zero();             ///< factors
+  std::vector<std::string> supports;
+};
+
+struct Combination {
+  std::string name, kind;
+  std::vector<std::pair<std::string, double>> cases;
+};
+
+struct Nozzle {
+  std::string support;
+  Six allowed{};
+};
+
+/// A setting with a unit: the value in SI times [length^l time^t].
+struct Setting {
+  std::string entry; ///< "Section/Entry"
+  double value = 0.;
+  int length = 0, time = 0;
+};
+
 struct Initial {
-  std::vector<std::string> at;
+  std::vector<std::string> at, pipes;
+  std::string about;
   Six displacement{}, velocity{};
 };
 
@@ -162,6 +220,10 @@ struct Scene {
   std::vector<Load> loads;
   std::vector<Step> steps;
   std::vector<Initial> initial;
+  std::vector<Spectrum> spectra;
+  std::vector<Combination> combinations;
+  std::vector<Nozzle> nozzles;
+  std::vector<Setting> settings;
   std::vector<std::string> monitors; ///< points whose motion is compared
 
   bool arcs = true; ///< else bends are cut into straight pieces
@@ -171,6 +233,8 @@ struct Scene {
   int modes = 0;
   bool lumped = false;                                   ///< mass of the modes
   std::vector<std::pair<std::string, std::string>> more; ///< further entries, "Section/Entry"
+  bool large_displacements = false;
+  bool quantities = false; ///< motions of points in every case, and extremes of transient steps
   bool sections_reversed = false; ///< the file's parts in reverse order where order is free
 
   bool has_contacts() const {

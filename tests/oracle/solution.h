@@ -10,14 +10,16 @@ namespace oracle {
 /// The line at the end of a step.
 struct State {
   Vector motion;             ///< of all nodes
-  std::vector<Real> factors; ///< of the loads
+  std::vector<Real> factors; ///< of the loads, histories included
   std::vector<Contact> contacts;
   bool sure = true; ///< the contact solver has converged in all increments so far
 };
 
 /// The whole load sequence, static steps only.
 struct Solution {
+  std::shared_ptr<const Scene> scene; ///< with hangers sized
   std::shared_ptr<const Frame> frame;
+  bool hanger_pushes = false; ///< one that was to be sized: there is no answer
   std::vector<State> steps;
   std::vector<double> frequencies; ///< [Hz], if modes are asked for
 };

@@ -1,88 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "write_scene.h"
-#include "units.h"
-
-#include <filesystem>
-#include <fstream>
-#include <functional>
+#include "writer.h"
 
 namespace oracle {
 
-namespace {
-
-std::string text(const double value) {
-  std::ostringstream out;
-  out.precision(17);
-  out << (value == 0. ? 0. : value);
-  return out.str();
-}
-
-template <typename List>
-std::string joined(const List &list) {
-  std::string result;
-  for (const auto &item : list)
-    result += (result.empty() ? "" : ", ") + item;
-  return result;
-}
-
-std::string motions(const std::array<bool, 6> &which) {
-  std::vector<std::string> list;
-  for (int c = 0; c < 6; ++c)
-    if (which[c])
-      list.push_back(std::array<const char *, 6>{{"ux", "uy", "uz", "rx", "ry", "rz"}}[c]);
-  return joined(list);
-}
-
-/// Writes the parts of one scene; entries that have their default are left out.
-class Writer {
-public:
-  Writer(const Scene &scene, std::map<std::string, std::string> &tables)
-      : scene(scene), units(scene.units), tables(tables) {}
-
-  std::string all();
-
-private:
-  using Entries = std::ostringstream;
-  static void set(Entries &out, const std::string &name, const std::string &value) {
-    if (!value.empty())
-      out << "  set " << name << " = " << value << '\n';
-  }
-  static void number(Entries &out, const std::string &name, const double value,
-                     const double unset = 0.) {
-    if (value != unset)
-      set(out, name, text(value));
-  }
-  std::string vector(const Vec &v, const double unit) const {
-    return text(v[0] / unit) + " " + text(v[1] / unit) + " " + text(v[2] / unit);
-  }
-  std::string six(const Six &values, const double unit, const double turning_unit) const {
-    std::string result;
-    for (int c = 0; c < 6; ++c)
-      result += (c > 0 ? " " : "") + text(values[c] / (c < 3 ? unit : turning_unit));
-    return result;
-  }
-  void part(const std::string &heading, const Entries &entries) {
-    parts.push_back("\nsubsection " + heading + "\n" + entries.str() + "end\n");
-  }
-
-  void material(const Material &m);
-  void section(const Section &s);
-  void pipe(const Pipe &p);
-  void support(const Support &s);
-  void joint(const Joint &j);
-  void load(const Load &l);
-  void rest();
-  void settings();
-
-  const Scene &scene;
-  const Units units;
-  std::map<std::string, std::string> &tables;
-  std::vector<std::string> parts;
-};
-
 void Writer::material(const Material &m) {
   Entries out;
-  if (m.table.empty()) {
+  if (!m.grade.empty()) {
+    set(out, "Grade", m.grade);
+    set(out, "Modulus temperature", text(units.temperature(m.modulus_temperature)));
+  } else if (m.table.empty()) {
     set(out, "Young's modulus", text(m.E / units.stress));
     set(out, "Expansion", text(units.per_degree(m.expansion)));
   } else {
@@ -95,6 +21,8 @@ void Writer::material(const Material &m) {
   }
   set(out, "Poisson's ratio", text(m.nu));
   set(out, "Density", text(m.density * std::pow(units.length, 3) / units.mass));
+  number(out, "Allowable cold", m.allowable_cold / units.stress);
+  number(out, "Allowable hot", m.allowable_hot / units.stress);
   part("Material " + m.name, out);
 }
 
@@ -116,6 +44,7 @@ void Writer::section(const Section &s) {
                                  : text(s.shear_area / (l * l)));
   number(out, "Added mass", s.added_mass / m * l);
   number(out, "Contents", s.contents / m * std::pow(l, 3));
+  number(out, "Corrosion allowance", s.corrosion / l);
   number(out, "Insulation", s.insulation / l);
   number(out, "Insulation density", s.insulation_density / m * std::pow(l, 3));
   if (!s.rotary_inertia)
@@ -153,38 +82,6 @@ void Writer::pipe(const Pipe &p) {
   if (p.mass >= 0.)
     set(out, "Mass", text(p.mass / units.mass));
   part("Pipe " + p.name, out);
-}
-
-void Writer::support(const Support &s) {
-  Entries out;
-  const double l = units.length, f = units.force;
-  set(out, "Kind", s.kind);
-  set(out, "At", joined(s.at));
-  set(out, "Pipe", s.pipe);
-  number(out, "Every", s.every / l);
-  set(out, "From", s.from);
-  set(out, "To", s.to);
-  if (s.kind == "restraint")
-    set(out, "Fixed", motions(s.fixed));
-  if (!s.direction.empty())
-    set(out, "Normal", s.direction);
-  else if (s.ground.empty() && (s.kind == "stop" || s.kind == "friction" || s.kind == "rest"))
-    set(out, "Normal", vector(s.normal, 1.));
-  if (!s.holds_exactly()) {
-    if (s.ground.empty()) // else it is the distance
-      set(out, "Length", text(s.length / l));
-    if (s.rotations != Support::Rotations::none)
-      set(out, "Rotations", s.rotations == Support::Rotations::pipe ? "pipe" : "averaged");
-    number(out, "Normal force", s.normal_force / f);
-    number(out, "Axial rigidity", s.axial_rigidity / f);
-    number(out, "Shear rigidity", s.shear_rigidity / f);
-    number(out, "Shear rigidity ratio", s.ratio, 1.);
-    set(out, "Friction coefficient", text(s.friction));
-    number(out, "Dynamic friction coefficient", s.dynamic_friction, -1.);
-    number(out, "Gap", s.gap / l);
-    set(out, "Ground", s.ground);
-  }
-  part("Support " + s.name, out);
 }
 
 void Writer::joint(const Joint &j) {
@@ -233,6 +130,12 @@ void Writer::load(const Load &load) {
     }
     set(out, "Displacements", list);
   }
+  if (!load.history.empty())
+    set(out, "History", table(load.history));
+  if (load.run_time)
+    set(out, "History time", "run");
+  if (load.follow)
+    set(out, "Follow", "true");
   part("Load " + load.name, out);
 }
 
@@ -263,6 +166,9 @@ void Writer::rest() {
       set(out, "Flexibility", "code");
     else if (t.in_plane > 0.)
       set(out, "Flexibility", text(t.in_plane / (f * l)) + " " + text(t.out_of_plane / (f * l)));
+    set(out, "Kind", t.kind);
+    number(out, "Pad", t.pad / l);
+    number(out, "Crotch radius", t.crotch_radius / l);
     part("Tee " + t.name, out);
   }
   for (const Hanger &h : scene.hangers) {
@@ -271,6 +177,9 @@ void Writer::rest() {
     set(out, "At", h.at);
     number(out, "Stiffness", h.stiffness * l / f);
     number(out, "Cold load", h.cold_load / f);
+    number(out, "Variation", h.variation, 0.25);
+    set(out, "Weight step", h.weight_step);
+    set(out, "Hot step", h.hot_step);
     part("Hanger " + h.name, out);
   }
   for (const Initial &i : scene.initial) {
@@ -280,29 +189,10 @@ void Writer::rest() {
       set(out, "Displacement", six(i.displacement, l, 1.));
     if (i.velocity != Six{})
       set(out, "Velocity", six(i.velocity, l, 1.));
-    part("Initial " + i.at.front(), out);
+    set(out, "Pipes", joined(i.pipes));
+    set(out, "About", i.about);
+    part("Initial " + (i.at.empty() ? i.pipes : i.at).front() + "_start", out);
   }
-}
-
-void Writer::settings() {
-  std::map<std::string, Entries> sections;
-  if (!scene.arcs)
-    set(sections["Mesh"], "Cells per bend", std::to_string(scene.cells_per_bend));
-  number(sections["Mesh"], "Cell length", scene.cell_length / units.length);
-  set(sections["Output"], "Stations", std::to_string(scene.stations));
-  set(sections["Output"], "VTU", "false");
-  set(sections["Output"], "Report", "false");
-  if (scene.modes > 0) {
-    set(sections["Modes"], "Number", std::to_string(scene.modes));
-    set(sections["Modes"], "Mass", scene.lumped ? "lumped" : "consistent");
-  }
-  for (const auto &[entry, value] : scene.more) {
-    const auto slash = entry.find('/');
-    set(sections[entry.substr(0, slash)], entry.substr(slash + 1), value);
-  }
-  for (const auto &[heading, entries] : sections)
-    if (!entries.str().empty())
-      part(heading, entries);
 }
 
 std::string Writer::all() {
@@ -319,6 +209,8 @@ std::string Writer::all() {
     support(s);
   rest();
   settings();
+  response();
+  quantities();
   if (scene.sections_reversed) // parts may stand in any order but pipes, loads and steps
     parts = {parts.rbegin(), parts.rend()};
   for (const Pipe &p : scene.pipes)
@@ -339,7 +231,10 @@ std::string Writer::all() {
     number(out, "Ramp", step.ramp);
     part("Step " + step.name, out);
   }
+  parts.insert(parts.end(), last_parts.begin(), last_parts.end());
   std::string result = "set Units = " + scene.units + "\n";
+  if (scene.large_displacements)
+    result += "set Kinematics = corotational\n";
   if (scene.installation_temperature != 20.)
     result += "set Installation temperature = " +
               text(units.temperature(scene.installation_temperature)) + "\n";
@@ -352,7 +247,21 @@ std::string Writer::all() {
   return result;
 }
 
-} // namespace
+std::vector<std::string> cases_of(const Scene &scene) {
+  std::vector<std::string> names;
+  for (const Step &step : scene.steps)
+    names.push_back(step.name);
+  if (!scene.spectra.empty())
+    names.push_back("spectrum");
+  for (const Combination &combination : scene.combinations)
+    names.push_back(combination.name);
+  return names;
+}
+
+std::string quantity_name(const std::string &point, const std::string &name,
+                          const std::string &motion) {
+  return point + "_in_" + name + "_" + motion;
+}
 
 std::string parameter_file(const Scene &scene, std::map<std::string, std::string> &tables) {
   return Writer(scene, tables).all();

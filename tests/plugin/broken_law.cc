@@ -80,8 +80,11 @@ extern "C" const LawDescription another_name;
 #else
 #define LIST parameters
 #endif
+#ifdef LIST_TOO_LONG
+#define N_PARAMETERS 2000000000
+#else
+#define N_PARAMETERS sizeof(parameters) / sizeof(parameters[0])
+#endif
 
-const LawDescription frictionbeam_law = {
-    VERSION, KIND, STRAINS,   STATES,
-    true,    NAME, REFERENCE, sizeof(parameters) / sizeof(parameters[0]),
-    LIST,    LAW,  nullptr};
+const LawDescription frictionbeam_law = {VERSION,   KIND,         STRAINS, STATES, true,   NAME,
+                                         REFERENCE, N_PARAMETERS, LIST,    LAW,    nullptr};

@@ -51,6 +51,7 @@ void broken_laws() {
   broken("STATES_WRONG", {"-2 internal variables", "expected 0 to 1000"});
   broken("LAW_MISSING", {"no law object", "constant object"});
   broken("LIST_MISSING", {"1 parameters without a list"});
+  broken("LIST_TOO_LONG", {"announces 2000000000 parameters", "expected 0 to 1000"});
   broken("NAME_MISSING", {"no name", "Set LawDescription::name"});
   broken("NAME_TAKEN", {"'coulomb'", "already loaded from '" + LawLibrary::builtin_directory(),
                         "name of its own"});

@@ -33,6 +33,9 @@ repro("disc with spin" disc_with_spin --error vx 1e-9 --error wy 1e-9)
 # Slip along a curve is integrated to rounding (40 steps of moreau_jean: 2e-3).
 repro("slip along a curve" slip_along_curve --errors 1e-11)
 repro("slip along a curve, long steps" slip_along_curve --set "Time/Step = 3" --errors 1e-11)
+# On a rigid rest too (it was left to 40 steps of moreau_jean, first order).
+repro("slip along a curve on a rest" slip_on_rest --errors 1e-10 --check energy 1e-9)
+repro("slip along a curve on a rest, long steps" slip_on_rest --set "Time/Step = 1" --errors 1e-10)
 
 # Slip that begins and ends 100 times a second is no accumulation of events (wear was 34 % low).
 repro("stick and slip do not accumulate" event_accumulate --errors 1e-10)

@@ -2,6 +2,7 @@
 
 # A support on a point obeys its Normal and its Length, wherever that point is.
 repro("ground_normal" ground_normal --errors 1e-9 --expect "beside its Ground G")
+repro("force_at_point" force_at_point --errors 1e-6)
 repro("ground_length" ground_length --errors 1e-9)
 repro("ground_arm" ground_arm --errors 1e-9 --expect "by a rigid arm")
 
@@ -20,6 +21,15 @@ repro("tractrix in 16 increments" tractrix_one_increment --set "Step a/Increment
 # Friction 2 at a limit of 1, where a guide holds a third direction.
 repro("unique_guide" unique_guide --expect "Several equilibria are possible at the end of s0, s1"
   --expect "c (f = 2, limit 1)")
+
+# Two rigid supports that stick hold one motion of one point: the share of each is one of many.
+repro("rest_and_guide" rest_and_guide --value ux 1e-12
+  --expect "Statics does not determine how these rigid supports share their forces"
+  --expect "at the end of press, pull, for they hold the same motion: rest, guide.minus")
+repro("rest_and_guide elastic" rest_and_guide --set "Support rest/Axial rigidity = 1e9"
+  --set "Support guide/Axial rigidity = 1e9" --set "Support rest/Shear rigidity = 1e8"
+  --set "Support guide/Shear rigidity = 1e8" --expect "ux = 8.33333e-07 m" --expect "f1 = -83.3333 N"
+  --expect "f2 = -83.3333 N")
 
 # Back at zero load, by symmetry of the load's course and without friction forces, nothing is left.
 foreach(friction 0.3 0)

@@ -20,33 +20,63 @@ foreach(integrator ${integrators})
   repro("table jump, ${integrator}" table_jump ${by} --errors 3e-3)
   time_case("history of two steps, ${integrator}" history_of_two_steps ${by} --errors 5e-5)
 endforeach()
-foreach(integrator moreau_jean nonsmooth_alpha)
-  time_case("still after statics, ${integrator}" still_after_statics --set
-    "Time/Integrator = ${integrator}" --errors 1e-9)
+# A transient step with the loads of the static one before it: everything keeps still and its forces.
+foreach(integrator ${integrators} event)
+  set(by --set "Time/Integrator = ${integrator}")
+  time_case("still after statics, ${integrator}" still_after_statics ${by} --errors 1e-9)
+  # What is left is the noise of contacts at their limit, which the alpha schemes let grow: measured 1.2e-9
+  # (newmark, nonsmooth_alpha) and 2e-5 (generalized_alpha; 4e-10 with Solver/Tolerance = 1e-12).
+  set(still 1e-9)
+  if(integrator MATCHES "newmark|nonsmooth_alpha")
+    set(still 1e-8)
+  elseif(integrator STREQUAL generalized_alpha)
+    set(still 5e-5)
+  endif()
+  time_case("still everywhere, ${integrator}" still_everywhere ${by} --set
+    "Step still/Analysis = transient" --same-as
+    ${PROJECT_SOURCE_DIR}/tests/cases/time/still_everywhere.prm ${still})
 endforeach()
-foreach(integrator newmark generalized_alpha) # elements of 1e9 N swing by some of 1e-7 m
-  time_case("still after statics, ${integrator}" still_after_statics --set
-    "Time/Integrator = ${integrator}" --error friction_S_end 2e-2 --error friction_L_end 2e-2
-    --error normal_end 2e-2 --error least_normal 3e-2 --error at_S 1e-7 --error at_L 1e-5
-    --error least_at_L 1e-5 --error speed 1e-4 --error sinks 1e-4)
-endforeach()
+time_case("still everywhere, damped" still_everywhere --set "Time/Integrator = nonsmooth_alpha" --set
+  "Time/Spectral radius = 0.5" --set "Step still/Analysis = transient" --same-as
+  ${PROJECT_SOURCE_DIR}/tests/cases/time/still_everywhere.prm 1e-9)
 repro("table jump, event" table_jump --error max 2e-4 --errors 1e-8)
 time_case("history of two steps, event" history_of_two_steps --set "Time/Integrator = event"
   --errors 1e-10)
-time_case("still after statics, event" still_after_statics --set "Time/Integrator = event"
-  --errors 1e-9)
+# In static steps as well.
+time_case("history of static steps" history_of_static_steps --errors 1e-12)
+time_case("history of static steps, time of the run" history_of_static_steps
+  --set "Load pull/History time = run" --set "Load push/History time = run"
+  --expect "P_third = 0.55 m" --expect "P_moved = 0.6 m" --expect "P_fourth = 0.625 m"
+  --expect "Q_second = 0.125 m" --expect "Q_third = 0.275 m" --expect "Q_fourth = 0.3125 m")
+# Without mass, in balance at every instant.
+foreach(integrator ${integrators})
+  time_case("massless line, ${integrator}" massless_line --set "Time/Integrator = ${integrator}"
+    --errors 1e-9)
+endforeach()
+# The velocity of a pulled end jumps: the impulse on the free end, and its work.
+foreach(integrator ${integrators})
+  repro("imposed velocity jumps, ${integrator}" event_imposed_jump --set
+    "Time/Integrator = ${integrator}" --set "Time/Step = 1e-6" --errors 2e-5 --check energy 1e-4)
+endforeach()
 foreach(integrator moreau_jean generalized_alpha)
   time_case("snubber lets go, ${integrator}" snubber_lets_go --set
     "Time/Integrator = ${integrator}" --errors 1e-6)
 endforeach()
 
-# What an integrator cannot do is said with the support's name.
-foreach(integrator newmark generalized_alpha)
-  repro("belt, ${integrator}" belt_static_dynamic --set "Time/Integrator = ${integrator}" --expect
+# Sticks where static friction holds (slip is seen one step later); what an integrator cannot do is said with
+# the support's name.
+foreach(integrator ${integrators})
+  repro("belt, ${integrator}" belt_static_dynamic --set "Time/Integrator = ${integrator}" --set
+    "Time/Step = 2e-3" --error slip1 3e-2 --errors 3e-4)
+  repro("belt on a stiff element, ${integrator}" belt_static_dynamic --set
+    "Time/Integrator = ${integrator}" --set "Support c/Shear rigidity = 1e9" --expect
     "${integrator} may not let stick where static friction holds: at c,")
 endforeach()
-repro("belt, moreau_jean" belt_static_dynamic --set "Time/Integrator = moreau_jean" --set
-  "Time/Step = 2e-3" --error slip1 3e-2 --errors 3e-4) # slip is seen one step later
+foreach(integrator newmark generalized_alpha)
+  repro("belt by return mapping, ${integrator}" belt_static_dynamic --set
+    "Time/Integrator = ${integrator}" --set "Solver/Method = newton" --expect
+    "${integrator} may not let stick where static friction holds: at c,")
+endforeach()
 repro("whip peak" whip_peak --expect
   "Quantity fmax is the largest force of a rigid support that was struck" --expect
   "Rigid supports were struck: stop")

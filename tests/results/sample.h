@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/results/results.h>
+#include "results/results.h"
 
 #include <cmath>
 #include <limits>

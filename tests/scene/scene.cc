@@ -4,8 +4,8 @@
 // scenes shall follow their parameters. Numbers come from the closed forms written out here.
 #include "../check.h"
 
-#include <frictionbeam/scene/read_scene.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
+#include "scene/read_scene.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 // say shall be in a remark. References: the number of vertices and of connected lines, counted by
 // hand.
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <frictionbeam/mesh/line_mesh.h>
+#include "mesh/build_line_mesh.h"
 
 #include "../check.h"
 

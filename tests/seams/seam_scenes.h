@@ -147,14 +147,13 @@ inline const std::vector<Holder> holders = {
     {"joint on a rest", false,
      "subsection Joint joint\n  set At = POINT\n  set Pipe = PIPE\n  set Bending = 1e5\nend\n" +
          support("held", "  set Kind = rest\n")},
-    // Where a guide slides, idle supports change the answer by up to 3e-5, and by 1e-6 where the
-    // guide is elastic: measured, not explained.
+    // One of 110 scenes, at P, way 3, changes by 3.5e-6, the others by less than 1e-7: not
+    // explained.
     {"guide with friction", true, element("  set Kind = guide\n  set Friction coefficient = 0.2\n"),
-     1e-4},
+     1e-5},
     {"elastic guide with friction", true,
      element("  set Kind = guide\n  set Friction coefficient = 0.2\n  set Axial rigidity = 1e9\n"
-             "  set Shear rigidity = 1e8\n"),
-     1e-5},
+             "  set Shear rigidity = 1e8\n")},
     {"guide with a gap", true, element("  set Kind = guide\n  set Gap = 2e-3\n")},
     {"stop with a stiffness", true,
      element("  set Kind = stop\n  set Normal = 0 0 1\n  set Axial rigidity = 1e6\n")},

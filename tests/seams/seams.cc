@@ -6,15 +6,15 @@
 //
 // check_seams [all]: with `all` every kind of Rotations and Torsion at every place, else each kind
 // of support at every place in one of these ways.
-#include "solve_scene.h"
+#include "command/run_line.h"
 
-#include <frictionbeam/results/output_file.h>
-#include <frictionbeam/scene/read_scene.h>
-#include <frictionbeam/scene/user_error.h>
+#include "base/user_error.h"
+#include "results/file/output_file.h"
+#include "scene/read_scene.h"
 
 #include "../check.h"
+#include "command/size_hangers.h"
 #include "seam_scenes.h"
-#include "size_hangers.h"
 
 #include <deal.II/base/multithread_info.h>
 

@@ -20,15 +20,14 @@ void other_threshold(const double *p, FrictionThreshold &t) {
 } // namespace
 
 extern "C" __attribute__((visibility("default")))
-const frictionbeam::LawDescription frictionbeam_law = {
-    frictionbeam::law_interface_version,
-    frictionbeam::LawKind::support,
-    frictionbeam::n_support_strains,
-    n_states,
-    false,
-    "other",
-    "a law of the tests",
-    n_parameters,
-    parameters,
-    &law,
-    &other_threshold};
+const frictionbeam::LawDescription frictionbeam_law = {frictionbeam::law_interface_version,
+                                                       frictionbeam::LawKind::support,
+                                                       frictionbeam::n_support_strains,
+                                                       n_states,
+                                                       false,
+                                                       "other",
+                                                       "a law of the tests",
+                                                       n_parameters,
+                                                       parameters,
+                                                       &law,
+                                                       &other_threshold};

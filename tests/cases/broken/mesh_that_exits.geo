@@ -1,0 +1,6 @@
+Point(1) = {0, 0, 0};
+Point(2) = {10, 0, 0};
+Line(1) = {1, 2};
+Physical Curve("main") = {1};
+Physical Point("A") = {1};
+Exit;
