@@ -58,7 +58,7 @@ def solve(case, settings):
 
 
 def interface(nu, gs, elements, lag, height=1.0):
-    """Stiffness of a friction element of the line, as source/scene/slab_line.cc has it; 0: rigid."""
+    """Stiffness of a friction element of the line, as source/scene/generated/slab_line.cc has it; 0: rigid."""
     k = lag * E / (2 * (1 + nu)) / height * L / elements
     return gs if lag == 0 else k if gs == 0 else gs * k / (gs + k)
 

@@ -76,8 +76,11 @@ def where_it_stops(summary):
         if not step["converged"]:
             remark = step["remark"].split(", also after halving")[0]
             stopped, _, why = remark.rpartition(": ")
-            time = stopped.replace("stopped at time ", "")
-            when = f", from {float(time):.4g} s on" if time.replace(".", "").isdigit() else ""
+            time = stopped.rpartition("stopped at time ")[2]
+            try:
+                when = f", from {float(time):.4g} s on"
+            except ValueError:
+                when = ""
             return f"step {step['step']}{when}: {why.strip() or 'no convergence'}"
     return "; ".join(summary["remarks"])
 
