@@ -6,6 +6,7 @@
 #include "mesh/gmsh_session.h"
 
 #include "base/user_error.h"
+#include "scene/file/parameter_file.h"
 #include "scene/in_units.h"
 
 #include <algorithm>
@@ -70,6 +71,22 @@ void add_free_points(const Scene &scene, LineMesh &mesh) {
     mesh.points[point.name] = mesh.vertices.size();
     mesh.vertices.push_back(point.position);
   }
+}
+
+/// @throws UserError where an entry names a point that the file of the mesh does not have.
+void check_asked_points(const Scene &scene, const LineMesh &mesh) {
+  std::vector<std::string> names;
+  for (const auto &[name, vertex] : mesh.points)
+    names.push_back(name);
+  for (const AskedPoint &asked : scene.asked_points)
+    if (mesh.points.count(asked.name) == 0) {
+      const std::string like = nearest(asked.name, names);
+      throw UserError(asked.entry + "\n  read:    '" + asked.name +
+                      "'\n  allowed: a physical point of '" + scene.mesh.file +
+                      "', or a Point of the parameter file: " + join(names) + "\n  try:     " +
+                      (like.empty() ? "Physical Point(\"" + asked.name + "\") = {tag}; in the file"
+                                    : "'" + like + "'"));
+    }
 }
 
 /// Turns placements into vertices.
@@ -160,6 +177,7 @@ LineMesh build_line_mesh(const Scene &scene) {
   LineMesh mesh =
       by_gmsh(file, [&]() { return file.empty() ? mesh_routes(scene) : mesh_file(scene); });
   add_free_points(scene, mesh);
+  check_asked_points(scene, mesh);
   const Placer placer(scene, mesh);
   for (const FrictionSupport &support : scene.supports)
     mesh.supports.push_back(placer.sites(support.name, support.placement));

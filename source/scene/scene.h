@@ -280,6 +280,12 @@ struct OutputSettings {
 /// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.
 enum class ModelKind { line, continuum, both, automatic };
 
+/// A point that an entry names, while only Mesh/File can say whether there is one.
+struct AskedPoint {
+  std::string entry; ///< where it stands, for a message
+  std::string name;
+};
+
 struct Scene {
   std::string name; ///< of the parameter file, without folder and ending
   std::string title;
@@ -308,6 +314,8 @@ struct Scene {
   std::vector<LoadStep> steps;
   std::vector<InitialCondition> initial;
   std::vector<Quantity> quantities;
+  /// Points named by entries, where only Mesh/File can say which there are.
+  std::vector<AskedPoint> asked_points;
   std::vector<std::string> monitors; ///< points whose motion is recorded at every increment
   std::optional<ExactHistory> exact;
   std::array<bool, 6> free_motions{{true, true, true, true, true, true}}; ///< of pipe nodes

@@ -89,6 +89,9 @@ public:
   /// All declared entries, annotated, in the order of their declaration.
   void print(std::ostream &out);
 
+  /// Where an entry stands, as messages begin: file, line, section and name.
+  std::string where(const std::string &entry) const;
+
 private:
   struct Declared {
     std::string name, allowed, unit;
@@ -99,7 +102,6 @@ private:
                const dealii::Patterns::PatternBase &pattern, const std::string &unit,
                const std::string &allowed, const std::string &meaning,
                const std::string &documented = "");
-  std::string where(const std::string &entry) const;
 
   ParameterFile parameter_file;
   const ParameterFile::Section *section = nullptr; ///< null if the file does not have it

@@ -19,7 +19,7 @@ double parse_stiffness(const ParameterReader &in, const std::string &entry,
   return in.in_bounds(entry, value * in.si(unit), unit);
 }
 
-std::string parse_point_on(const ParameterReader &in, const Scene &scene) {
+std::string parse_point_on(const ParameterReader &in, Scene &scene) {
   const std::string point = in.text("At");
   check_point(in, "At", point, scene);
   return point;

@@ -50,7 +50,7 @@ void declare_load(ParameterReader &in) {
 
 namespace {
 
-Load::AtPoint parse_force(const ParameterReader &in, const std::string &text, const Scene &scene) {
+Load::AtPoint parse_force(const ParameterReader &in, const std::string &text, Scene &scene) {
   const std::vector<std::string> words = split(text, ' ');
   if (words.size() != 4 && words.size() != 7)
     in.fail("Forces", "point fx fy fz, or point fx fy fz mx my mz; more after ';'",
@@ -68,8 +68,7 @@ Load::AtPoint parse_force(const ParameterReader &in, const std::string &text, co
   return at;
 }
 
-Load::AtPoint parse_displacement(const ParameterReader &in, const std::string &text,
-                                 const Scene &scene) {
+Load::AtPoint parse_displacement(const ParameterReader &in, const std::string &text, Scene &scene) {
   const std::vector<std::string> words = split(text, ' ');
   const std::string form =
       "point, then ux, uy, uz, rx, ry or rz, each with a number; more after ';'";

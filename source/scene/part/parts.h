@@ -122,9 +122,10 @@ std::vector<std::string> names(const std::vector<Part> &parts) {
 /// Names of all points: corners of routes and points of their own.
 std::vector<std::string> point_names(const Scene &scene);
 
-/// @throws UserError unless there is a point of that name, or a Mesh/File may have it.
+/// @throws UserError unless there is a point of that name; where a Mesh/File may have it, the scene
+/// remembers that it was asked for.
 void check_point(const ParameterReader &in, const std::string &entry, const std::string &name,
-                 const Scene &scene);
+                 Scene &scene);
 
 /// "ux, rz" to flags. @throws UserError for anything else.
 std::array<bool, 6> parse_motions(const ParameterReader &in, const std::string &entry);

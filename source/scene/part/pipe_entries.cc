@@ -21,9 +21,11 @@ std::vector<std::string> point_names(const Scene &scene) {
 }
 
 void check_point(const ParameterReader &in, const std::string &entry, const std::string &name,
-                 const Scene &scene) {
+                 Scene &scene) {
   if (scene.mesh.file.empty() || name.empty())
     in.find(entry, name, point_names(scene), "point");
+  else
+    scene.asked_points.push_back({in.where(entry), name});
 }
 
 void declare_point(ParameterReader &in) {

@@ -37,7 +37,7 @@ bool is_repeated(const std::string &where, const std::vector<std::string> &suppo
          contains(supports, where.substr(0, dot));
 }
 
-void check_where(const ParameterReader &in, const Quantity &quantity, const Scene &scene) {
+void check_where(const ParameterReader &in, const Quantity &quantity, Scene &scene) {
   const std::vector<std::string> supports = names(scene.supports);
   const std::vector<std::string> holders =
       supports + names(scene.restraints) + names(scene.springs);
@@ -60,7 +60,11 @@ void check_where(const ParameterReader &in, const Quantity &quantity, const Scen
   if (contains(motions, what) || contains(section_forces, what))
     check_point(in, entry, where, scene);
   else if (contains(reactions, what)) {
-    if (!contains(holders, where) && !is_repeated(where, holders) && scene.mesh.file.empty())
+    if (contains(holders, where) || is_repeated(where, holders))
+      return;
+    if (!scene.mesh.file.empty())
+      check_point(in, entry, where, scene);
+    else
       in.find(entry, where, point_names(scene) + holders, "point, support or spring");
   } else if (contains(contact, what) || contains(changes, what)) {
     if (!is_repeated(where, supports))

@@ -164,14 +164,11 @@ void parse_exact(const ParameterReader &in, Scene &scene) {
   const unsigned int motion = motion_index(in.text("Motion"));
   if (motion == 6)
     in.fail("Motion", "one of ux, uy, uz, rx, ry, rz", "'uz'");
-  const TimeFunction history = parse_time_function(in, "History", in.text("History"));
+  const TimeFunction history =
+      parse_time_function(in, "History", in.text("History"), motion < 3 ? in.si("m") : 1.);
   if (!history.is_given())
     in.fail("History", time_function_form, "'cos(t)'");
-  const double unit = motion < 3 ? in.si("m") : 1.; // of its values
-  scene.exact = ExactHistory{
-      point, motion,
-      [course = history.course, unit](const double time) { return unit * course(time); },
-      in.number("Scale")};
+  scene.exact = ExactHistory{point, motion, history.course, in.number("Scale")};
 }
 
 void declare_output(ParameterReader &in) {

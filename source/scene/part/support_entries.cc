@@ -134,7 +134,7 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
 
 namespace {
 
-Placement parse_placement(const ParameterReader &in, const Scene &scene) {
+Placement parse_placement(const ParameterReader &in, Scene &scene) {
   Placement placement;
   placement.points = in.list("At");
   placement.pipe = in.text("Pipe");
@@ -304,11 +304,7 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
       in.fail("Ground motion", "three courses in time, x; y; z", "'0.1*t; 0; 0'");
     for (unsigned int d = 0; d < 3; ++d) {
       TimeFunction &one = support.ground_motion[d];
-      one = parse_time_function(in, "Ground motion", courses[d]);
-      if (one.is_given()) // its values are lengths in the file's unit
-        one.course = [course = one.course, unit = in.si("m")](const double time) {
-          return unit * course(time);
-        };
+      one = parse_time_function(in, "Ground motion", courses[d], in.si("m"));
       if (in.text("Ground motion time") == "run")
         support.ground_motion[d].clock = TimeFunction::Clock::run;
     }
