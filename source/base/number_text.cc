@@ -42,6 +42,16 @@ std::string fixed_number(const double value, const unsigned int decimals) {
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
+std::string first_of(const std::vector<std::string> &names) {
+  constexpr std::size_t most_named = 5;
+  std::string text;
+  for (std::size_t n = 0; n < std::min(most_named, names.size()); ++n)
+    text += (n == 0 ? "" : ", ") + names[n];
+  if (names.size() > most_named)
+    text += " and " + std::to_string(names.size() - most_named) + " more";
+  return text;
+}
+
 unsigned int decimals_for(const double largest) {
   if (!std::isfinite(largest) || largest <= 0.)
     return 0;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-/// @file Numbers as text, the same in every message and file. None of it depends on a locale.
+/// @file Numbers and lists as text, the same in every message and file. None of it depends on a
+/// locale.
 namespace frictionbeam {
 
 /// The shortest text that reads back as the same number; nan, inf, -inf where it is none.
@@ -14,6 +16,9 @@ std::string rounded_number(const double value, const unsigned int digits = 4);
 
 /// @p value with @p decimals digits after the point and no negative zero.
 std::string fixed_number(const double value, const unsigned int decimals);
+
+/// "a, b, c, d, e and 3 more": the first of @p names.
+std::string first_of(const std::vector<std::string> &names);
 
 /// Number of decimals that shows @p largest with four significant digits.
 unsigned int decimals_for(const double largest);

@@ -44,7 +44,7 @@ public:
       std::cerr << "\r\033[K";
   }
 
-  void show(const LoadSequence::Progress &progress) {
+  void show(const Progress &progress) {
     if (!on_terminal || progress.n_increments == 0)
       return;
     shown = true;
@@ -207,7 +207,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   {
     ProgressLine progress_line(scene);
     converged = sequence.run(
-        [&](const LoadSequence::Progress &progress, const LineState &state) {
+        [&](const Progress &progress, const LineState &state) {
           output_timer.start();
           interruption::end_if_overdue();
           progress_line.show(progress);
@@ -220,7 +220,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
             modal_state = state;
           output_timer.stop();
         },
-        [&](const LoadSequence::Progress &progress, const LineState &state) {
+        [&](const Progress &progress, const LineState &state) {
           output_timer.start();
           if (contact_problems)
             contact_problems->observe(progress, state);
@@ -242,7 +242,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
                                           rounded_number(sequence.state().time) + " s of step " +
                                           sequence.reports().back().step + ".");
         },
-        [&](const LoadSequence::Progress &progress, const double time) {
+        [&](const Progress &progress, const double time) {
           line_is_known =
               envelope.needs_line(progress.step) ||
               collector.needs_line(progress.step, progress.increment, progress.n_increments, time);
@@ -296,11 +296,10 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
     // Where nothing moves, rounding is large beside the energy in motion.
     if (step.energy.at_hand > 1e-9 * std::max(step.energy.stored, std::abs(step.energy.external)) &&
         gained > 1e-3 * step.energy.at_hand)
-      results.remarks.push_back(
-          "Step " + step.step + ": the integrator has gained " +
-          rounded_number(100. * gained / step.energy.at_hand, 2) +
-          " % of the largest energy in motion, at contacts. Take a shorter "
-          "time step, moreau_jean or event.");
+      results.remarks.push_back("Step " + step.step + ": the integrator has gained " +
+                                rounded_number(100. * gained / step.energy.at_hand, 2) +
+                                " % of the largest energy in motion, at contacts. Take a shorter "
+                                "time step, moreau_jean or event.");
   }
   for (const StepReport &step : results.steps)
     if (step.reduction)

@@ -45,7 +45,7 @@ template <typename Ask>
 void solve(const Scene &scene, const LawLibrary &laws, const std::string &what, const Ask &ask) {
   const LineModel line(scene, laws);
   LoadSequence sequence(line.model());
-  if (!sequence.run([](const LoadSequence::Progress &, const LineState &) {}))
+  if (!sequence.run([](const Progress &, const LineState &) {}))
     throw UserError("The hangers cannot be sized: " + what + ", step '" +
                     sequence.reports().back().step +
                     "' finds no equilibrium. Give their Cold load and Stiffness.");

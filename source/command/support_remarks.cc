@@ -52,89 +52,69 @@ void add_effect_of_rigidity(const Model &model, Results &results) {
       ". Solver/Method = exact needs none; or give the support an Axial rigidity.");
 }
 
-void add_torn_off(Results &results) {
-  constexpr std::size_t most_named = 5;
-  for (const StepReport &step : results.steps) {
-    if (step.torn_off.empty())
-      continue;
-    std::string names;
-    for (std::size_t n = 0; n < std::min(most_named, step.torn_off.size()); ++n)
-      names += (n == 0 ? "" : ", ") + results.supports[step.torn_off[n]].name;
-    if (step.torn_off.size() > most_named)
-      names += " and " + std::to_string(step.torn_off.size() - most_named) + " more";
-    results.remarks.push_back(
-        "Step " + step.step + ": within one increment, " + names +
-        " went from sticking to open. What sticks has to slip before it lifts off: the increment "
-        "is too long to show it, or the line has jumped to another equilibrium. Take more "
-        "Increments, or a slow transient step.");
-  }
+/// Names of contacts, the first of them.
+template <typename Indices>
+std::string names_of(const Indices &contacts, const Results &results) {
+  std::vector<std::string> names;
+  for (const unsigned int contact : contacts)
+    names.push_back(results.supports[contact].name);
+  return first_of(names);
 }
 
-/// Names of contacts, the first of them.
-std::string names_of(const std::set<unsigned int> &contacts, const Results &results) {
-  constexpr std::size_t most_named = 5;
-  std::string names;
-  std::size_t n = 0;
-  for (const unsigned int contact : contacts)
-    if (++n <= most_named)
-      names += (names.empty() ? "" : ", ") + results.supports[contact].name;
-  if (n > most_named)
-    names += " and " + std::to_string(n - most_named) + " more";
-  return names;
+void add_torn_off(Results &results) {
+  for (const StepReport &step : results.steps)
+    if (!step.torn_off.empty())
+      results.remarks.push_back(
+          "Step " + step.step + ": within one increment, " + names_of(step.torn_off, results) +
+          " went from sticking to open. What sticks has to slip before it lifts off: the increment "
+          "is too long to show it, or the line has jumped to another equilibrium. Take more "
+          "Increments, or a slow transient step.");
+}
+
+/// Steps of which something is said, "a, b".
+template <typename IsMeant>
+std::string steps_where(const Results &results, const IsMeant &is_meant) {
+  std::string steps;
+  for (const StepReport &step : results.steps)
+    if (is_meant(step))
+      steps += (steps.empty() ? "" : ", ") + step.step;
+  return steps;
 }
 
 /// Which supports' states may not be the only ones, in a sentence; empty if none is known.
 std::string several_equilibria(const Results &results) {
   std::map<unsigned int, BeyondUniqueness> worst;
-  std::string steps, supports;
-  for (const StepReport &step : results.steps) {
-    bool any = false;
-    for (const BeyondUniqueness &beyond : step.several_equilibria) {
-      if (beyond.limit == 0.)
-        continue; // of forces, see below
-      any = true;
+  for (const StepReport &step : results.steps)
+    for (const BeyondUniqueness &beyond : step.several_equilibria)
       if (const auto [entry, is_new] = worst.try_emplace(beyond.contact, beyond);
           !is_new && beyond.limit < entry->second.limit)
         entry->second = beyond;
-    }
-    if (any)
-      steps += (steps.empty() ? "" : ", ") + step.step;
-  }
   if (worst.empty())
     return "";
-  constexpr std::size_t most_named = 5;
-  std::size_t n = 0;
+  std::vector<std::string> supports;
   for (const auto &[contact, beyond] : worst)
-    if (++n <= most_named)
-      supports += (supports.empty() ? "" : ", ") + results.supports[contact].name +
-                  " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
-                  rounded_number(beyond.limit, 3) + ")";
-  if (n > most_named)
-    supports += " and " + std::to_string(n - most_named) + " more";
-  return "Several equilibria are possible at the end of " + steps +
+    supports.push_back(results.supports[contact].name +
+                       " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
+                       rounded_number(beyond.limit, 3) + ")");
+  return "Several equilibria are possible at the end of " +
+         steps_where(results,
+                     [](const StepReport &step) { return !step.several_equilibria.empty(); }) +
          ", since friction exceeds the limit K_tt/|K_tn| up to which a support's state is "
          "unique: " +
-         supports + ". The answer is the one reached along the declared load sequence.";
+         first_of(supports) + ". The answer is the one reached along the declared load sequence.";
 }
 
 /// Which rigid supports hold one motion together; empty if none do.
 std::string undetermined_forces(const Results &results) {
   std::set<unsigned int> contacts;
-  std::string steps;
-  for (const StepReport &step : results.steps) {
-    bool any = false;
-    for (const BeyondUniqueness &beyond : step.several_equilibria)
-      if (beyond.limit == 0.) {
-        contacts.insert(beyond.contact);
-        any = true;
-      }
-    if (any)
-      steps += (steps.empty() ? "" : ", ") + step.step;
-  }
+  for (const StepReport &step : results.steps)
+    contacts.insert(step.undetermined_forces.begin(), step.undetermined_forces.end());
   if (contacts.empty())
     return "";
   return "Statics does not determine how these rigid supports share their forces at the end of " +
-         steps + ", for they hold the same motion: " + names_of(contacts, results) +
+         steps_where(results,
+                     [](const StepReport &step) { return !step.undetermined_forces.empty(); }) +
+         ", for they hold the same motion: " + names_of(contacts, results) +
          ". Their sum and all displacements are right, each share is one of many. An Axial and a "
          "Shear rigidity determine them.";
 }

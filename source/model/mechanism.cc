@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/mechanism.h"
 
+#include "base/joined.h"
+
 #include "base/user_error.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace frictionbeam {
@@ -17,22 +18,6 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-/// Vertices joined into parts.
-class Parts {
-public:
-  explicit Parts(const unsigned int n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
-
-  unsigned int find(unsigned int v) {
-    while (parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  }
-  void join(const unsigned int a, const unsigned int b) { parent[find(a)] = find(b); }
-
-private:
-  std::vector<unsigned int> parent;
-};
 
 /// Rigid motions of one part about its centre and the directions in which it is held, as the sum of
 /// row^T row; rotations are scaled by the part's size.
@@ -162,7 +147,7 @@ private:
   const LineMesh &mesh;
   const std::vector<Point3> &points;
   const unsigned int n;
-  Parts root;
+  Joined root;
   std::map<unsigned int, Part> parts;
 };
 

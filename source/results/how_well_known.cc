@@ -36,19 +36,16 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
 }
 
 KnownError by_time_step(const Scene &scene, const Results &results, const Resolution &all) {
-  bool transient = false, reduced = false, handed_over = false;
+  bool transient = false, reduced = false;
   for (unsigned int i = 0; i < results.steps.size(); ++i) {
     transient = transient || scene.steps[i].transient;
     reduced = reduced || (results.steps[i].reduction && results.steps[i].reduction->is_reduced);
-    // The event integrator says how many events there were, and what it did not do itself.
-    handed_over = handed_over || (scene.steps[i].transient &&
-                                  results.steps[i].remark.find("handed over") != std::string::npos);
   }
   if (!transient)
     return {0., "there is no transient step"};
   if (reduced)
     return {{}, "the motion was followed on modes"};
-  if (all.exact_in_time && !handed_over)
+  if (all.exact_in_time && !all.handed_over)
     return {0., "the integrator is exact"};
   if (all.exact_in_time)
     return {{}, "the integrator handed over a part of the motion"};

@@ -110,7 +110,7 @@ double TimeFunction::after(const double time, const double reach) const {
 }
 
 TimeFunction parse_time_function(const ParameterReader &in, const std::string &entry,
-                                 const std::string &text) {
+                                 const std::string &text, const double unit) {
   TimeFunction function;
   if (text.empty())
     return function;
@@ -138,6 +138,10 @@ TimeFunction parse_time_function(const ParameterReader &in, const std::string &e
     function.course = [parser](const double time) { return parser->value(dealii::Point<1>(time)); };
   }
   function.text = text;
+  if (unit != 1.)
+    function.course = [course = function.course, unit](const double time) {
+      return unit * course(time);
+    };
   return function;
 }
 

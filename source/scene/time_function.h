@@ -42,9 +42,10 @@ extern const char *const time_function_form;
  * "sin(2*pi*t)", "table 0 0, 0.1 1, 0.1 0" (an instant twice is a jump), or "file NAME" with two
  * columns, from the parameter file's folder. Zero before a table's beginning and its last value
  * after its end.
+ * @param unit of its values, in SI units
  * @throws UserError
  */
 TimeFunction parse_time_function(const ParameterReader &in, const std::string &entry,
-                                 const std::string &text);
+                                 const std::string &text, const double unit = 1.);
 
 } // namespace frictionbeam

@@ -93,7 +93,7 @@ Outcome solve_with_application(const Scene &scene, const LineMesh &mesh, const L
   const LineModel line(scene, mesh, laws);
   const double assembled = timer.wall_time();
   LoadSequence sequence(line.model());
-  const bool converged = sequence.run([](const LoadSequence::Progress &, const LineState &) {});
+  const bool converged = sequence.run([](const Progress &, const LineState &) {});
   const double seconds = timer.wall_time();
   std::cout << "  model " << assembled << " s, solution " << seconds - assembled << " s, "
             << (converged ? "residual " : "NOT converged, residual ")

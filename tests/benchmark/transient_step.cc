@@ -89,8 +89,8 @@ void measure(const std::string &file, const std::vector<std::string> &options,
   StepReport before;
   unsigned int n = 0;
   const bool converged =
-      sequence.run([](const LoadSequence::Progress &, const LineState &) {},
-                   [&](const LoadSequence::Progress &progress, const LineState &state) {
+      sequence.run([](const Progress &, const LineState &) {},
+                   [&](const Progress &progress, const LineState &state) {
                      const double time = milliseconds_since(last);
                      const bool transient =
                          !sequence.reports().empty() && scene.steps[progress.step].transient;

@@ -127,32 +127,31 @@ void run(const std::string &file, const std::vector<std::string> &options, const
            results.supports[i].name.compare(0, 5, "rests") == 0;
   };
   LoadSequence sequence(model);
-  const bool converged =
-      sequence.run([&](const LoadSequence::Progress &progress, const LineState &state) {
-        const bool end = progress.n_increments > 0 && progress.increment == progress.n_increments;
-        if (end) { // as the program keeps them
-          Frame frame = FrameBuilder(model, true).make(state);
-          frame.step = progress.step;
-          results.frames.push_back(frame);
-        }
-        envelope->observe(progress.step, progress.increment, progress.n_increments, state);
-        if (other) {
-          read.frames = results.frames;
-          other->observe(progress.step, progress.increment, progress.n_increments, state);
-        }
-        if (progress.step == 0 && end)
-          reference.include(state, true, 0., may_strike);
-        if (progress.step == 1)
-          reference.include(state, false, 1e6, may_strike);
-        if (progress.step == 1 && progress.increment == 20) {
-          Archive out;
-          envelope->transfer(out);
-          Archive in(out.bytes());
-          read.frames = results.frames;
-          other = std::make_unique<Envelope>(model, read);
-          other->transfer(in);
-        }
-      });
+  const bool converged = sequence.run([&](const Progress &progress, const LineState &state) {
+    const bool end = progress.n_increments > 0 && progress.increment == progress.n_increments;
+    if (end) { // as the program keeps them
+      Frame frame = FrameBuilder(model, true).make(state);
+      frame.step = progress.step;
+      results.frames.push_back(frame);
+    }
+    envelope->observe(progress.step, progress.increment, progress.n_increments, state);
+    if (other) {
+      read.frames = results.frames;
+      other->observe(progress.step, progress.increment, progress.n_increments, state);
+    }
+    if (progress.step == 0 && end)
+      reference.include(state, true, 0., may_strike);
+    if (progress.step == 1)
+      reference.include(state, false, 1e6, may_strike);
+    if (progress.step == 1 && progress.increment == 20) {
+      Archive out;
+      envelope->transfer(out);
+      Archive in(out.bytes());
+      read.frames = results.frames;
+      other = std::make_unique<Envelope>(model, read);
+      other->transfer(in);
+    }
+  });
   CHECK(converged);
   CHECK(results.envelopes.size() == 1);
   const StepEnvelope &found = results.envelopes.front();

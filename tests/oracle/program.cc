@@ -5,9 +5,9 @@
 #include "command/size_hangers.h"
 
 #include "base/interruption.h"
+#include "base/user_error.h"
 #include "results/file/checkpoint.h"
 #include "scene/read_scene.h"
-#include "base/user_error.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ unsigned int Outcome::halvings() const {
 
 bool Outcome::several_equilibria() const {
   for (const frictionbeam::StepReport &step : results.steps)
-    if (!step.several_equilibria.empty())
+    if (!step.several_equilibria.empty() || !step.undetermined_forces.empty())
       return true;
   return false;
 }

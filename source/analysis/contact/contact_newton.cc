@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 namespace frictionbeam {
 
@@ -31,13 +30,6 @@ Vector positive_diagonal(const SparseMatrix &matrix) {
   for (double &d : diagonal)
     d = d > 0. ? d : mean;
   return diagonal;
-}
-
-std::string rounded(const double value) {
-  std::ostringstream text;
-  text.precision(2);
-  text << value;
-  return text.str();
 }
 
 /// Place of an entry among the values.
@@ -134,9 +126,7 @@ bool ContactNewton::balanced(const Vector &forces, const Vector &x, const Contac
 }
 
 std::string ContactNewton::rounding_remark() const {
-  return "rounding of the line's forces, " + rounded(force_left) +
-         " N, is too large beside the largest force, " + rounded(largest_force) +
-         " N: the line is too stiff for its loads";
+  return too_much_rounding(force_left, largest_force) + ": the line is too stiff for its loads";
 }
 
 double ContactNewton::energy(const Vector &forces) const {

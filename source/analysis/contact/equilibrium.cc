@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/equilibrium.h"
 
+#include "base/number_text.h"
+
 #include <algorithm>
 #include <limits>
 
 namespace frictionbeam {
+
+std::string too_much_rounding(const double left, const double largest) {
+  return "rounding of the line's forces, " + rounded_number(left, 2) +
+         " N, is too large beside the largest force, " + rounded_number(largest, 2) + " N";
+}
 
 Residual::Residual(const EquilibriumProblem &problem, const Contacts &contacts,
                    const ReducedSpace &space, Evaluate evaluate)

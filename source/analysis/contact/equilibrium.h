@@ -71,6 +71,10 @@ public:
 Vector unbalanced_forces(const EquilibriumProblem &problem, const Vector &unknowns,
                          const Vector &low);
 
+/// Why an increment ends whose forces rounding keeps from vanishing, in words without a full stop.
+/// @param left what is unbalanced [N] @param largest force of the problem [N]
+std::string too_much_rounding(const double left, const double largest);
+
 /**
  * Residual forces of a problem, and when they count as zero: below the tolerance times the largest
  * force, or below the rounding error of the forces themselves where that is larger, but never above

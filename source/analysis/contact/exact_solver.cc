@@ -89,14 +89,14 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     const double size = left.lpNorm<Eigen::Infinity>(), largest = residual.largest_force(response);
     result.residual = largest > 0. ? size / largest : size;
     if (size <= residual.tolerance(settings.tolerance, diagonal, unknowns, response)) {
-      const auto centre_at_solution = proximal.centre;
       if (proximal.let_slipping_go(response)) {
         accepted.reset();
         continue;
       }
-      if (n_releases < most_releases && release_pairs(response)) {
+      if (n_releases < most_releases && presses_pairs(response)) {
         ++n_releases;
-        accepted = {unknowns, response, centre_at_solution, result.residual};
+        accepted = {unknowns, response, proximal.centre, result.residual};
+        release_pairs(response);
         continue;
       }
       // One more correction costs no more than a back substitution where the contacts' states stay,
@@ -106,10 +106,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
         accepted = {unknowns, response, proximal.centre, result.residual};
         continue;
       }
-      result.check = newton.check(response);
-      result.converged = result.check->holds(settings.contact_tolerance);
-      result.remark = result.converged ? "" : "the contact laws fail their check";
-      if (result.converged)
+      if (judge(response, result))
         return result;
       break;
     }
@@ -120,13 +117,8 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     response = accepted->response;
     proximal.centre = accepted->centre;
     result.residual = accepted->residual;
-    result.check = newton.check(response);
-    result.converged = result.check->holds(settings.contact_tolerance);
-    result.remark = "the contact laws fail their check";
-    if (result.converged) {
-      result.remark.clear();
+    if (judge(response, result))
       return result;
-    }
   }
   if (result.iterations >= most_iterations && !result.no_equilibrium)
     result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
@@ -135,20 +127,31 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
   return result;
 }
 
-bool ExactSolver::release_pairs(const ContactResponse &response) {
-  bool any = false;
-  for (const auto &[i, k] : pairs) {
-    const double share_i = contacts[i].weight / contacts[i].length,
-                 share_k = contacts[k].weight / contacts[k].length;
-    const double force_i = -share_i * response.stress[i][0],
-                 force_k = -share_k * response.stress[k][0], in_common = std::min(force_i, force_k);
-    if (!(in_common > in_common_least * std::max(force_i, force_k)))
-      continue;
-    proximal.centre[i][0] += in_common / share_i;
-    proximal.centre[k][0] += in_common / share_k;
-    any = true;
-  }
-  return any;
+bool ExactSolver::judge(const ContactResponse &response, EquilibriumResult &result) const {
+  result.check = newton.check(response);
+  result.converged = result.check->holds(settings.contact_tolerance);
+  result.remark = result.converged ? "" : "the contact laws fail their check";
+  return result.converged;
+}
+
+double ExactSolver::force_in_common(const Pair &pair, const ContactResponse &response) const {
+  const auto force = [&](const unsigned int i) {
+    return -contacts[i].weight / contacts[i].length * response.stress[i][0];
+  };
+  const auto [less, more] = std::minmax({force(pair[0]), force(pair[1])});
+  return less > in_common_least * more ? less : 0.;
+}
+
+bool ExactSolver::presses_pairs(const ContactResponse &response) const {
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [&](const Pair &pair) { return force_in_common(pair, response) > 0.; });
+}
+
+void ExactSolver::release_pairs(const ContactResponse &response) {
+  for (const Pair &pair : pairs)
+    for (const unsigned int i : pair)
+      proximal.centre[i][0] +=
+          force_in_common(pair, response) * contacts[i].length / contacts[i].weight;
 }
 
 ExactSolver::Outcome ExactSolver::solve_contacts(Vector &x, ContactResponse &response,

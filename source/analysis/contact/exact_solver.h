@@ -44,9 +44,15 @@ private:
                                EquilibriumResult &result);
   Outcome solve_by_proximal_steps(Vector &x, ContactResponse &response, EquilibriumResult &result);
 
-  /// Where both halves of a rigid stop press on each other, begin anew without what they have in
-  /// common. @return whether there is such a pair
-  bool release_pairs(const ContactResponse &response);
+  /// @return whether the contact laws hold; the result says so.
+  bool judge(const ContactResponse &response, EquilibriumResult &result) const;
+
+  using Pair = std::array<unsigned int, 2>; ///< the halves of a rigid stop
+  /// With which both halves press on each other [N]; 0 if they do not.
+  double force_in_common(const Pair &pair, const ContactResponse &response) const;
+  bool presses_pairs(const ContactResponse &response) const;
+  /// Begin anew without what the halves have in common.
+  void release_pairs(const ContactResponse &response);
 
   /// Whether no further attempt is worth its iterations.
   bool gives_up(const EquilibriumResult &result) const {
@@ -61,8 +67,8 @@ private:
   ContactNewton newton;
   Vector diagonal; ///< of the line's stiffness
   double first_factor;
-  const std::vector<std::array<unsigned int, 2>> pairs; ///< rigid_pairs()
-  unsigned int most_iterations = 0;                     ///< of the present problem
+  const std::vector<Pair> pairs;    ///< rigid_pairs()
+  unsigned int most_iterations = 0; ///< of the present problem
 };
 
 } // namespace frictionbeam

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/return_mapping_solver.h"
-#include "base/number_text.h"
 
 #include "base/interruption.h"
 #include <algorithm>
@@ -95,9 +94,7 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
     size_before = size;
     if (n_at_rounding == most_at_rounding) {
       result.rounding_bars = true;
-      result.remark = "rounding of the line's forces, " + rounded_number(size, 2) +
-                      " N, is too large beside the largest force, " + rounded_number(largest, 2) +
-                      " N: Method = exact knows more digits";
+      result.remark = too_much_rounding(size, largest) + ": Method = exact knows more digits";
       return result;
     }
     if (result.iterations == std::min(most, problem.most_iterations)) {

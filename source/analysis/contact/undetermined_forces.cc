@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/undetermined_forces.h"
 
+#include "base/joined.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace frictionbeam {
@@ -78,22 +79,14 @@ std::vector<FreeForce> free_forces(const Contacts &contacts, const LineState &st
 
 /// Forces that have unknowns in common, directly or by way of others.
 std::vector<std::vector<unsigned int>> groups_of(const std::vector<FreeForce> &forces) {
-  std::vector<unsigned int> leader(forces.size());
-  std::iota(leader.begin(), leader.end(), 0u);
-  const auto find = [&](unsigned int i) {
-    while (leader[i] != i)
-      i = leader[i];
-    return i;
-  };
+  Joined joined(forces.size());
   std::map<int, unsigned int> first;
   for (unsigned int i = 0; i < forces.size(); ++i)
-    for (const auto &[unknown, share] : forces[i].on_unknowns) {
-      const unsigned int other = find(first.try_emplace(unknown, i).first->second), own = find(i);
-      leader[std::max(own, other)] = std::min(own, other);
-    }
+    for (const auto &[unknown, share] : forces[i].on_unknowns)
+      joined.join(i, first.try_emplace(unknown, i).first->second);
   std::map<unsigned int, std::vector<unsigned int>> groups;
   for (unsigned int i = 0; i < forces.size(); ++i)
-    groups[find(i)].push_back(i);
+    groups[joined.find(i)].push_back(i);
   std::vector<std::vector<unsigned int>> result;
   for (const auto &group : groups)
     result.push_back(group.second);
@@ -102,8 +95,8 @@ std::vector<std::vector<unsigned int>> groups_of(const std::vector<FreeForce> &f
 
 } // namespace
 
-std::vector<BeyondUniqueness> contacts_with_undetermined_forces(const Contacts &contacts,
-                                                                const LineState &state) {
+std::vector<unsigned int> contacts_with_undetermined_forces(const Contacts &contacts,
+                                                            const LineState &state) {
   constexpr double dependent = 1e-12, takes_part = 1e-6;
   const std::vector<FreeForce> forces = free_forces(contacts, state);
   std::set<unsigned int> undetermined;
@@ -124,12 +117,7 @@ std::vector<BeyondUniqueness> contacts_with_undetermined_forces(const Contacts &
         if (std::abs(eigen.eigenvectors()(a, k)) > takes_part)
           undetermined.insert(forces[group[a]].contact);
   }
-  std::vector<BeyondUniqueness> result;
-  for (const unsigned int i : undetermined) {
-    const Contact::Strains &stress = state.contact_stress[i];
-    result.push_back({i, std::hypot(stress[1], stress[2]) / std::abs(stress[0]), 0.});
-  }
-  return result;
+  return {undetermined.begin(), undetermined.end()};
 }
 
 } // namespace frictionbeam

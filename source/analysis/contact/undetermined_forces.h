@@ -2,7 +2,6 @@
 #pragma once
 
 #include "model/line_state.h"
-#include "analysis/contact/uniqueness.h"
 
 namespace frictionbeam {
 
@@ -11,9 +10,9 @@ namespace frictionbeam {
  * of the forces of rigid contacts, in the states that they have, makes no force on the line's free
  * unknowns, H^T dr = 0, as where two that stick hold one point in one direction. Forces of elastic
  * contacts follow the motion; a slipping one has the one direction (-P, T). Contacts without force
- * take no part. @return them with a limit of 0: no friction is small enough.
+ * take no part.
  */
-std::vector<BeyondUniqueness> contacts_with_undetermined_forces(const Contacts &contacts,
-                                                                const LineState &state);
+std::vector<unsigned int> contacts_with_undetermined_forces(const Contacts &contacts,
+                                                            const LineState &state);
 
 } // namespace frictionbeam

@@ -99,11 +99,10 @@ void EventIntegrator::read_states(const LineState &state, const LoadCourse &load
 }
 
 void EventIntegrator::find_limits() {
-  constexpr double of_statics = 1e-8;
   for (unsigned int i = 0; i < states.size(); ++i) {
     const double most = line.contacts[i].law.static_friction * -force[i][0];
     states[i].at_limit = states[i].status == ContactStatus::stick &&
-                         force[i].tail<2>().norm() >= (1. - of_statics) * most;
+                         force[i].tail<2>().norm() >= (1. - limit_of_statics) * most;
   }
 }
 
@@ -322,6 +321,7 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
       LineState middle = to;
       TimeStep rest =
           hand_over(middle, loads, std::min(time, present + part_handed_over * output_step), to);
+      rest.handed_over = true;
       rest.energy += step.energy;
       rest.result.iterations += step.result.iterations;
       return rest;

@@ -30,6 +30,9 @@ struct EventContact {
   Eigen::Vector3d displacement(const Vector &unknowns) const;
 };
 
+/// Part of a friction force at its limit up to which statics knows that it is there.
+constexpr double limit_of_statics = 1e-8;
+
 /// What a contact does at present.
 struct EventState {
   ContactStatus status = ContactStatus::open;

@@ -13,9 +13,6 @@ namespace {
 /// starts.
 constexpr double slowest = 1e-8, shortest_stop = 1e-4, starting = 1e-13;
 
-/// To which statics knows friction forces, of their size.
-constexpr double of_statics = 1e-8;
-
 /// Sum of the sizes that a polynomial is the difference of, times rounding.
 constexpr double eps = 1e-13;
 
@@ -62,7 +59,7 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
       rounding += eps * contact.shear_stiffness *
                   (size(g, 1) + size(g, 2) + state.plastic.lpNorm<Eigen::Infinity>());
     if (state.at_limit)
-      rounding = std::max(rounding, of_statics * f * largest_N);
+      rounding = std::max(rounding, limit_of_statics * f * largest_N);
     const Polynomial T1 = TaylorMotion::row(r, 1), T2 = TaylorMotion::row(r, 2);
     const bool only_1 = size(r, 2) <= 1e-12 * size(r, 1), only_2 = size(r, 1) <= 1e-12 * size(r, 2);
     if (only_1 || only_2) {

@@ -65,10 +65,7 @@ TaylorMotion::Beginning TaylorMotion::begin(const LoadCourse &loads, const doubl
                                             const Vector &velocity,
                                             const std::vector<EventState> &states,
                                             const std::vector<Eigen::Vector3d> &forces) {
-  take(states);
-  double length = guess > 0. ? std::min(longest, guess) : longest;
-  factor_noise.before.resize(0);
-  ground_noise.before.resize(0);
+  double length = first_length(states, longest);
   while (!interpolate_loads(loads, time, length) && length > least)
     length /= 2.;
   for (const unsigned int i : curves)

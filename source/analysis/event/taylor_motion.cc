@@ -291,14 +291,18 @@ void TaylorMotion::take(const std::vector<EventState> &states) {
   curve_friction.resize(states.size());
 }
 
+double TaylorMotion::first_length(const std::vector<EventState> &states, const double longest) {
+  take(states);
+  factor_noise.before.resize(0);
+  ground_noise.before.resize(0);
+  return guess > 0. ? std::min(longest, guess) : longest;
+}
+
 double TaylorMotion::compute(const LoadCourse &loads, const double time, const double longest,
                              const Vector &unknowns, const Vector &velocity,
                              const std::vector<EventState> &states,
                              const std::vector<Eigen::Vector3d> &forces) {
-  take(states);
-  double length = guess > 0. ? std::min(longest, guess) : longest;
-  factor_noise.before.resize(0);
-  ground_noise.before.resize(0);
+  double length = first_length(states, longest);
   for (;;) {
     if (!interpolate_loads(loads, time, length) && length > least) {
       length /= 2.;

@@ -89,6 +89,8 @@ private:
   };
   /// Make ready for contacts in these states.
   void take(const std::vector<EventState> &states);
+  /// Make ready for a piece no longer than @p longest. @return the length to try first [s]
+  double first_length(const std::vector<EventState> &states, const double longest);
   void make_rows(const std::vector<EventState> &states);
   bool interpolate_loads(const LoadCourse &loads, const double time, const double length);
   bool interpolate_between(const LoadCourse &loads, const double time, const double length);

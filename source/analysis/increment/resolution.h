@@ -17,6 +17,7 @@ struct Resolution {
   double accelerations = 0., acceleration_changes = 0.; ///< sums of |a|, |a_1 - a_0| [m/s2]
   unsigned int state_changes = 0; ///< time steps in which a contact changed its state
   bool exact_in_time = true;      ///< no time step has an error of its own (event)
+  bool handed_over = false;       ///< parts of the motion, by event to an integrator that has one
   double cell_turn = 0.;          ///< large displacements: most that a cell's ends turn apart [rad]
   /// Static increments: of the contact where it is largest, the sum over the increments so far of
   /// 1/2 |dT x dslip| / |T|, by how much its path may be off where friction turns [m].
@@ -28,7 +29,7 @@ struct Resolution {
   void include(const Resolution &other);
   void transfer(Archive &archive) {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
-            exact_in_time, cell_turn, slip_turned, slip_from_rest, slip_is_known);
+            exact_in_time, handed_over, cell_turn, slip_turned, slip_from_rest, slip_is_known);
   }
 };
 

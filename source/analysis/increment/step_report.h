@@ -32,10 +32,12 @@ struct StepReport {
   bool converged = false;
   bool no_equilibrium = false;                      ///< proved that there is none
   std::vector<BeyondUniqueness> several_equilibria; ///< at its end
-  std::string remark;                               ///< why it was cut or stopped, in plain words
-  std::string warning;                              ///< of its time integrator, to be said once
-  std::optional<ReductionAccount> reduction;        ///< of a transient step that might be reduced
-  std::vector<ContactMargin> margins;               ///< beside the contacts, of a transient step
+  /// Contacts whose shares of force statics does not determine at its end.
+  std::vector<unsigned int> undetermined_forces;
+  std::string remark;                        ///< why it was cut or stopped, in plain words
+  std::string warning;                       ///< of its time integrator, to be said once
+  std::optional<ReductionAccount> reduction; ///< of a transient step that might be reduced
+  std::vector<ContactMargin> margins;        ///< beside the contacts, of a transient step
   /// Rigid contacts that closed in a transient step: an impact, in which their force is infinite
   /// for no time, and only its impulse is a number.
   std::vector<unsigned int> struck;
@@ -45,8 +47,8 @@ struct StepReport {
 
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
-            contact, energy, converged, no_equilibrium, several_equilibria, remark, warning,
-            reduction, margins, struck, resolution, torn_off);
+            contact, energy, converged, no_equilibrium, several_equilibria, undetermined_forces,
+            remark, warning, reduction, margins, struck, resolution, torn_off);
   }
 };
 

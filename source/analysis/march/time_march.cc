@@ -67,8 +67,7 @@ bool TimeMarch::run(const TransientStep &step, LineState &line_state, StepReport
 }
 
 bool TimeMarch::move_to(const double time, const std::function<void()> &after_each) {
-  const double tolerance = model.scene.time.tolerance, longest = longest_step,
-               least = longest / std::pow(2., model.scene.solver.max_halvings);
+  const double tolerance = model.scene.time.tolerance, longest = longest_step;
   unsigned int failures = 0;
   while (state->time < time) {
     const double left = time - state->time;
@@ -83,7 +82,7 @@ bool TimeMarch::move_to(const double time, const std::function<void()> &after_ea
                        rounded_number(longest) + " s, and that is all there are";
       return false;
     }
-    if (!taken && step <= least * (1. + 1e-9)) {
+    if (!taken && is_shortest(step)) {
       report->remark = "stopped at time " + rounded_number(state->time, 6) + ": " + report->remark +
                        ", also with a time step of " + rounded_number(step) + " s";
       return false;
@@ -106,6 +105,10 @@ bool TimeMarch::move_to(const double time, const std::function<void()> &after_ea
   return true;
 }
 
+bool TimeMarch::is_shortest(const double step) const {
+  return step <= longest_step / std::pow(2., model.scene.solver.max_halvings) * (1. + 1e-9);
+}
+
 bool TimeMarch::take_time_step(const double time) {
   if (!integrator->is_exact() && jump_met != state->time) {
     jump_met = state->time;
@@ -116,16 +119,16 @@ bool TimeMarch::take_time_step(const double time) {
   last_error = not_solved;
   if (!add_result(step.result, *report))
     return false;
-  const double tolerance = model.scene.time.tolerance,
-               least = longest_step / std::pow(2., model.scene.solver.max_halvings);
+  const double tolerance = model.scene.time.tolerance;
   last_error = step.error;
   if (tolerance > 0. && step.error > tolerance && !integrator->is_exact() &&
-      time - state->time > least * (1. + 1e-9))
+      !is_shortest(time - state->time))
     return false;
   report->energy += step.energy;
   watch_contacts(model, *state, next, *report);
   if (watchers->resolution != nullptr)
     watchers->resolution->add_time_step(*state, next, integrator->is_exact(), report->resolution);
+  report->resolution.handed_over = report->resolution.handed_over || step.handed_over;
   return true;
 }
 

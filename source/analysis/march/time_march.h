@@ -50,6 +50,8 @@ public:
 private:
   /// Go to @p time in time steps no longer than the one at present, which may change on the way.
   bool move_to(const double time, const std::function<void()> &after_each);
+  /// Whether a time step [s] has been halved as often as it may be.
+  bool is_shortest(const double step) const;
   /// One time step. @return whether it was taken; if not, a shorter one may be.
   bool take_time_step(const double time);
 

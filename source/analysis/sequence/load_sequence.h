@@ -21,11 +21,6 @@ class TransientReduction;
  */
 class LoadSequence {
 public:
-  using Progress = frictionbeam::Progress;
-  using Observer = frictionbeam::Observer;
-  using Pause = frictionbeam::Pause;
-  using NeedsLine = frictionbeam::NeedsLine;
-
   explicit LoadSequence(const Model &model);
   ~LoadSequence();
 

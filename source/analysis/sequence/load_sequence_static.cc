@@ -33,17 +33,14 @@ unsigned int most_iterations_of(const SolverSettings &settings) {
 /// What of a static step's answer is not the only one.
 std::vector<BeyondUniqueness>
 several_equilibria(const Model &model, const EquilibriumSolver &statics, const LineState &state) {
-  std::vector<BeyondUniqueness> result = contacts_with_undetermined_forces(model.contacts, state);
   if (model.corotational)
-    return result;
+    return {};
   std::vector<ContactStatus> status = state.contact_status;
   const std::vector<bool> idle = idle_halves(model.contacts, state);
   for (unsigned int i = 0; i < status.size(); ++i)
     if (idle[i]) // touches without a force: the other half of a stop holds for it
       status[i] = ContactStatus::open;
-  const auto of_states = statics.beyond_uniqueness(status);
-  result.insert(result.end(), of_states.begin(), of_states.end());
-  return result;
+  return statics.beyond_uniqueness(status);
 }
 } // namespace
 
@@ -90,8 +87,11 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
       between_increments();
   }
   if (model.scene.solver.method == SolverSettings::Method::exact &&
-      model.contacts.size() <= most_contacts_for_uniqueness)
-    step_reports.back().several_equilibria = several_equilibria(model, *statics, current);
+      model.contacts.size() <= most_contacts_for_uniqueness) {
+    StepReport &report = step_reports.back();
+    report.several_equilibria = several_equilibria(model, *statics, current);
+    report.undetermined_forces = contacts_with_undetermined_forces(model.contacts, current);
+  }
   return true;
 }
 

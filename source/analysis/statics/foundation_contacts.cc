@@ -12,8 +12,6 @@
 
 namespace frictionbeam {
 
-namespace {} // namespace
-
 FoundationContacts::FoundationContacts(const ContinuumScene &scene, const LawLibrary &laws,
                                        const bool exact, const std::vector<FoundationPoint> &points)
     : points(points) {

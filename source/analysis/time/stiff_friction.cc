@@ -2,8 +2,8 @@
 #include "analysis/time/stiff_friction.h"
 
 #include "analysis/increment/time_step.h"
-
 #include "analysis/time/time_integrator.h"
+#include "base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,6 @@ namespace {
 
 /// (h omega)^2 of the swing in a friction element's shear beyond which steps do not follow it.
 constexpr double most_stiff_shear = 4.;
-constexpr std::size_t most_named = 5;
 
 } // namespace
 
@@ -47,12 +46,10 @@ std::string warn_of_stiff_friction(const Model &model, const std::string &integr
   }
   if (supports.empty())
     return "";
-  std::string names;
-  for (std::size_t k = 0; k < std::min(most_named, supports.size()); ++k)
-    names += (k > 0 ? ", " : "") + model.scene.supports[supports[k]].name;
-  if (supports.size() > most_named)
-    names += " and " + std::to_string(supports.size() - most_named) + " more";
-  return integrator + " may not let stick where static friction holds: at " + names +
+  std::vector<std::string> names;
+  for (const unsigned int support : supports)
+    names.push_back(model.scene.supports[support].name);
+  return integrator + " may not let stick where static friction holds: at " + first_of(names) +
          ", whose friction elements are too stiff for the time step, so that what has stopped goes "
          "on to swing in them. Take event, a Shear rigidity of 0 (rigid) with Solver/Method = "
          "exact, one that belongs to the support, or a shorter Time/Step.";

@@ -11,7 +11,8 @@ namespace frictionbeam {
 /// What one time step did.
 struct TimeStep {
   EquilibriumResult result;
-  double error = 0.; ///< estimate for the displacements [m]
+  double error = 0.;        ///< estimate for the displacements [m]
+  bool handed_over = false; ///< a part of it, by an exact integrator to one that is not
   EnergyAccount energy;
 };
 

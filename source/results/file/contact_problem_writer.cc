@@ -45,7 +45,7 @@ ContactProblemWriter::ContactProblemWriter(const Model &model, Results &results,
     std::filesystem::remove(path);
 }
 
-void ContactProblemWriter::observe(const LoadSequence::Progress &progress, const LineState &state) {
+void ContactProblemWriter::observe(const Progress &progress, const LineState &state) {
   if (started && model.scene.steps[progress.step].transient)
     remark("Contact problems are written of static steps only.");
   else if (started)
@@ -54,7 +54,7 @@ void ContactProblemWriter::observe(const LoadSequence::Progress &progress, const
   started = true;
 }
 
-void ContactProblemWriter::write(const LoadSequence::Progress &progress, const LineState &after) {
+void ContactProblemWriter::write(const Progress &progress, const LineState &after) {
   const GlobalContactProblem global = global_contact_problem(model, before, after);
   if (!global.obstacle.empty())
     return remark("Contact problems are not written: " + global.obstacle + '.');

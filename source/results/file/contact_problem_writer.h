@@ -20,10 +20,10 @@ public:
   void transfer(Archive &archive) { archive(before, started); }
 
   /// @param state after an increment of the step in @p progress, or at the start
-  void observe(const LoadSequence::Progress &progress, const LineState &state);
+  void observe(const Progress &progress, const LineState &state);
 
 private:
-  void write(const LoadSequence::Progress &progress, const LineState &after);
+  void write(const Progress &progress, const LineState &after);
   void remark(const std::string &text);
 
   const Model &model;
