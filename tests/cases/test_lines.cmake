@@ -1,0 +1,78 @@
+# Tests that stand in the parameter files themselves, beside the references:
+#   # test LABEL (debug): --set "Time/Step = 0.1" --errors 1e-6
+#   # test+ --error u 1e-3        goes on with the line above
+# Both parts may be empty. What stands behind the colon are options of check_case.cc. Words of the label in
+# braces are as many tests, {newmark,event}; {1} in the options is the word taken from the first braces,
+# {2} from the second. (debug) takes the debug program, (both flavours) both. {folder} is the file's own.
+# No semicolons and square brackets, which CMake takes for its own.
+
+# One test for every choice of the words in braces, of which LABEL had LEFT_OF already.
+function(add_chosen prefix label flavour options left_of)
+  if(NOT label MATCHES "{([^{}]*)}")
+    string(STRIP "${prefix} ${label}" name)
+    separate_arguments(words UNIX_COMMAND "${options}")
+    case_test("${name}" "${flavour}" ${test_file} ${words})
+    return()
+  endif()
+  set(braces "${CMAKE_MATCH_0}")
+  string(REPLACE "," ";" choices "${CMAKE_MATCH_1}")
+  math(EXPR number "${left_of} + 1")
+  foreach(choice ${choices})
+    string(REPLACE "${braces}" "${choice}" chosen "${label}")
+    string(REPLACE "{${number}}" "${choice}" with_choice "${options}")
+    add_chosen("${prefix}" "${chosen}" "${flavour}" "${with_choice}" ${number})
+  endforeach()
+endfunction()
+
+function(add_test_line prefix line)
+  if(NOT line MATCHES "^# test([^:]*):(.*)$")
+    message(FATAL_ERROR "${test_file}: a test is '# test LABEL: OPTIONS', not '${line}'.")
+  endif()
+  set(options "${CMAKE_MATCH_2}")
+  string(STRIP "${CMAKE_MATCH_1}" label)
+  get_filename_component(folder ${test_file} DIRECTORY)
+  string(REPLACE "{folder}" "${PROJECT_SOURCE_DIR}/${folder}" options "${options}")
+  if(label MATCHES "^(.*)\\((debug|both flavours)\\)$")
+    string(STRIP "${CMAKE_MATCH_1}" label)
+    if(CMAKE_MATCH_2 STREQUAL "both flavours")
+      add_chosen("${prefix}" "${label}" "" "${options}" 0)
+    endif()
+    string(STRIP "${label} (debug)" debug_label)
+    add_chosen("${prefix}" "${debug_label}" _debug "${options}" 0)
+  else()
+    add_chosen("${prefix}" "${label}" "" "${options}" 0)
+  endif()
+endfunction()
+
+# The tests of a file, called GROUP/NAME LABEL. The file's path is from the project's folder.
+function(add_tests_of group test_file)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${test_file})
+  get_filename_component(name ${test_file} NAME)
+  string(REGEX REPLACE "[.]prm$" "" name ${name})
+  file(STRINGS ${PROJECT_SOURCE_DIR}/${test_file} lines REGEX "^# test[ +:]")
+  if(NOT lines AND test_file MATCHES "^prm/verification/")
+    message(FATAL_ERROR "${test_file} has no line '# test LABEL: OPTIONS'.")
+  endif()
+  set(line)
+  foreach(more ${lines})
+    if(more MATCHES "^# test\\+(.*)$")
+      string(APPEND line "${CMAKE_MATCH_1}")
+      continue()
+    endif()
+    if(line)
+      add_test_line("${group}/${name}" "${line}")
+    endif()
+    set(line "${more}")
+  endforeach()
+  if(line)
+    add_test_line("${group}/${name}" "${line}")
+  endif()
+endfunction()
+
+# The tests of all files of a folder. A verification without one is forgotten.
+function(add_tests_of_folder group folder)
+  file(GLOB files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*.prm)
+  foreach(file ${files})
+    add_tests_of(${group} ${file})
+  endforeach()
+endfunction()
