@@ -20,8 +20,8 @@ void shorten(Polynomial &p, const double x);
 
 /**
  * The polynomial through a function's values at Chebyshev's points of [start, start + length], in
- * the part of that interval that has gone by. @p smooth is false if the values are not those of a
- * polynomial to rounding: the interval is too long then.
+ * the part of that interval that has gone by; a column a component. @p smooth is made false if the
+ * values are not those of a polynomial to rounding: the interval is too long then.
  * @param noise of each component, what its values are uncertain by: found here where halving the
  * interval has not made the highest terms smaller. Cancellation, as in 1 - cos t at 0, makes it
  * large beside the values.

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A cell that turns with its ends: a rigid motion deforms nothing, a stretch is a stretch in any
+// direction, B is the derivative of the deformations by spins of the ends, and the geometric
+// stiffness that of B^T s.
+#include "../check.h"
+
+#include "model/cell/corotational_beam.h"
+
+#include <Eigen/Geometry>
+
+using namespace frictionbeam;
+using Beam = CorotationalBeam;
+
+namespace {
+
+const Eigen::Vector3d chord(2., 0., 0.);
+
+/// EA/l, GJ/l and EI/l of 1e3, 20, 50 (both planes), Euler and Bernoulli.
+Beam::Matrix12 stiffness() {
+  Beam::Matrix12 K = Beam::Matrix12::Zero();
+  const double l = chord.norm(), a = 1e3, t = 20., b = 50.;
+  const auto add = [&](const Eigen::Matrix<double, 12, 1> &mode, const double k) {
+    K += k * mode * mode.transpose();
+  };
+  const auto unit = [](const int i) { return Beam::Vector12(Beam::Vector12::Unit(i)); };
+  add(unit(6) - unit(0), a);
+  add(unit(9) - unit(3), t);
+  for (const auto &[u, r, sign] : {std::array<int, 3>{1, 5, 1}, std::array<int, 3>{2, 4, -1}}) {
+    const Beam::Vector12 chord_turn = sign * (unit(6 + u) - unit(u)) / l;
+    const Beam::Vector12 one = unit(r) - chord_turn, two = unit(6 + r) - chord_turn;
+    add(one - two, b);      // symmetric bending, EI/l
+    add(one + two, 3. * b); // antisymmetric, 3 EI/l
+  }
+  return K;
+}
+
+Eigen::Matrix3d turn(const Eigen::Vector3d &vector) {
+  return vector.norm() == 0.
+             ? Eigen::Matrix3d::Identity()
+             : Eigen::AngleAxisd(vector.norm(), vector.normalized()).toRotationMatrix();
+}
+
+/// Ends moved on by a translation or a spin, 12 of them.
+Beam::Ends moved(Beam::Ends ends, const Beam::Vector12 &by) {
+  ends.relative += by.segment<3>(6) - by.head<3>();
+  ends.turn[0] = turn(by.segment<3>(3)) * ends.turn[0];
+  ends.turn[1] = turn(by.segment<3>(9)) * ends.turn[1];
+  return ends;
+}
+
+} // namespace
+
+int main() {
+  const Beam beam(chord, Eigen::Matrix3d::Identity(), stiffness());
+  const Eigen::Matrix3d R = turn({0.4, -1.1, 2.});
+  const auto rigid = beam.deform({R * chord - chord, {R, R}});
+  CHECK_NEAR(rigid.d.norm(), 0., 1e-14);
+  CHECK_NEAR((rigid.axes - R).norm(), 0., 1e-14);
+  CHECK_NEAR(beam.deform({1.1 * R * chord - chord, {R, R}}).d[0], 0.2, 1e-13);
+
+  const Beam::Ends ends{{0.1, 0.5, -0.3}, {turn({0.1, 0.2, 0.3}), turn({-0.1, 0.1, 0.4})}};
+  const Beam::Deformed at = beam.deform(ends);
+  const auto turned =
+      beam.deform({R * (chord + ends.relative) - chord, {R * ends.turn[0], R * ends.turn[1]}});
+  CHECK_NEAR((turned.d - at.d).norm(), 0., 1e-14); // objective
+
+  const double h = 1e-6;
+  const auto B = beam.derivative(at, at.length);
+  const Beam::Vector7 s = beam.stiffness() * at.d;
+  for (int i = 0; i < 12; ++i) {
+    const Beam::Vector12 by = h * Beam::Vector12::Unit(i);
+    const auto after = beam.deform(moved(ends, by)), before = beam.deform(moved(ends, -by));
+    CHECK_NEAR(((after.d - before.d) / (2. * h) - B.col(i)).norm(), 0., 1e-8);
+  }
+  CHECK_NEAR((B.transpose() * s).head<3>().dot(Eigen::Vector3d::Ones()) +
+                 (B.transpose() * s).segment<3>(6).dot(Eigen::Vector3d::Ones()),
+             0., 1e-11); // forces on the ends are in equilibrium
+
+  // A straight cell under tension P: translations across feel P/l.
+  Beam::Vector7 tension = Beam::Vector7::Zero();
+  tension[0] = 7.;
+  const auto G = beam.geometric_stiffness(
+      beam.deform({Eigen::Vector3d::Zero(), {turn({0, 0, 0}), turn({0, 0, 0})}}), tension);
+  CHECK_NEAR(G(1, 1), 7. / 2., 1e-12);
+  CHECK_NEAR(G(1, 7), -7. / 2., 1e-12);
+  return check::report();
+}
