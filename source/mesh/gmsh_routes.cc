@@ -83,6 +83,7 @@ public:
   }
 
   std::vector<std::vector<double>> s;
+  const double tolerance; ///< [m]
 
 private:
   void add_repeated(const Scene &scene, const std::vector<PipePath> &paths,
@@ -105,55 +106,90 @@ private:
           s[p].push_back(from + i * placement.every);
     }
   }
-
-  const double tolerance;
 };
 
-/// One curve of gmsh.
+/// A part of a segment between two breaks of its pipe, one curve of gmsh.
 struct Piece {
-  int curve;
-  double start, length, bend_radius;
+  const PipePath::Segment *segment;
+  double start, end; ///< along the pipe [m]
   int n_cells;
-  std::optional<Point3> arc_centre; ///< of an arc in one cell
-  Vector3 bend_axis;
+  bool is_arc = false; ///< of a bend, in cells that are arcs
+  int curve = 0;       ///< its tag
+
+  double length() const { return end - start; }
+  bool bends() const { return segment->radius > 0.; }
 };
+using Pieces = std::vector<std::vector<Piece>>; ///< by pipe
 
 /// A reducer's section changes from cell to cell.
 constexpr int cells_of_reducer = 10;
-/// A piece of a bend of a smaller angle than this [rad] is as well a straight cell, to its square/6:
-/// 2e-9, where rounding leaves the arc no more digits.
+/// A piece of a bend of a smaller angle than this [rad] is as well a straight cell, to its
+/// square/6: 2e-9, where rounding leaves the arc no more digits.
 constexpr double smallest_arc = 1e-4;
 /// Each cell feels the wind across its chord: arcs of this angle [rad] miss 1e-4 of it.
 constexpr double longest_arc_in_wind = 0.03;
 
-int cells_of_piece(const MeshSettings &settings, const PipePath::Segment &segment,
-                   const double length) {
-  const double cells = segment.radius > 0.
-                           ? settings.cells_per_bend * length / segment.radius / (numbers::PI / 2.)
-                       : settings.cell_length > 0. ? length / settings.cell_length
+int straight_cells(const MeshSettings &settings, const Piece &piece) {
+  const double cells = piece.bends() ? settings.cells_per_bend * piece.length() /
+                                           piece.segment->radius / (numbers::PI / 2.)
+                       : settings.cell_length > 0. ? piece.length() / settings.cell_length
                                                    : 1.;
   return whole(cells);
 }
 
-} // namespace
+class PiecePlan {
+public:
+  explicit PiecePlan(const Scene &scene)
+      : scene(scene),
+        windy(std::any_of(scene.loads.begin(), scene.loads.end(),
+                          [](const Load &load) { return load.kind == Load::Kind::wind; })) {}
 
-LineMesh mesh_routes(const Scene &scene) {
-  std::vector<PipePath> paths;
-  for (const Pipe &pipe : scene.pipes)
-    paths.emplace_back(pipe, scene.units);
-  if (paths.empty())
-    return {};
-  const double tolerance = 1e-7 * extent(paths);
-  const PipeJunctions junctions(scene, paths, tolerance);
-  const Breaks breaks(scene, paths, junctions, tolerance);
+  Pieces pieces(const std::vector<PipePath> &paths, const Breaks &breaks) const {
+    Pieces result(paths.size());
+    for (unsigned int p = 0; p < paths.size(); ++p) {
+      auto segment = paths[p].segments().begin();
+      for (unsigned int i = 0; i + 1 < breaks.s[p].size(); ++i) {
+        const double begin = breaks.s[p][i], end = breaks.s[p][i + 1];
+        while (begin >= segment->start + segment->length - breaks.tolerance &&
+               segment + 1 != paths[p].segments().end())
+          ++segment;
+        Piece piece{&*segment, begin, end, 0};
+        divide(piece, scene.pipes[p].end_section.has_value());
+        result[p].push_back(piece);
+      }
+    }
+    return result;
+  }
 
-  const GmshSession session;
-  gmsh::model::add(scene.name);
+private:
+  void divide(Piece &piece, const bool is_reducer) const {
+    piece.n_cells = straight_cells(scene.mesh, piece);
+    if (is_reducer)
+      piece.n_cells = std::max(piece.n_cells, cells_of_reducer);
+    if (!scene.mesh.arcs || !piece.bends())
+      return;
+    const double radius = piece.segment->radius;
+    double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length();
+    if (windy)
+      longest = std::min(longest, longest_arc_in_wind * radius);
+    const int n = whole(piece.length() / longest);
+    if (piece.length() > n * smallest_arc * radius) {
+      piece.n_cells = n;
+      piece.is_arc = true;
+    }
+  }
+
+  const Scene &scene;
+  const bool windy;
+};
+
+/// Have gmsh draw and mesh the curves; pipes have the nodes of junctions in common, and no others.
+void mesh_curves(const std::vector<PipePath> &paths, const PipeJunctions &junctions,
+                 Pieces &pieces) {
   const auto add_point = [](const Point3 &p) {
     return gmsh::model::geo::addPoint(p[0], p[1], p[2]);
   };
   std::vector<int> tag_of_node(junctions.n_nodes(), 0);
-  // Only the nodes of the junctions are common to several pipes.
   const auto point_at = [&](const unsigned int pipe, const double s) {
     const std::optional<unsigned int> node = junctions.node(pipe, s);
     if (!node)
@@ -163,40 +199,15 @@ LineMesh mesh_routes(const Scene &scene) {
       tag = add_point(paths[pipe].point(s));
     return tag;
   };
-
-  const bool windy = std::any_of(scene.loads.begin(), scene.loads.end(),
-                                 [](const Load &load) { return load.kind == Load::Kind::wind; });
-  std::vector<std::vector<Piece>> pieces(paths.size());
   for (unsigned int p = 0; p < paths.size(); ++p) {
-    auto segment = paths[p].segments().begin();
     int last = point_at(p, 0.);
-    for (unsigned int i = 0; i + 1 < breaks.s[p].size(); ++i) {
-      const double begin = breaks.s[p][i], end = breaks.s[p][i + 1];
-      while (begin >= segment->start + segment->length - tolerance &&
-             segment + 1 != paths[p].segments().end())
-        ++segment;
-      Piece piece{0, begin, end - begin, segment->radius, 0, {}, {}};
-      if (segment->radius > 0.)
-        piece.bend_axis = cross_product_3d(segment->first_tangent, segment->inward);
-      piece.n_cells = cells_of_piece(scene.mesh, *segment, piece.length);
-      if (scene.pipes[p].end_section)
-        piece.n_cells = std::max(piece.n_cells, cells_of_reducer);
-      if (scene.mesh.arcs && segment->radius > 0.) {
-        double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length;
-        if (windy)
-          longest = std::min(longest, longest_arc_in_wind * segment->radius);
-        const int n = whole(piece.length / longest);
-        if (piece.length > n * smallest_arc * segment->radius) {
-          piece.n_cells = n;
-          piece.arc_centre = segment->centre;
-        }
-      }
+    for (Piece &piece : pieces[p]) {
       const int first = last;
-      last = point_at(p, end);
-      piece.curve = segment->radius > 0.
-                        ? gmsh::model::geo::addCircleArc(first, add_point(segment->centre), last)
-                        : gmsh::model::geo::addLine(first, last);
-      pieces[p].push_back(piece);
+      last = point_at(p, piece.end);
+      piece.curve =
+          piece.bends()
+              ? gmsh::model::geo::addCircleArc(first, add_point(piece.segment->centre), last)
+              : gmsh::model::geo::addLine(first, last);
     }
   }
   gmsh::model::geo::synchronize();
@@ -204,52 +215,65 @@ LineMesh mesh_routes(const Scene &scene) {
     for (const Piece &piece : pipe)
       gmsh::model::mesh::setTransfiniteCurve(piece.curve, piece.n_cells + 1);
   gmsh::model::mesh::generate(1);
+}
 
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates, unused;
-  gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
-  std::unordered_map<std::size_t, unsigned int> place;
-  place.reserve(tags.size());
-  for (std::size_t i = 0; i < tags.size(); ++i)
-    place[tags[i]] = i;
+/// Takes gmsh's nodes for vertices, in the order in which pipes reach them.
+class Vertices {
+public:
+  explicit Vertices(std::vector<Point3> &vertices) : vertices(vertices) {
+    std::vector<std::size_t> tags;
+    std::vector<double> unused;
+    gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
+    place.reserve(tags.size());
+    for (std::size_t i = 0; i < tags.size(); ++i)
+      place[tags[i]] = i;
+    number.resize(tags.size(), numbers::invalid_unsigned_int); // a bend's centre stays without
+  }
 
-  LineMesh mesh;
-  std::vector<unsigned int> vertex(tags.size(), numbers::invalid_unsigned_int);
-  const auto vertex_of = [&](const std::size_t tag) {
-    unsigned int &v = vertex[place.at(tag)];
-    if (v == numbers::invalid_unsigned_int) { // a bend's centre stays without
-      v = mesh.vertices.size();
-      const double *const x = &coordinates[3 * place.at(tag)];
-      mesh.vertices.emplace_back(x[0], x[1], x[2]);
+  unsigned int operator()(const std::size_t tag) {
+    const std::size_t i = place.at(tag);
+    if (number[i] == numbers::invalid_unsigned_int) {
+      number[i] = vertices.size();
+      const double *const x = &coordinates[3 * i];
+      vertices.emplace_back(x[0], x[1], x[2]);
     }
-    return v;
-  };
-  mesh.pipes.resize(paths.size());
-  for (unsigned int p = 0; p < paths.size(); ++p)
-    for (const Piece &piece : pieces[p]) {
-      std::vector<int> types;
-      std::vector<std::vector<std::size_t>> elements, nodes;
-      gmsh::model::mesh::getElements(types, elements, nodes, 1, piece.curve);
-      AssertThrow(nodes.size() == 1 && nodes[0].size() == 2u * piece.n_cells,
-                  ExcMessage("gmsh did not mesh a curve as it was told."));
-      MeshedPipe &pipe = mesh.pipes[p];
-      if (pipe.vertices.empty()) {
-        pipe.vertices.push_back(vertex_of(nodes[0][0]));
-        pipe.s.push_back(piece.start);
-      }
-      for (int i = 0; i < piece.n_cells; ++i) {
-        AssertThrow(vertex_of(nodes[0][2 * i]) == pipe.vertices.back(),
-                    ExcMessage("gmsh did not list the cells of a curve in its direction."));
-        pipe.vertices.push_back(vertex_of(nodes[0][2 * i + 1]));
-        pipe.s.push_back(piece.start + (i + 1) * piece.length / piece.n_cells);
-        if (piece.bend_radius > 0.)
-          pipe.bend_axis[pipe.bend_radius.size()] = piece.bend_axis;
-        if (piece.arc_centre)
-          pipe.arc_centre[pipe.bend_radius.size()] = *piece.arc_centre;
-        pipe.bend_radius.push_back(piece.bend_radius);
-      }
-    }
+    return number[i];
+  }
 
+private:
+  std::vector<Point3> &vertices;
+  std::vector<double> coordinates;
+  std::unordered_map<std::size_t, std::size_t> place;
+  std::vector<unsigned int> number;
+};
+
+void append_cells(const Piece &piece, Vertices &vertex_of, MeshedPipe &pipe) {
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> elements, nodes;
+  gmsh::model::mesh::getElements(types, elements, nodes, 1, piece.curve);
+  AssertThrow(nodes.size() == 1 && nodes[0].size() == 2u * piece.n_cells,
+              ExcMessage("gmsh did not mesh a curve as it was told."));
+  if (pipe.vertices.empty()) {
+    pipe.vertices.push_back(vertex_of(nodes[0][0]));
+    pipe.s.push_back(piece.start);
+  }
+  const PipePath::Segment &segment = *piece.segment;
+  for (int i = 0; i < piece.n_cells; ++i) {
+    AssertThrow(vertex_of(nodes[0][2 * i]) == pipe.vertices.back(),
+                ExcMessage("gmsh did not list the cells of a curve in its direction."));
+    pipe.vertices.push_back(vertex_of(nodes[0][2 * i + 1]));
+    pipe.s.push_back(piece.start + (i + 1) * piece.length() / piece.n_cells);
+    if (piece.bends())
+      pipe.bend_axis[pipe.bend_radius.size()] =
+          cross_product_3d(segment.first_tangent, segment.inward);
+    if (piece.is_arc)
+      pipe.arc_centre[pipe.bend_radius.size()] = segment.centre;
+    pipe.bend_radius.push_back(segment.radius);
+  }
+}
+
+void find_points(const Scene &scene, const std::vector<PipePath> &paths,
+                 const PipeJunctions &junctions, const double tolerance, LineMesh &mesh) {
   const auto vertex_at = [&](const unsigned int p, const double s) {
     const auto &list = mesh.pipes[p].s;
     return mesh.pipes[p]
@@ -272,6 +296,30 @@ LineMesh mesh_routes(const Scene &scene) {
   for (const NamedPoint &point : scene.points)
     if (const auto place = junctions.place(point.name))
       mesh.points[point.name] = vertex_at(place->pipe, place->s);
+}
+
+} // namespace
+
+LineMesh mesh_routes(const Scene &scene) {
+  std::vector<PipePath> paths;
+  for (const Pipe &pipe : scene.pipes)
+    paths.emplace_back(pipe, scene.units);
+  if (paths.empty())
+    return {};
+  const double tolerance = 1e-7 * extent(paths);
+  const PipeJunctions junctions(scene, paths, tolerance);
+  Pieces pieces = PiecePlan(scene).pieces(paths, Breaks(scene, paths, junctions, tolerance));
+
+  const GmshSession session;
+  gmsh::model::add(scene.name);
+  mesh_curves(paths, junctions, pieces);
+  LineMesh mesh;
+  mesh.pipes.resize(paths.size());
+  Vertices vertex_of(mesh.vertices);
+  for (unsigned int p = 0; p < paths.size(); ++p)
+    for (const Piece &piece : pieces[p])
+      append_cells(piece, vertex_of, mesh.pipes[p]);
+  find_points(scene, paths, junctions, tolerance, mesh);
   mesh.remarks = junctions.remarks();
   return mesh;
 }
