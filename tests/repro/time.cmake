@@ -96,3 +96,8 @@ if(PYTHON3)
     --seeds 1,3,4,8,12,14,16 --demanded 1e-2 --jobs 1)
   set_tests_properties("repro/random lines, Accuracy" PROPERTIES TIMEOUT 300)
 endif()
+# What rests when the first step begins is not struck, and pressed from its first instant.
+foreach(integrator ${integrators} event)
+  repro("rest from the start, ${integrator}" rest_from_start --set "Time/Integrator = ${integrator}"
+    --errors 1e-10 --expect "Rigid supports were struck: dropped.")
+endforeach()

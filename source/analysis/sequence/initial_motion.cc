@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/sequence/load_sequence.h"
 
+#include "analysis/increment/contact_watch.h"
+#include "analysis/increment/time_step.h"
+#include "analysis/march/integrator_library.h"
+#include "analysis/time/moreau_jean.h"
+
 #include <algorithm>
 
 namespace frictionbeam {
@@ -38,6 +43,58 @@ void LoadSequence::set_initial_motion(const bool displaced) {
             current.velocity[term.unknown] = velocity[c];
           }
     }
+  }
+}
+
+void LoadSequence::press_at_start() {
+  using Integrator = TimeSettings::Integrator;
+  constexpr double instant = 1e-3, touches = 1e-12; // of a time step; of the contact's length
+  if (model.scene.steps.empty())
+    return;
+  const LoadStep &first = model.scene.steps.front();
+  const Integrator by = model.scene.time.integrator;
+  const bool by_impulses = model.scene.solver.method == SolverSettings::Method::exact ||
+                           (by != Integrator::newmark && by != Integrator::generalized_alpha);
+  if (!first.transient || !by_impulses)
+    return;
+  Factors target(model.scene.loads.size(), 0.);
+  for (const auto &[load, factor] : first.loads)
+    target[load] += factor;
+  course.begin_step(0, declared, target, 0., first.ramp);
+  LineState before = current, after;
+  before.load_factors = course.factors_after(0.);
+  course.set_rates(before, LoadCourse::Side::after);
+  std::vector<unsigned int> touching;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (!is_rigid_stop(model, contact))
+      continue;
+    FrictionThreshold law{};
+    contact.law->threshold(contact.parameters->data(), law);
+    if (contact.length * before.contacts.strain[i][0] + law.gap > touches * contact.length)
+      continue;
+    double rate = 0.;
+    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+      rate += before.velocity[contact.unknowns[j]] * contact.B_reduced(0, j);
+    if (rate < 0.)
+      return; // an impact, whose force is no number
+    touching.push_back(i);
+  }
+  if (touching.empty())
+    return;
+  std::unique_ptr<TimeIntegrator> integrator;
+  if (by == Integrator::event)
+    integrator = std::make_unique<MoreauJean>(model);
+  else
+    integrator = make_time_integrator(model, {});
+  integrator->start(before, course);
+  if (!integrator->advance(before, course, instant * time_step(model), after).result.converged)
+    return;
+  for (const unsigned int i : touching) {
+    current.contact_stress[i] = after.contact_stress[i];
+    current.contact_status[i] = after.contact_status[i];
+    if (after.contact_status[i] != before.contact_status[i])
+      current.events.push_back({0., i, after.contact_status[i]});
   }
 }
 

@@ -49,6 +49,7 @@ void LoadSequence::initialize() {
   expand();
   model.contacts.evaluate(current.dofs, current.contacts, 0., 0., LawTangent::none, response);
   commit(declared, 0.);
+  press_at_start();
 }
 
 void LoadSequence::commit(const Factors &factors, const double time) {

@@ -78,6 +78,9 @@ private:
   void measure_forces(const Vector &loads);
   /// Of the sections Initial. @param displaced or velocities only
   void set_initial_motion(const bool displaced);
+  /// Where the first step is transient: forces at time 0 of rigid contacts that touch and do not
+  /// approach, which press from the first instant and are not struck.
+  void press_at_start();
   void commit(const Factors &factors, const double time);
 
   const Model &model;
