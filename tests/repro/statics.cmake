@@ -3,6 +3,7 @@
 # A support on a point obeys its Normal and its Length, wherever that point is.
 repro("ground_normal" ground_normal --errors 1e-9 --expect "beside its Ground G")
 repro("force_at_point" force_at_point --errors 1e-6)
+repro("force_of_pair" force_of_pair --errors 1e-9)
 repro("ground_length" ground_length --errors 1e-9)
 repro("ground_arm" ground_arm --errors 1e-9 --expect "by a rigid arm")
 

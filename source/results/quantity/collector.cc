@@ -106,9 +106,9 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
   for (unsigned int i = 0; i < results.restraints.size(); ++i)
     if (results.restraints[i].name == quantity.where)
       return now.reactions[i][component];
-  for (unsigned int i = 0; i < results.supports.size(); ++i)
-    if (results.supports[i].name == quantity.where)
-      return force_of_support(builder, results, i, state, component);
+  if (const auto force =
+          force_of_supports(builder, results, quantity.where, state, component))
+    return *force;
   const auto point = model.mesh.points.find(quantity.where);
   if (point == model.mesh.points.end())
     throw UserError("Quantity " + quantity.name +
@@ -143,9 +143,9 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
     value = value_of_supports(results.supports, current_frame(state).supports, what);
   else {
     bool found = false;
-    for (unsigned int i = 0; i < results.supports.size() && !found; ++i)
-      if (results.supports[i].name == quantity.where) {
-        value = support_value(builder.support_state(state, i), what);
+    for (unsigned int i = 0; i < results.supports.size(); ++i)
+      if (is_part_of(results.supports[i], quantity.where)) {
+        value += support_value(builder.support_state(state, i), what);
         found = true;
       }
     if (!found)
@@ -233,7 +233,7 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
            results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.))
         value += made.reactions[i][c];
     for (unsigned int i = 0; i < results.supports.size(); ++i)
-      if (results.supports[i].name == quantity.where ||
+      if (is_part_of(results.supports[i], quantity.where) ||
           (point != model.mesh.points.end() && model.contacts[i].vertices[0] == point->second)) {
         const SupportState &s = made.supports[i];
         const SupportInfo &info = results.supports[i];
@@ -244,8 +244,8 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
     value = value_of_supports(results.supports, made.supports, what);
   else
     for (unsigned int i = 0; i < results.supports.size(); ++i)
-      if (results.supports[i].name == quantity.where)
-        value = support_value(made.supports[i], what);
+      if (is_part_of(results.supports[i], quantity.where))
+        value += support_value(made.supports[i], what);
   return quantity.scale * (quantity.absolute ? std::abs(value) : value);
 }
 

@@ -3,12 +3,13 @@
 
 #include "analysis/increment/contact_watch.h"
 #include "base/user_error.h"
+#include "results/quantity/point_forces.h"
 
 #include <algorithm>
 
 namespace frictionbeam {
 
-bool is_extreme_of_force(const Quantity &quantity, const std::string &support) {
+bool is_extreme_of_force(const Quantity &quantity, const SupportInfo &support) {
   const std::vector<std::string> of_support = {"fn", "ft1", "ft2", "fx", "fy", "fz"},
                                  of_all = {"sum_normal", "sum_friction"};
   const auto is_one_of = [&](const std::vector<std::string> &words) {
@@ -17,7 +18,7 @@ bool is_extreme_of_force(const Quantity &quantity, const std::string &support) {
   const bool is_extreme =
       quantity.over == Quantity::Over::maximum ||
       (quantity.over == Quantity::Over::minimum && !quantity.absolute && quantity.what != "fn");
-  return is_extreme && ((quantity.where == support && is_one_of(of_support)) || is_one_of(of_all));
+  return is_extreme && ((is_part_of(support, quantity.where) && is_one_of(of_support)) || is_one_of(of_all));
 }
 
 std::string remark_on_impact(const Quantity &quantity) {
@@ -43,7 +44,7 @@ void Collector::watch_impacts(const bool transient, const LineState &state) {
       for (unsigned int q = 0; q < pending.size(); ++q)
         if (const Quantity &quantity = model.scene.quantities[q];
             state.time >= quantity.from && previous_time <= quantity.to &&
-            is_extreme_of_force(quantity, results.supports[i].name))
+            is_extreme_of_force(quantity, results.supports[i]))
           pending[q].struck = true;
     }
   previous_status = state.contact_status;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "results/results.h"
 #include "scene/scene.h"
 
 namespace frictionbeam {
 
 /// Whether a quantity is an extreme in time of a force of this support, or of all of them.
-bool is_extreme_of_force(const Quantity &quantity, const std::string &support);
+bool is_extreme_of_force(const Quantity &quantity, const SupportInfo &support);
 
 /**
  * What the user should know about an extreme of a force of a rigid support that was struck: an

@@ -3,11 +3,32 @@
 
 namespace frictionbeam {
 
+bool is_part_of(const SupportInfo &support, const std::string &where) {
+  if (support.name == where)
+    return true;
+  if (support.kind != "guide" && support.kind != "line stop" && support.kind != "stop")
+    return false;
+  for (const std::string half : {".plus", ".minus"})
+    if (const auto at = support.name.rfind(half); at != std::string::npos)
+      return support.name.substr(0, at) + support.name.substr(at + half.size()) == where;
+  return false;
+}
+
 double force_of_support(const FrameBuilder &builder, const Results &results, const unsigned int i,
                         const LineState &state, const unsigned int component) {
   return component < 3
              ? builder.support_force(state, i)[component]
              : builder.support_state(state, i).mt * results.supports[i].normal[component - 3];
+}
+
+std::optional<double> force_of_supports(const FrameBuilder &builder, const Results &results,
+                                        const std::string &name, const LineState &state,
+                                        const unsigned int component) {
+  std::optional<double> force;
+  for (unsigned int i = 0; i < results.supports.size(); ++i)
+    if (is_part_of(results.supports[i], name))
+      force = force.value_or(0.) + force_of_support(builder, results, i, state, component);
+  return force;
 }
 
 double force_at_point(const Model &model, const FrameBuilder &builder, const Results &results,

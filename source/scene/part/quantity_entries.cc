@@ -37,10 +37,23 @@ bool is_repeated(const std::string &where, const std::vector<std::string> &suppo
          contains(supports, where.substr(0, dot));
 }
 
+/// Guides, line stops and stops that are a pair of friction elements.
+std::vector<std::string> pairs_of(const std::vector<FrictionSupport> &supports) {
+  const std::string half = ".plus";
+  std::vector<std::string> pairs;
+  for (const FrictionSupport &support : supports)
+    if (const auto end = support.name.size() - std::min(half.size(), support.name.size());
+        (support.kind == "guide" || support.kind == "line stop" || support.kind == "stop") &&
+        support.name.substr(end) == half)
+      pairs.push_back(support.name.substr(0, end));
+  return pairs;
+}
+
 void check_where(const ParameterReader &in, const Quantity &quantity, Scene &scene) {
-  const std::vector<std::string> supports = names(scene.supports);
+  const std::vector<std::string> supports = names(scene.supports),
+                                 pairs = pairs_of(scene.supports);
   const std::vector<std::string> holders =
-      supports + names(scene.restraints) + names(scene.springs);
+      supports + pairs + names(scene.restraints) + names(scene.springs);
   const std::string &what = quantity.what, &where = quantity.where;
   const std::string entry = quantity.name;
   if (what == "frequency") {
@@ -67,6 +80,18 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
     else
       in.find(entry, where, point_names(scene) + holders, "point, support or spring");
   } else if (contains(contact, what) || contains(changes, what)) {
+    const bool is_one = contains(pairs, where), is_pair = is_one || is_repeated(where, pairs);
+    if (is_pair && (what == "work" || what == "wear"))
+      return;
+    const auto number = is_one ? where.size() : where.rfind('.');
+    if (is_pair)
+      in.fail(entry,
+              "work, wear and fx to mz at a support whose two halves, .plus and .minus, are friction "
+              "elements of their own; " +
+                  what + " of either half",
+              "'" + what + " at " + where.substr(0, number) + ".plus" + where.substr(number) +
+                  "', or 'fx at " + where + "'",
+              "'" + what + " at " + where + "'");
     if (!is_repeated(where, supports))
       in.find(entry, where, supports, "friction support");
   } else if (contains(of_motion, what)) {
