@@ -65,7 +65,7 @@ struct LawInput {
   double length;              ///< length of the element [m]
   double time;                ///< at the end of the increment [s]
   double time_increment;      ///< [s]
-  double temperature;         ///< [degC]
+  double temperature;         ///< of the support's pipe, at the end of the increment [degC]
   const double *old_state;    ///< internal variables at the start of the increment; zero at first
   LawTangent tangent;         ///< which tangent to write
 };

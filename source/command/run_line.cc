@@ -156,8 +156,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
       results.remarks.push_back(warning);
   std::set<std::string> without_threshold;
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
-    if (model.contacts[i].law->threshold == nullptr)
-      without_threshold.insert(model.contacts[i].law->name);
+    if (!model.contacts[i].law.has_closed_form())
+      without_threshold.insert(model.contacts[i].law.name());
   if (scene.solver.method == SolverSettings::Method::exact)
     for (const std::string &law : without_threshold)
       results.remarks.push_back("The law '" + law +

@@ -20,6 +20,12 @@ std::string length_text(const Scene &scene, const double length) {
   return rounded_number(length / scene.units.factor("m"), 3) + " " + scene.units.name("m");
 }
 
+/// By the scene's parameters: the model may have others (make_rigid_contacts_finite()).
+bool is_rigid_in_scene(const Scene &scene, const Contact &contact) {
+  return BoundLaw(contact.law.description(), scene.supports[contact.support].parameters)
+      .is_rigid_along_normal();
+}
+
 void add_effect_of_rigidity(const Model &model, Results &results) {
   constexpr double worth_a_remark = 1e-6;
   double deepest = 0., force = 0.;
@@ -28,8 +34,8 @@ void add_effect_of_rigidity(const Model &model, Results &results) {
     for (unsigned int i = 0; i < model.contacts.size() && i < frame.supports.size(); ++i) {
       const Contact &contact = model.contacts[i];
       const SupportState &state = frame.supports[i];
-      if (is_rigid(model.scene.supports[contact.support], *contact.law) &&
-          contact.platen_force == 0. && -state.gap > deepest && state.fn > 0.) {
+      if (is_rigid_in_scene(model.scene, contact) && contact.platen_force == 0. &&
+          -state.gap > deepest && state.fn > 0.) {
         deepest = -state.gap;
         force = state.fn;
         where = results.supports[i].name;

@@ -165,24 +165,9 @@ struct Resists {
 /// What a support resists in a static step: its law, pressed and sheared, answers with a force.
 Resists resists(const Contact &contact) {
   const double e = 1e-6;
-  const double base = -1. - e;
-  const double strain[n_support_strains] = {base, e, 0., 0.}, rate[n_support_strains] = {};
-  double stress[n_support_strains];
-  const double displacement[3] = {base * contact.length, e * contact.length, 0.};
-  std::vector<double> zero(contact.law->n_internal_variables + 1, 0.), state(zero);
-  const LawInput input{contact.parameters->data(),
-                       strain,
-                       rate,
-                       displacement,
-                       contact.length,
-                       0.,
-                       0.,
-                       20.,
-                       zero.data(),
-                       LawTangent::none};
-  LawOutput output{stress, nullptr, state.data(), 0., ContactStatus::none};
-  contact.law->law->integrate(input, output);
-  return {stress[0] != 0., stress[1] != 0.};
+  const BoundLaw::Answer answer = contact.law.answer_at_rest(
+      {-1. - e, e, 0., 0.}, contact.length, LawTangent::none, contact.installation_temperature);
+  return {answer.stress[0] != 0., answer.stress[1] != 0.};
 }
 
 } // namespace

@@ -295,7 +295,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   in.set_units(scene.units);
   load_laws(in, laws);
   parts::parse_global(in, scene);
-  const double installation_temperature = in.number("Installation temperature");
+  scene.installation_temperature = in.number("Installation temperature");
   if (kind != nullptr &&
       (in.given("Free motions") || in.given("Installation temperature") || in.given("Units")))
     in.fail_section("'Free motions', 'Installation temperature' or 'Units'",
@@ -303,7 +303,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
                     "removing the entry");
   read_settings(in, scene);
   if (kind == nullptr)
-    read_parts(in, laws, installation_temperature, scene);
+    read_parts(in, laws, scene.installation_temperature, scene);
   else {
     in.enter(kind->section);
     kind->declare(in, laws);

@@ -320,6 +320,8 @@ struct Scene {
   std::optional<ExactHistory> exact;
   std::array<bool, 6> free_motions{{true, true, true, true, true, true}}; ///< of pipe nodes
 
+  double installation_temperature = 20.; ///< of all that no load heats [degC]
+
   UnitSystem units; ///< of the file, and of what is shown
   ModalSettings modal;
   std::vector<Spectrum> spectra;

@@ -62,31 +62,17 @@ ContactNewton::ContactNewton(const SolverSettings &settings, const Contacts &con
 }
 
 void ContactNewton::begin(const Vector &forces, const double largest, const double so_far,
-                          const Vector &dofs, const ContactState &state, const double t,
-                          const double dt) {
+                          const Vector &dofs, const ContactState &state,
+                          const ContactIncrement &of_time) {
   loads = line.condense(forces);
   largest_load = largest;
   force_so_far = so_far;
   is_barred = false;
   committed = &state;
-  time = t;
-  time_increment = dt;
+  increment = of_time;
   start_displacement = dofs.size() > 0 ? dofs.lpNorm<Eigen::Infinity>() : 0.;
   for (unsigned int i = 0; i < contacts.size(); ++i)
     start_strain[i] = contacts[i].strain(dofs);
-}
-
-Contact::Strains ContactNewton::strain_of(const unsigned int i, const Vector &motion) const {
-  Contact::Strains strain = Contact::Strains::Zero();
-  for (unsigned int j = 0; j < places[i].unknowns.size(); ++j)
-    strain += motion[places[i].unknowns[j]] * contacts[i].B_reduced.col(j);
-  return strain;
-}
-
-void ContactNewton::add_to_forces(const unsigned int i, const Contact::Strains &stress,
-                                  Vector &forces) const {
-  for (unsigned int j = 0; j < places[i].unknowns.size(); ++j)
-    forces[places[i].unknowns[j]] -= contacts[i].weight * contacts[i].B_reduced.col(j).dot(stress);
 }
 
 Vector ContactNewton::evaluate(const Vector &x, ContactResponse &response) {
@@ -94,14 +80,14 @@ Vector ContactNewton::evaluate(const Vector &x, ContactResponse &response) {
   for (unsigned int i = 0; i < contacts.size(); ++i)
     response.state.strain[i] = start_strain[i] + strain_of(i, x);
   largest_displacement = start_displacement + (x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.);
-  proximal.evaluate(*committed, time, time_increment, LawTangent::consistent, response);
+  proximal.evaluate(*committed, increment, LawTangent::consistent, response);
   return forces_left(x, response);
 }
 
 Vector ContactNewton::forces_left(const Vector &x, const ContactResponse &response) const {
   Vector forces = loads - S * x;
   for (unsigned int i = 0; i < contacts.size(); ++i)
-    add_to_forces(i, response.stress[i], forces);
+    subtract_force(i, response.stress[i], forces);
   return forces;
 }
 
@@ -109,16 +95,14 @@ bool ContactNewton::balanced(const Vector &forces, const Vector &x, const Contac
                              EquilibriumResult &result) {
   double largest = largest_load;
   for (unsigned int i = 0; i < contacts.size(); ++i)
-    largest = std::max(largest, contacts[i].weight / contacts[i].length *
-                                    response.stress[i].lpNorm<Eigen::Infinity>());
+    largest = std::max(largest, contacts[i].largest_force(response.stress[i]));
   const double size = forces.size() > 0 ? forces.lpNorm<Eigen::Infinity>() : 0.;
   result.residual = largest > 0. ? size / largest : size;
   double stiffest = x.size() > 0 ? diagonal.cwiseProduct(x).lpNorm<Eigen::Infinity>() : 0.;
   for (unsigned int i = 0; i < contacts.size(); ++i)
     if (!proximal.is_exact(i)) // its force is as inexact as the displacement that makes it
-      stiffest =
-          std::max(stiffest, contacts[i].weight / contacts[i].length *
-                                 std::abs(response.tangent[i](0, 0) * response.state.strain[i][0]));
+      stiffest = std::max(stiffest, contacts[i].share() * std::abs(response.tangent[i](0, 0) *
+                                                                   response.state.strain[i][0]));
   force_left = size;
   largest_force = std::max(largest, force_so_far);
   rounding = 8. * std::numeric_limits<double>::epsilon() * stiffest;
@@ -144,7 +128,7 @@ double ContactNewton::energy_together(const Vector &x, const ContactResponse &re
       const Contact::Strains difference = response.stress[i] - stress;
       misfit += contacts[i].weight * difference.cwiseProduct(difference).cwiseProduct(scale).sum();
     }
-    add_to_forces(i, stress, forces);
+    subtract_force(i, stress, forces);
   }
   return energy(forces) + misfit;
 }

@@ -25,8 +25,7 @@ public:
    * @param dofs all displacements at q
    */
   void begin(const Vector &forces, const double largest_load, const double force_so_far,
-             const Vector &dofs, const ContactState &committed, const double time,
-             const double time_increment);
+             const Vector &dofs, const ContactState &committed, const ContactIncrement &increment);
 
   /// Newton's method on the contacts around a fixed centre, with a line search.
   Outcome solve_proximal(Vector &x, ContactResponse &response, EquilibriumResult &result);
@@ -60,8 +59,12 @@ private:
   Vector forces_left(const Vector &x, const ContactResponse &response) const;
   bool balanced(const Vector &forces, const Vector &x, const ContactResponse &response,
                 EquilibriumResult &result);
-  Contact::Strains strain_of(const unsigned int i, const Vector &motion) const;
-  void add_to_forces(const unsigned int i, const Contact::Strains &stress, Vector &forces) const;
+  Contact::Strains strain_of(const unsigned int i, const Vector &motion) const {
+    return contacts[i].strain_by_unknowns(motion, places[i].unknowns);
+  }
+  void subtract_force(const unsigned int i, const Contact::Strains &stress, Vector &forces) const {
+    contacts[i].add_to(forces, stress, -1., places[i].unknowns);
+  }
   double energy(const Vector &forces) const;
   double energy_together(const Vector &x, const ContactResponse &response) const;
 
@@ -102,7 +105,7 @@ private:
   std::vector<Contact::Strains> start_strain;
   double start_displacement = 0., largest_displacement = 0.;
   const ContactState *committed = nullptr;
-  double time = 0., time_increment = 0.;
+  ContactIncrement increment;
 };
 
 } // namespace frictionbeam

@@ -54,8 +54,7 @@ double Residual::largest_force(const ContactResponse &response) const {
   double largest =
       std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>());
   for (unsigned int i = 0; i < contacts.size(); ++i)
-    largest = std::max(largest, contacts[i].weight / contacts[i].length *
-                                    response.stress[i].lpNorm<Eigen::Infinity>());
+    largest = std::max(largest, contacts[i].largest_force(response.stress[i]));
   return largest;
 }
 

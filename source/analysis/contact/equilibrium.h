@@ -17,7 +17,7 @@ struct EquilibriumProblem {
   const SparseMatrix &matrix;
   Vector right_hand_side;
   Vector imposed; ///< on all degrees of freedom
-  double time = 0., time_increment = 0.;
+  ContactIncrement increment;
   const ContactOverrides *overrides = nullptr; ///< of exact contacts
   double largest_force = 0.; ///< to measure residuals by, beside those of the problem itself
   /// right_hand_side - matrix (unknowns + low), where the caller knows it in a cheaper way. Of the

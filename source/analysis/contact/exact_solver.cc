@@ -51,7 +51,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     double residual;
   };
   std::optional<Accepted> accepted; // by the tolerance, before something is tried that may fail
-  const bool is_static = problem.time_increment == 0.;
+  const bool is_static = problem.increment.length == 0.;
   unsigned int n_releases = 0;
   bool is_corrected = false;
   for (unsigned int pass = 0; pass <= most_refinements; ++pass) {
@@ -60,13 +60,13 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     const Vector forces = unbalanced_forces(problem, unknowns, low);
     newton.begin(forces,
                  std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
-                 problem.force_so_far, dofs, committed, problem.time, problem.time_increment);
+                 problem.force_so_far, dofs, committed, problem.increment);
     Vector x = Vector::Zero(line.n_kept());
     Outcome outcome = accepted ? newton.solve_together(most_to_finish, x, response, result)
                                : solve_contacts(x, response, result);
     if (outcome == Outcome::stalled && !accepted && !gives_up(result))
       outcome = solve_from_elsewhere(
-          problem.time_increment > 0. ? most_restarts_in_motion : most_restarts, x, response,
+          problem.increment.length > 0. ? most_restarts_in_motion : most_restarts, x, response,
           result); // in motion, a shorter step helps as well
     if (outcome != Outcome::solved && accepted)
       break;
@@ -136,7 +136,7 @@ bool ExactSolver::judge(const ContactResponse &response, EquilibriumResult &resu
 
 double ExactSolver::force_in_common(const Pair &pair, const ContactResponse &response) const {
   const auto force = [&](const unsigned int i) {
-    return -contacts[i].weight / contacts[i].length * response.stress[i][0];
+    return -contacts[i].share() * response.stress[i][0];
   };
   const auto [less, more] = std::minmax({force(pair[0]), force(pair[1])});
   return less > in_common_least * more ? less : 0.;

@@ -8,7 +8,7 @@ namespace frictionbeam {
 
 std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) {
   const auto force = [&](const unsigned int i) { // [N]
-    return contacts[i].weight / contacts[i].length * std::abs(state.contact_stress[i][0]);
+    return contacts[i].share() * std::abs(state.contact_stress[i][0]);
   };
   constexpr double opposite = -1. + 1e-9, no_force = 1e-9; // of the other's
   std::vector<bool> idle(contacts.size(), false);
@@ -35,11 +35,7 @@ std::vector<std::array<unsigned int, 2>> rigid_pairs(const Contacts &contacts) {
   std::map<std::vector<int>, std::vector<unsigned int>> rigid; // by their unknowns
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
-    if (contact.law->threshold == nullptr || contact.platen_force != 0.)
-      continue;
-    FrictionThreshold law{};
-    contact.law->threshold(contact.parameters->data(), law);
-    if (!std::isinf(law.axial_rigidity))
+    if (!contact.law.is_rigid_along_normal() || contact.platen_force != 0.)
       continue;
     const Eigen::RowVectorXd normal = contact.length * contact.B_reduced.row(0);
     auto &others = rigid[contact.unknowns];

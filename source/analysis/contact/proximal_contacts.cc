@@ -66,7 +66,7 @@ void ContactCheck::judge(const Point &point, const double largest) {
 }
 
 ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix &stiffness)
-    : contacts(contacts), list(contacts.size()), friction(contacts.size(), 0.) {
+    : contacts(contacts), scales(contacts.size()), friction(contacts.size(), 0.) {
   centre.assign(contacts.size(), Contact::Strains::Zero());
   double mean = 0.;
   int n = 0;
@@ -78,82 +78,80 @@ ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix 
   mean = n > 0 ? mean / n : 1e6;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
-    Exact &exact = list[i];
-    exact.is_exact = contact.law->threshold != nullptr;
-    if (!exact.is_exact)
+    Scale &scale = scales[i];
+    if (!is_exact(i))
       continue;
-    contact.law->threshold(contact.parameters->data(), exact.law);
-    const double share = contact.weight / contact.length;
-    exact.normal_diagonal = stiffness_along(contact, 0, stiffness, mean) / share;
-    exact.shear_diagonal = std::max(stiffness_along(contact, 1, stiffness, 0.),
+    const double share = contact.share();
+    scale.normal_diagonal = stiffness_along(contact, 0, stiffness, mean) / share;
+    scale.shear_diagonal = std::max(stiffness_along(contact, 1, stiffness, 0.),
                                     stiffness_along(contact, 2, stiffness, 0.)) /
                            share;
-    if (exact.shear_diagonal == 0.)
-      exact.shear_diagonal = exact.normal_diagonal;
+    if (scale.shear_diagonal == 0.)
+      scale.shear_diagonal = scale.normal_diagonal;
   }
 }
 
 void ProximalContacts::begin(const ContactState &committed,
                              const ContactOverrides *const overrides) {
-  friction_scale.assign(list.size(), 1.);
-  gap.resize(list.size());
-  for (unsigned int i = 0; i < list.size(); ++i)
-    gap[i] = list[i].law.gap;
+  friction_scale.assign(scales.size(), 1.);
+  gap.resize(scales.size());
+  for (unsigned int i = 0; i < scales.size(); ++i)
+    gap[i] = contacts[i].law.closed_form().gap;
   if (overrides != nullptr) {
     friction_scale = overrides->friction_scale;
     gap = overrides->gap;
   }
-  for (unsigned int i = 0; i < list.size(); ++i)
-    if (list[i].is_exact)
-      friction[i] = friction_scale[i] *
-                    (committed.internal[contacts[i].state_offset + list[i].law.was_slipping] != 0.
-                         ? list[i].law.dynamic_friction
-                         : list[i].law.static_friction);
+  for (unsigned int i = 0; i < scales.size(); ++i)
+    if (is_exact(i))
+      friction[i] =
+          friction_scale[i] * (committed.internal[contacts[i].state_offset +
+                                                  contacts[i].law.closed_form().was_slipping] != 0.
+                                   ? contacts[i].law.closed_form().dynamic_friction
+                                   : contacts[i].law.closed_form().static_friction);
 }
 
 bool ProximalContacts::let_slipping_go(const ContactResponse &response) {
   bool changed = false;
-  for (unsigned int i = 0; i < list.size(); ++i)
-    if (list[i].is_exact && response.status[i] == ContactStatus::slip &&
-        friction[i] > friction_scale[i] * list[i].law.dynamic_friction) {
-      friction[i] = friction_scale[i] * list[i].law.dynamic_friction;
+  for (unsigned int i = 0; i < scales.size(); ++i)
+    if (is_exact(i) && response.status[i] == ContactStatus::slip &&
+        friction[i] > friction_scale[i] * contacts[i].law.closed_form().dynamic_friction) {
+      friction[i] = friction_scale[i] * contacts[i].law.closed_form().dynamic_friction;
       changed = true;
     }
   return changed;
 }
 
-void ProximalContacts::evaluate(const ContactState &committed, const double time,
-                                const double time_increment, const LawTangent tangent,
-                                ContactResponse &response) const {
+void ProximalContacts::evaluate(const ContactState &committed, const ContactIncrement &increment,
+                                const LawTangent tangent, ContactResponse &response) const {
   contacts.prepare(response);
-  for (unsigned int i = 0; i < list.size(); ++i) {
-    if (list[i].is_exact)
+  for (unsigned int i = 0; i < scales.size(); ++i) {
+    if (is_exact(i))
       evaluate_exact(i, committed, tangent, response);
     else
-      contacts.evaluate_law(i, committed, time, time_increment, tangent, response);
+      contacts.evaluate_law(i, committed, increment, tangent, response);
   }
 }
 
 void ProximalContacts::evaluate_exact(const unsigned int i, const ContactState &committed,
                                       const LawTangent tangent, ContactResponse &response) const {
   const Contact &contact = contacts[i];
-  const Exact &exact = list[i];
-  const FrictionThreshold &law = exact.law;
+  const Scale &scale = scales[i];
+  const FrictionThreshold &law = contact.law.closed_form();
   const double l = contact.length, f = friction[i];
   const Contact::Strains &strain = response.state.strain[i];
   Contact::Strains &stress = response.stress[i];
   auto &D = response.tangent[i];
   const double *const old_state = committed.internal.data() + contact.state_offset;
   double *const new_state = response.state.internal.data() + contact.state_offset;
-  std::copy(old_state, old_state + contact.law->n_internal_variables, new_state);
+  std::copy(old_state, old_state + contact.law.n_internal_variables(), new_state);
   stress.setZero();
   if (tangent != LawTangent::none)
     D.setZero();
   response.state.dissipated[i] = committed.dissipated[i];
   response.state.touch[i] = committed.touch[i];
 
-  const double rho_n = stiffness_factor * exact.normal_diagonal,
-               rho_t = stiffness_factor * exact.shear_diagonal;
+  const double rho_n = stiffness_factor * scale.normal_diagonal,
+               rho_t = stiffness_factor * scale.shear_diagonal;
   const double kappa_n = in_series(law.axial_rigidity / l, rho_n);
   const double P = kappa_n * (-centre[i][0] / rho_n - (l * strain[0] + gap[i]));
   if (P < 0.) { // a contact that just touches counts as closed: it may have to carry
@@ -221,10 +219,10 @@ void ProximalContacts::evaluate_exact(const unsigned int i, const ContactState &
 
 Contact::Strains ProximalContacts::by_centre(const unsigned int i) const {
   Contact::Strains scale = Contact::Strains::Zero();
-  if (list[i].is_exact) {
+  if (is_exact(i)) {
     const double per_force = 1. / (contacts[i].length * stiffness_factor);
-    scale[0] = per_force / list[i].normal_diagonal;
-    scale[1] = scale[2] = per_force / list[i].shear_diagonal;
+    scale[0] = per_force / scales[i].normal_diagonal;
+    scale[1] = scale[2] = per_force / scales[i].shear_diagonal;
   }
   return scale;
 }
@@ -234,7 +232,7 @@ bool ProximalContacts::gives_utmost(const unsigned int i, const ContactResponse 
   const double size = rate.head<3>().norm(), sliding = rate.segment<2>(1).norm();
   if (size == 0. || (response.status[i] == ContactStatus::open && rate[0] >= -1e-6 * size))
     return true;
-  if (!list[i].is_exact || std::abs(rate[0]) > 1e-6 * size)
+  if (!is_exact(i) || std::abs(rate[0]) > 1e-6 * size)
     return false; // pressed on: the contact will resist more
   const auto T = response.stress[i].segment<2>(1);
   const double most = friction[i] * -response.stress[i][0];
@@ -247,15 +245,15 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
   double largest = 0.;
   for (const auto &stress : response.stress)
     largest = std::max(largest, stress.head<3>().norm());
-  for (unsigned int i = 0; i < list.size(); ++i) {
-    if (!list[i].is_exact)
+  for (unsigned int i = 0; i < scales.size(); ++i) {
+    if (!is_exact(i))
       continue;
     const Contact &contact = contacts[i];
-    const Exact &exact = list[i];
+    const Scale &scale = scales[i];
     const double l = contact.length;
     const Contact::Strains &strain = response.state.strain[i], &stress = response.stress[i];
     const double *const old_state = committed.internal.data() + contact.state_offset;
-    const FrictionThreshold &law = exact.law;
+    const FrictionThreshold &law = contact.law.closed_form();
     const double P = -stress[0];
     result.judge({P,
                   {stress[1], stress[2]},
@@ -263,8 +261,8 @@ ContactCheck ProximalContacts::check(const ContactResponse &response, const Cont
                   {l * (strain[1] - old_state[law.slip_y] - stress[1] / law.shear_rigidity_y),
                    l * (strain[2] - old_state[law.slip_z] - stress[2] / law.shear_rigidity_z)},
                   friction[i],
-                  exact.normal_diagonal,
-                  exact.shear_diagonal,
+                  scale.normal_diagonal,
+                  scale.shear_diagonal,
                   rounding},
                  largest);
     result.least_dissipation =

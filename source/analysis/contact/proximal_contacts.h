@@ -80,7 +80,7 @@ public:
 
   /// Evaluate all contacts at response.state.strain: the proximal form of laws that have a
   /// threshold, any other law as it is.
-  void evaluate(const ContactState &committed, const double time, const double time_increment,
+  void evaluate(const ContactState &committed, const ContactIncrement &increment,
                 const LawTangent tangent, ContactResponse &response) const;
 
   /// Derivative of the proximal stresses by the centre: the tangent times this diagonal.
@@ -99,21 +99,19 @@ public:
                     const Contact::Strains &rate) const;
 
   /// Whether contact @p i is of the kind that the exact laws cover.
-  bool is_exact(const unsigned int i) const { return list[i].is_exact; }
+  bool is_exact(const unsigned int i) const { return contacts[i].law.has_closed_form(); }
   /// In force in this increment.
   double friction_coefficient(const unsigned int i) const { return friction[i]; }
   const std::vector<double> &friction_coefficients() const { return friction; }
   void set_friction_coefficients(const std::vector<double> &values) { friction = values; }
   /// k_d of the contact, along its normal and across [N/m].
   Eigen::Vector2d diagonal_stiffness(const unsigned int i) const {
-    const double share = contacts[i].weight / contacts[i].length;
-    return {list[i].normal_diagonal * share, list[i].shear_diagonal * share};
+    const double share = contacts[i].share();
+    return {scales[i].normal_diagonal * share, scales[i].shear_diagonal * share};
   }
 
 private:
-  struct Exact {
-    bool is_exact = false;
-    FrictionThreshold law{};
+  struct Scale {
     double normal_diagonal = 0., shear_diagonal = 0.; ///< k_d over the share [N/m]
   };
 
@@ -121,7 +119,7 @@ private:
                       ContactResponse &response) const;
 
   const Contacts &contacts;
-  std::vector<Exact> list;
+  std::vector<Scale> scales;
   std::vector<double> friction;            ///< coefficient in force in this increment
   std::vector<double> friction_scale, gap; ///< of this increment
 };

@@ -62,8 +62,7 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
   EquilibriumResult result;
   Residual residual(problem, contacts, space,
                     [&](const Vector &dofs, const LawTangent wanted, ContactResponse &r) {
-                      contacts.evaluate(dofs, committed, problem.time, problem.time_increment,
-                                        wanted, r);
+                      contacts.evaluate(dofs, committed, problem.increment, wanted, r);
                     });
   if (!factor_elastic(problem, residual, unknowns, result))
     return result;

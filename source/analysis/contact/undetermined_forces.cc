@@ -32,8 +32,7 @@ bool has_slipped(const Contact &contact, const unsigned int i, const LineState &
 /// follows the motion. In slip the friction force follows the normal force.
 std::vector<Eigen::Vector3d> rigid_directions(const Contact &contact, const unsigned int i,
                                               const LineState &state) {
-  FrictionThreshold law;
-  contact.law->threshold(contact.parameters->data(), law);
+  const FrictionThreshold &law = contact.law.closed_form();
   std::vector<Eigen::Vector3d> result;
   const bool rigid_normal = !std::isfinite(law.axial_rigidity);
   const bool slips =
@@ -60,7 +59,7 @@ std::vector<FreeForce> free_forces(const Contacts &contacts, const LineState &st
     largest = std::max(largest, stress.head<3>().norm());
   std::vector<FreeForce> result;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
-    if (contacts[i].law->threshold == nullptr || state.contact_status[i] == ContactStatus::open ||
+    if (!contacts[i].law.has_closed_form() || state.contact_status[i] == ContactStatus::open ||
         !(std::abs(state.contact_stress[i][0]) > no_force * largest))
       continue;
     for (const Eigen::Vector3d &direction : rigid_directions(contacts[i], i, state)) {

@@ -19,12 +19,11 @@ std::string find_obstacle(const Model &model) {
     return "the method is not 'exact'";
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const std::string support = model.scene.supports[contacts[i].support].name;
-    if (contacts[i].law->threshold == nullptr)
+    if (!contacts[i].law.has_closed_form())
       return "the law of support " + support +
              " has no threshold in closed form, as FCLIB's format has it";
-    FrictionThreshold law;
-    contacts[i].law->threshold(contacts[i].parameters->data(), law);
-    if (law.torsional_rigidity > 0. && !contacts[i].B_reduced.row(3).isZero(0.))
+    if (contacts[i].law.closed_form().torsional_rigidity > 0. &&
+        !contacts[i].B_reduced.row(3).isZero(0.))
       return "support " + support + " resists torsion, which FCLIB's format does not know";
   }
   return contacts.size() == 0 ? "there are no contacts" : "";
@@ -74,9 +73,8 @@ GlobalContactProblem global_contact_problem(const Model &model, const LineState 
   std::vector<double> element_stiffness, deflection;
   for (unsigned int i = 0; i < n; ++i) {
     const Contact &contact = contacts[i];
-    FrictionThreshold law;
-    contact.law->threshold(contact.parameters->data(), law);
-    const double l = contact.length, share = contact.weight / l;
+    const FrictionThreshold &law = contact.law.closed_form();
+    const double l = contact.length, share = contact.share();
     const double *const old_state = before.contacts.internal.data() + contact.state_offset;
     const bool slips =
         old_state[law.was_slipping] != 0. || after.contact_status[i] == ContactStatus::slip;

@@ -66,16 +66,16 @@ void EventModel::make_contact(const unsigned int i) {
   const Contact &contact = model.contacts[i];
   const std::string name = model.scene.supports[contact.support].name;
   result.contact = &contact;
-  if (contact.law->threshold == nullptr)
+  if (!contact.law.has_closed_form())
     throw UserError("Time/Integrator = event needs laws with a threshold in closed form, and '" +
-                    std::string(contact.law->name) + "' of support " + name +
+                    contact.law.name() + "' of support " + name +
                     " has none. Take generalized_alpha.");
-  contact.law->threshold(contact.parameters->data(), result.law);
+  result.law = contact.law.closed_form();
   if (result.law.torsional_rigidity > 0.)
     throw UserError("Time/Integrator = event has no torsion of friction elements, as support " +
                     name + " has. Set its 'Torsional rigidity' to 0 or take generalized_alpha.");
   const double l = contact.length;
-  result.share = contact.weight / l;
+  result.share = contact.share();
   result.normal = contact.platen_force != 0.              ? EventContact::Normal::platen
                   : std::isinf(result.law.axial_rigidity) ? EventContact::Normal::rigid
                                                           : EventContact::Normal::elastic;

@@ -7,17 +7,15 @@
 namespace frictionbeam {
 
 bool is_rigid_stop(const Model &model, const Contact &contact) {
-  if (contact.law->threshold == nullptr || contact.platen_force != 0.)
+  if (!contact.law.is_rigid_along_normal() || contact.platen_force != 0.)
     return false;
-  FrictionThreshold law{};
-  contact.law->threshold(contact.parameters->data(), law);
   for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
     const auto column = contact.B_reduced.col(j);
     if (std::abs(column[0]) > 1e-12 * column.norm() &&
         !(model.linear.mass().coeff(contact.unknowns[j], contact.unknowns[j]) > 0.))
       return false;
   }
-  return std::isinf(law.axial_rigidity);
+  return true;
 }
 
 std::vector<unsigned int> closed_in(std::vector<ContactStatus> status, const double time,
@@ -50,13 +48,12 @@ void watch_contacts(const Model &model, const LineState &before, const LineState
     }
   for (unsigned int i = 0; i < n; ++i) {
     const Contact &contact = model.contacts[i];
-    if (contact.law->threshold == nullptr)
+    if (!contact.law.has_closed_form())
       continue;
-    FrictionThreshold law{};
-    contact.law->threshold(contact.parameters->data(), law);
+    const FrictionThreshold &law = contact.law.closed_form();
     ContactMargin &margin = report.margins[i];
     const Contact::Strains &stress = after.contact_stress[i];
-    const double force = -stress[0] * contact.weight / contact.length;
+    const double force = -contact.share() * stress[0];
     if (after.contact_status[i] == ContactStatus::open) {
       margin.opening = 0.;
       margin.closing = std::min(

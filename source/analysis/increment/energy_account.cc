@@ -37,14 +37,13 @@ void account_contact(const Contact &contact, const unsigned int i, const LineSta
   const Contact::Strains change = after.contacts.strain[i] - before.contacts.strain[i],
                          force = (before.contact_stress[i] + after.contact_stress[i]) / 2.,
                          force_change = after.contact_stress[i] - before.contact_stress[i];
-  if (contact.law->threshold == nullptr) { // only the law knows
+  if (!contact.law.has_closed_form()) { // only the law knows
     const double lost = after.contacts.dissipated[i] - before.contacts.dissipated[i];
     account.dissipated += lost;
     account.stored += contact.weight * force.dot(change) - lost;
     return;
   }
-  FrictionThreshold law{};
-  contact.law->threshold(contact.parameters->data(), law);
+  const FrictionThreshold &law = contact.law.closed_form();
   const auto slip = [&](const int place) {
     return after.contacts.internal[contact.state_offset + place] -
            before.contacts.internal[contact.state_offset + place];
@@ -84,9 +83,7 @@ EnergyAccount account_contacts(const Model &model, const LineState &before, cons
     } else
       account_contact(contact, i, before, after, share);
     // What of the contact's strain comes from imposed motions, and not from the unknowns.
-    Contact::Strains imposed = change;
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      imposed -= motion[contact.unknowns[j]] * contact.B_reduced.col(j);
+    const Contact::Strains imposed = change - contact.strain_by_unknowns(motion);
     share.external = contact.weight * mean.dot(imposed);
     share.turnover = std::abs(share.stored) + std::abs(share.dissipated) + std::abs(share.gaps) +
                      std::abs(share.impact);

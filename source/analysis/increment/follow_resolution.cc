@@ -84,11 +84,10 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
   slip_turned.resize(model.contacts.size(), 0.);
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    resolution.slip_is_known = resolution.slip_is_known && contact.law->threshold != nullptr;
-    if (contact.law->threshold == nullptr || after.contact_status[i] != ContactStatus::slip)
+    resolution.slip_is_known = resolution.slip_is_known && contact.law.has_closed_form();
+    if (!contact.law.has_closed_form() || after.contact_status[i] != ContactStatus::slip)
       continue;
-    FrictionThreshold law{};
-    contact.law->threshold(contact.parameters->data(), law);
+    const FrictionThreshold &law = contact.law.closed_form();
     const auto slip = [&](const int place) {
       return contact.length * (after.contacts.internal[contact.state_offset + place] -
                                before.contacts.internal[contact.state_offset + place]);
@@ -97,8 +96,8 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
         T0 = before.contact_stress[i].segment<2>(1), T1 = after.contact_stress[i].segment<2>(1);
     const double largest = std::max(T0.norm(), T1.norm());
     const Eigen::Vector2d change = T1 - T0;
-    const double moved_by_friction = largest * contact.weight / contact.length *
-                                     largest_compliance(contact, model.linear.stiffness());
+    const double moved_by_friction =
+        largest * contact.share() * largest_compliance(contact, model.linear.stiffness());
     if (T0.norm() <= 1e-9 * largest)
       resolution.slip_from_rest = std::max(resolution.slip_from_rest, path.norm());
     if (largest > 0. && path.norm() > 0.)

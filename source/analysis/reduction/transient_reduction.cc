@@ -166,8 +166,7 @@ MotionRecord TransientReduction::try_out(const TransientStep &start, const LineS
     const Contacts &contacts = attempt.model().contacts;
     Vector forces(3 * contacts.size()), motions(6 * attempt.monitored().size());
     for (unsigned int i = 0; i < contacts.size(); ++i)
-      forces.segment<3>(3 * i) =
-          contacts[i].weight / contacts[i].length * now.contact_stress[i].head<3>();
+      forces.segment<3>(3 * i) = contacts[i].share() * now.contact_stress[i].head<3>();
     for (unsigned int m = 0; m < attempt.monitored().size(); ++m)
       for (unsigned int c = 0; c < 6; ++c) {
         const int dof = attempt.monitored()[m][c];

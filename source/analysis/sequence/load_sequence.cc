@@ -47,7 +47,7 @@ void LoadSequence::initialize() {
   current.contacts = model.contacts.initial_state(current.dofs);
   model.contacts.place_platens(current.unknowns);
   expand();
-  model.contacts.evaluate(current.dofs, current.contacts, 0., 0., LawTangent::none, response);
+  model.contacts.evaluate(current.dofs, current.contacts, {}, LawTangent::none, response);
   commit(declared, 0.);
   press_at_start();
 }

@@ -143,8 +143,8 @@ void LoadSequence::measure_forces(const Vector &loads) {
   if (loads.size() > 0)
     force_so_far = std::max(force_so_far, loads.lpNorm<Eigen::Infinity>());
   for (unsigned int i = 0; i < current.contact_stress.size(); ++i)
-    force_so_far = std::max(force_so_far, model.contacts[i].weight / model.contacts[i].length *
-                                              current.contact_stress[i].lpNorm<Eigen::Infinity>());
+    force_so_far =
+        std::max(force_so_far, model.contacts[i].largest_force(current.contact_stress[i]));
 }
 
 Vector LoadSequence::unbalanced_at_start() const {
@@ -205,7 +205,7 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time) {
     return solve_corotational_increment(factors, time);
   const Factors full = course.factors_at(time, side);
   EquilibriumProblem increment{model.linear.stiffness(), course.forces(full), course.imposed(time)};
-  increment.time = time;
+  increment.increment = {time, 0., model.contacts.temperatures(full)};
   increment.largest_force = least_force * force_so_far;
   increment.force_so_far = force_so_far;
   increment.most_iterations = iterations_left;

@@ -93,7 +93,9 @@ bool ContinuumSequence<dim>::increment(const double factor, const double time,
   FoundationResponse response;
   const auto centre = foundation.centre;
   const ContinuumNewtonResult result =
-      newton.solve(loads, committed, time, time_increment, u, response);
+      newton.solve(loads, committed,
+                   {time, time_increment, body.scene.installation_temperature}, // nothing heats it
+                   u, response);
   StepReport &report = step_reports.back();
   report.iterations += result.iterations;
   report.factorizations += system->n_factorizations - n_reported;

@@ -85,10 +85,10 @@ ContinuumNewton<dim>::largest(const std::vector<LocalVector> &stress) const {
 }
 
 template <int dim>
-ContinuumNewtonResult
-ContinuumNewton<dim>::solve(const ContinuumVector &forces, const FoundationState &committed,
-                            const double time, const double time_increment, ContinuumVector &u,
-                            FoundationResponse &response) {
+ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
+                                                  const FoundationState &committed,
+                                                  const LawIncrement &increment, ContinuumVector &u,
+                                                  FoundationResponse &response) {
   ContinuumNewtonResult result;
   contacts.begin(committed);
   const ContinuumVector start = u;
@@ -97,11 +97,11 @@ ContinuumNewton<dim>::solve(const ContinuumVector &forces, const FoundationState
     contacts.stiffness_factor = scale;
     u = start;
     contacts.centre = centre;
-    result.converged = iterate(forces, committed, time, time_increment, u, response, result);
+    result.converged = iterate(forces, committed, increment, u, response, result);
     while (result.converged &&
            Utilities::MPI::max(static_cast<unsigned int>(contacts.let_slipping_go(response.state)),
                                body.communicator) > 0)
-      result.converged = iterate(forces, committed, time, time_increment, u, response, result);
+      result.converged = iterate(forces, committed, increment, u, response, result);
     if (result.converged)
       return result;
   }
@@ -111,9 +111,8 @@ ContinuumNewton<dim>::solve(const ContinuumVector &forces, const FoundationState
 
 template <int dim>
 bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const FoundationState &committed,
-                                   const double time, const double time_increment,
-                                   ContinuumVector &u, FoundationResponse &response,
-                                   ContinuumNewtonResult &result) {
+                                   const LawIncrement &increment, ContinuumVector &u,
+                                   FoundationResponse &response, ContinuumNewtonResult &result) {
   const unsigned int n = contacts.size();
   const double epsilon = contacts.stiffness_factor / stiffness_of_direction;
   std::vector<LocalVector> step(n), displacement, used(n);
@@ -126,7 +125,7 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
   // Evaluates at u and the centre; the merit of both together.
   const auto evaluate = [&]() {
     displacement = local(u);
-    contacts.evaluate(displacement, committed, time, time_increment, response);
+    contacts.evaluate(displacement, committed, increment, response);
     double misfit = 0.;
     for (unsigned int i = 0; i < n; ++i) {
       used[i] = response.state.stress[i];

@@ -32,7 +32,7 @@ public:
    * @param response of the contacts at the solution
    */
   ContinuumNewtonResult solve(const ContinuumVector &forces, const FoundationState &committed,
-                              const double time, const double time_increment, ContinuumVector &u,
+                              const LawIncrement &increment, ContinuumVector &u,
                               FoundationResponse &response);
 
   /// Displacements of the contact nodes in their own axes.
@@ -41,8 +41,8 @@ public:
   void add_forces(const std::vector<LocalVector> &stress, ContinuumVector &forces) const;
 
 private:
-  bool iterate(const ContinuumVector &forces, const FoundationState &committed, const double time,
-               const double time_increment, ContinuumVector &u, FoundationResponse &response,
+  bool iterate(const ContinuumVector &forces, const FoundationState &committed,
+               const LawIncrement &increment, ContinuumVector &u, FoundationResponse &response,
                ContinuumNewtonResult &result);
   /// Loads minus elastic forces, stiffness times u, plus forces of tractions.
   void residual(const ContinuumVector &forces, const ContinuumVector &elastic,

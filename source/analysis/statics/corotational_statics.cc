@@ -48,13 +48,8 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
     return result;
   }
   const SparseMatrix symmetric = symmetric_part(problem.matrix);
-  EquilibriumProblem linear{symmetric,
-                            problem.right_hand_side,
-                            problem.imposed,
-                            problem.time,
-                            problem.time_increment,
-                            problem.overrides,
-                            problem.largest_force};
+  EquilibriumProblem linear{symmetric,         problem.right_hand_side, problem.imposed,
+                            problem.increment, problem.overrides,       problem.largest_force};
   const auto solver = make_equilibrium_solver(model.scene.solver, model.scene.solver.method,
                                               model.contacts, model.space, symmetric);
   result = solver->solve(linear, committed, change, response);
@@ -102,8 +97,7 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response) {
   double largest = 0.;
   for (unsigned int i = 0; i < contacts.size(); ++i)
-    largest = std::max(largest, contacts[i].weight / contacts[i].length *
-                                    response.stress[i].lpNorm<Eigen::Infinity>());
+    largest = std::max(largest, contacts[i].largest_force(response.stress[i]));
   return largest;
 }
 
@@ -160,7 +154,7 @@ EquilibriumResult CorotationalStatics::solve(const LineState &from, const LoadCo
       return result;
     }
     EquilibriumProblem problem{balance.stiffness, forces, pose.dofs};
-    problem.time = to.time;
+    problem.increment = {to.time, 0., model.contacts.temperatures(to.load_factors)};
     problem.largest_force = largest;
     const EquilibriumResult inner = linearized.solve(problem, from.contacts, change, response);
     ++result.iterations;

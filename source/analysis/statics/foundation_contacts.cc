@@ -16,12 +16,9 @@ FoundationContacts::FoundationContacts(const ContinuumScene &scene, const LawLib
                                        const bool exact, const std::vector<FoundationPoint> &points)
     : points(points) {
   for (const ContinuumContact &contact : scene.contacts) {
-    Surface surface{&laws.find(contact.law), contact.parameters, contact.pressure, false, {}};
-    surface.exact = exact && surface.law->threshold != nullptr;
-    if (surface.law->threshold != nullptr)
-      surface.law->threshold(surface.parameters.data(), surface.threshold);
-    const FrictionThreshold &law = surface.threshold;
-    if (surface.law->threshold != nullptr && !exact &&
+    const BoundLaw bound(laws.find(contact.law), contact.parameters);
+    const FrictionThreshold &law = bound.closed_form();
+    if (bound.has_closed_form() && !exact &&
         ((law.static_friction > 0. &&
           (std::isinf(law.shear_rigidity_y) || std::isinf(law.shear_rigidity_z))) ||
          (!contact.pressure && std::isinf(law.axial_rigidity))))
@@ -30,11 +27,11 @@ FoundationContacts::FoundationContacts(const ContinuumScene &scene, const LawLib
                       "' is rigid. Give it one (Slab/GS; Long bar/Normal stiffness and Shear "
                       "stiffness; Body/Axial rigidity and Shear rigidity), or take Solver/Method = "
                       "exact, which has rigid contact.");
-    surfaces.push_back(surface);
+    surfaces.push_back({bound, contact.pressure, exact && bound.has_closed_form()});
   }
   for (const FoundationPoint &point : points) {
     offset.push_back(n_internal);
-    n_internal += surfaces[point.surface].law->n_internal_variables;
+    n_internal += surfaces[point.surface].law.n_internal_variables();
   }
   centre.assign(points.size(), LocalVector::Zero());
   friction.assign(points.size(), 0.);
@@ -56,7 +53,7 @@ FoundationState FoundationContacts::initial_state() const {
 void FoundationContacts::begin(const FoundationState &committed) {
   for (unsigned int i = 0; i < points.size(); ++i)
     if (is_exact(i)) {
-      const FrictionThreshold &law = surfaces[points[i].surface].threshold;
+      const FrictionThreshold &law = surfaces[points[i].surface].law.closed_form();
       friction[i] = committed.internal[offset[i] + law.was_slipping] != 0. ? law.dynamic_friction
                                                                            : law.static_friction;
     }
@@ -67,7 +64,7 @@ bool FoundationContacts::let_slipping_go(const FoundationState &state) {
   for (unsigned int i = 0; i < points.size(); ++i) {
     if (!is_exact(i) || state.status[i] != ContactStatus::slip)
       continue;
-    const double dynamic = surfaces[points[i].surface].threshold.dynamic_friction;
+    const double dynamic = surfaces[points[i].surface].law.closed_form().dynamic_friction;
     changed |= friction[i] > dynamic;
     friction[i] = std::min(friction[i], dynamic);
   }
@@ -75,15 +72,15 @@ bool FoundationContacts::let_slipping_go(const FoundationState &state) {
 }
 
 void FoundationContacts::evaluate(const std::vector<LocalVector> &displacement,
-                                  const FoundationState &committed, const double time,
-                                  const double time_increment, FoundationResponse &response) const {
+                                  const FoundationState &committed, const LawIncrement &increment,
+                                  FoundationResponse &response) const {
   response.state = committed;
   response.tangent.assign(points.size(), LocalMatrix::Zero());
   response.failed = false;
   for (unsigned int i = 0; i < points.size(); ++i) {
     if (is_exact(i))
       evaluate_exact(i, displacement[i], committed, response);
-    else if (!evaluate_law(i, displacement[i], committed, time, time_increment, response))
+    else if (!evaluate_law(i, displacement[i], committed, increment, response))
       response.failed = true;
   }
 }
@@ -93,7 +90,7 @@ void FoundationContacts::evaluate_exact(const unsigned int i, const LocalVector 
                                         FoundationResponse &response) const {
   const FoundationPoint &point = points[i];
   const Surface &surface = surfaces[point.surface];
-  const FrictionThreshold &law = surface.threshold;
+  const FrictionThreshold &law = surface.law.closed_form();
   FoundationState &state = response.state;
   LocalMatrix &D = response.tangent[i];
   LocalVector &stress = state.stress[i];
@@ -159,26 +156,19 @@ void FoundationContacts::evaluate_exact(const unsigned int i, const LocalVector 
 }
 
 bool FoundationContacts::evaluate_law(const unsigned int i, const LocalVector &u,
-                                      const FoundationState &committed, const double time,
-                                      const double time_increment,
+                                      const FoundationState &committed,
+                                      const LawIncrement &increment,
                                       FoundationResponse &response) const {
   const Surface &surface = surfaces[points[i].surface];
   constexpr int n = n_support_strains;
   double strain[n] = {-u[0], -u[1], -u[2], 0.}, rate[n] = {}, stress[n], tangent[n * n];
-  const double displacement[3] = {-u[0], -u[1], -u[2]};
-  const LawInput in{surface.parameters.data(),
-                    strain,
-                    rate,
-                    displacement,
-                    1.,
-                    time,
-                    time_increment,
-                    20.,
-                    committed.internal.data() + offset[i],
-                    LawTangent::consistent};
   LawOutput out{stress, tangent, response.state.internal.data() + offset[i], 0.,
                 ContactStatus::none};
-  if (surface.law->law->integrate(in, out) != LawStatus::ok)
+  const auto integrate = [&]() {
+    return surface.law.integrate(strain, rate, 1., increment, committed.internal.data() + offset[i],
+                                 LawTangent::consistent, out) == LawStatus::ok;
+  };
+  if (!integrate())
     return false;
   if (surface.pressure) { // the normal strain that gives it, by Newton's method
     const double P = *surface.pressure;
@@ -187,7 +177,7 @@ bool FoundationContacts::evaluate_law(const unsigned int i, const LocalVector &u
         return false;
       // an open contact has no stiffness: close it
       strain[0] -= tangent[0] > 0. ? (stress[0] + P) / tangent[0] : std::abs(strain[0]) + 1e-9;
-      if (surface.law->law->integrate(in, out) != LawStatus::ok)
+      if (!integrate())
         return false;
     }
   }
@@ -219,7 +209,7 @@ LocalVector FoundationContacts::by_centre(const unsigned int i) const {
 double FoundationContacts::gap(const unsigned int i, const LocalVector &displacement) const {
   if (has_pressure(i))
     return 0.;
-  return (is_exact(i) ? surfaces[points[i].surface].threshold.gap : 0.) - displacement[0];
+  return (is_exact(i) ? surfaces[points[i].surface].law.closed_form().gap : 0.) - displacement[0];
 }
 
 LocalVector FoundationContacts::slip(const unsigned int i, const LocalVector &displacement,
@@ -237,7 +227,7 @@ ContactCheck FoundationContacts::check(const std::vector<LocalVector> &displacem
   for (unsigned int i = 0; i < points.size(); ++i) {
     if (!is_exact(i))
       continue;
-    const FrictionThreshold &law = surfaces[points[i].surface].threshold;
+    const FrictionThreshold &law = surfaces[points[i].surface].law.closed_form();
     const LocalVector &u = displacement[i], &stress = state.stress[i];
     const double *const old_state = committed.internal.data() + offset[i];
     const double P = -stress[0];

@@ -67,7 +67,7 @@ public:
 
   /// Evaluate all points at @p displacement.
   void evaluate(const std::vector<LocalVector> &displacement, const FoundationState &committed,
-                const double time, const double time_increment, FoundationResponse &response) const;
+                const LawIncrement &increment, FoundationResponse &response) const;
 
   /// Derivative of the stress by the centre: minus the tangent times this diagonal.
   LocalVector by_centre(const unsigned int i) const;
@@ -90,18 +90,15 @@ public:
 
 private:
   struct Surface {
-    const LawDescription *law;
-    std::vector<double> parameters;
+    BoundLaw law;
     std::optional<double> pressure;
     bool exact;
-    FrictionThreshold threshold{};
   };
 
   void evaluate_exact(const unsigned int i, const LocalVector &u, const FoundationState &committed,
                       FoundationResponse &response) const;
   bool evaluate_law(const unsigned int i, const LocalVector &u, const FoundationState &committed,
-                    const double time, const double time_increment,
-                    FoundationResponse &response) const;
+                    const LawIncrement &increment, FoundationResponse &response) const;
 
   std::vector<FoundationPoint> points;
   std::vector<Surface> surfaces;

@@ -152,8 +152,7 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
       left -= C * Vector(v + gamma * h * moved);
     return left;
   };
-  problem.time = time;
-  problem.time_increment = h;
+  problem.increment = {time, h, model.contacts.temperatures(factors)};
 
   TimeStep step;
   ContactResponse response;

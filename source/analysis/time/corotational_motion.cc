@@ -59,8 +59,7 @@ EquilibriumResult CorotationalMotion::solve_linearized(const LineState &state,
   contacts.set_matrix(symmetric);
   // In what the unknowns still have to move beyond the pose.
   EquilibriumProblem problem{symmetric, step.residual, step.to.dofs};
-  problem.time = time;
-  problem.time_increment = h;
+  problem.increment = {time, h, model.contacts.temperatures(loads.factors_before(time))};
   problem.largest_force = step.largest;
   change.setZero(step.moved.size());
   EquilibriumResult result = contacts.solve(

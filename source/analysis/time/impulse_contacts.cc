@@ -11,13 +11,6 @@ namespace {
 constexpr double far = 1e30; // [m]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Contact::Strains strain_of(const Contact &contact, const Vector &unknowns) {
-  Contact::Strains result = Contact::Strains::Zero();
-  for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-    result += unknowns[contact.unknowns[j]] * contact.B_reduced.col(j);
-  return result;
-}
-
 } // namespace
 
 ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model.contacts.size()) {
@@ -25,10 +18,10 @@ ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model
   for (unsigned int i = 0; i < kinds.size(); ++i) {
     const Contact &contact = model.contacts[i];
     Kind &kind = kinds[i];
-    kind.is_exact = contact.law->threshold != nullptr;
+    kind.is_exact = contact.law.has_closed_form();
     if (!kind.is_exact)
       continue;
-    contact.law->threshold(contact.parameters->data(), kind.law);
+    kind.law = contact.law.closed_form();
     // A node without mass has no momentum: its contact is one of positions, as in statics.
     bool normal_mass = true, shear_mass = true;
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
@@ -39,7 +32,7 @@ ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model
         shear_mass = shear_mass && column.segment<2>(1).norm() <= rounding;
       }
     kind.rigid_normal =
-        std::isinf(kind.law.axial_rigidity) && contact.platen_force == 0. && normal_mass;
+        contact.law.is_rigid_along_normal() && contact.platen_force == 0. && normal_mass;
     kind.rigid_shear = std::isinf(kind.law.shear_rigidity_y) && shear_mass;
   }
 }
@@ -62,12 +55,8 @@ Contact::Strains ImpulseContacts::part(const unsigned int i, const Contact::Stra
 
 Vector ImpulseContacts::forces(const LineState &state, const bool rigid) const {
   Vector forces = Vector::Zero(model.space.n_unknowns());
-  for (unsigned int i = 0; i < kinds.size(); ++i) {
-    const Contact &contact = model.contacts[i];
-    const Contact::Strains stress = contact.weight * part(i, state.contact_stress[i], rigid);
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      forces[contact.unknowns[j]] += contact.B_reduced.col(j).dot(stress);
-  }
+  for (unsigned int i = 0; i < kinds.size(); ++i)
+    model.contacts[i].add_to(forces, part(i, state.contact_stress[i], rigid));
   return forces;
 }
 
@@ -79,11 +68,11 @@ void ImpulseContacts::set_ground_rates(const EquilibriumProblem &problem, const 
   ground_rate.resize(kinds.size());
   const Vector motion = problem.imposed - imposed_before;
   for (unsigned int i = 0; i < kinds.size(); ++i)
-    ground_rate[i] = model.contacts[i].strain(motion) / problem.time_increment;
+    ground_rate[i] = model.contacts[i].strain(motion) / problem.increment.length;
   if ((is_next && !follows) || may_jump)
     ground_rate_before = ground_rate;
   step_begin = from.time;
-  step_end = problem.time;
+  step_end = problem.increment.time;
 }
 
 bool ImpulseContacts::test_reversals(const LineState &from, const Vector &imposed,
@@ -95,8 +84,9 @@ bool ImpulseContacts::test_reversals(const LineState &from, const Vector &impose
     if (!kind.rigid_shear || kind.law.dynamic_friction == kind.law.static_friction)
       continue;
     double &was_slipping = shifted.internal[contact.state_offset + kind.law.was_slipping];
-    const Contact::Strains before = strain_of(contact, from.velocity) + ground_rate_before[i],
-                           motion = strain_of(contact, unknowns) + contact.strain(imposed);
+    const Contact::Strains before =
+                               contact.strain_by_unknowns(from.velocity) + ground_rate_before[i],
+                           motion = contact.strain_by_unknowns(unknowns) + contact.strain(imposed);
     const double slip_y = motion[1] - shifted.internal[contact.state_offset + kind.law.slip_y],
                  slip_z = motion[2] - shifted.internal[contact.state_offset + kind.law.slip_z];
     if (was_slipping != 0. && before[1] * slip_y + before[2] * slip_z < 0.) {
@@ -110,7 +100,7 @@ bool ImpulseContacts::test_reversals(const LineState &from, const Vector &impose
 EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const LineState &from,
                                          const Vector &imposed_before, const Relation &relation,
                                          Vector &unknowns, ContactResponse &response) {
-  const double step = problem.time_increment;
+  const double step = problem.increment.length;
   set_ground_rates(problem, from, imposed_before, relation.may_jump);
   shifted = from.contacts;
   overrides.gap.assign(kinds.size(), 0.);
@@ -122,10 +112,11 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
     const Contact &contact = model.contacts[i];
     const double l = contact.length;
     overrides.gap[i] = kind.law.gap;
-    const Contact::Strains base = strain_of(contact, relation.base) +
+    const Contact::Strains base = contact.strain_by_unknowns(relation.base) +
                                   contact.strain(problem.imposed) - relation.reach * ground_rate[i];
     if (kind.rigid_normal) {
-      const double approach = l * (strain_of(contact, from.velocity) + ground_rate_before[i])[0],
+      const double approach =
+                       l * (contact.strain_by_unknowns(from.velocity) + ground_rate_before[i])[0],
                    gap = l * from.contacts.strain[i][0] + kind.law.gap;
       const bool takes_part =
           from.contact_status[i] != ContactStatus::open || gap + step / 2. * approach <= 1e-12 * l;
@@ -167,9 +158,7 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
     const Kind &kind = kinds[i];
     const Contact::Strains rigid = relation.share * part(i, response.stress[i], true),
                            elastic = part(i, response.stress[i], false);
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      rigid_impulses[contact.unknowns[j]] -=
-          step * contact.weight * contact.B_reduced.col(j).dot(rigid);
+    contact.add_to(rigid_impulses, rigid, -step);
     response.stress[i] = rigid + elastic;
     contact_work[i].mean_stress = rigid + (elastic + part(i, from.contact_stress[i], false)) / 2.;
     if (kind.is_exact)
@@ -182,7 +171,7 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
 void ImpulseContacts::add_histories(const LineState &from, const double step, LineState &to) const {
   for (unsigned int i = 0; i < kinds.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    const double normal = contact.weight / contact.length * -contact_work[i].mean_stress[0];
+    const double normal = contact.share() * -contact_work[i].mean_stress[0];
     to.contacts.impulse[i] = from.contacts.impulse[i] + step * normal;
     to.contacts.wear[i] = from.contacts.wear[i];
     if (!kinds[i].is_exact)

@@ -93,8 +93,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
       left -= C * motion / (h * theta);
     return left;
   };
-  problem.time = time;
-  problem.time_increment = h;
+  problem.increment = {time, h, model.contacts.temperatures(last_factors)};
 
   TimeStep step;
   ContactResponse response;

@@ -34,14 +34,13 @@ void add_histories(const Contacts &contacts, const LineState &before, LineState 
   const double step = after.time - before.time;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
-    const double normal = -contact.weight / contact.length / 2. *
-                          (before.contact_stress[i][0] + after.contact_stress[i][0]);
+    const double normal =
+        -contact.share() / 2. * (before.contact_stress[i][0] + after.contact_stress[i][0]);
     after.contacts.impulse[i] = before.contacts.impulse[i] + step * normal;
     after.contacts.wear[i] = before.contacts.wear[i];
-    if (contact.law->threshold == nullptr || after.contact_status[i] == ContactStatus::open)
+    if (!contact.law.has_closed_form() || after.contact_status[i] == ContactStatus::open)
       continue;
-    FrictionThreshold law{};
-    contact.law->threshold(contact.parameters->data(), law);
+    const FrictionThreshold &law = contact.law.closed_form();
     const auto slip = [&](const int place) {
       return after.contacts.internal[contact.state_offset + place] -
              before.contacts.internal[contact.state_offset + place];

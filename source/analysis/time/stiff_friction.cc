@@ -27,14 +27,13 @@ std::string warn_of_stiff_friction(const Model &model, const std::string &integr
   response.state.strain = at_rest.strain;
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    if (contact.law->threshold == nullptr ||
+    if (!contact.law.has_closed_form() ||
         std::count(supports.begin(), supports.end(), contact.support) > 0)
       continue;
-    FrictionThreshold law{};
-    contact.law->threshold(contact.parameters->data(), law);
+    const FrictionThreshold &law = contact.law.closed_form();
     if (law.static_friction == 0. || (std::isinf(law.shear_rigidity_y) && !with_rigid))
       continue;
-    model.contacts.evaluate_law(i, at_rest, 0., 0., LawTangent::elastic, response);
+    model.contacts.evaluate_law(i, at_rest, {}, LawTangent::elastic, response);
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
       const double b = contact.B_reduced.col(j).segment<2>(1).squaredNorm(),
                    m = model.linear.mass().coeff(contact.unknowns[j], contact.unknowns[j]);

@@ -79,18 +79,18 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
   const std::vector<bool> idle = idle_halves(contacts, state);
   std::vector<HeldStrains> rigid(contacts.size());
   const double stiffest = K.rows() > 0 ? K.diagonal().maxCoeff() : 1.;
+  // Vibrations take time, which is when a snubber locks.
+  const ContactIncrement increment{state.time, 1., contacts.temperatures(state.load_factors)};
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
     held.state.strain[i] = state.contacts.strain[i];
-    // Vibrations take time, which is when a snubber locks.
-    contacts.evaluate_law(i, state.contacts, state.time, 1., LawTangent::elastic, held);
+    contacts.evaluate_law(i, state.contacts, increment, LawTangent::elastic, held);
     held.status[i] = state.contact_status[i];
     const bool closed = held.status[i] != ContactStatus::open && !idle[i],
                sticks = closed && friction && held.status[i] == ContactStatus::stick;
     auto &D = held.tangent[i];
-    if (contact.law->threshold != nullptr) {
-      FrictionThreshold law{};
-      contact.law->threshold(contact.parameters->data(), law);
+    if (contact.law.has_closed_form()) {
+      const FrictionThreshold &law = contact.law.closed_form();
       D.setZero();
       D(0, 0) = law.axial_rigidity;
       D(1, 1) = law.shear_rigidity_y;

@@ -15,41 +15,42 @@ using namespace dealii;
 
 namespace {
 
-/// Stress of a support law in virgin state at the strain @p strain.
-double axial_force(const Contact &contact, const double axial_strain, double &tangent) {
-  double strain[n_support_strains] = {axial_strain, 0., 0., 0.}, rate[n_support_strains] = {},
-         stress[n_support_strains], matrix[n_support_strains * n_support_strains] = {},
-         displacement[3] = {axial_strain * contact.length, 0., 0.};
-  std::vector<double> zero(contact.law->n_internal_variables + 1, 0.), state(zero);
-  const LawInput input{contact.parameters->data(),
-                       strain,
-                       rate,
-                       displacement,
-                       contact.length,
-                       0.,
-                       0.,
-                       20.,
-                       zero.data(),
-                       LawTangent::consistent};
-  LawOutput output{stress, matrix, state.data(), 0., ContactStatus::none};
-  contact.law->law->integrate(input, output);
-  tangent = matrix[0];
-  return stress[0];
-}
-
 /// How far the platen must be pushed towards the pipe for the contact to carry the force on it [m].
 double platen_position(const Contact &contact, const std::string &support) {
   const double wanted = -contact.platen_force * contact.length / contact.weight;
   double strain = -1e-12;
   for (unsigned int iteration = 0; iteration < 200; ++iteration) {
-    double tangent = 0.;
-    const double force = axial_force(contact, strain, tangent);
+    const BoundLaw::Answer answer =
+        contact.law.answer_at_rest({strain, 0., 0., 0.}, contact.length, LawTangent::consistent,
+                                   contact.installation_temperature);
+    const double force = answer.stress[0], tangent = answer.tangent[0];
     if (std::abs(force - wanted) <= 1e-12 * std::abs(wanted))
       return -strain * contact.length;
     strain = tangent > 0. ? strain - (force - wanted) / tangent : 2. * strain;
   }
-  throw UserError("Support " + support + ": its law '" + contact.law->name +
+  throw UserError("Support " + support + ": its law '" + contact.law.name() +
                   "' cannot carry the Normal force on it. Give the law a larger rigidity.");
+}
+
+/// Loads that heat the pipes at a vertex, and the mean of how much [K].
+std::vector<std::pair<unsigned int, double>> heating_at(const unsigned int vertex,
+                                                        const Scene &scene, const LineMesh &mesh) {
+  std::vector<std::string> pipes;
+  for (unsigned int p = 0; p < mesh.pipes.size(); ++p)
+    if (std::count(mesh.pipes[p].vertices.begin(), mesh.pipes[p].vertices.end(), vertex) > 0)
+      pipes.push_back(scene.pipes[p].name);
+  std::vector<std::pair<unsigned int, double>> result;
+  for (unsigned int l = 0; l < scene.loads.size(); ++l) {
+    const Load &load = scene.loads[l];
+    if (load.kind != Load::Kind::temperature)
+      continue;
+    const auto heated = std::count_if(pipes.begin(), pipes.end(), [&](const std::string &pipe) {
+      return load.pipes.empty() || std::count(load.pipes.begin(), load.pipes.end(), pipe) > 0;
+    });
+    if (heated > 0)
+      result.emplace_back(l, load.value * heated / pipes.size());
+  }
+  return result;
 }
 
 } // namespace
@@ -72,8 +73,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     fe_values.reinit(cell);
 
     Contact contact;
-    contact.law = &laws.find(support.law);
-    contact.parameters = &support.parameters;
+    contact.law = BoundLaw(laws.find(support.law), support.parameters);
     contact.vertices = support_cell.vertices;
     contact.axes = LocalAxes(support_cell.axis);
     contact.length = support.ground.empty() ? fe_values.JxW(0) : support_cell.length;
@@ -84,12 +84,14 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     contact.weight = share * contact.length;
     contact.platen_force = share * support.normal_force;
     contact.restitution = support.restitution;
+    contact.installation_temperature = scene.installation_temperature;
+    contact.heating = heating_at(contact.vertices[0], scene, mesh);
     for (unsigned int d = 0; d < 3; ++d)
       if (support.ground_motion[d].is_given())
         moving.emplace_back(discretization.vertex_dofs().index(contact.vertices[1], d),
                             &support.ground_motion[d]);
     contact.state_offset = n_internal;
-    n_internal += contact.law->n_internal_variables;
+    n_internal += contact.law.n_internal_variables();
 
     std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dofs);
@@ -140,8 +142,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
 
 Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
                    const std::vector<int> &unknown_places, const unsigned int n_unknowns)
-    : list(contacts.list), n_internal(contacts.n_internal), preload(Vector::Zero(n_unknowns)),
-      own_parameters(contacts.own_parameters) {
+    : list(contacts.list), n_internal(contacts.n_internal), preload(Vector::Zero(n_unknowns)) {
   for (Contact &contact : list) {
     for (unsigned int &dof : contact.dofs)
       dof = dof_places[dof];
@@ -160,8 +161,7 @@ Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
 }
 
 void Contacts::set_parameters(const unsigned int i, const std::vector<double> &parameters) {
-  own_parameters.push_back(std::make_shared<const std::vector<double>>(parameters));
-  list[i].parameters = own_parameters.back().get();
+  list[i].law = BoundLaw(list[i].law.description(), parameters);
 }
 
 void Contacts::prepare(ContactResponse &response) const {
@@ -178,45 +178,48 @@ void Contacts::prepare(ContactResponse &response) const {
   response.state.impulse.resize(n);
 }
 
+std::vector<double> Contacts::temperatures(const std::vector<double> &load_factors) const {
+  std::vector<double> result;
+  if (std::none_of(list.begin(), list.end(),
+                   [](const Contact &contact) { return !contact.heating.empty(); }))
+    return result;
+  for (const Contact &contact : list)
+    result.push_back(contact.temperature(load_factors));
+  return result;
+}
+
 void Contacts::add_ground_motion(const std::function<double(const TimeFunction &)> &value,
                                  Vector &imposed) const {
   for (const auto &[dof, course] : moving)
     imposed[dof] += value(*course);
 }
 
-void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
-                        const double time_increment, const LawTangent tangent,
+void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed,
+                        const ContactIncrement &increment, const LawTangent tangent,
                         ContactResponse &response) const {
   prepare(response);
   for (unsigned int i = 0; i < list.size(); ++i) {
     response.state.strain[i] = list[i].strain(all_dofs);
-    evaluate_law(i, committed, time, time_increment, tangent, response);
+    evaluate_law(i, committed, increment, tangent, response);
   }
 }
 
-void Contacts::evaluate_law(const unsigned int i, const ContactState &committed, const double time,
-                            const double time_increment, const LawTangent tangent,
+void Contacts::evaluate_law(const unsigned int i, const ContactState &committed,
+                            const ContactIncrement &increment, const LawTangent tangent,
                             ContactResponse &response) const {
   const Contact &contact = list[i];
   const Contact::Strains &strain = response.state.strain[i];
   Contact::Strains rate = Contact::Strains::Zero();
-  if (time_increment > 0.)
-    rate = (strain - committed.strain[i]) / time_increment;
-  const double displacement[3] = {strain[0] * contact.length, strain[1] * contact.length,
-                                  strain[2] * contact.length};
-  const LawInput input{contact.parameters->data(),
-                       strain.data(),
-                       rate.data(),
-                       displacement,
-                       contact.length,
-                       time,
-                       time_increment,
-                       20.,
-                       committed.internal.data() + contact.state_offset,
-                       tangent};
+  if (increment.length > 0.)
+    rate = (strain - committed.strain[i]) / increment.length;
+  const double temperature =
+      increment.temperatures.empty() ? contact.installation_temperature : increment.temperatures[i];
   LawOutput output{response.stress[i].data(), response.tangent[i].data(),
                    response.state.internal.data() + contact.state_offset, 0., ContactStatus::none};
-  if (contact.law->law->integrate(input, output) != LawStatus::ok)
+  if (contact.law.integrate(strain.data(), rate.data(), contact.length,
+                            {increment.time, increment.length, temperature},
+                            committed.internal.data() + contact.state_offset, tangent,
+                            output) != LawStatus::ok)
     response.failed = true;
   response.status[i] = output.contact;
   response.state.touch[i] = output.contact == ContactStatus::open ? strain : committed.touch[i];
@@ -224,12 +227,8 @@ void Contacts::evaluate_law(const unsigned int i, const ContactState &committed,
 }
 
 void Contacts::add_forces(const ContactResponse &response, Vector &forces) const {
-  for (unsigned int i = 0; i < list.size(); ++i) {
-    const Contact &contact = list[i];
-    const Contact::Strains stress = contact.weight * response.stress[i];
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      forces[contact.unknowns[j]] += contact.B_reduced.col(j).dot(stress);
-  }
+  for (unsigned int i = 0; i < list.size(); ++i)
+    list[i].add_to(forces, response.stress[i]);
 }
 
 void Contacts::add_tangent(const ContactResponse &response, SparseMatrix &matrix) const {
@@ -264,24 +263,12 @@ ContactState Contacts::initial_state(const Vector &all_dofs) const {
   // irreversible follows the node.
   for (unsigned int i = 0; i < list.size(); ++i) {
     const Contact &contact = list[i];
-    Contact::Strains strain = state.strain[i], rate = Contact::Strains::Zero(), stress;
-    strain[0] = 1.;
-    const double displacement[3] = {contact.length, strain[1] * contact.length,
-                                    strain[2] * contact.length};
-    const std::vector<double> zero(contact.law->n_internal_variables + 1, 0.);
-    const LawInput input{contact.parameters->data(),
-                         strain.data(),
-                         rate.data(),
-                         displacement,
-                         contact.length,
-                         0.,
-                         0.,
-                         20.,
-                         zero.data(),
-                         LawTangent::none};
-    LawOutput output{stress.data(), nullptr, state.internal.data() + contact.state_offset, 0.,
-                     ContactStatus::none};
-    contact.law->law->integrate(input, output);
+    const Contact::Strains &strain = state.strain[i];
+    const BoundLaw::Answer answer =
+        contact.law.answer_at_rest({1., strain[1], strain[2], strain[3]}, contact.length,
+                                   LawTangent::none, contact.installation_temperature);
+    std::copy(answer.state.begin(), answer.state.end() - 1,
+              state.internal.begin() + contact.state_offset);
   }
   return state;
 }

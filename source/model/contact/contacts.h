@@ -5,7 +5,6 @@
 #include "model/unknowns/sparse_matrix.h"
 
 #include <functional>
-#include <memory>
 
 namespace frictionbeam {
 
@@ -17,6 +16,12 @@ struct ContactState {
   std::vector<double> dissipated;      ///< [J]
   std::vector<double> wear;            ///< integral of normal force times sliding velocity [J]
   std::vector<double> impulse;         ///< of the normal force, impacts included [N s]
+};
+
+/// The increment at whose end contacts are evaluated.
+struct ContactIncrement {
+  double time = 0., length = 0.;         ///< its end, and how long it is: 0 in statics [s]
+  std::vector<double> temperatures = {}; ///< of contacts, at its end; empty: of installation [degC]
 };
 
 /// What one evaluation of all contacts gives.
@@ -45,15 +50,19 @@ public:
   const Contact &operator[](const unsigned int i) const { return list[i]; }
 
   /// Evaluate the laws at the displacements @p all_dofs from the committed state.
-  void evaluate(const Vector &all_dofs, const ContactState &committed, const double time,
-                const double time_increment, const LawTangent tangent,
+  void evaluate(const Vector &all_dofs, const ContactState &committed,
+                const ContactIncrement &increment, const LawTangent tangent,
                 ContactResponse &response) const;
+
+  /// Of the pipes at the contacts, at these factors of the loads [degC]; empty where none is
+  /// heated.
+  std::vector<double> temperatures(const std::vector<double> &load_factors) const;
 
   /// Size a response for all contacts.
   void prepare(ContactResponse &response) const;
   /// Evaluate the law of contact @p i at response.state.strain[i].
-  void evaluate_law(const unsigned int i, const ContactState &committed, const double time,
-                    const double time_increment, const LawTangent tangent,
+  void evaluate_law(const unsigned int i, const ContactState &committed,
+                    const ContactIncrement &increment, const LawTangent tangent,
                     ContactResponse &response) const;
 
   /// forces += weight B^T stress, on the unknowns.
@@ -79,7 +88,6 @@ private:
   unsigned int n_internal = 0;
   std::vector<std::pair<unsigned int, const TimeFunction *>> moving; ///< degrees of freedom
   Vector preload;
-  std::vector<std::shared_ptr<const std::vector<double>>> own_parameters; ///< not the scene's
   std::vector<std::pair<int, double>> platen_positions; ///< unknown, its value in equilibrium
 };
 

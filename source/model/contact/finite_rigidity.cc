@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/contact/finite_rigidity.h"
 
-#include <frictionbeam/law_library.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -27,37 +25,25 @@ double stiffness_of_line(const Contact &contact, const int strain, const SparseM
 
 /// Place of a parameter that is 0 for rigid; negative if the law has none.
 int place_of_zero(const Contact &contact, const std::string &name) {
-  for (int i = 0; i < contact.law->n_parameters; ++i)
-    if (contact.law->parameters[i].name == name)
-      return (*contact.parameters)[i] == 0. ? i : -1;
+  const LawDescription &law = contact.law.description();
+  for (int i = 0; i < law.n_parameters; ++i)
+    if (law.parameters[i].name == name)
+      return contact.law.parameters()[i] == 0. ? i : -1;
   return -1;
 }
 
 } // namespace
 
-bool is_rigid(const FrictionSupport &support, const LawDescription &law) {
-  if (law.threshold == nullptr)
-    return false;
-  FrictionThreshold threshold{};
-  law.threshold(support.parameters.data(), threshold);
-  return std::isinf(threshold.axial_rigidity);
-}
-
 void make_rigid_contacts_finite(const SparseMatrix &stiffness, Contacts &contacts) {
-  for (unsigned int i = 0; i < contacts.size(); ++i) {
-    FrictionThreshold law{};
-    if (contacts[i].law->threshold != nullptr)
-      contacts[i].law->threshold(contacts[i].parameters->data(), law);
-    if (law.static_friction > 0.)
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (contacts[i].law.closed_form().static_friction > 0.)
       return;
-  }
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const Contact &contact = contacts[i];
-    if (contact.law->threshold == nullptr)
+    if (!contact.law.has_closed_form())
       continue;
-    FrictionThreshold law{};
-    contact.law->threshold(contact.parameters->data(), law);
-    std::vector<double> parameters = *contact.parameters;
+    const FrictionThreshold &law = contact.law.closed_form();
+    std::vector<double> parameters = contact.law.parameters();
     const double length_over_share = contact.length * contact.length / contact.weight;
     const auto set = [&](const std::string &name, const double k) {
       if (const int place = place_of_zero(contact, name); place >= 0 && k > 0.)
@@ -69,7 +55,7 @@ void make_rigid_contacts_finite(const SparseMatrix &stiffness, Contacts &contact
     if (std::isinf(law.shear_rigidity_y))
       set("Shear rigidity", std::max(stiffness_of_line(contact, 1, stiffness),
                                      stiffness_of_line(contact, 2, stiffness)));
-    if (parameters != *contact.parameters)
+    if (parameters != contact.law.parameters())
       contacts.set_parameters(i, parameters);
   }
 }

@@ -5,9 +5,6 @@
 
 namespace frictionbeam {
 
-/// Whether the scene asks for a contact that does not give along its normal.
-bool is_rigid(const FrictionSupport &support, const LawDescription &law);
-
 /**
  * For methods that need a stiffness where the scene has none: rigidities of rigid contacts become
  * 1e7 times the line's own stiffness at the contact, so that what the contact gives is below a

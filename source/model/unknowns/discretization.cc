@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/unknowns/discretization.h"
 
+#include "model/law/bound_law.h"
+
 #include "base/user_error.h"
 #include "scene/file/parameter_reader.h"
 #include <frictionbeam/fe_timoshenko_beam.h>
@@ -74,16 +76,12 @@ Table<2, double> section_tangent(const LawDescription &law, const Profile &profi
                                                     {"Bending rigidity", profile.EI}};
   for (const auto &[name, value] : values)
     parameters[parameter_index(law, name)] = value;
-  const std::vector<double> zero(std::max(n_section_strains, law.n_internal_variables), 0.);
-  std::vector<double> stress(n_section_strains), tangent(n_section_strains * n_section_strains),
-      state(law.n_internal_variables);
-  const LawInput input{
-      parameters.data(), zero.data(),           zero.data(), nullptr, 1., 0., 0., 20.,
-      zero.data(),       LawTangent::consistent};
-  LawOutput output{stress.data(), tangent.data(), state.data(), 0., ContactStatus::none};
-  law.law->integrate(input, output);
+  const BoundLaw::Answer answer =
+      BoundLaw(law, parameters)
+          .answer_at_rest(std::vector<double>(n_section_strains, 0.), 1., LawTangent::consistent,
+                          LawIncrement().temperature);
   Table<2, double> result(n_section_strains, n_section_strains);
-  result.fill(tangent.begin(), true);
+  result.fill(answer.tangent.begin(), true);
   return result;
 }
 

@@ -65,8 +65,8 @@ std::string hash_of_model(const Model &model) {
       hash.add(motion);
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    hash.add_numbers(std::string(contact.law->name));
-    hash.add_numbers(*contact.parameters);
+    hash.add_numbers(contact.law.name());
+    hash.add_numbers(contact.law.parameters());
     hash.add_numbers(contact.B_reduced.reshaped().eval());
     hash.add_number(contact.weight);
   }

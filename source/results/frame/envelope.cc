@@ -20,11 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Whether the force of a contact can be an impulse: rigid along its normal, on fixed ground.
 bool is_rigid(const Contact &contact) {
-  if (contact.law->threshold == nullptr || contact.platen_force != 0.)
-    return false;
-  FrictionThreshold law{};
-  contact.law->threshold(contact.parameters->data(), law);
-  return std::isinf(law.axial_rigidity);
+  return contact.law.is_rigid_along_normal() && contact.platen_force == 0.;
 }
 
 /// Whether a combination has this step among its cases.

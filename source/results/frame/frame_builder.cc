@@ -95,7 +95,7 @@ Motion FrameBuilder::velocity(const LineState &state, const std::string &point) 
 
 Vector3 FrameBuilder::support_force(const LineState &state, const unsigned int i) const {
   const Contact &contact = model.contacts[i];
-  const Contact::Strains stress = contact.weight / contact.length * state.contact_stress[i];
+  const Contact::Strains stress = contact.force(state.contact_stress[i]);
   return stress[0] * contact.axes.x + stress[1] * contact.axes.y + stress[2] * contact.axes.z;
 }
 
@@ -115,7 +115,7 @@ Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) 
 
 SupportState FrameBuilder::support_state(const LineState &state, const unsigned int i) const {
   const Contact &contact = model.contacts[i];
-  const double share = contact.weight / contact.length;
+  const double share = contact.share();
   const Contact::Strains &stress = state.contact_stress[i], &strain = state.contacts.strain[i];
   SupportState result;
   result.status = state.contact_status[i];
@@ -126,10 +126,7 @@ SupportState FrameBuilder::support_state(const LineState &state, const unsigned 
   result.work_friction = state.contacts.dissipated[i];
   result.wear = state.contacts.wear[i];
   result.impulse = state.contacts.impulse[i];
-  FrictionThreshold law{};
-  law.shear_rigidity_y = law.shear_rigidity_z = std::numeric_limits<double>::infinity();
-  if (contact.law->threshold != nullptr)
-    contact.law->threshold(contact.parameters->data(), law);
+  const FrictionThreshold &law = contact.law.closed_form();
   result.gap = strain[0] * contact.length + law.gap;
   if (result.status != ContactStatus::open) {
     // What is left of the displacement since contact began when the elastic part is taken out.

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The law coulomb with friction that falls with temperature, f (1 - 0.002 (T - 20 degC)), and
+// without a closed form, which could not know the temperature.
+#define frictionbeam_law frictionbeam_cold_law
+#include "../../plugin/law_coulomb.cc"
+#undef frictionbeam_law
+
+namespace {
+
+class WarmCoulomb final : public LawBase {
+public:
+  LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {
+    double now[n_parameters];
+    std::copy(in.parameters, in.parameters + n_parameters, now);
+    now[f_static] *= 1. - 0.002 * (in.temperature - 20.);
+    LawInput warm = in;
+    warm.parameters = now;
+    return law.integrate(warm, out);
+  }
+};
+
+constexpr WarmCoulomb warm_law;
+
+} // namespace
+
+extern "C" __attribute__((visibility("default")))
+const frictionbeam::LawDescription frictionbeam_law = {frictionbeam::law_interface_version,
+                                                       frictionbeam::LawKind::support,
+                                                       frictionbeam::n_support_strains,
+                                                       n_states,
+                                                       false,
+                                                       "warm",
+                                                       "a law of the tests",
+                                                       n_parameters,
+                                                       parameters,
+                                                       &warm_law,
+                                                       nullptr};
