@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/resolution.h"
 
+#include "base/numbers.h"
 #include "scene/history_origins.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ double deviation(const TimeFunction &history, const double start, const double e
     const auto corner = std::upper_bound(history.breaks.begin(), history.breaks.end(),
                                          begin + 1e-12 * (end - start));
     const double last = corner != history.breaks.end() ? std::min(*corner, end) : end;
-    const unsigned int n = std::max(1., std::ceil((last - begin) / step - 1e-9)),
+    const unsigned int n = std::max(1., std::ceil((last - begin) / step - same_instant_of_step)),
                        inside = std::max(2., n_points * step / (end - start));
     for (unsigned int i = 0; i < n; ++i) {
       const double t0 = begin + (last - begin) * i / n, t1 = begin + (last - begin) * (i + 1) / n,

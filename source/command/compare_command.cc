@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "command/compare_command.h"
 
+#include "base/numbers.h"
 #include "base/user_error.h"
 #include "results/text.h"
 #include "scene/file/parameter_file.h"
@@ -118,7 +119,7 @@ void compare(const std::string &title, const Table &a, const Table &b,
     double scale = 0.;
     for (const Difference &d : list)
       scale = std::max({scale, std::abs(d.first), std::abs(d.second)});
-    if (list.empty() || list.front().size() <= 1e-9 * scale)
+    if (list.empty() || list.front().size() <= equal_numbers * scale)
       continue;
     any = true;
     const Difference &worst = list.front();
@@ -161,7 +162,7 @@ int compare_runs(const std::string &first, const std::string &second) {
       continue;
     }
     const double x = row.second[0], y = other->second.second[0];
-    if (std::abs(y - x) <= 1e-9 * std::max(std::abs(x), std::abs(y)))
+    if (std::abs(y - x) <= equal_numbers * std::max(std::abs(x), std::abs(y)))
       ++n_same;
     else
       std::cout << "  " << name << ": " << rounded_number(x, 6) << " -> " << rounded_number(y, 6)

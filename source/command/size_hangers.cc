@@ -2,6 +2,7 @@
 #include "command/size_hangers.h"
 
 #include "analysis/sequence/load_sequence.h"
+#include "base/numbers.h"
 #include "base/user_error.h"
 #include "model/line_model.h"
 #include "results/frame/frame_builder.h"
@@ -109,7 +110,7 @@ void size_hangers(Scene &scene, const LawLibrary &laws) {
       const double hot = spring.preload;
       if (!hanger.constant) {
         spring.stiffness[2] =
-            std::min(hanger.largest_variation * hot / std::max(std::abs(travel[s]), 1e-300),
+            std::min(hanger.largest_variation * hot / std::max(std::abs(travel[s]), not_zero),
                      hot / least_travel);
         spring.preload = hot + spring.stiffness[2] * travel[s];
       }

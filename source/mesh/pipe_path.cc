@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/pipe_path.h"
+#include "base/numbers.h"
 #include "base/user_error.h"
 #include "scene/in_units.h"
 
@@ -36,7 +37,7 @@ PipePath::PipePath(const Pipe &pipe, const UnitSystem &units) {
   places.push_back({route.front().name, 0.});
   for (unsigned int i = 1; i < route.size(); ++i) {
     const Vector3 leg = route[i].position - begin;
-    if (leg.norm() <= 1e-9 * total_length && !parts.empty() && parts.back().radius > 0. &&
+    if (leg.norm() <= same_place * total_length && !parts.empty() && parts.back().radius > 0. &&
         route[i].bend_radius == 0.) { // the end of the bend before, by its name
       places.push_back({route[i].name, total_length});
       continue;
@@ -60,7 +61,7 @@ PipePath::PipePath(const Pipe &pipe, const UnitSystem &units) {
                         ": a bend needs an angle below 180 degrees. Use two corners.");
       cut = route[i].bend_radius * std::tan(angle / 2.);
       const double next_length = (route[i + 1].position - route[i].position).norm();
-      if (cut > leg.norm() * (1. + 1e-9) || cut > next_length * (1. + 1e-9)) {
+      if (cut > leg.norm() * (1. + same_place) || cut > next_length * (1. + same_place)) {
         const auto length = [&](const double value) { return in_units(units, value, "m"); };
         throw UserError("The bend of radius " + length(route[i].bend_radius) + " at " + where(i) +
                         " takes " + length(cut) + " of each leg, and what is left of the legs is " +
@@ -68,7 +69,7 @@ PipePath::PipePath(const Pipe &pipe, const UnitSystem &units) {
                         ". Give a smaller radius or longer legs.");
       }
     }
-    if (leg.norm() - cut > 1e-9 * leg.norm()) {
+    if (leg.norm() - cut > same_place * leg.norm()) {
       Segment straight;
       straight.length = leg.norm() - cut;
       straight.begin = begin;

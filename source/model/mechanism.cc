@@ -2,6 +2,7 @@
 #include "model/mechanism.h"
 
 #include "base/joined.h"
+#include "base/numbers.h"
 
 #include "base/user_error.h"
 
@@ -92,7 +93,7 @@ public:
       const auto free_motion = [&](const Matrix6 &held) {
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(held.topLeftCorner(size, size));
         const bool is_free =
-            eigen.eigenvalues()[0] <= 1e-12 * std::max(eigen.eigenvalues()[size - 1], 1e-300);
+            eigen.eigenvalues()[0] <= 1e-12 * std::max(eigen.eigenvalues()[size - 1], not_zero);
         Vector6 mode = Vector6::Zero();
         mode.head(size) = eigen.eigenvectors().col(0);
         return std::make_pair(is_free, mode);
@@ -125,7 +126,7 @@ private:
     out.precision(3);
     out << '(';
     for (unsigned int d = 0; d < 3; ++d)
-      out << (std::abs(v[d]) < 1e-6 * v.norm() ? 0. : v[d]) << (d < 2 ? ", " : ")");
+      out << (std::abs(v[d]) < no_direction * v.norm() ? 0. : v[d]) << (d < 2 ? ", " : ")");
     return out.str();
   }
 
@@ -135,7 +136,7 @@ private:
       shift[d] = mode[d];
       turn[d] = mode[3 + d];
     }
-    if (turn.norm() < 1e-6)
+    if (turn.norm() < no_direction)
       return "moving along " + text(shift / shift.norm());
     Vector3 axis = turn / turn.norm();
     const Vector3 rate = turn / (part.size > 0. ? part.size : 1.);

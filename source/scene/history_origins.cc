@@ -3,6 +3,7 @@
 
 #include "scene/history_origins.h"
 
+#include "base/numbers.h"
 #include "base/user_error.h"
 
 #include <algorithm>
@@ -108,7 +109,8 @@ void frictionbeam::parts::check_histories(Scene &scene) {
       if (!acts(scene.steps[s], l) || first_step(scene, s, l, of_step) != s)
         continue;
       const double starts = of_step ? 0. : begin[s];
-      if (std::isfinite(load.history.begins) && load.history.begins < starts - 1e-9 * begin[s])
+      if (std::isfinite(load.history.begins) &&
+          load.history.begins < starts - same_instant_of_step * begin[s])
         fail(scene, "Load " + load.name +
                         ": the beginning of its History would be lost.\n  read:    '" +
                         load.history.text + "', a record that begins at " +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/elastic_system.h"
+#include "base/numbers.h"
 #include "base/user_error.h"
 
 #include <Eigen/Cholesky>
@@ -60,7 +61,7 @@ CondensedSystem::CondensedSystem(const ContinuumBody<dim> &body) {
     // Along the normal a prescribed pressure is a load, which has no tangent.
     const bool is_pressed = body.continuum.contacts[node.surface].pressure.has_value();
     for (unsigned int d = 0; d < dim; ++d)
-      if (is_free[node.dofs[d]] && !(is_pressed && std::abs(node.frame[0][d]) > 1. - 1e-12))
+      if (is_free[node.dofs[d]] && !(is_pressed && std::abs(node.frame[0][d]) > 1. - no_component))
         contact_dofs.push_back(node.dofs[d]);
   }
   number(is_free, contact_dofs);

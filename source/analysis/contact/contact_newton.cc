@@ -3,6 +3,7 @@
 #include "analysis/contact/halving_search.h"
 
 #include "base/interruption.h"
+#include "base/numbers.h"
 
 #include <Eigen/LU>
 
@@ -106,7 +107,8 @@ bool ContactNewton::balanced(const Vector &forces, const Vector &x, const Contac
   force_left = size;
   largest_force = std::max(largest, force_so_far);
   rounding = 8. * std::numeric_limits<double>::epsilon() * stiffest;
-  return size <= std::max(settings.tolerance * largest, std::min(rounding, 1e-8 * largest_force));
+  return size <=
+         std::max(settings.tolerance * largest, std::min(rounding, most_excused * largest_force));
 }
 
 std::string ContactNewton::rounding_remark() const {

@@ -2,6 +2,7 @@
 #include "analysis/contact/equilibrium.h"
 
 #include "base/number_text.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <limits>
@@ -67,8 +68,9 @@ double Residual::tolerance(const double relative, const Vector &diagonal, const 
                            const ContactResponse &response) const {
   // A solution that runs away has rounding errors of any size: they excuse nothing then.
   const double largest = largest_force(response);
-  return std::max(relative * largest, std::min(rounding(diagonal, unknowns),
-                                               1e-8 * std::max(largest, problem.force_so_far)));
+  return std::max(relative * largest,
+                  std::min(rounding(diagonal, unknowns),
+                           most_excused * std::max(largest, problem.force_so_far)));
 }
 
 double search_line(Residual &residual, const Vector &direction, const Vector &diagonal,
@@ -83,7 +85,7 @@ double search_line(Residual &residual, const Vector &direction, const Vector &di
     unknowns = start + length * direction;
     forces = residual(unknowns, LawTangent::consistent, response);
     const double after = merit(forces);
-    if (after <= (1. - 1e-4 * length) * before)
+    if (after <= (1. - sufficient_decrease * length) * before)
       return after;
     if (after < best) {
       best = after;

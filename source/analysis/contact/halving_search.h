@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "base/numbers.h"
+
 #include <limits>
 
 namespace frictionbeam {
@@ -24,7 +26,7 @@ HalvingResult search_by_halving(const Go &go, const double before, const double 
       best = after;
       best_length = length;
     }
-    if (after <= (1. - 1e-4 * length) * before)
+    if (after <= (1. - sufficient_decrease * length) * before)
       break;
   }
   return {best_length, length == best_length ? best : go(best_length)};

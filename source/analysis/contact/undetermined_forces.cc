@@ -2,6 +2,7 @@
 #include "analysis/contact/undetermined_forces.h"
 
 #include "base/joined.h"
+#include "base/numbers.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -65,7 +66,7 @@ std::vector<FreeForce> free_forces(const Contacts &contacts, const LineState &st
     for (const Eigen::Vector3d &direction : rigid_directions(contacts[i], i, state)) {
       const Vector row =
           contacts[i].length * contacts[i].B_reduced.topRows<3>().transpose() * direction;
-      if (!(row.norm() > 1e-12 * direction.norm()))
+      if (!(row.norm() > no_component * direction.norm()))
         continue; // nothing moves that way: it is the restraint's
       FreeForce force{i, {}};
       for (Eigen::Index j = 0; j < row.size(); ++j)

@@ -2,6 +2,7 @@
 #include "analysis/contact_problem/local_contact_solver.h"
 
 #include "analysis/contact_problem/local_contact_law.h"
+#include "base/numbers.h"
 
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
@@ -153,7 +154,7 @@ bool Solver::newton(VectorXd &r, const unsigned int most_iterations) {
     for (double length = 1.; length > 0.05 && !decreased; length /= 2.) {
       F = residual(r + length * step);
       const double after = merit(F);
-      decreased = after <= (1. - 1e-4 * length) * before;
+      decreased = after <= (1. - sufficient_decrease * length) * before;
       if (after < least) {
         least = after;
         best_length = length;

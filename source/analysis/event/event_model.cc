@@ -4,6 +4,7 @@
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/step_helpers.h"
 #include "analysis/time/time_integrator.h"
+#include "base/numbers.h"
 #include "base/user_error.h"
 
 #include <algorithm>
@@ -93,7 +94,8 @@ void EventModel::make_contact(const unsigned int i) {
     const Eigen::Vector3d column = l * contact.B_reduced.col(j).head<3>();
     if (has_mass[unknown])
       columns.push_back(j);
-    else if (contact.platen_force != 0. && column.tail<2>().norm() <= 1e-12 * column.norm()) {
+    else if (contact.platen_force != 0. &&
+             column.tail<2>().norm() <= no_component * column.norm()) {
       result.platen_unknown = unknown;
       result.platen_weight = column[0];
     } else if (column.norm() > 0.)
@@ -107,7 +109,7 @@ void EventModel::make_contact(const unsigned int i) {
     result.G.col(k) = l * contact.B_reduced.col(columns[k]).head<3>();
   }
   for (int d = 0; d < 3; ++d)
-    result.moves[d] = result.G.cols() > 0 && result.G.row(d).norm() > 1e-12;
+    result.moves[d] = result.G.cols() > 0 && result.G.row(d).norm() > no_component;
 }
 
 Vector EventModel::forces_left(const Vector &forces, Vector &unknowns,

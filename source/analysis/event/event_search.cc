@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/event/event_integrator.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,8 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
     if (state.at_limit)
       rounding = std::max(rounding, limit_of_statics * f * largest_N);
     const Polynomial T1 = TaylorMotion::row(r, 1), T2 = TaylorMotion::row(r, 2);
-    const bool only_1 = size(r, 2) <= 1e-12 * size(r, 1), only_2 = size(r, 1) <= 1e-12 * size(r, 2);
+    const bool only_1 = size(r, 2) <= no_component * size(r, 1),
+               only_2 = size(r, 1) <= no_component * size(r, 2);
     if (only_1 || only_2) {
       const Polynomial &T = only_1 ? T1 : T2;
       look(f * N - T, rounding, Kind::slipping);
@@ -108,7 +110,8 @@ bool EventIntegrator::find_curves() {
     const double along = derivative(s[0] * g1 + s[1] * g2).lpNorm<Eigen::Infinity>(),
                  across = derivative(s[0] * g2 - s[1] * g1).lpNorm<Eigen::Infinity>();
     if (across <= 1e-9 * along ||
-        across <= 1e-12 * (g1.lpNorm<Eigen::Infinity>() + g2.lpNorm<Eigen::Infinity>()) || stops(i))
+        across <= no_component * (g1.lpNorm<Eigen::Infinity>() + g2.lpNorm<Eigen::Infinity>()) ||
+        stops(i))
       continue;
     state.curved = found = true;
   }

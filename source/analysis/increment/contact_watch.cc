@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/increment/contact_watch.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ bool is_rigid_stop(const Model &model, const Contact &contact) {
     return false;
   for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
     const auto column = contact.B_reduced.col(j);
-    if (std::abs(column[0]) > 1e-12 * column.norm() &&
+    if (std::abs(column[0]) > no_component * column.norm() &&
         !(model.linear.mass().coeff(contact.unknowns[j], contact.unknowns[j]) > 0.))
       return false;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/increment/load_course.h"
 #include "analysis/increment/time_step.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ LoadCourse::Derivatives LoadCourse::derivatives(const double time, const Side si
     any = any || model.linear.accelerates(l);
   if (!any)
     return {};
-  const double step = time_step(model), rounding = 1e-9 * step;
+  const double step = time_step(model), rounding = same_instant_of_step * step;
   Derivatives result{Factors(to.size(), 0.), Factors(to.size(), 0.)};
   const double next = next_break(time + rounding), last = last_break(time - rounding);
   const bool at_break = next_break(time - rounding) <= time + rounding;
@@ -186,7 +187,7 @@ double LoadCourse::last_break(const double time) const {
 }
 
 bool LoadCourse::may_jump(const double start, const double end) const {
-  const double rounding = 1e-9 * (end - start);
+  const double rounding = same_instant_of_step * (end - start);
   return next_break(start - rounding) < end - rounding;
 }
 
@@ -195,7 +196,8 @@ bool LoadCourse::forces_jump(const double time) const {
     return false;
   const Factors before = factors_before(time), after = factors_after(time);
   for (unsigned int l = 0; l < to.size(); ++l)
-    if (std::abs(after[l] - before[l]) > 1e-9 * std::max(std::abs(after[l]), std::abs(before[l])))
+    if (std::abs(after[l] - before[l]) >
+        equal_numbers * std::max(std::abs(after[l]), std::abs(before[l])))
       return true;
   return false;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/march/time_march.h"
 #include "base/number_text.h"
+#include "base/numbers.h"
 
 #include "analysis/increment/contact_watch.h"
 #include "analysis/increment/follow_resolution.h"
@@ -106,7 +107,8 @@ bool TimeMarch::move_to(const double time, const std::function<void()> &after_ea
 }
 
 bool TimeMarch::is_shortest(const double step) const {
-  return step <= longest_step / std::pow(2., model.scene.solver.max_halvings) * (1. + 1e-9);
+  return step <=
+         longest_step / std::pow(2., model.scene.solver.max_halvings) * (1. + same_instant_of_step);
 }
 
 bool TimeMarch::take_time_step(const double time) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/sequence/load_sequence.h"
 #include "base/number_text.h"
+#include "base/numbers.h"
 
 #include "analysis/contact/opposed_contacts.h"
 #include "analysis/contact/undetermined_forces.h"
@@ -71,7 +72,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
       if (course.forces_jump(current.time) && !advance_to_other_side())
         return false;
       const double corner = course.next_break(current.time);
-      done = !(corner < end - 1e-9 * declared_step.duration);
+      done = !(corner < end - same_instant_of_step * declared_step.duration);
       const double time = done ? end : corner, part = (time - start) / declared_step.duration;
       Factors to = target;
       if (!done || i < declared_step.n_increments)

@@ -3,6 +3,7 @@
 
 #include "analysis/statics/continuum_newton.h"
 #include "base/interruption.h"
+#include "base/numbers.h"
 
 #include <Eigen/LU>
 
@@ -171,7 +172,7 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
     const bool last = iteration == most_iterations || stalls == most_stalls;
     const double accepted =
         std::max(settings.tolerance * largest_force,
-                 std::min(epsilon_of_rounding * largest_of(stiff), 1e-8 * largest_force));
+                 std::min(epsilon_of_rounding * largest_of(stiff), most_excused * largest_force));
     if (size <= accepted && check.holds(settings.contact_tolerance) &&
         (last || check.natural_map <= 0.1 * settings.contact_tolerance))
       return true;
@@ -196,7 +197,7 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
         step[i] = M.solve(LocalVector(used[i] - centre));
         used[i] = centre + step[i];
       }
-      symmetric &= (D - D.transpose()).norm() <= 1e-12 * D.norm();
+      symmetric &= (D - D.transpose()).norm() <= no_component * D.norm();
       blocks[i].dofs.assign(body.nodes[i].dofs.begin(), body.nodes[i].dofs.end());
       const auto &frame = body.nodes[i].frame;
       for (unsigned int a = 0; a < dim; ++a)

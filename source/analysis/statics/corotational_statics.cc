@@ -3,6 +3,7 @@
 
 #include "analysis/contact/solver_library.h"
 #include "base/interruption.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,8 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
       moved = std::max(moved, std::abs(pose.dofs[model.discretization.vertex_dofs().index(v, d)]));
   const double rounding = 8. * std::numeric_limits<double>::epsilon() *
                           stiffness.diagonal().lpNorm<Eigen::Infinity>() * moved;
-  if (size <= std::max(model.scene.solver.tolerance * largest, std::min(rounding, 1e-8 * largest)))
+  if (size <=
+      std::max(model.scene.solver.tolerance * largest, std::min(rounding, most_excused * largest)))
     return true;
   return size <= most_rounding * largest && size <= measured_rounding(model, pose, factors);
 }

@@ -6,6 +6,7 @@
 
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/stiff_friction.h"
+#include "base/numbers.h"
 
 namespace frictionbeam {
 
@@ -92,7 +93,7 @@ void AlphaScheme::start(LineState &state, const LoadCourse &loads) {
 }
 
 void AlphaScheme::set_step(const double step) {
-  if (std::abs(step - effective_step) <= 1e-9 * step)
+  if (std::abs(step - effective_step) <= same_instant_of_step * step)
     return;
   effective = model.linear.stiffness() + ratio / (p.beta * step * step) * model.linear.mass();
   if (model.linear.damping().nonZeros() > 0)

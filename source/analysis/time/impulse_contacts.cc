@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/time/impulse_contacts.h"
 #include "analysis/time/step_helpers.h"
+#include "base/numbers.h"
 
 #include <cmath>
 #include <limits>
@@ -27,7 +28,7 @@ ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
       if (!with_mass[contact.unknowns[j]]) {
         const auto column = contact.B_reduced.col(j);
-        const double rounding = 1e-12 * column.norm();
+        const double rounding = no_component * column.norm();
         normal_mass = normal_mass && std::abs(column[0]) <= rounding;
         shear_mass = shear_mass && column.segment<2>(1).norm() <= rounding;
       }

@@ -3,6 +3,7 @@
 #include "analysis/time/step_helpers.h"
 
 #include "analysis/time/stiff_friction.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ void MoreauJean::start(LineState &state, const LoadCourse &) {
 }
 
 void MoreauJean::set_step(const double h) {
-  if (std::abs(h - effective_step) <= 1e-9 * h)
+  if (std::abs(h - effective_step) <= same_instant_of_step * h)
     return;
   effective = model.linear.stiffness() + 1. / (h * h * theta * theta) * model.linear.mass();
   if (model.linear.damping().nonZeros() > 0)

@@ -4,6 +4,7 @@
 #include "analysis/contact/opposed_contacts.h"
 
 #include "analysis/vibration/modal_analysis.h"
+#include "base/numbers.h"
 #include "base/user_error.h"
 
 #include <Eigen/Eigenvalues>
@@ -153,13 +154,13 @@ bool ModalAnalysis::solve_sparse(const unsigned int n, const unsigned int n_vect
 void ModalAnalysis::normalize() {
   for (Mode &mode : found) {
     const Vector momentum = M * mode.unknowns;
-    double scale = 1. / std::sqrt(std::max(mode.unknowns.dot(momentum), 1e-300));
+    double scale = 1. / std::sqrt(std::max(mode.unknowns.dot(momentum), not_zero));
     int largest = 0; // its sign is a matter of choice: the largest motion is positive
     mode.unknowns.cwiseAbs().maxCoeff(&largest);
     scale *= mode.unknowns[largest] < 0. ? -1. : 1.;
     const double square = std::pow(2. * numbers::PI * mode.frequency, 2);
-    mode.residual =
-        (K * mode.unknowns - square * momentum).norm() / std::max(square * momentum.norm(), 1e-300);
+    mode.residual = (K * mode.unknowns - square * momentum).norm() /
+                    std::max(square * momentum.norm(), not_zero);
     mode.unknowns *= scale;
   }
 }

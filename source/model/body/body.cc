@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/body/body.h"
+#include "base/numbers.h"
 #include "base/user_error.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -324,7 +325,7 @@ void ContinuumBody<dim>::find_contact_nodes() {
         node.frame[2] = cross_product_3d(n, node.frame[1]);
       bool held = false; // what holds the node along its normal carries its force
       for (unsigned int d = 0; d < dim; ++d)
-        held |= std::abs(n[d]) > 1e-6 && constraints.is_constrained(node.dofs[d]);
+        held |= std::abs(n[d]) > no_direction && constraints.is_constrained(node.dofs[d]);
       if (!held)
         nodes.push_back(node);
     }

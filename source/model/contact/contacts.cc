@@ -32,20 +32,27 @@ double platen_position(const Contact &contact, const std::string &support) {
                   "' cannot carry the Normal force on it. Give the law a larger rigidity.");
 }
 
-/// Loads that heat the pipes at a vertex, and the mean of how much [K].
-std::vector<std::pair<unsigned int, double>> heating_at(const unsigned int vertex,
-                                                        const Scene &scene, const LineMesh &mesh) {
-  std::vector<std::string> pipes;
+/// Pipes that meet at each vertex.
+std::vector<std::vector<unsigned int>> pipes_by_vertex(const LineMesh &mesh) {
+  std::vector<std::vector<unsigned int>> result(mesh.vertices.size());
   for (unsigned int p = 0; p < mesh.pipes.size(); ++p)
-    if (std::count(mesh.pipes[p].vertices.begin(), mesh.pipes[p].vertices.end(), vertex) > 0)
-      pipes.push_back(scene.pipes[p].name);
+    for (const unsigned int vertex : mesh.pipes[p].vertices)
+      if (result[vertex].empty() || result[vertex].back() != p) // a loop comes back
+        result[vertex].push_back(p);
+  return result;
+}
+
+/// Loads that heat some of these pipes, and the mean of how much over all of them [K].
+std::vector<std::pair<unsigned int, double>> heating_of(const std::vector<unsigned int> &pipes,
+                                                        const Scene &scene) {
   std::vector<std::pair<unsigned int, double>> result;
   for (unsigned int l = 0; l < scene.loads.size(); ++l) {
     const Load &load = scene.loads[l];
     if (load.kind != Load::Kind::temperature)
       continue;
-    const auto heated = std::count_if(pipes.begin(), pipes.end(), [&](const std::string &pipe) {
-      return load.pipes.empty() || std::count(load.pipes.begin(), load.pipes.end(), pipe) > 0;
+    const auto heated = std::count_if(pipes.begin(), pipes.end(), [&](const unsigned int pipe) {
+      return load.pipes.empty() ||
+             std::count(load.pipes.begin(), load.pipes.end(), scene.pipes[pipe].name) > 0;
     });
     if (heated > 0)
       result.emplace_back(l, load.value * heated / pipes.size());
@@ -59,6 +66,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
                    const ReducedSpace &space, const LawLibrary &laws)
     : preload(Vector::Zero(space.n_unknowns())) {
   list.reserve(discretization.support_cells().size());
+  const std::vector<std::vector<unsigned int>> pipes = pipes_by_vertex(mesh);
   std::map<unsigned int, FEValues<1, 3>> values; // by element of the collection
   for (unsigned int c = 0; c < discretization.support_cells().size(); ++c) {
     const SupportCell &support_cell = discretization.support_cells()[c];
@@ -85,7 +93,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     contact.platen_force = share * support.normal_force;
     contact.restitution = support.restitution;
     contact.installation_temperature = scene.installation_temperature;
-    contact.heating = heating_at(contact.vertices[0], scene, mesh);
+    contact.heating = heating_of(pipes[contact.vertices[0]], scene);
     for (unsigned int d = 0; d < 3; ++d)
       if (support.ground_motion[d].is_given())
         moving.emplace_back(discretization.vertex_dofs().index(contact.vertices[1], d),

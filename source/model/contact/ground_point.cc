@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/contact/ground_point.h"
 
+#include "base/numbers.h"
 #include "base/user_error.h"
 
 namespace frictionbeam {
@@ -11,7 +12,7 @@ Vector3 arm_of_ground(const Discretization &discretization, const Contact &conta
   const Vector3 way = discretization.vertices()[contact.vertices[0]] -
                       discretization.vertices()[contact.vertices[1]];
   const Vector3 arm = way - (way * contact.axes.x) * contact.axes.x;
-  return arm.norm() > 1e-9 * way.norm() ? arm : Vector3();
+  return arm.norm() > same_place * way.norm() ? arm : Vector3();
 }
 
 void stand_on_point(const FrictionSupport &support, const Discretization &discretization,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/numbers.h"
 #include "base/user_error.h"
 #include "model/line/linear_part.h"
 
@@ -33,7 +34,7 @@ void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
           continue;
         double value = 0.; // what is held along an axis moves with it, either way it points
         for (unsigned int c = 0; c < 6; ++c)
-          if (at.given[c] && std::abs(std::abs(held.direction[c]) - 1.) < 1e-12)
+          if (at.given[c] && std::abs(std::abs(held.direction[c]) - 1.) < no_component)
             value = held.direction[c] * at.value[c];
         append(held.direction, value);
       }

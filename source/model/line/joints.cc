@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/numbers.h"
 #include "base/user_error.h"
 #include "model/unknowns/discretization.h"
 
@@ -21,7 +22,7 @@ Vector3 plane_normal(const LineMesh &mesh, const unsigned int branch, const unsi
     const unsigned int i = found - vertices.begin();
     const Vector3 run = mesh.pipes[p].tangent(mesh.vertices, i > 0 ? i - 1 : 0, i > 0);
     const Vector3 normal = cross_product_3d(run, along);
-    if (normal.norm() > 1e-6)
+    if (normal.norm() > no_direction)
       return normal / normal.norm();
   }
   return LocalAxes(along).z;

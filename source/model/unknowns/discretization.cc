@@ -3,6 +3,7 @@
 
 #include "model/law/bound_law.h"
 
+#include "base/numbers.h"
 #include "base/user_error.h"
 #include "scene/file/parameter_reader.h"
 #include <frictionbeam/fe_timoshenko_beam.h>
@@ -276,7 +277,8 @@ void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
       unsigned int ground;
       double length = support.length;
       const Vector3 &tangent = mesh.supports[i][site].tangent;
-      if (support.kind == "guide" && tangent.norm() > 0. && std::abs(tangent[2]) > 1. - 1e-6)
+      if (support.kind == "guide" && tangent.norm() > 0. &&
+          std::abs(tangent[2]) > 1. - no_direction)
         throw UserError(
             "Support " + support.name +
             ": with a gap, friction or a stiffness, a guide on a vertical pipe would "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/unknowns/reduced_space.h"
+#include "base/numbers.h"
 
 #include <frictionbeam/generalized_strain.h>
 
@@ -28,7 +29,7 @@ Tensor<1, 6> motion(const unsigned int component) {
 void add_orthonormal(Tensor<1, 6> direction, std::vector<Tensor<1, 6>> &held) {
   for (const Tensor<1, 6> &other : held)
     direction -= (direction * other) * other;
-  if (direction.norm() > 1e-6)
+  if (direction.norm() > no_direction)
     held.push_back(direction / direction.norm());
 }
 
@@ -111,7 +112,7 @@ std::vector<Tensor<1, 6>> held_directions(const Restraint &restraint, const Site
       held.push_back(motion(c));
   for (const Direction &direction : restraint.translations) {
     add_orthonormal(translation(resolve(direction, site.tangent, restraint.name)), held);
-    if (direction.kind == Direction::Kind::across && std::abs(site.tangent[2]) > 1. - 1e-6)
+    if (direction.kind == Direction::Kind::across && std::abs(site.tangent[2]) > 1. - no_direction)
       add_orthonormal(translation(LocalAxes(site.tangent).z), held);
   }
   return held;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/derived_cases.h"
+#include "base/numbers.h"
 #include "results/frame/frame_builder.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ Frame with_numbers(Frame frame, const Vector &numbers) {
 
 /// Correlation of two modes of equal damping in the complete quadratic combination.
 double correlation(const double a, const double b, const double damping) {
-  const double r = std::min(a, b) / std::max(std::max(a, b), 1e-300), z = damping * damping;
+  const double r = std::min(a, b) / std::max(std::max(a, b), not_zero), z = damping * damping;
   return 8. * z * (1. + r) * std::pow(r, 1.5) /
          (std::pow(1. - r * r, 2) + 4. * z * r * (1. + r) * (1. + r));
 }

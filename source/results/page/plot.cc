@@ -2,6 +2,7 @@
 #include "results/page/plot.h"
 #include "results/text.h"
 
+#include "base/numbers.h"
 #include "base/process.h"
 #include "base/temporary_folder.h"
 
@@ -96,7 +97,7 @@ void write_range(const Plot &plot, const char axis, std::ostream &script) {
           script << "set xtics add (" << rounded_number(digit * std::pow(10., decade)) << ")\n";
     return;
   }
-  if (high < low || high - low > 1e-9 * std::max(std::abs(high), std::abs(low)))
+  if (high < low || high - low > equal_numbers * std::max(std::abs(high), std::abs(low)))
     return;
   const double margin = high == 0. ? 1. : std::abs(high) * (log ? 0.5 : 0.1);
   script << "set " << axis << "range [" << rounded_number(low - margin, 12) << ':'

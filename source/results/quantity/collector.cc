@@ -6,6 +6,7 @@
 #include "results/quantity/collector.h"
 #include "results/stress/stresses.h"
 
+#include "base/numbers.h"
 #include "base/user_error.h"
 
 #include <algorithm>
@@ -106,8 +107,7 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
   for (unsigned int i = 0; i < results.restraints.size(); ++i)
     if (results.restraints[i].name == quantity.where)
       return now.reactions[i][component];
-  if (const auto force =
-          force_of_supports(builder, results, quantity.where, state, component))
+  if (const auto force = force_of_supports(builder, results, quantity.where, state, component))
     return *force;
   const auto point = model.mesh.points.find(quantity.where);
   if (point == model.mesh.points.end())
@@ -174,7 +174,7 @@ const Station *find_station(const Model &model, const Quantity &quantity, const 
       const Station *last = nullptr;
       for (const Station &station : made.line)
         if (station.pipe == p && station.node &&
-            std::abs(station.s - pipe.s[i]) <= 1e-9 * pipe.s.back()) {
+            std::abs(station.s - pipe.s[i]) <= same_place * pipe.s.back()) {
           last = &station;
           if (quantity.side != Side::after)
             break;
@@ -263,7 +263,7 @@ bool Collector::output_is_due(const LoadStep &step, const double time, const boo
     return true;
   if (step.transient)
     return model.scene.time.output_interval == 0. ||
-           time >= last_output + model.scene.time.output_interval * (1. - 1e-9);
+           time >= last_output + model.scene.time.output_interval * (1. - same_instant_of_step);
   return model.scene.output.every_increment;
 }
 
@@ -307,7 +307,7 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
     else if (quantity.time) {
       if (pending[i].value)
         continue;
-      const double rounding = 1e-9 * std::max(1e-300, std::abs(*quantity.time));
+      const double rounding = 1e-9 * std::max(not_zero, std::abs(*quantity.time));
       if (*quantity.time > state.time + rounding) {
         pending[i].previous = evaluate(quantity, state);
       } else {

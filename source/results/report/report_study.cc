@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/report/report_study.h"
+#include "base/numbers.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
 #include "results/file/output_file.h"
@@ -144,7 +145,7 @@ std::string displacement_tables(const Scene &scene, const Results &results,
       const Point3 &place = position;
       const auto station =
           std::find_if(frame->line.begin(), frame->line.end(), [&](const Station &s) {
-            return s.node && s.position.distance(place) < 1e-9 * (1. + place.norm());
+            return s.node && s.position.distance(place) < same_place * (1. + place.norm());
           });
       if (station == frame->line.end() || names.size() == n_rows_at_most)
         continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/stress/stress_evaluation.h"
 
+#include "base/numbers.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ std::vector<StressEvaluation::TeeSite> StressEvaluation::find_tees(const Scene &
     site.run = run.value_or(site.branch);
     const Vector3 normal =
         cross_product_3d(tangent_at(mesh, site.run, vertex), tangent_at(mesh, site.branch, vertex));
-    if (normal.norm() > 1e-6)
+    if (normal.norm() > no_direction)
       site.normal = normal / normal.norm();
     sites.push_back(site);
   }
@@ -96,7 +97,7 @@ StressEvaluation::Axes StressEvaluation::axes(const Station &station, const doub
 const StressEvaluation::TeeSite *StressEvaluation::tee_at(const Station &station) const {
   if (station.node)
     for (const TeeSite &site : tees)
-      if (site.position.distance(station.position) < 1e-9 * (1. + station.position.norm()))
+      if (site.position.distance(station.position) < same_place * (1. + station.position.norm()))
         return &site;
   return nullptr;
 }
