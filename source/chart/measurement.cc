@@ -7,6 +7,8 @@
 #include "base/user_error.h"
 #include "scene/file/parameter_file.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -87,16 +89,11 @@ Run run_case(const ChartList &list, const std::string &case_file,
   return run;
 }
 
-void replace_all(std::string &text, const std::string &from, const std::string &to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-}
-
 /// Run another program, which prints lines `name = value`.
 Run run_command(const ChartList &list, std::string command,
                 const std::vector<std::string> &values) {
-  replace_all(command, "{program}", own_path());
-  replace_all(command, "{value}", values.empty() ? "" : values[0]);
+  boost::replace_all(command, "{program}", own_path());
+  boost::replace_all(command, "{value}", values.empty() ? "" : values[0]);
   const ProcessResult process =
       run_process({"sh", "-c", "exec " + command}, list.folder, list.time_limit);
   Run run;

@@ -21,8 +21,9 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
 /**
  * The response to the scene's spectra, all numbers >= 0:
  *   R_kd = |sum over groups| (Gamma_kdg S_g(f_k) / w_k^2) R(phi_k),
- * combined over modes k (of one frequency: as one, with their signs), then over directions d, as Scene::response says. Gamma = phi^T M r with r
- * the motion of the line at rest when the group moves by a unit. The missing mass is the static
+ * combined over modes k (those of one frequency as one, with their signs), then over directions d,
+ * as Scene::response says. Gamma = phi^T M r with r the motion of the line at rest when the group
+ * moves by a unit. The missing mass is the static
  * response to M (r - sum phi_k Gamma_k) at the spectrum's last acceleration, joined to the modes by
  * the square root of the sum of squares.
  * Source: A. K. Chopra, Dynamics of Structures, chapter 13; CQC: A. Der Kiureghian, Earthquake

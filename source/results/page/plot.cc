@@ -8,6 +8,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -30,11 +32,6 @@ std::string quoted(const std::string &text) {
   for (const char c : text)
     result += c == '\'' ? "''" : static_cast<unsigned char>(c) < 0x20 ? " " : std::string(1, c);
   return result + "'";
-}
-
-void replace_all(std::string &text, const std::string &from, const std::string &to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
 }
 
 /// Places of a series to draw: of each of some 500 stretches its first, lowest, highest and last.
@@ -211,7 +208,7 @@ std::string as_element(std::string svg, const std::string &name) {
   if (svg.find("xlink:href", svg.find("</defs>")) == std::string::npos) // no marker is used
     erase("<defs>", "</defs>");
   for (const char *id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_canvas"})
-    replace_all(svg, id, name + "_" + id);
+    boost::replace_all(svg, id, name + "_" + id);
   return without_empty_groups(svg);
 }
 

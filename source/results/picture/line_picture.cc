@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/picture/line_picture.h"
+#include "results/picture/isometric.h"
 #include "results/picture/label_placer.h"
 #include "results/picture/marker.h"
 #include "results/text.h"
@@ -16,14 +17,6 @@ namespace {
 
 constexpr double width = 1120., header = 34., legend = 92., margin_x = 70., margin_y = 34.;
 constexpr unsigned int n_colours = 16;
-
-struct Pixel {
-  double x = 0., y = 0.;
-};
-
-Pixel isometric(const Point3 &p) {
-  return {(p[0] + p[1]) / std::sqrt(2.), (p[0] - p[1] - 2. * p[2]) / std::sqrt(6.)};
-}
 
 Vector3 translation(const Station &station) {
   return Vector3({station.displacement[0], station.displacement[1], station.displacement[2]});
@@ -53,18 +46,6 @@ std::string colour(const unsigned int bin) {
   return text + ")";
 }
 
-std::string text_at(const double x, const double y, const std::string &text,
-                    const std::string &attributes = "") {
-  return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" " + attributes + ">" + escape_xml(text) +
-         "</text>\n";
-}
-
-std::string stroke(const double x0, const double y0, const double x1, const double y1,
-                   const std::string &attributes) {
-  return "<line x1=\"" + px(x0) + "\" y1=\"" + px(y0) + "\" x2=\"" + px(x1) + "\" y2=\"" + px(y1) +
-         "\" " + attributes + "/>\n";
-}
-
 /// One picture while it is made.
 class Picture {
 public:
@@ -77,7 +58,6 @@ private:
     double displacement;
   };
 
-  Pixel place(const Point3 &point) const;
   void fit();
   void collect_line();
   std::string draw_pipes();
@@ -90,8 +70,8 @@ private:
   const Scene &scene;
   const Results &results;
   const Frame &frame;
-  double scale, largest = 0., fit_factor = 1., bottom = 0.;
-  Pixel corner;
+  double scale, largest = 0., bottom = 0.;
+  IsometricView view;
   std::vector<std::vector<Vertex>> pipes; ///< unbroken runs
   std::vector<unsigned int> pipe_of_run;
   std::vector<std::pair<std::string, Pixel>> support_labels;
@@ -104,38 +84,19 @@ private:
 Picture::Picture(const Scene &scene, const Results &results, const Frame &frame, const double scale)
     : scene(scene), results(results), frame(frame), scale(scale) {}
 
-Pixel Picture::place(const Point3 &point) const {
-  const Pixel raw = isometric(point);
-  return {margin_x + (raw.x - corner.x) * fit_factor,
-          header + margin_y + (raw.y - corner.y) * fit_factor};
-}
-
 void Picture::fit() {
-  Pixel low{1e300, 1e300}, high{-1e300, -1e300};
-  const auto include = [&](const Point3 &point) {
-    const Pixel raw = isometric(point);
-    low = {std::min(low.x, raw.x), std::min(low.y, raw.y)};
-    high = {std::max(high.x, raw.x), std::max(high.y, raw.y)};
-  };
   for (const Station &station : frame.line)
     if (is_finite(station)) {
-      include(station.position);
-      include(station.position + scale * translation(station));
+      view.include(station.position);
+      view.include(station.position + scale * translation(station));
       largest = std::max(largest, translation(station).norm());
     }
   for (const auto &info : results.supports)
-    include(info.position);
+    view.include(info.position);
   for (const auto &info : results.restraints)
-    include(info.position);
-  if (low.x > high.x)
-    low = high = {0., 0.};
-  corner = low;
-  const double across = high.x - low.x, down = high.y - low.y;
-  constexpr double room_x = width - 2. * margin_x, room_y = 500.;
-  const double needed = std::max(across / room_x, down / room_y);
-  fit_factor = needed > 0. ? 1. / needed : 1.;
-  corner.x -= (room_x / fit_factor - across) / 2.;
-  bottom = header + 2. * margin_y + std::max(down * fit_factor, 60.);
+    view.include(info.position);
+  view.fit(margin_x, header + margin_y, width - 2. * margin_x, 500.);
+  bottom = header + 2. * margin_y + std::max(view.height(), 60.);
 }
 
 void Picture::collect_line() {
@@ -156,8 +117,8 @@ void Picture::collect_line() {
       previous = nullptr;
       continue;
     }
-    const Vertex vertex{place(station.position),
-                        place(station.position + scale * translation(station)),
+    const Vertex vertex{view.place(station.position),
+                        view.place(station.position + scale * translation(station)),
                         translation(station).norm()};
     if (previous == nullptr || previous->pipe != station.pipe) {
       flush();
@@ -224,7 +185,7 @@ std::string Picture::draw_supports() {
       if (state.status != status)
         continue;
       ++n_status[status];
-      const Pixel at = place(info.position);
+      const Pixel at = view.place(info.position);
       const std::array<int, 2> square{{static_cast<int>(at.x / 7.), static_cast<int>(at.y / 7.)}};
       if (many && !taken.insert(square).second) {
         markers_shared = true;
@@ -245,7 +206,7 @@ std::string Picture::draw_restraints() {
   std::string text;
   std::set<std::array<int, 2>> drawn;
   for (const auto &info : results.restraints) {
-    const Pixel at = place(info.position);
+    const Pixel at = view.place(info.position);
     if (!drawn
              .insert(std::array<int, 2>{{static_cast<int>(at.x / 5.), static_cast<int>(at.y / 5.)}})
              .second)
@@ -274,14 +235,14 @@ std::string Picture::draw_labels() {
           position = point.position;
     if (!position)
       continue;
-    const Pixel at = place(*position);
+    const Pixel at = view.place(*position);
     labels += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) +
               "\" r=\"2.5\" fill=\"#fff\" stroke=\"#111\"/>\n";
     add_label(name, at, "fill=\"#111\" font-weight=\"bold\"");
   }
   if (results.restraints.size() <= 40)
     for (const auto &info : results.restraints)
-      add_label(info.name, place(info.position), "fill=\"#111\"");
+      add_label(info.name, view.place(info.position), "fill=\"#111\"");
   if (scene.pipes.size() <= 20) {
     std::set<unsigned int> named;
     for (unsigned int run = 0; run < pipes.size(); ++run)
@@ -296,22 +257,22 @@ std::string Picture::draw_labels() {
 }
 
 std::string Picture::draw_legend() const {
-  std::string text = stroke(0., bottom, width, bottom, "stroke=\"#ddd\"");
+  std::string text = stroke({0., bottom}, {width, bottom}, "stroke=\"#ddd\"");
 
   // the axes, each of a round length
   const double foreshortening = std::sqrt(2. / 3.);
   const double metre = scene.units.factor("m");
-  const double room = 34. / (foreshortening * fit_factor * metre);
+  const double room = 34. / (foreshortening * view.scale() * metre);
   const double power = std::pow(10., std::floor(std::log10(room)));
   const double length = power * std::floor(room / power);
-  const double axis = length * metre * foreshortening * fit_factor;
+  const double axis = length * metre * foreshortening * view.scale();
   const Pixel origin{46., bottom + 52.};
   const std::array<std::string, 3> names{{"x", "y", "z"}};
   for (unsigned int d = 0; d < 3; ++d) {
     Point3 unit;
     unit[d] = 1. / foreshortening;
     const Pixel to = isometric(unit);
-    text += stroke(origin.x, origin.y, origin.x + axis * to.x, origin.y + axis * to.y,
+    text += stroke(origin, {origin.x + axis * to.x, origin.y + axis * to.y},
                    "stroke=\"#111\" stroke-width=\"1.5\"");
     text += text_at(origin.x + (axis + 9.) * to.x, origin.y + (axis + 9.) * to.y + 4., names[d],
                     "font-size=\"12\" text-anchor=\"middle\" fill=\"#111\"");
@@ -323,7 +284,7 @@ std::string Picture::draw_legend() const {
   // pipes
   double x = 130.;
   const double first = bottom + 28., second = bottom + 64.;
-  text += stroke(x, first - 4., x + 26., first - 4., "stroke=\"#b4b4b4\" stroke-width=\"2\"");
+  text += stroke({x, first - 4.}, {x + 26., first - 4.}, "stroke=\"#b4b4b4\" stroke-width=\"2\"");
   text += text_at(x + 34., first, "as built");
   const DisplayUnit unit = display_unit(scene.units, "m", largest);
   x = 230.;
@@ -362,13 +323,9 @@ std::string Picture::draw() {
   std::string text = draw_pipes();
   text += draw_supports() + draw_restraints();
   text += draw_labels() + draw_legend();
-  const double height = bottom + legend;
-  const std::string title =
-      step_name(scene, frame) + (is_finished(results, frame) ? "" : " (not finished)");
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height) +
-         "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"" +
-         px(width) + "\" height=\"" + px(height) + "\" fill=\"#fff\"/>\n" +
-         text_at(14., 22., title, "font-size=\"15\" font-weight=\"bold\"") + text + "</svg>\n";
+  return svg_picture(
+      width, bottom + legend,
+      step_name(scene, frame) + (is_finished(results, frame) ? "" : " (not finished)"), text);
 }
 
 } // namespace
