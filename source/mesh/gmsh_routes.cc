@@ -141,6 +141,9 @@ class PiecePlan {
 public:
   explicit PiecePlan(const Scene &scene)
       : scene(scene),
+        mass_on_chords(scene.kinematics == Kinematics::corotational &&
+                       std::any_of(scene.steps.begin(), scene.steps.end(),
+                                   [](const LoadStep &step) { return step.transient; })),
         windy(std::any_of(scene.loads.begin(), scene.loads.end(),
                           [](const Load &load) { return load.kind == Load::Kind::wind; })) {}
 
@@ -172,7 +175,7 @@ private:
     double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length();
     if (windy)
       longest = std::min(longest, longest_arc_in_wind * radius);
-    const int n = whole(piece.length() / longest);
+    const int n = std::max(whole(piece.length() / longest), mass_on_chords ? piece.n_cells : 1);
     if (piece.length() > n * smallest_arc * radius) {
       piece.n_cells = n;
       piece.is_arc = true;
@@ -180,6 +183,7 @@ private:
   }
 
   const Scene &scene;
+  const bool mass_on_chords; ///< CorotationalLine's
   const bool windy;
 };
 

@@ -69,14 +69,10 @@ void LoadSequence::press_at_start() {
     const Contact &contact = model.contacts[i];
     if (!is_rigid_stop(model, contact))
       continue;
-    FrictionThreshold law{};
-    contact.law->threshold(contact.parameters->data(), law);
-    if (contact.length * before.contacts.strain[i][0] + law.gap > touches * contact.length)
+    if (contact.length * before.contacts.strain[i][0] + contact.law.closed_form().gap >
+        touches * contact.length)
       continue;
-    double rate = 0.;
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      rate += before.velocity[contact.unknowns[j]] * contact.B_reduced(0, j);
-    if (rate < 0.)
+    if (contact.strain_by_unknowns(before.velocity)[0] < 0.)
       return; // an impact, whose force is no number
     touching.push_back(i);
   }

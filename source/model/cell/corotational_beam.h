@@ -8,8 +8,8 @@
 namespace frictionbeam {
 
 /**
- * A straight two-node beam cell that moves and turns by any amount, while its strains stay small: a
- * frame E goes along with its ends, and in that frame the cell is the linear element. E has its
+ * A two-node beam cell, straight or an arc, that moves and turns by any amount, while its strains
+ * stay small: a frame E goes along with its ends, and in that frame the cell is the linear element. E has its
  * first axis along the chord and shares the turning about it evenly between the ends; what the ends
  * do relative to E are seven deformations
  *   d = (l - l0, rotation vectors of E^T R_1 E_0 and of E^T R_2 E_0),

@@ -22,6 +22,7 @@ Vector3d to_eigen(const Vector3 &v) { return {v[0], v[1], v[2]}; }
 Vector7 free_forces(const CorotationalBeam &beam, const PipeElement &element,
                     const CellLoad &load) {
   return beam.on_deformations(load.axial_strain * element.unit_axial_strain() +
+                              load.curvature * element.unit_curvature() +
                               load.pressure * element.unit_thrust());
 }
 
@@ -84,15 +85,16 @@ CorotationalLine::CorotationalLine(const Scene &scene, const LineMesh &mesh,
     const std::string &pipe = scene.pipes[discretization.pipe_cells()[i].pipe].name;
     for (unsigned int l = 0; l < scene.loads.size(); ++l) {
       const CellLoad load = cell_load(scene.loads[l], pipe, profile, chord);
-      if (load.axial_strain != 0. || load.line_force.norm() != 0. || load.pressure != 0.)
+      if (load.axial_strain != 0. || load.curvature != 0. || load.line_force.norm() != 0. ||
+          load.pressure != 0.)
         cell.loads.push_back({l, free_forces(cell.beam, element, load), to_eigen(load.line_force)});
     }
-    const double half = chord.norm() / 2.;
+    const double length = element.arc() ? element.arc()->length() : chord.norm();
     for (const unsigned int v : cell.vertices) {
-      vertex_inertia[v] += half * profile.rotary_inertia *
+      vertex_inertia[v] += length / 2. * profile.rotary_inertia *
                            (Matrix3d::Identity() + axes.col(0) * axes.col(0).transpose());
     }
-    cell.mass = chord.norm() * profile.mass;
+    cell.mass = length * profile.mass;
     cells.push_back(std::move(cell));
   }
   if (linear.mass().rows() > 0)

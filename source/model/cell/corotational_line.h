@@ -20,9 +20,10 @@ struct Pose {
  * directions; forces that follow turn with their point; thermal strain and pressure act in the
  * cell's frame. Contacts and what is held keep their directions in space.
  *
- * Inertia is the same in every frame, and exact in rigid motions: that of translations which are
- * linear along each cell, and half of each cell's rotary inertia at either end as a body that turns
- * with the vertex.
+ * A cell is straight or an arc: the linear element in its frame is whatever it is, and the frame
+ * follows its chord. Inertia is the same in every frame, and exact in rigid motions of straight
+ * cells: that of translations which are linear along each cell's chord, and half of each cell's
+ * rotary inertia at either end as a body that turns with the vertex.
  */
 class CorotationalLine {
 public:

@@ -201,9 +201,24 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
     for (unsigned int c = 0; c < 6; ++c)
       vertex_forces[cell->vertex_index(v)][c] += ends[6 * v + c];
   u = element.inside(u, ends, load.pressure); // beyond joints
-  if (element.arc())
-    return add_arc(pipe_cell, ends, u, load, line);
+  append(stations_of(index, ends, u, load), line);
+}
 
+void FrameBuilder::append(const std::vector<Station> &stations, std::vector<Station> &line) const {
+  begin_cell(stations.front(), line);
+  line.insert(line.end(), stations.begin() + 1, stations.end());
+}
+
+std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
+                                               const PipeElement::Vector12 &ends,
+                                               const PipeElement::Vector12 &u,
+                                               const CellLoad &load) {
+  const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
+  if (element.arc())
+    return stations_of_arc(pipe_cell, ends, u, load);
+  const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
+  const auto cell = model.discretization.pipe_cell(index);
+  const Profile &profile = element.profile();
   // From here on in the direction of the route: section force F and moment M act on the face that
   // looks forward, with F' = -q, M' = -x cross F.
   const unsigned int start = pipe_cell.reversed ? 6 : 0;
@@ -231,7 +246,7 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
     return result;
   };
 
-  begin_cell(at_node(0., start), line);
+  std::vector<Station> stations = {at_node(0., start)};
   station_values.reinit(cell);
   const unsigned int n = model.scene.output.stations;
   const Vector3 across = load.line_force - (load.line_force * axes.x) * axes.x;
@@ -254,9 +269,10 @@ void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
       result.displacement[d] += bubble[d];
       result.displacement[3 + d] += turn[d];
     }
-    line.push_back(result);
+    stations.push_back(result);
   }
-  line.push_back(at_node(length, 6 - start));
+  stations.push_back(at_node(length, 6 - start));
+  return stations;
 }
 
 CellLoad FrameBuilder::load_on(const LineState &state, const PipeCell &cell, const Profile &profile,
@@ -294,14 +310,16 @@ void FrameBuilder::begin_cell(const Station &first, std::vector<Station> &line) 
     line.push_back(first);
 }
 
-void FrameBuilder::add_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
-                           const PipeElement::Vector12 &motions, const CellLoad &load,
-                           std::vector<Station> &line) const {
+std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
+                                                   const PipeElement::Vector12 &ends,
+                                                   const PipeElement::Vector12 &motions,
+                                                   const CellLoad &load) const {
   const ArcBeam &arc = *element.arc();
   const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
   const unsigned int n = model.scene.output.stations, n_stations = n + 2;
   const Vector3 force = -vector_at(ends, 0), moment = -vector_at(ends, 3);
   FullMatrix<double> shapes, slopes;
+  std::vector<Station> stations;
   for (unsigned int i = 0; i < n_stations; ++i) {
     // Along the route; psi along the deal.II cell.
     const double part = static_cast<double>(i) / (n + 1),
@@ -328,11 +346,9 @@ void FrameBuilder::add_arc(const PipeCell &pipe_cell, const PipeElement::Vector1
     }
     station.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
     place(pipe_cell, axes, station);
-    if (i == 0)
-      begin_cell(station, line);
-    else
-      line.push_back(station);
+    stations.push_back(station);
   }
+  return stations;
 }
 
 void FrameBuilder::add_vertex_forces(const LineState &state) {

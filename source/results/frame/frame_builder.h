@@ -72,10 +72,14 @@ private:
   /// What a station knows of the pipe there, with its local axes.
   void place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const;
   void begin_cell(const Station &first, std::vector<Station> &line) const;
-  /// Stations of an arc; its end forces and motions stand in the order of the deal.II cell.
-  void add_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
-               const PipeElement::Vector12 &motions, const CellLoad &load,
-               std::vector<Station> &line) const;
+  /// Stations of the cell that the element speaks of, as a linear one, along the route. The forces
+  /// on its ends and their motions, beyond joints, stand in the order of the deal.II cell.
+  std::vector<Station> stations_of(const unsigned int index, const PipeElement::Vector12 &ends,
+                                   const PipeElement::Vector12 &motions, const CellLoad &load);
+  std::vector<Station> stations_of_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
+                                       const PipeElement::Vector12 &motions,
+                                       const CellLoad &load) const;
+  void append(const std::vector<Station> &stations, std::vector<Station> &line) const;
   void add_vertex_forces(const LineState &state);
 
   const Model &model;

@@ -16,11 +16,6 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
     return std::any_of(parts.begin(), parts.end(), is);
   };
   refuse(scene.model != ModelKind::line, "Model = continuum", "Model = line");
-  const bool bends = any(scene.pipes, [](const Pipe &pipe) {
-    return std::any_of(pipe.route.begin(), pipe.route.end(),
-                       [](const RoutePoint &point) { return point.bend_radius > 0.; });
-  });
-  refuse(scene.mesh.arcs && bends, "Bends = arcs", "Bends = straight pieces in section Mesh");
   refuse(scene.solver.method == SolverSettings::Method::elastic, "Method = elastic",
          "Method = exact or newton in section Solver");
   refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");

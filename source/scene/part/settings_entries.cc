@@ -15,10 +15,12 @@ void declare_mesh(ParameterReader &in) {
       "Longest cell of a straight run, and of an arc; 0: one cell from point to point.");
   const bool cut = !in.raw("Cells per bend", "").empty();
   in.declare_choice("Bends", cut ? "straight pieces" : "arcs", {"straight pieces", "arcs"},
-                    "Of routes. arcs: one exact curved element between two points of a bend; "
-                    "straight pieces: cut into cells, as where 'Cells per bend' is given, and with "
-                    "corotational Kinematics.");
-  in.declare_count("Cells per bend", 8, 1, "Of straight pieces, in 90 degrees.");
+                    "Of routes. arcs: one exact curved element between two points of a bend, or "
+                    "more by 'Cell length'; straight pieces: cut into cells, as where 'Cells per "
+                    "bend' is given.");
+  in.declare_count("Cells per bend", 8, 1,
+                   "Of straight pieces, in 90 degrees; and of arcs that move in large "
+                   "displacements in time, whose mass is on their chords.");
   in.declare_count("Most cells", 200000, 1,
                    "A scene of more cells and supports would run for very long, and is refused.",
                    100000000);
@@ -36,8 +38,7 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
               "the path from " + fs::absolute(in.file().name()).parent_path().string());
   }
   scene.mesh.cell_length = in.number("Cell length");
-  scene.mesh.arcs =
-      in.text("Bends") == "arcs" && (scene.kinematics == Kinematics::linear || in.given("Bends"));
+  scene.mesh.arcs = in.text("Bends") == "arcs";
   scene.mesh.cells_per_bend = in.count("Cells per bend");
   scene.mesh.most_cells = in.count("Most cells");
 }
