@@ -132,40 +132,66 @@ void compare(const std::string &title, const Table &a, const Table &b,
     std::cout << "  the same\n";
 }
 
-/// Quantities of summary.json.
-Table read_quantities(const std::string &path) {
+struct QuantityOfRun {
+  double value = 0., in_si = 0.; ///< in_si: SI units in its unit; 0: not known
+  std::string unit;
+};
+
+/// Quantities of summary.json by their names.
+std::map<std::string, QuantityOfRun> read_quantities(const std::string &path) {
   std::ifstream in(path);
   const nlohmann::json summary = nlohmann::json::parse(in, nullptr, false);
   if (!in || !summary.contains("quantities"))
     throw UserError("There is no '" + path +
                     "' of this program. Name two folders with results of it: frictionbeam compare "
                     "output/a output/b");
-  Table table;
-  table.columns = {"value"};
-  for (const nlohmann::json &quantity : summary.at("quantities"))
-    if (quantity.at("value").is_number())
-      table.rows[quantity.at("name")] = {"", {quantity.at("value").get<double>()}};
-  return table;
+  std::map<std::string, QuantityOfRun> quantities;
+  for (const nlohmann::json &quantity : summary.at("quantities")) {
+    if (!quantity.at("value").is_number())
+      continue;
+    const auto in_si = quantity.find("in_si");
+    quantities[quantity.at("name")] = {
+        quantity.at("value").get<double>(),
+        in_si != quantity.end() && in_si->is_number() ? in_si->get<double>() : 0.,
+        quantity.at("unit").get<std::string>()};
+  }
+  return quantities;
+}
+
+/// The second of two quantities of one name in the unit of the first.
+/// @throws UserError if that is not known
+double in_unit_of(const QuantityOfRun &first, const QuantityOfRun &second,
+                  const std::string &name) {
+  if (first.unit == second.unit)
+    return second.value;
+  if (first.in_si == 0. || second.in_si == 0.)
+    throw UserError("The two runs have quantity " + name +
+                    " in units that cannot be converted.\n  read:    " + first.unit + " and " +
+                    second.unit +
+                    "\n  allowed: one unit, or two that follow from Units\n  try:     "
+                    "the same 'unit' in both files, or none");
+  return second.value * (second.in_si / first.in_si);
 }
 
 } // namespace
 
 int compare_runs(const std::string &first, const std::string &second) {
-  const Table a = read_quantities(first + "/summary.json"),
-              b = read_quantities(second + "/summary.json");
+  const auto a = read_quantities(first + "/summary.json"),
+             b = read_quantities(second + "/summary.json");
   std::cout << "What changes from " << first << " to " << second << '\n' << "Quantities:\n";
   std::size_t n_same = 0;
-  for (const auto &[name, row] : a.rows) {
-    const auto other = b.rows.find(name);
-    if (other == b.rows.end()) {
+  for (const auto &[name, quantity] : a) {
+    const auto other = b.find(name);
+    if (other == b.end()) {
       std::cout << "  " << name << " is in the first run only\n";
       continue;
     }
-    const double x = row.second[0], y = other->second.second[0];
+    const double x = quantity.value, y = in_unit_of(quantity, other->second, name);
     if (std::abs(y - x) <= equal_numbers * std::max(std::abs(x), std::abs(y)))
       ++n_same;
     else
       std::cout << "  " << name << ": " << rounded_number(x, 6) << " -> " << rounded_number(y, 6)
+                << (quantity.unit == "-" ? "" : " " + quantity.unit)
                 << (x != 0. ? " (" + rounded_number(100. * (y - x) / std::abs(x), 3) + " %)" : "")
                 << '\n';
   }

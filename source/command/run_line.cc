@@ -291,16 +291,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
     results.cost.back_substitutions += step.back_substitutions;
     results.cost.steps += step.increments;
   }
-  for (const StepReport &step : results.steps) {
-    const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
-    // Where nothing moves, rounding is large beside the energy in motion.
-    if (step.energy.at_hand > 1e-9 * std::max(step.energy.stored, std::abs(step.energy.external)) &&
-        gained > 1e-3 * step.energy.at_hand)
-      results.remarks.push_back("Step " + step.step + ": the integrator has gained " +
-                                rounded_number(100. * gained / step.energy.at_hand, 2) +
-                                " % of the largest energy in motion, at contacts. Take a shorter "
-                                "time step, moreau_jean or event.");
-  }
+  remark_on_gains(results);
   for (const StepReport &step : results.steps)
     if (step.reduction)
       results.remarks.push_back(describe_reduction(step.step, *step.reduction));

@@ -4,12 +4,60 @@
 #include "results/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam {
 
 namespace {
-constexpr double remark_above = 1e-6, failed_above = 1e-2;
+constexpr double remark_above = 1e-6, failed_above = 1e-2, gained_above = 1e-3;
+
+/// Diagonal of the box about all there is [m].
+double size_of_scene(const Results &results) {
+  std::vector<Point3> places;
+  for (const auto &point : results.points)
+    places.push_back(point.second);
+  for (const SupportInfo &support : results.supports)
+    places.push_back(support.position);
+  if (!results.frames.empty())
+    for (const Station &station : results.frames.back().line)
+      places.push_back(station.position);
+  Vector3 size;
+  for (unsigned int d = 0; d < 3; ++d)
+    if (const auto [first, last] =
+            std::minmax_element(places.begin(), places.end(),
+                                [&](const Point3 &a, const Point3 &b) { return a[d] < b[d]; });
+        first != places.end())
+      size[d] = (*last)[d] - (*first)[d];
+  return size.norm();
+}
 } // namespace
+
+double energy_of_rounding(const Results &results) {
+  constexpr double rounding = 1e-12;
+  double force = 0.;
+  for (const Frame &frame : results.frames) {
+    for (const SupportState &support : frame.supports)
+      force = std::max({force, std::abs(support.fn), std::hypot(support.ft1, support.ft2)});
+    for (const Motion &reaction : frame.reactions)
+      force = std::max(force, std::hypot(reaction[0], reaction[1], reaction[2]));
+  }
+  const double size = size_of_scene(results);
+  return rounding * force * (size > 0. ? size : 1.);
+}
+
+void remark_on_gains(Results &results) {
+  const double rounding = energy_of_rounding(results);
+  for (const StepReport &step : results.steps) {
+    const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
+    // Where nothing moves, rounding is large beside the energy in motion.
+    if (step.energy.at_hand > 1e-9 * std::max(step.energy.stored, std::abs(step.energy.external)) &&
+        gained > std::max(gained_above * step.energy.at_hand, rounding))
+      results.remarks.push_back("Step " + step.step + ": the integrator has gained " +
+                                rounded_number(100. * gained / step.energy.at_hand, 2) +
+                                " % of the largest energy in motion, at contacts. Take a shorter "
+                                "time step, moreau_jean or event.");
+  }
+}
 
 double least_turnover(const std::vector<StepReport> &steps) {
   double largest = 0.;

@@ -12,6 +12,14 @@ namespace frictionbeam {
  */
 void judge_energy(const Scene &scene, Results &results);
 
+/// Say of transient steps whose integrator has gained energy; where nothing moves beyond rounding,
+/// nothing is said.
+void remark_on_gains(Results &results);
+
+/// Energy that is rounding [J]: the largest force at the end of a step along 1e-12 of the scene's
+/// size (of 1 m, where all is at one point).
+double energy_of_rounding(const Results &results);
+
 /// Turnover below which a step's is rounding of the largest step's [J].
 double least_turnover(const std::vector<StepReport> &steps);
 

@@ -186,6 +186,7 @@ struct QuantityResult {
   std::optional<double> reference,
       error;         ///< error relative to the reference (absolute if that is 0)
   double whole = 0.; ///< of a change or rate: the largest of what changes; else 0
+  double in_si = 1.; ///< SI units in its unit; 0: that is a word of the file's own
   /// An extreme of a force that a rigid support has in an impact: there is no such number.
   bool of_impact = false;
 };

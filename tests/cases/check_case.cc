@@ -14,6 +14,7 @@
 //   --ratio NAME LOW HIGH A B  its value with --set A over the one with --set B
 //   --same-as OTHER TOLERANCE  all quantities as those of another parameter file
 //   --expect TEXT              the program's output has it in it
+//   --without TEXT             it has not
 //   --message                  every line '# expect: TEXT' of the file is in the program's output
 #include "../check.h"
 #include "run_program.h"
@@ -203,6 +204,11 @@ void check_case(Words &words) {
     } else if (word == "--expect") {
       const std::string part = words.take();
       checks.push_back([=](const Run &run) { check_output(run, part); });
+    } else if (word == "--without") {
+      const std::string part = words.take();
+      checks.push_back([=](const Run &run) {
+        expect(run.output.find(part) == std::string::npos, "'" + part + "' is in the output");
+      });
     } else if (word == "--message")
       checks.push_back([=](const Run &run) { check_message(run, file); });
     else

@@ -23,3 +23,33 @@ foreach(part "lifted_uz: 0.0[0-9]+ -> " "open -> stick" "fn: by [0-9.]+ at rest,
     message(SEND_ERROR "'${part}' is not in the comparison:\n${text}")
   endif()
 endforeach()
+# In other units the quantities are the same; units of a file's own cannot be converted.
+foreach(name si mm own)
+  set(units "si")
+  set(force 10)
+  set(stiffness 1000)
+  set(unit "")
+  if(name STREQUAL mm)
+    set(units "mm kN")
+    set(force 0.01)
+    set(stiffness 1e-3)
+  elseif(name STREQUAL own)
+    set(unit "; scale 100; unit cm")
+  endif()
+  file(WRITE ${WORK}/${name}.prm "set Units = ${units}\nset Free motions = uz\n
+subsection Point P\n set Position = 0 0 0\nend
+subsection Spring k\n set At = P\n set Stiffness = 0 0 ${stiffness}\nend
+subsection Load f\n set Kind = force\n set Forces = P 0 0 ${force}\nend
+subsection Step s\n set Loads = f\nend
+subsection Quantities\n set uz = uz at P${unit}\n set fz = fz at k\nend\n")
+  run(${WORK}/${name}.prm --output-directory ${WORK}/${name})
+endforeach()
+run(compare ${WORK}/si ${WORK}/mm)
+if(NOT text MATCHES "2 are the same")
+  message(SEND_ERROR "one answer in two units is told apart:\n${text}")
+endif()
+execute_process(COMMAND ${PROGRAM} compare ${WORK}/si ${WORK}/own RESULT_VARIABLE status
+  OUTPUT_VARIABLE text ERROR_VARIABLE text)
+if(NOT status EQUAL 1 OR NOT text MATCHES "units that cannot be converted.*read: +m and cm")
+  message(SEND_ERROR "units that cannot be converted are compared:\n${text}")
+endif()

@@ -101,3 +101,10 @@ foreach(integrator ${integrators} event)
   repro("rest from the start, ${integrator}" rest_from_start --set "Time/Integrator = ${integrator}"
     --errors 1e-10 --expect "Rigid supports were struck: dropped.")
 endforeach()
+# What a static step ends with is no change in the step behind it.
+time_case("change after statics" change_after_statics --errors 1e-9)
+# Where nothing moves, the noise of rounding is no energy gained.
+foreach(integrator newmark nonsmooth_alpha)
+  time_case("nothing moves, ${integrator}" nothing_moves --set "Time/Integrator = ${integrator}"
+    --value moved 1e-12 --without "has gained")
+endforeach()

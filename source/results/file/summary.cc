@@ -178,6 +178,7 @@ void write_summary(const Scene &scene, const Results &results, const std::string
     quantities.push_back({{"name", quantity.name},
                           {"value", number(quantity.value)},
                           {"unit", quantity.unit},
+                          {"in_si", quantity.in_si > 0. ? Json(quantity.in_si) : Json()},
                           {"reference", number(quantity.reference)},
                           {"error", number(quantity.error)},
                           {"source", quantity.source}});

@@ -301,7 +301,7 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
   for (unsigned int i = 0; i < pending.size(); ++i) {
     const Quantity &quantity = model.scene.quantities[i];
     if (quantity.over == Quantity::Over::time_of)
-      find_change(quantity, state, pending[i]);
+      find_change(quantity, state, last && !model.scene.steps[step].transient, pending[i]);
     else if (quantity.over != Quantity::Over::end)
       follow(quantity, state, pending[i]);
     else if (quantity.time) {
@@ -384,6 +384,7 @@ void Collector::finish(const LineState &state) {
       result.error =
           *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
     }
+    result.in_si = quantity.unit.empty() ? factor : 0.;
     result.of_impact = pending[i].struck;
     if (result.of_impact)
       results.remarks.push_back(remark_on_impact(quantity));

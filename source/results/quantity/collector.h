@@ -59,7 +59,9 @@ private:
   /// The same from begin to end of a smooth piece.
   void follow(const unsigned int quantity, const SmoothCourses &courses, const unsigned int number,
               const MotionPiece &piece);
-  void find_change(const Quantity &quantity, const LineState &state, Pending &pending) const;
+  /// @param ends_static whether the state is the end of a static step
+  void find_change(const Quantity &quantity, const LineState &state, const bool ends_static,
+                   Pending &pending) const;
 
   /// Note for extremes of forces which rigid supports were struck.
   void watch_impacts(const bool transient, const LineState &state);

@@ -18,7 +18,10 @@ double between(const double t0, const double x0, const double t1, const double x
 } // namespace
 
 void Collector::find_change(const Quantity &quantity, const LineState &state,
-                            Pending &change) const {
+                            const bool ends_static, Pending &change) const {
+  // What a static step has become at its end belongs to it, and not to what begins there.
+  if (ends_static && state.time <= quantity.from * (1. + 1e-9))
+    return;
   const ContactStatus wanted = quantity.what == "stick"  ? ContactStatus::stick
                                : quantity.what == "slip" ? ContactStatus::slip
                                : quantity.what == "open" ? ContactStatus::open
