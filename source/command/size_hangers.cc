@@ -2,7 +2,6 @@
 #include "command/size_hangers.h"
 
 #include "analysis/sequence/load_sequence.h"
-#include "base/numbers.h"
 #include "base/user_error.h"
 #include "model/line_model.h"
 #include "results/frame/frame_builder.h"
@@ -107,19 +106,23 @@ void size_hangers(Scene &scene, const LawLibrary &laws) {
       if (hanger.cold_load > 0.)
         continue;
       Spring &spring = scene.springs[s];
-      const double hot = spring.preload;
+      const double hot = spring.preload, sizing_travel = hanger.largest_variation * least_travel;
+      const bool travels_less = !hanger.constant && std::abs(travel[s]) < sizing_travel;
       if (!hanger.constant) {
-        spring.stiffness[2] =
-            std::min(hanger.largest_variation * hot / std::max(std::abs(travel[s]), not_zero),
-                     hot / least_travel);
+        spring.stiffness[2] = travels_less ? hot / least_travel
+                                           : hanger.largest_variation * hot / std::abs(travel[s]);
         spring.preload = hot + spring.stiffness[2] * travel[s];
       }
-      scene.remarks.push_back("Hanger " + spring.name + " was sized: hot load " + number(hot, "N") +
-                              (hanger.constant
-                                   ? ""
-                                   : ", cold load " + number(spring.preload, "N") + ", stiffness " +
-                                         number(spring.stiffness[2], "N/m")) +
-                              ", travel " + number(travel[s], "m") + ".");
+      scene.remarks.push_back(
+          "Hanger " + spring.name + " was sized: hot load " + number(hot, "N") +
+          (hanger.constant ? ""
+                           : ", cold load " + number(spring.preload, "N") + ", stiffness " +
+                                 number(spring.stiffness[2], "N/m")) +
+          ", travel " + number(travel[s], "m") +
+          (travels_less ? ". For so little it was sized as for " + number(sizing_travel, "m") +
+                              ", which is its hot load over " + number(least_travel, "m") +
+                              " for a stiffness."
+                        : "."));
     }
 }
 

@@ -113,14 +113,15 @@ void check_heading(ParameterReader &in, const std::string &heading, const SceneK
   std::vector<std::string> allowed = settings;
   if (std::count(settings.begin(), settings.end(), heading) > 0)
     return;
-  for (const SceneKind &scene : scene_kinds) {
-    if (heading != scene.section)
-      continue;
-    if (generator == nullptr || generator->section != heading)
-      in.fail_section(heading, "this section with Scene = " + scene.name + " only",
-                      "set Scene = " + scene.name);
+  std::vector<std::string> users; // of a section of generated scenes
+  for (const SceneKind &scene : scene_kinds)
+    if (heading == scene.section)
+      users.push_back(scene.name);
+  if (!users.empty() && (generator == nullptr || generator->section != heading))
+    in.fail_section(heading, "this section with Scene = " + join(users) + " only",
+                    "set Scene = " + users.front());
+  if (!users.empty())
     return;
-  }
   if (std::count(part_kinds.begin(), part_kinds.end(), kind) == 0) {
     for (const std::string &part : part_kinds)
       allowed.push_back(part + " <name>");

@@ -64,3 +64,6 @@ endforeach()
 repro("torn_off" torn_off --errors 1e-9 --expect "pad went from sticking to open")
 repro("length of a file in mm" stiff_support --set "Units = mm N"
   --expect "Support middle: its Length is not given and is 1 m, 1000 mm")
+# A hanger that travels less than a spring can be sized for says what it was sized for.
+case_test("repro/hanger of a small travel" "" tests/cases/piping/hanger_sized.prm
+  --set "Load lift/Displacements = A uz 0.001" --expect "travel 0.001 m. For so little it was sized as for 0.005 m")

@@ -18,7 +18,8 @@ bool is_extreme_of_force(const Quantity &quantity, const SupportInfo &support) {
   const bool is_extreme =
       quantity.over == Quantity::Over::maximum ||
       (quantity.over == Quantity::Over::minimum && !quantity.absolute && quantity.what != "fn");
-  return is_extreme && ((is_part_of(support, quantity.where) && is_one_of(of_support)) || is_one_of(of_all));
+  return is_extreme &&
+         ((is_part_of(support, quantity.where) && is_one_of(of_support)) || is_one_of(of_all));
 }
 
 std::string remark_on_impact(const Quantity &quantity) {

@@ -91,8 +91,9 @@ std::string nearest(const std::string &name, const std::vector<std::string> &can
 
 std::string join(const std::vector<std::string> &names) {
   std::string result;
-  for (const std::string &name : names)
-    result += (result.empty() ? "" : ", ") + name;
+  for (auto name = names.begin(); name != names.end(); ++name)
+    if (std::find(names.begin(), name, *name) == name)
+      result += (result.empty() ? "" : ", ") + *name;
   return result;
 }
 

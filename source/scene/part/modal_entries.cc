@@ -136,7 +136,9 @@ void declare_combination(ParameterReader &in) {
   in.declare_choice(
       "Kind", "sum", {"sum", "range", "envelope", "srss", "absolute"},
       "Of displacements, forces and reactions, component by component. sum: with the "
-      "cases' factors; range: largest minus smallest; envelope: that of largest size; "
+      "cases' factors, those that are sizes (spectrum, range, srss, absolute) with either sign, so "
+      "that they add to what has the larger size; range: largest minus smallest; envelope: that of "
+      "largest size; "
       "srss: square root of the sum of squares; absolute: sum of absolute values.");
   in.declare_text("Cases", "", "names of steps or combinations, each with a factor if not 1",
                   "What is combined, after the load sequence: 'hot, cold -1'. The result of the "

@@ -50,8 +50,7 @@ std::vector<std::string> pairs_of(const std::vector<FrictionSupport> &supports) 
 }
 
 void check_where(const ParameterReader &in, const Quantity &quantity, Scene &scene) {
-  const std::vector<std::string> supports = names(scene.supports),
-                                 pairs = pairs_of(scene.supports);
+  const std::vector<std::string> supports = names(scene.supports), pairs = pairs_of(scene.supports);
   const std::vector<std::string> holders =
       supports + pairs + names(scene.restraints) + names(scene.springs);
   const std::string &what = quantity.what, &where = quantity.where;
@@ -85,13 +84,14 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
       return;
     const auto number = is_one ? where.size() : where.rfind('.');
     if (is_pair)
-      in.fail(entry,
-              "work, wear and fx to mz at a support whose two halves, .plus and .minus, are friction "
-              "elements of their own; " +
-                  what + " of either half",
-              "'" + what + " at " + where.substr(0, number) + ".plus" + where.substr(number) +
-                  "', or 'fx at " + where + "'",
-              "'" + what + " at " + where + "'");
+      in.fail(
+          entry,
+          "work, wear and fx to mz at a support whose two halves, .plus and .minus, are friction "
+          "elements of their own; " +
+              what + " of either half",
+          "'" + what + " at " + where.substr(0, number) + ".plus" + where.substr(number) +
+              "', or 'fx at " + where + "'",
+          "'" + what + " at " + where + "'");
     if (!is_repeated(where, supports))
       in.find(entry, where, supports, "friction support");
   } else if (contains(of_motion, what)) {
