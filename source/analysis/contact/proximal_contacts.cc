@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/proximal_contacts.h"
 
-#include "analysis/contact/in_series.h"
-
-#include <frictionbeam/disc_projection.h>
+#include "analysis/contact/proximal_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,95 +124,31 @@ void ProximalContacts::evaluate(const ContactState &committed, const ContactIncr
   contacts.prepare(response);
   for (unsigned int i = 0; i < scales.size(); ++i) {
     if (is_exact(i))
-      evaluate_exact(i, committed, tangent, response);
+      evaluate_exact(i, committed, response);
     else
       contacts.evaluate_law(i, committed, increment, tangent, response);
   }
 }
 
 void ProximalContacts::evaluate_exact(const unsigned int i, const ContactState &committed,
-                                      const LawTangent tangent, ContactResponse &response) const {
+                                      ContactResponse &response) const {
   const Contact &contact = contacts[i];
-  const Scale &scale = scales[i];
   const FrictionThreshold &law = contact.law.closed_form();
-  const double l = contact.length, f = friction[i];
   const Contact::Strains &strain = response.state.strain[i];
-  Contact::Strains &stress = response.stress[i];
-  auto &D = response.tangent[i];
   const double *const old_state = committed.internal.data() + contact.state_offset;
   double *const new_state = response.state.internal.data() + contact.state_offset;
+  const ProximalAnswer answer = proximal_law(
+      law,
+      {strain, contact.length, friction[i], gap[i], stiffness_factor * scales[i].normal_diagonal,
+       stiffness_factor * scales[i].shear_diagonal, centre[i]},
+      ContactSlip::read(law, old_state));
+  response.stress[i] = answer.stress;
+  response.tangent[i] = answer.tangent;
+  response.status[i] = answer.status;
   std::copy(old_state, old_state + contact.law.n_internal_variables(), new_state);
-  stress.setZero();
-  if (tangent != LawTangent::none)
-    D.setZero();
-  response.state.dissipated[i] = committed.dissipated[i];
-  response.state.touch[i] = committed.touch[i];
-
-  const double rho_n = stiffness_factor * scale.normal_diagonal,
-               rho_t = stiffness_factor * scale.shear_diagonal;
-  const double kappa_n = in_series(law.axial_rigidity / l, rho_n);
-  const double P = kappa_n * (-centre[i][0] / rho_n - (l * strain[0] + gap[i]));
-  if (P < 0.) { // a contact that just touches counts as closed: it may have to carry
-    new_state[law.slip_y] = strain[1];
-    new_state[law.slip_z] = strain[2];
-    new_state[law.twist] = strain[3];
-    new_state[law.was_slipping] = 0.;
-    response.state.touch[i] = strain;
-    response.status[i] = ContactStatus::open;
-    return;
-  }
-  stress[0] = -P;
-  D(0, 0) = kappa_n * l;
-
-  const double rigidity[2] = {law.shear_rigidity_y, law.shear_rigidity_z};
-  const int place[2] = {law.slip_y, law.slip_z};
-  double kappa[2], trial[2];
-  for (int d = 0; d < 2; ++d) {
-    kappa[d] = in_series(rigidity[d] / l, rho_t);
-    trial[d] = kappa[d] * (l * (strain[1 + d] - old_state[place[d]]) + centre[i][1 + d] / rho_t);
-  }
-  const double radius = f * P;
-  bool slips = std::hypot(trial[0], trial[1]) > radius;
-  if (f == 0.) {
-    for (int d = 0; d < 2; ++d)
-      new_state[place[d]] = strain[1 + d];
-    slips = true;
-  } else if (!slips) {
-    for (int d = 0; d < 2; ++d) {
-      stress[1 + d] = trial[d];
-      D(1 + d, 1 + d) = kappa[d] * l;
-      // the same slip but for rounding, so that the next increment begins without any
-      new_state[place[d]] = strain[1 + d] - trial[d] / rigidity[d];
-    }
-  } else {
-    const DiscProjection on_disc(trial, kappa, radius);
-    for (int d = 0; d < 2; ++d) {
-      stress[1 + d] = on_disc.point[d];
-      new_state[place[d]] = strain[1 + d] - on_disc.point[d] / rigidity[d];
-      response.state.dissipated[i] +=
-          contact.weight * on_disc.point[d] * (new_state[place[d]] - old_state[place[d]]);
-      for (int e = 0; e < 2; ++e)
-        D(1 + d, 1 + e) = on_disc.by_trial[d][e] * kappa[e] * l;
-      D(1 + d, 0) = on_disc.by_radius[d] * -f * D(0, 0);
-    }
-  }
-  new_state[law.was_slipping] = slips && f > 0. ? 1. : 0.;
-  response.status[i] = law.static_friction == 0. ? ContactStatus::closed
-                       : slips                   ? ContactStatus::slip
-                                                 : ContactStatus::stick;
-
-  const double moment = law.torsional_rigidity * (strain[3] - old_state[law.twist]);
-  const double limit = radius * law.patch_radius;
-  if (law.patch_radius == 0. || std::abs(moment) <= limit) {
-    stress[3] = moment;
-    D(3, 3) = law.torsional_rigidity;
-  } else {
-    stress[3] = std::copysign(limit, moment);
-    D(3, 0) = std::copysign(f * law.patch_radius * D(0, 0), -moment);
-    new_state[law.twist] = strain[3] - stress[3] / law.torsional_rigidity;
-    response.state.dissipated[i] +=
-        contact.weight * stress[3] * (new_state[law.twist] - old_state[law.twist]);
-  }
+  answer.slip.write(law, new_state);
+  response.state.touch[i] = answer.status == ContactStatus::open ? strain : committed.touch[i];
+  response.state.dissipated[i] = committed.dissipated[i] + contact.weight * answer.dissipated;
 }
 
 Contact::Strains ProximalContacts::by_centre(const unsigned int i) const {

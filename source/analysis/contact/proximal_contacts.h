@@ -47,16 +47,9 @@ struct ContactCheck {
 };
 
 /**
- * Unilateral contact with Coulomb friction, rigid or on an elastic element, in proximal form.
- *
- * For each contact with compression P, friction force T, gap g (of the rigid part) and slip p of
- * the increment, the laws P = max(0, P - rho g) and T = proj_{fP}(T + rho p) hold for any rho > 0.
- * With a centre (P_c, T_c) the proximal contact replaces g by g + (P - P_c)/rho and p by p - (T -
- * T_c)/rho: P = max(0, kappa_n (P_c/rho - g_total)),   T = proj_{fP}(kappa_t (s - p_old +
- * T_c/rho)), 1/kappa = 1/rho + 1/k, k the element's own stiffness (infinite if rigid), which is the
- * friction element of 1983 with an initial force; its fixed point (P, T) = (P_c, T_c) is the exact
- * contact, whatever rho is. So rho, the element's numerical stiffness, is a parameter of the method
- * and not of the model.
+ * The contacts of a line in an increment: exact ones in the proximal form of proximal_law() with a
+ * centre each, so that rho, the element's numerical stiffness, is a parameter of the method and not
+ * of the model; others by their laws as they are.
  *
  * rho = c k_d, k_d the diagonal of the line's own stiffness at the contact.
  */
@@ -115,7 +108,7 @@ private:
     double normal_diagonal = 0., shear_diagonal = 0.; ///< k_d over the share [N/m]
   };
 
-  void evaluate_exact(const unsigned int i, const ContactState &committed, const LawTangent tangent,
+  void evaluate_exact(const unsigned int i, const ContactState &committed,
                       ContactResponse &response) const;
 
   const Contacts &contacts;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/foundation_contacts.h"
 
-#include "analysis/contact/in_series.h"
+#include "analysis/contact/proximal_law.h"
 
 #include "base/user_error.h"
-#include <frictionbeam/disc_projection.h>
 #include <frictionbeam/law_library.h>
 
 #include <algorithm>
@@ -91,68 +90,22 @@ void FoundationContacts::evaluate_exact(const unsigned int i, const LocalVector 
   const FoundationPoint &point = points[i];
   const Surface &surface = surfaces[point.surface];
   const FrictionThreshold &law = surface.law.closed_form();
+  Contact::Strains strain, around;
+  strain << -u, 0.; // of elements 1 m long to the ground
+  around << centre[i], 0.;
+  const ProximalAnswer answer =
+      proximal_law(law,
+                   {strain, 1., friction[i], law.gap, stiffness_factor * point.normal_diagonal,
+                    stiffness_factor * point.shear_diagonal, around, surface.pressure},
+                   ContactSlip::read(law, committed.internal.data() + offset[i]));
   FoundationState &state = response.state;
-  LocalMatrix &D = response.tangent[i];
-  LocalVector &stress = state.stress[i];
-  const double *const old_state = committed.internal.data() + offset[i];
-  double *const new_state = state.internal.data() + offset[i];
-  const double rho_n = stiffness_factor * point.normal_diagonal,
-               rho_t = stiffness_factor * point.shear_diagonal, f = friction[i];
-  stress = LocalVector::Zero();
-
-  double P;
-  if (surface.pressure)
-    P = *surface.pressure;
-  else {
-    const double kappa = in_series(law.axial_rigidity, rho_n);
-    P = kappa * (-centre[i][0] / rho_n + u[0] - law.gap);
-    if (P < 0.) { // a contact that just touches counts as closed: it may have to carry
-      new_state[law.slip_y] = -u[1];
-      new_state[law.slip_z] = -u[2];
-      new_state[law.was_slipping] = 0.;
-      state.touch[i] = u;
-      state.status[i] = ContactStatus::open;
-      return;
-    }
-    D(0, 0) = -kappa;
-  }
-  stress[0] = -P;
-
-  const double rigidity[2] = {law.shear_rigidity_y, law.shear_rigidity_z};
-  const int place[2] = {law.slip_y, law.slip_z};
-  double kappa[2], trial[2];
-  for (int d = 0; d < 2; ++d) {
-    kappa[d] = in_series(rigidity[d], rho_t);
-    trial[d] = kappa[d] * (-u[1 + d] - old_state[place[d]] + centre[i][1 + d] / rho_t);
-  }
-  const double radius = f * P;
-  bool slips = std::hypot(trial[0], trial[1]) > radius;
-  if (f == 0.) {
-    for (int d = 0; d < 2; ++d)
-      new_state[place[d]] = -u[1 + d];
-    slips = true;
-  } else if (!slips) {
-    for (int d = 0; d < 2; ++d) {
-      stress[1 + d] = trial[d];
-      D(1 + d, 1 + d) = -kappa[d];
-      // the same slip but for rounding, so that the next increment begins without any
-      new_state[place[d]] = -u[1 + d] - trial[d] / rigidity[d];
-    }
-  } else {
-    const DiscProjection on_disc(trial, kappa, radius);
-    for (int d = 0; d < 2; ++d) {
-      stress[1 + d] = on_disc.point[d];
-      new_state[place[d]] = -u[1 + d] - on_disc.point[d] / rigidity[d];
-      state.dissipated[i] += on_disc.point[d] * (new_state[place[d]] - old_state[place[d]]);
-      for (int e = 0; e < 2; ++e)
-        D(1 + d, 1 + e) = -on_disc.by_trial[d][e] * kappa[e];
-      D(1 + d, 0) = on_disc.by_radius[d] * -f * D(0, 0);
-    }
-  }
-  new_state[law.was_slipping] = slips && f > 0. ? 1. : 0.;
-  state.status[i] = law.static_friction == 0. ? ContactStatus::closed
-                    : slips                   ? ContactStatus::slip
-                                              : ContactStatus::stick;
+  state.stress[i] = answer.stress.head<3>();
+  response.tangent[i] = -answer.tangent.topLeftCorner<3, 3>();
+  state.status[i] = answer.status;
+  answer.slip.write(law, state.internal.data() + offset[i]);
+  if (answer.status == ContactStatus::open)
+    state.touch[i] = u;
+  state.dissipated[i] += answer.dissipated;
 }
 
 bool FoundationContacts::evaluate_law(const unsigned int i, const LocalVector &u,

@@ -43,12 +43,10 @@ struct FoundationResponse {
 /**
  * Friction on the foundation, point by point: the law that a support has, of a friction element
  * from the body to the ground for each square metre. A law with a threshold in closed form is exact
- * contact in the proximal form of ProximalContacts: with a centre (P_c, T_c) and a number rho,
- * P = max(0, kappa_n (P_c/rho + u_n - gap)), T = the point of the disc |T| <= f P nearest to
- * kappa_t (T_c/rho - u_t + ...), 1/kappa = 1/rho + 1/k, whose fixed point does not depend on rho.
- * Any other law, and all of them with the method `newton`, is integrated as it is: return mapping
- * with the consistent tangent. On a surface with a prescribed pressure P is that pressure; a law
- * that is integrated is then solved for the normal strain that gives it.
+ * contact in the proximal form of proximal_law(). Any other law, and all of them with the method
+ * `newton`, is integrated as it is: return mapping with the consistent tangent. On a surface with a
+ * prescribed pressure the compression is that pressure; a law that is integrated is then solved for
+ * the normal strain that gives it.
  */
 class FoundationContacts {
 public:
