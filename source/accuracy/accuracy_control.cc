@@ -162,7 +162,7 @@ double AccuracyControl::estimate_without(const std::size_t what) const {
 }
 
 bool AccuracyControl::sees_events(const Results &coarse, const Results &fine) {
-  if (scene.time.integrator == TimeSettings::Integrator::event)
+  if (scene.time.is_exact())
     return true; // which steps over none
   missed = accuracy::nearly_missed(coarse, fine);
   return missed.empty() || n_missed++ >= most_levels_for_events;
@@ -341,7 +341,7 @@ Results AccuracyControl::run() {
       MPI_Bcast(&solved, 1, MPI_UNSIGNED, 0, MPI_COMM_WORLD);
       model = static_cast<ModelKind>(solved);
     }
-    account.model = model == ModelKind::line ? "line" : "continuum";
+    account.model = row_of(model_kinds, model).word;
     if (model == ModelKind::continuum && this_process() == 0)
       remove_line_tables(scene.output.directory); // of the line that was tried
     account.left_out = only_of_the_other(scene, model);

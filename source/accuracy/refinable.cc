@@ -3,6 +3,7 @@
 #include "accuracy/resolution.h"
 
 #include "results/text.h"
+#include "scene/generated/scene_kinds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,10 +56,10 @@ double shortest_run(const Scene &scene) {
 }
 
 /// One to begin with, eight where a load has a history of its own within the step.
-Refinable increments_of(const Scene &scene, const std::string &section) {
+Refinable increments_of(const Scene &scene, const SceneKind &kind) {
   std::vector<std::pair<std::string, unsigned int>> paths;
-  if (!section.empty())
-    paths.emplace_back(section + "/Increments", 1);
+  if (kind.is_generated())
+    paths.emplace_back(std::string(kind.value) + "/" + kind.increments, 1);
   else
     for (const LoadStep &step : scene.steps)
       if (!step.transient) {
@@ -78,11 +79,11 @@ Refinable increments_of(const Scene &scene, const std::string &section) {
           true};
 }
 
-/// The integrator `event` takes steps only where slip follows a curve or events accumulate; of
+/// An exact integrator takes steps only where slip follows a curve or events accumulate; of
 /// these, and of the instants at which it is looked at, one or few are mostly enough.
 std::optional<Refinable> time_step_of(const Scene &scene) {
   const double longest = longest_time_step(scene);
-  const bool is_event = scene.time.integrator == TimeSettings::Integrator::event,
+  const bool is_exact = scene.time.is_exact(),
              thin = scene.time.output_interval == 0.; // steps get too short to write them all
   return Refinable{"time step",
                    [=](const unsigned int level) {
@@ -92,7 +93,7 @@ std::optional<Refinable> time_step_of(const Scene &scene) {
                        settings.push_back("Time/Output interval = " + exact_number(longest / 4.));
                      return settings;
                    },
-                   is_event, !is_event};
+                   is_exact, !is_exact};
 }
 
 /// Cells of straight runs, and of bends that are made of straight cells.
@@ -121,7 +122,8 @@ bool has_bend(const Scene &scene) {
 std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file) {
   std::vector<Refinable> list;
   const ParameterFile::Entry *const entry_scene = file.sections().front().find("Scene");
-  const std::string scene_kind = entry_scene == nullptr ? "line" : entry_scene->value;
+  const SceneKind &kind =
+      entry_scene == nullptr ? scene_kinds().front() : scene_kind(entry_scene->value);
   const bool has_transient = std::any_of(scene.steps.begin(), scene.steps.end(),
                                          [](const LoadStep &step) { return step.transient; }),
              has_static = std::any_of(scene.steps.begin(), scene.steps.end(),
@@ -129,23 +131,21 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
              has_bed =
                  std::any_of(scene.supports.begin(), scene.supports.end(),
                              [](const FrictionSupport &one) { return one.placement.continuous; });
-  const std::string section = scene_kind == "slab"                                   ? "Slab"
-                              : scene_kind == "rack" || scene_kind == "friction bed" ? "Rack"
-                                                                                     : "";
-  if (has_static && !scene.supports.empty() && scene_kind != "random")
-    list.push_back(increments_of(scene, section));
+  const bool has_increments = !kind.is_generated() || *kind.increments != '\0';
+  if (has_static && !scene.supports.empty() && has_increments)
+    list.push_back(increments_of(scene, kind));
   if (has_transient)
     if (const auto step = time_step_of(scene))
       list.push_back(*step);
   const bool is_large = scene.kinematics == Kinematics::corotational;
   if ((has_bed || has_transient || is_large) && !scene.pipes.empty() && scene.mesh.file.empty())
     list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
-  if (scene_kind == "slab")
+  if (kind.has_elements)
     list.push_back({"elements of the slab",
                     [file](const unsigned int level) { return slab_elements(file, 8u << level); },
                     false});
-  if (scene_kind == "friction bed")
-    list.push_back(entry("supports that stand for the bed", "Rack/Supports", 5));
+  for (const SceneKind::Fineness &one : kind.others)
+    list.push_back(entry(one.what, std::string(kind.value) + "/" + one.entry, one.coarsest));
   return list;
 }
 

@@ -223,7 +223,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
   results.cost.unknowns = levels.back().unknowns;
   results.cost.cells = levels.back().cells;
   results.cost.contacts = levels.back().contacts;
-  results.method = std::string(scene.solver.method == SolverSettings::Method::exact
+  results.method = std::string(scene.solver.is_exact()
                                    ? "exact: rigid contact and Coulomb friction by a semismooth "
                                      "Newton method"
                                    : "newton: consistent tangent of the return mapping") +

@@ -158,7 +158,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
     if (!model.contacts[i].law.has_closed_form())
       without_threshold.insert(model.contacts[i].law.name());
-  if (scene.solver.method == SolverSettings::Method::exact)
+  if (scene.solver.is_exact())
     for (const std::string &law : without_threshold)
       results.remarks.push_back("The law '" + law +
                                 "' has no threshold in closed form: the exact "
@@ -272,16 +272,8 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   results.status = converged                                  ? RunStatus::converged
                    : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
                                                               : RunStatus::failed;
-  switch (scene.solver.method) {
-  case SolverSettings::Method::elastic:
-    results.method = "elastic: elastic stiffness kept, residual forces sent back";
-    break;
-  case SolverSettings::Method::newton:
-    results.method = "newton: consistent tangent of the return mapping, line search";
-    break;
-  case SolverSettings::Method::exact:
-    results.method = "exact: Signorini and Coulomb by a proximal-point semismooth Newton method";
-  }
+  const SolverMethodRow &method = scene.solver.row();
+  results.method = std::string(method.word) + ": " + method.in_words;
   results.integrator = sequence.integrator_name();
   if (!results.integrator.empty())
     results.method += "; transient steps by " + results.integrator;

@@ -165,7 +165,7 @@ void add_remarks_on_model(const Model &model, Results &results) {
 }
 
 void add_remarks_on_supports(const Model &model, Results &results) {
-  if (model.scene.solver.method != SolverSettings::Method::exact)
+  if (!model.scene.solver.is_exact())
     add_effect_of_rigidity(model, results);
   add_torn_off(results);
   for (const std::string &remark :

@@ -42,7 +42,7 @@ LineModel::LineModel(const Scene &scene, LineMesh line_mesh, const LawLibrary &l
             contacts,
             linear,
             corotational ? &*corotational : nullptr} {
-  if (scene.solver.method == SolverSettings::Method::newton && !has_transient_step(scene) &&
+  if (!scene.solver.is_exact() && scene.solver.has_tangent() && !has_transient_step(scene) &&
       scene.kinematics == Kinematics::linear)
     make_rigid_contacts_finite(linear.stiffness(), contacts);
 }

@@ -20,7 +20,7 @@ void Results::certify(const Scene &scene) {
     account += step.energy;
   }
   certificate = {{"equilibrium", "-", "largest force left over, of the largest force", residual}};
-  if (scene.solver.method == SolverSettings::Method::exact) {
+  if (scene.solver.is_exact()) {
     certificate.push_back(
         {"contact", "-", "natural map, each contact on its own scale", contact.natural_map});
     certificate.push_back({"penetration", "m", "largest", contact.penetration});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "scene/file/choice.h"
+
 #include <deal.II/base/point.h>
 
 #include <array>
@@ -75,6 +77,9 @@ struct ContinuumQuantity {
   std::optional<double> reference;
   std::string source;
 };
+
+/// Words of plane problems: whether strains across the plane are zero.
+inline constexpr Word<bool> plane_kinds[] = {{"stress", false}, {"strain", true}};
 
 /// What the scene is as a continuum.
 struct ContinuumScene {

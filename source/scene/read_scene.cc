@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/file/parameter_notes.h"
-#include "scene/generated/generated.h"
+#include "scene/generated/scene_kinds.h"
 #include "scene/history_corners.h"
 #include "scene/part/body_parts.h"
 #include "scene/part/parts.h"
@@ -25,28 +25,6 @@ const std::vector<std::string> part_kinds = {
     "Tee",      "Load",    "Step",  "Initial", "Hanger",  "Nozzle", "Spectrum", "Combination"};
 const std::vector<std::string> settings = {"Mesh",  "Continuum", "Solver", "Time",  "Output",
                                            "Modes", "Response",  "Stress", "Exact", "Quantities"};
-
-struct SceneKind {
-  std::string name, section;
-  std::function<void(ParameterReader &, const LawLibrary &)> declare;
-  void (*build)(const ParameterReader &, const LawLibrary &, Scene &);
-};
-
-/// Without laws to declare.
-auto only(void (*const declare)(ParameterReader &)) {
-  return [declare](ParameterReader &in, const LawLibrary &) { declare(in); };
-}
-
-const std::vector<SceneKind> scene_kinds = {
-    {"slab", "Slab", only(&generated::declare_slab), &generated::build_slab},
-    {"oscillator", "Oscillator", only(&generated::declare_oscillator),
-     &generated::build_oscillator},
-    {"friction bed", "Rack", only(&generated::declare_friction_bed),
-     &generated::build_friction_bed},
-    {"rack", "Rack", only(&generated::declare_rack), &generated::build_rack},
-    {"random", "Random", only(&generated::declare_random), &generated::build_random},
-    {"long bar", "Long bar", only(&generated::declare_long_bar), &generated::build_long_bar},
-    {"body", "Body", &generated::declare_body, &generated::build_body}};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -106,18 +84,18 @@ void parse_part(const ParameterReader &in, const LawLibrary &laws, const std::st
     parts::parse_initial(in, scene);
 }
 
-/// What is wrong with a heading, if anything; @p generator is null for scenes made of parts.
-void check_heading(ParameterReader &in, const std::string &heading, const SceneKind *generator) {
+/// What is wrong with a heading of a scene of that kind, if anything.
+void check_heading(ParameterReader &in, const std::string &heading, const SceneKind &generator) {
   const std::string kind = kind_of(heading), name = name_of(heading);
   in.enter(heading);
   std::vector<std::string> allowed = settings;
   if (std::count(settings.begin(), settings.end(), heading) > 0)
     return;
   std::vector<std::string> users; // of a section of generated scenes
-  for (const SceneKind &scene : scene_kinds)
-    if (heading == scene.section)
-      users.push_back(scene.name);
-  if (!users.empty() && (generator == nullptr || generator->section != heading))
+  for (const SceneKind &scene : scene_kinds())
+    if (heading == scene.value)
+      users.push_back(scene.word);
+  if (!users.empty() && generator.value != heading)
     in.fail_section(heading, "this section with Scene = " + join(users) + " only",
                     "set Scene = " + users.front());
   if (!users.empty())
@@ -125,8 +103,9 @@ void check_heading(ParameterReader &in, const std::string &heading, const SceneK
   if (std::count(part_kinds.begin(), part_kinds.end(), kind) == 0) {
     for (const std::string &part : part_kinds)
       allowed.push_back(part + " <name>");
-    for (const SceneKind &scene : scene_kinds)
-      allowed.push_back(scene.section);
+    for (const SceneKind &scene : scene_kinds())
+      if (scene.is_generated())
+        allowed.emplace_back(scene.value);
     std::vector<std::string> candidates = settings;
     candidates.insert(candidates.end(), part_kinds.begin(), part_kinds.end());
     const std::string like = nearest(kind, candidates);
@@ -134,10 +113,10 @@ void check_heading(ParameterReader &in, const std::string &heading, const SceneK
                     like.empty() ? "one of these kinds of parts"
                                  : "'" + like + (name.empty() ? "" : " " + name) + "'");
   }
-  if (generator != nullptr)
+  if (generator.is_generated())
     in.fail_section("subsection " + heading,
-                    "no parts beside Scene = " + generator->name +
-                        ", which makes its own from section " + generator->section,
+                    "no parts beside Scene = " + std::string(generator.word) +
+                        ", which makes its own from section " + generator.value,
                     "removing this part, or Scene = line");
   if (name.empty() || name.find_first_of(" ,;/|'\"") != std::string::npos)
     in.fail_section(name.empty() ? "no name" : "'" + name + "'",
@@ -267,11 +246,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   ParameterReader in(text);
   parts::declare_global(in);
   in.take();
-  const std::string scene_name = in.text("Scene");
-  const auto generator =
-      std::find_if(scene_kinds.begin(), scene_kinds.end(),
-                   [&](const SceneKind &kind) { return kind.name == scene_name; });
-  const SceneKind *const kind = generator == scene_kinds.end() ? nullptr : &*generator;
+  const SceneKind &kind = scene_kind(in.text("Scene"));
   for (const ParameterFile::Section &section : text.sections())
     if (!section.heading.empty())
       check_heading(in, section.heading, kind);
@@ -297,20 +272,20 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   load_laws(in, laws);
   parts::parse_global(in, scene);
   scene.installation_temperature = in.number("Installation temperature");
-  if (kind != nullptr &&
+  if (kind.is_generated() &&
       (in.given("Free motions") || in.given("Installation temperature") || in.given("Units")))
     in.fail_section("'Free motions', 'Installation temperature' or 'Units'",
-                    "none of them with Scene = " + kind->name + ", which sets them itself",
+                    "none of them with Scene = " + std::string(kind.word) +
+                        ", which sets them itself",
                     "removing the entry");
   read_settings(in, scene);
-  if (kind == nullptr)
-    read_parts(in, laws, scene.installation_temperature, scene);
-  else {
-    in.enter(kind->section);
-    kind->declare(in, laws);
+  if (kind.is_generated()) {
+    in.enter(kind.value);
+    kind.declare(in, laws);
     in.take();
-    kind->build(in, laws, scene);
-  }
+    kind.build(in, laws, scene);
+  } else
+    read_parts(in, laws, scene.installation_temperature, scene);
   in.enter("");
   parts::check_model(in, scene);
   parts::parse_monitors(in, scene);
@@ -388,10 +363,11 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_stress(in);
   in.enter("Quantities");
   parts::declare_quantities(in);
-  for (const SceneKind &kind : scene_kinds) {
-    in.enter(kind.section);
-    kind.declare(in, laws);
-  }
+  for (const SceneKind &kind : scene_kinds())
+    if (kind.is_generated()) {
+      in.enter(kind.value);
+      kind.declare(in, laws);
+    }
   in.print(out);
   parts::print_laws(out, laws);
 }

@@ -3,9 +3,8 @@
 
 #include "scene/body.h"
 #include "scene/components.h"
-#include "scene/kinematics.h"
 #include "scene/modal.h"
-#include "scene/reduction.h"
+#include "scene/settings.h"
 #include "scene/time_function.h"
 #include "scene/units.h"
 #include <frictionbeam/law.h>
@@ -229,56 +228,6 @@ struct ExactHistory {
   std::function<double(const double)> value;
   double largest = 0.; ///< errors are relative to this value [m]; 0: they are in metres
 };
-
-struct MeshSettings {
-  std::string file;                ///< .geo or .msh of the user's own; empty: routes
-  double cell_length = 0.;         ///< longest cell of a straight run [m]; 0: one cell a run
-  unsigned int cells_per_bend = 8; ///< in 90 degrees
-  bool arcs = false;               ///< a bend is one exact arc, not straight cells
-  double most_cells = 200000.;     ///< more are refused
-};
-
-struct SolverSettings {
-  enum class Method { elastic, newton, exact } method = Method::exact;
-  double tolerance = 1e-10;         ///< of the residual, relative to the largest force
-  double contact_tolerance = 1e-8;  ///< exact: of the contact laws, each contact on its own scale
-  unsigned int max_iterations = 50; ///< newton, an increment; elastic: max_elastic_iterations
-  unsigned int max_elastic_iterations = 10000;
-  unsigned int max_halvings = 10; ///< of an increment
-};
-
-struct TimeSettings {
-  enum class Integrator {
-    newmark,
-    generalized_alpha,
-    moreau_jean,
-    nonsmooth_alpha,
-    event
-  } integrator = Integrator::moreau_jean;
-  double step = 0.;                ///< [s]; 0: by the mesh
-  double output_interval = 0.;     ///< [s]; 0: every step
-  double tolerance = 0.;           ///< of displacements in one step [m]; 0: fixed steps
-  double beta = 0.25, gamma = 0.5; ///< newmark
-  double spectral_radius = 1.;     ///< at infinity, of the alpha schemes
-  double theta = 0.5;              ///< moreau_jean
-  double mass_damping = 0., stiffness_damping = 0.; ///< C = mass [1/s] M + stiffness [s] K
-  double modal_damping = 0.; ///< of the line's own modes; rigid ones have none
-  ReductionSettings reduction;
-};
-
-struct OutputSettings {
-  std::string directory;
-  unsigned int stations = 3;    ///< between the nodes of a cell
-  bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
-  bool vtu = true, report = true;
-  bool contact_problems = false;    ///< FCLIB files of every static increment
-  double checkpoint_interval = 60.; ///< of wall time [s]; 0: none
-  bool resume = false;              ///< from the checkpoint in the directory, if there is one
-  bool quiet = false;               ///< no progress on a terminal
-};
-
-/// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.
-enum class ModelKind { line, continuum, both, automatic };
 
 /// A point that an entry names, while only Mesh/File can say whether there is one.
 struct AskedPoint {

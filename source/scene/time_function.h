@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "scene/file/choice.h"
+
 #include <functional>
 #include <limits>
 #include <string>
@@ -32,6 +34,10 @@ struct TimeFunction {
   double before(const double time, const double reach = 0.) const;
   double after(const double time, const double reach = 0.) const;
 };
+
+/// Words of the clocks, whose meanings stand with the entries.
+inline constexpr Word<TimeFunction::Clock> clocks[] = {{"step", TimeFunction::Clock::step},
+                                                       {"run", TimeFunction::Clock::run}};
 
 class ParameterReader;
 

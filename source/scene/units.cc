@@ -9,7 +9,7 @@ namespace frictionbeam {
 
 namespace {
 
-struct Word {
+struct UnitWord {
   const char *name;
   char dimension;
   double factor; ///< SI units in one of it
@@ -19,7 +19,7 @@ struct Word {
 constexpr double inch = 0.0254, pound = 0.45359237, gravity = 9.80665,
                  pound_force = pound * gravity;
 
-constexpr Word words[] = {{"m", 'l', 1.},
+constexpr UnitWord words[] = {{"m", 'l', 1.},
                           {"mm", 'l', 1e-3},
                           {"cm", 'l', 1e-2},
                           {"in", 'l', inch},
@@ -60,8 +60,8 @@ std::optional<UnitSystem> UnitSystem::parse(const std::string &text) {
   bool any = false;
   std::string seen;
   for (const std::string &name : split(text, ' ')) {
-    const Word *found = nullptr;
-    for (const Word &word : words)
+    const UnitWord *found = nullptr;
+    for (const UnitWord &word : words)
       if (name == word.name)
         found = &word;
     if (found == nullptr || seen.find(found->dimension) != std::string::npos)
@@ -79,7 +79,7 @@ std::optional<UnitSystem> UnitSystem::parse(const std::string &text) {
 
 std::string UnitSystem::known_words() {
   std::string text = "si";
-  for (const Word &word : words)
+  for (const UnitWord &word : words)
     text += std::string(", ") + word.name;
   return text;
 }

@@ -176,7 +176,7 @@ void run(const std::string &file, const std::vector<std::string> &options, const
     for (unsigned int c = 0; c < 6; ++c)
       compare(found.restraints[i].values[c], course[label("reaction", i, c)],
               size_of(course, c < 3 ? "reaction0" : "reaction1"));
-  const bool events = scene.time.integrator == TimeSettings::Integrator::event;
+  const bool events = scene.time.is_exact();
   unsigned int n_impacts = 0;
   for (std::size_t i = 0; i < found.supports.size(); ++i) {
     n_impacts += found.supports[i].n_impacts;

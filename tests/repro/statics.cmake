@@ -67,3 +67,6 @@ repro("length of a file in mm" stiff_support --set "Units = mm N"
 # A hanger that travels less than a spring can be sized for says what it was sized for.
 case_test("repro/hanger of a small travel" "" tests/cases/piping/hanger_sized.prm
   --set "Load lift/Displacements = A uz 0.001" --expect "travel 0.001 m. For so little it was sized as for 0.005 m")
+
+# A scene without an entry for its increments has none that Accuracy could refine.
+repro("rack, Accuracy" rack_accuracy --set "Accuracy = 1e-2" --errors 1e-9)

@@ -15,11 +15,9 @@ constexpr double most_taken_for_rounding =
 
 } // namespace
 
-ReturnMappingSolver::ReturnMappingSolver(const SolverSettings &settings,
-                                         const SolverSettings::Method method,
-                                         const Contacts &contacts, const ReducedSpace &space)
-    : settings(settings), newton(method != SolverSettings::Method::elastic), contacts(contacts),
-      space(space) {}
+ReturnMappingSolver::ReturnMappingSolver(const SolverSettings &settings, const Contacts &contacts,
+                                         const ReducedSpace &space)
+    : settings(settings), newton(settings.has_tangent()), contacts(contacts), space(space) {}
 
 bool ReturnMappingSolver::factor_elastic(const EquilibriumProblem &problem, Residual &residual,
                                          const Vector &unknowns, EquilibriumResult &result) {

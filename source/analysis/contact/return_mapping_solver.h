@@ -16,8 +16,8 @@ namespace frictionbeam {
  */
 class ReturnMappingSolver final : public EquilibriumSolver {
 public:
-  ReturnMappingSolver(const SolverSettings &settings, const SolverSettings::Method method,
-                      const Contacts &contacts, const ReducedSpace &space);
+  ReturnMappingSolver(const SolverSettings &settings, const Contacts &contacts,
+                      const ReducedSpace &space);
 
   void matrix_changed() override { elastic_is_current = elastic_is_known = false; }
   EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,

@@ -6,14 +6,38 @@
 
 namespace frictionbeam {
 
+namespace {
+
+using Solver = std::unique_ptr<EquilibriumSolver>;
+
+Solver return_mapping(const SolverSettings &settings, const Contacts &contacts,
+                      const ReducedSpace &space, const SparseMatrix &) {
+  return std::make_unique<ReturnMappingSolver>(settings, contacts, space);
+}
+
+Solver exact(const SolverSettings &settings, const Contacts &contacts, const ReducedSpace &space,
+             const SparseMatrix &stiffness) {
+  return std::make_unique<ExactSolver>(settings, contacts, space, stiffness);
+}
+
+/// What makes the solver of a method, whose word and meaning stand in `solver_methods`.
+struct Maker {
+  SolverMethod value;
+  Solver (*make)(const SolverSettings &, const Contacts &, const ReducedSpace &,
+                 const SparseMatrix &);
+};
+
+constexpr Maker makers[] = {{SolverMethod::elastic, &return_mapping},
+                            {SolverMethod::newton, &return_mapping},
+                            {SolverMethod::exact, &exact}};
+
+} // namespace
+
 std::unique_ptr<EquilibriumSolver> make_equilibrium_solver(const SolverSettings &settings,
-                                                           const SolverSettings::Method method,
                                                            const Contacts &contacts,
                                                            const ReducedSpace &space,
                                                            const SparseMatrix &stiffness) {
-  if (method == SolverSettings::Method::exact)
-    return std::make_unique<ExactSolver>(settings, contacts, space, stiffness);
-  return std::make_unique<ReturnMappingSolver>(settings, method, contacts, space);
+  return row_of(makers, settings.method).make(settings, contacts, space, stiffness);
 }
 
 } // namespace frictionbeam

@@ -7,7 +7,6 @@ namespace frictionbeam {
 
 /// The solver that Solver/Method names. @p stiffness of the line, without contacts.
 std::unique_ptr<EquilibriumSolver> make_equilibrium_solver(const SolverSettings &settings,
-                                                           const SolverSettings::Method method,
                                                            const Contacts &contacts,
                                                            const ReducedSpace &space,
                                                            const SparseMatrix &stiffness);

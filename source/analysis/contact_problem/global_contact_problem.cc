@@ -15,7 +15,7 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 
 std::string find_obstacle(const Model &model) {
   const Contacts &contacts = model.contacts;
-  if (model.scene.solver.method != SolverSettings::Method::exact)
+  if (!model.scene.solver.is_exact())
     return "the method is not 'exact'";
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const std::string support = model.scene.supports[contacts[i].support].name;

@@ -8,23 +8,41 @@
 
 namespace frictionbeam {
 
+namespace {
+
+using Made = std::unique_ptr<TimeIntegrator>;
+
+/// An alpha scheme, which observes nothing within a step.
+template <AlphaScheme::Parameters (*parameters)(const Scene &)>
+Made alpha_scheme(const Model &model, const PieceObserver &) {
+  return std::make_unique<AlphaScheme>(model, parameters(model.scene));
+}
+
+/// What makes an integrator, whose word and meaning stand in `integrators`.
+struct Maker {
+  Integrator value;
+  Made (*make)(const Model &, const PieceObserver &);
+};
+
+constexpr Maker makers[] = {
+    {Integrator::newmark, &alpha_scheme<&AlphaScheme::newmark>},
+    {Integrator::generalized_alpha, &alpha_scheme<&AlphaScheme::generalized_alpha>},
+    {Integrator::nonsmooth_alpha, &alpha_scheme<&AlphaScheme::nonsmooth>},
+    {Integrator::moreau_jean,
+     [](const Model &model, const PieceObserver &) -> Made {
+       return std::make_unique<MoreauJean>(model);
+     }},
+    {Integrator::event, [](const Model &model, const PieceObserver &observer) -> Made {
+       return std::make_unique<EventIntegrator>(model, observer);
+     }}};
+
+} // namespace
+
 std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model,
                                                      const PieceObserver &observer) {
-  using Integrator = TimeSettings::Integrator;
   if (model.corotational)
     return std::make_unique<CorotationalMotion>(model);
-  switch (model.scene.time.integrator) {
-  case Integrator::newmark:
-    return std::make_unique<AlphaScheme>(model, AlphaScheme::newmark(model.scene));
-  case Integrator::generalized_alpha:
-    return std::make_unique<AlphaScheme>(model, AlphaScheme::generalized_alpha(model.scene));
-  case Integrator::moreau_jean:
-    return std::make_unique<MoreauJean>(model);
-  case Integrator::nonsmooth_alpha:
-    return std::make_unique<AlphaScheme>(model, AlphaScheme::nonsmooth(model.scene));
-  default:
-    return std::make_unique<EventIntegrator>(model, observer);
-  }
+  return row_of(makers, model.scene.time.integrator).make(model, observer);
 }
 
 } // namespace frictionbeam

@@ -17,9 +17,8 @@ namespace frictionbeam {
 using namespace dealii;
 
 LoadSequence::LoadSequence(const Model &model)
-    : model(model),
-      statics(make_equilibrium_solver(model.scene.solver, model.scene.solver.method, model.contacts,
-                                      model.space, model.linear.stiffness())),
+    : model(model), statics(make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
+                                                    model.linear.stiffness())),
       corotational_statics(model.corotational ? std::make_unique<CorotationalStatics>(model)
                                               : nullptr),
       course(model), declared(model.scene.loads.size(), 0.) {}

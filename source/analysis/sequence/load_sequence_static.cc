@@ -26,9 +26,8 @@ constexpr double least_force = 1e-4;
 
 /// More where the user allows more.
 unsigned int most_iterations_of(const SolverSettings &settings) {
-  return std::max(most_iterations, settings.method == SolverSettings::Method::elastic
-                                       ? settings.max_elastic_iterations
-                                       : settings.max_iterations);
+  return std::max(most_iterations, settings.has_tangent() ? settings.max_iterations
+                                                          : settings.max_elastic_iterations);
 }
 
 /// What of a static step's answer is not the only one.
@@ -87,8 +86,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     if (between_increments)
       between_increments();
   }
-  if (model.scene.solver.method == SolverSettings::Method::exact &&
-      model.contacts.size() <= most_contacts_for_uniqueness) {
+  if (model.scene.solver.is_exact() && model.contacts.size() <= most_contacts_for_uniqueness) {
     StepReport &report = step_reports.back();
     report.several_equilibria = several_equilibria(model, *statics, current);
     report.undetermined_forces = contacts_with_undetermined_forces(model.contacts, current);

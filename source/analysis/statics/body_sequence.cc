@@ -27,7 +27,7 @@ std::vector<FoundationPoint> foundation_points(const ContinuumBody<dim> &body,
 template <int dim>
 ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws)
     : body(body), system(make_continuum_system(body)),
-      foundation(body.continuum, laws, body.scene.solver.method == SolverSettings::Method::exact,
+      foundation(body.continuum, laws, body.scene.solver.is_exact(),
                  foundation_points(body, *system)),
       newton(body, *system, foundation), unit_forces(body.traction_forces()) {
   body.reinit(unknowns);

@@ -51,8 +51,8 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
   const SparseMatrix symmetric = symmetric_part(problem.matrix);
   EquilibriumProblem linear{symmetric,         problem.right_hand_side, problem.imposed,
                             problem.increment, problem.overrides,       problem.largest_force};
-  const auto solver = make_equilibrium_solver(model.scene.solver, model.scene.solver.method,
-                                              model.contacts, model.space, symmetric);
+  const auto solver =
+      make_equilibrium_solver(model.scene.solver, model.contacts, model.space, symmetric);
   result = solver->solve(linear, committed, change, response);
   result.no_equilibrium = false; // of this pose it is no proof
   return result;

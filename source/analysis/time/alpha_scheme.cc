@@ -12,17 +12,8 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-namespace {
-std::string contacts_of(const bool impulses) {
-  return impulses ? "rigid contact and friction by impulses on velocities"
-                  : "friction elements by their return mapping";
-}
-
-} // namespace
-
 AlphaScheme::Parameters AlphaScheme::newmark(const Scene &scene) {
-  const bool impulses = scene.solver.method == SolverSettings::Method::exact;
-  return {0., 0., scene.time.beta, scene.time.gamma, impulses, "newmark: " + contacts_of(impulses)};
+  return {0., 0., scene.time.beta, scene.time.gamma, scene.solver.is_exact()};
 }
 
 AlphaScheme::Parameters AlphaScheme::generalized_alpha(const Scene &scene) {
@@ -32,15 +23,13 @@ AlphaScheme::Parameters AlphaScheme::generalized_alpha(const Scene &scene) {
   result.alpha_f = rho / (rho + 1.);
   result.gamma = 0.5 + result.alpha_f - result.alpha_m;
   result.beta = 0.25 * (result.gamma + 0.5) * (result.gamma + 0.5);
-  result.impulses = scene.solver.method == SolverSettings::Method::exact;
-  result.name = "generalized_alpha: " + contacts_of(result.impulses);
+  result.impulses = scene.solver.is_exact();
   return result;
 }
 
 AlphaScheme::Parameters AlphaScheme::nonsmooth(const Scene &scene) {
   Parameters result = generalized_alpha(scene);
   result.impulses = true;
-  result.name = "nonsmooth_alpha: " + contacts_of(true);
   return result;
 }
 
@@ -50,12 +39,8 @@ AlphaScheme::AlphaScheme(const Model &model, const Parameters &parameters)
       stiff(model.linear.stiffness()), momentum(model.linear.mass()),
       stiffness_diagonal(model.linear.stiffness().diagonal()) {
   if (!p.impulses)
-    return_mapping =
-        make_equilibrium_solver(model.scene.solver,
-                                model.scene.solver.method == SolverSettings::Method::elastic
-                                    ? SolverSettings::Method::elastic
-                                    : SolverSettings::Method::newton,
-                                model.contacts, model.space, model.linear.stiffness());
+    return_mapping = make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
+                                             model.linear.stiffness());
   factor_mass(model, mass);
 }
 
@@ -69,8 +54,14 @@ Vector AlphaScheme::contact_forces(const LineState &state) const {
   return forces;
 }
 
+std::string AlphaScheme::name() const {
+  return model.scene.time.row().word +
+         std::string(p.impulses ? ": rigid contact and friction by impulses on velocities"
+                                : ": friction elements by their return mapping");
+}
+
 std::string AlphaScheme::warning() const {
-  return warn_of_stiff_friction(model, p.name.substr(0, p.name.find(':')), !p.impulses);
+  return warn_of_stiff_friction(model, model.scene.time.row().word, !p.impulses);
 }
 
 void AlphaScheme::start(LineState &state, const LoadCourse &loads) {

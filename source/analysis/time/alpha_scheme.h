@@ -32,7 +32,6 @@ public:
   struct Parameters {
     double alpha_m = 0., alpha_f = 0., beta = 0.25, gamma = 0.5;
     bool impulses = false;
-    std::string name;
   };
   /// Rigid contacts act by impulses if Solver/Method is exact, as in statics.
   static Parameters newmark(const Scene &scene);
@@ -43,7 +42,7 @@ public:
 
   AlphaScheme(const Model &model, const Parameters &parameters);
 
-  std::string name() const override { return p.name; }
+  std::string name() const override;
   void start(LineState &state, const LoadCourse &loads) override;
   TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,
                    LineState &to) override;

@@ -35,7 +35,7 @@ void MoreauJean::set_step(const double h) {
 }
 
 std::string MoreauJean::warning() const {
-  return warn_of_stiff_friction(model, "moreau_jean", false);
+  return warn_of_stiff_friction(model, model.scene.time.row().word, false);
 }
 
 void MoreauJean::transfer(Archive &archive) {

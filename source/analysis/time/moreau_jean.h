@@ -20,7 +20,8 @@ public:
   explicit MoreauJean(const Model &model);
 
   std::string name() const override {
-    return "moreau_jean: rigid contact and friction by impulses on velocities";
+    return model.scene.time.row().word +
+           std::string(": rigid contact and friction by impulses on velocities");
   }
   void start(LineState &state, const LoadCourse &loads) override;
   TimeStep advance(const LineState &from, const LoadCourse &loads, const double time,

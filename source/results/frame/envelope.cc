@@ -213,7 +213,7 @@ bool Envelope::strikes(const LineState &state, const unsigned int i) const {
 }
 
 bool Envelope::is_impulse(const LineState &state, const unsigned int i) const {
-  return model.scene.time.integrator != TimeSettings::Integrator::event && strikes(state, i);
+  return !model.scene.time.is_exact() && strikes(state, i);
 }
 
 void Envelope::include(const LineState &state, const bool line_is_known) {

@@ -113,13 +113,13 @@ void ParameterReader::declare_flag(const std::string &name, const bool default_v
           meaning);
 }
 
-void ParameterReader::declare_choice(const std::string &name, const std::string &default_value,
-                                     const std::vector<std::string> &choices,
-                                     const std::string &meaning) {
+void ParameterReader::declare_words(const std::string &name, const std::string &default_word,
+                                    const std::vector<std::string> &words,
+                                    const std::string &meaning) {
   std::string pattern;
-  for (const std::string &choice : choices)
-    pattern += (pattern.empty() ? "" : "|") + choice;
-  declare(name, default_value, dealii::Patterns::Selection(pattern), "-", join(choices), meaning);
+  for (const std::string &word : words)
+    pattern += (pattern.empty() ? "" : "|") + word;
+  declare(name, default_word, dealii::Patterns::Selection(pattern), "-", join(words), meaning);
 }
 
 void ParameterReader::declare_text(const std::string &name, const std::string &default_value,

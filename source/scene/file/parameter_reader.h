@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "scene/file/choice.h"
 #include "scene/file/parameter_file.h"
 #include "scene/units.h"
 
@@ -35,8 +36,15 @@ public:
   void declare_count(const std::string &name, const int default_value, const int minimum,
                      const std::string &meaning, const int maximum = 1000000);
   void declare_flag(const std::string &name, const bool default_value, const std::string &meaning);
-  void declare_choice(const std::string &name, const std::string &default_value,
-                      const std::vector<std::string> &choices, const std::string &meaning);
+  /// One of the words of a table (choice.h), whose meanings stand between @p meaning and @p note.
+  template <typename Table, typename Value>
+  void declare_choice(const std::string &name, const Value &default_value, const Table &table,
+                      const std::string &meaning, const std::string &note = "") {
+    const std::string words = meanings_of(table), blank = " ";
+    declare_words(name, row_of(table, default_value).word, words_of(table),
+                  meaning + (meaning.empty() || words.empty() ? "" : blank) + words +
+                      (words.empty() ? "" : ".") + (note.empty() ? "" : blank) + note);
+  }
   /// @p allowed says the form, with units in brackets, such as "x y z [m]".
   void declare_text(const std::string &name, const std::string &default_value,
                     const std::string &allowed, const std::string &meaning);
@@ -55,6 +63,13 @@ public:
   unsigned int count(const std::string &name) const;
   bool flag(const std::string &name) const;
   std::string text(const std::string &name) const;
+  /// The value of the word that such an entry is.
+  template <typename Table>
+  auto choice(const std::string &name, const Table &table) const {
+    const auto row = find_word(table, text(name));
+    Assert(row != std::end(table), dealii::ExcInternalError());
+    return row->value;
+  }
   std::vector<std::string> list(const std::string &name) const; ///< between commas, no empty item
   std::vector<double> numbers(const std::string &name) const;   ///< between blanks, as written
   /// @p si_value, which the entry has in it. @throws UserError if no model has such a number.
@@ -98,6 +113,8 @@ private:
     bool is_number = false, is_positive = false;
   };
 
+  void declare_words(const std::string &name, const std::string &default_word,
+                     const std::vector<std::string> &words, const std::string &meaning);
   void declare(const std::string &name, const std::string &default_value,
                const dealii::Patterns::PatternBase &pattern, const std::string &unit,
                const std::string &allowed, const std::string &meaning,

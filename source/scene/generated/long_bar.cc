@@ -21,7 +21,7 @@ void declare_long_bar(ParameterReader &in) {
   in.declare_number("Side", 0.04, "m", positive, 1e300, "Of the square plate.");
   in.declare_number("Young's modulus", 1.3e11, "Pa", positive, 1e300, "Of the plate.");
   in.declare_number("Poisson", 0.2, "-", 0., 0.4999, "Ratio of the plate.");
-  in.declare_choice("Plane", "strain", {"stress", "strain"}, "Kind of plane problem.");
+  in.declare_choice("Plane", true, plane_kinds, "Kind of plane problem.");
   in.declare_number("Friction", 1., "-", 0., 100., "Coefficient of the foundation.");
   in.declare_number("Top pressure", 5e7, "Pa", 0., 1e300, "On y = Side.");
   in.declare_number("Side pressure", 1.5e8, "Pa", 0., 1e300, "On x = 0.");
@@ -32,7 +32,7 @@ void declare_long_bar(ParameterReader &in) {
 void build_long_bar(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
   const double side = in.number("Side");
   ContinuumScene body;
-  body.plane_strain = in.text("Plane") == "strain";
+  body.plane_strain = in.choice("Plane", plane_kinds);
   body.youngs_modulus = in.number("Young's modulus");
   body.poissons_ratio = in.number("Poisson");
   ContinuumBox box;

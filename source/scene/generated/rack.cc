@@ -5,6 +5,11 @@ namespace frictionbeam::generated {
 
 namespace {
 
+constexpr Word<bool> rack_kinds[] = {
+    {"plant", true, "loops to either side and risers"},
+    {"planar", false, "every rest on one line, an algebraic stress case"}};
+constexpr Word<bool> rack_sequences[] = {{"one step", true}, {"weight heat cool", false}};
+
 /// A route laid cell by cell, with rest supports on the way.
 class Layout {
 public:
@@ -59,9 +64,7 @@ void lay_planar_span(const unsigned int i, Layout &layout) {
 } // namespace
 
 void declare_rack(ParameterReader &in) {
-  in.declare_choice("Kind", "plant", {"plant", "planar"},
-                    "Scene = rack. plant: loops to either side and risers; planar: every rest on "
-                    "one line, an algebraic stress case.");
+  in.declare_choice("Kind", true, rack_kinds, "Scene = rack.");
   in.declare_count("Spans", 20, 3, "Scene = rack. n: the line has n - 1 spans of 6 m.");
   in.declare_count("Guide every", 0, 0,
                    "Scene = rack. Every so manyth support, from the first, also holds y by a "
@@ -71,7 +74,7 @@ void declare_rack(ParameterReader &in) {
   in.declare_number(
       "Stiffness", 0., "N", 0., 1e300,
       "Scene = rack. Rigidity ES and GS of the friction elements, of length 1 m; 0: rigid.");
-  in.declare_choice("Sequence", "one step", {"one step", "weight heat cool"},
+  in.declare_choice("Sequence", true, rack_sequences,
                     "Scene = rack. All at once, or weight, heat in 10 increments, cool in 10.");
   in.declare_number("Outer diameter", 0.3239, "m", positive, 1e300, "Scene = rack. Of the pipe.");
   in.declare_number("Wall", 0.0095, "m", positive, 1e300,
@@ -88,7 +91,7 @@ void declare_rack(ParameterReader &in) {
 }
 
 void build_rack(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
-  const bool plant = in.text("Kind") == "plant";
+  const bool plant = in.choice("Kind", rack_kinds);
   const unsigned int n_spans = in.count("Spans") - 1;
   Layout layout;
   for (unsigned int i = 0; i < n_spans; ++i) {
@@ -121,7 +124,7 @@ void build_rack(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
       scene.springs.push_back({"guide_" + layout.rests[i], layout.rests[i], "", {0., 1e10}});
 
   scene.loads = {weight_load(), temperature_load("hot", in.number("Heating"))};
-  if (in.text("Sequence") == "one step")
+  if (in.choice("Sequence", rack_sequences))
     scene.steps = {static_step("weight_and_heat", {{0, 1.}, {1, 1.}}, 1)};
   else
     scene.steps = {static_step("weight", {{0, 1.}}, 1), static_step("heat", {{0, 1.}, {1, 1.}}, 10),

@@ -9,6 +9,10 @@ namespace frictionbeam::generated {
 
 namespace {
 
+constexpr Word<bool> far_ends[] = {{"free", false}, {"fixed", true}};
+constexpr Word<bool> slab_sequences[] = {{"push", false, "the force grows from 0"},
+                                         {"cycle", true, "from 0 to Force, to -Force, to Force"}};
+
 /// The slab as n bars of stiffness c on n+1 friction springs: stiffness K and bound Q, half of
 /// either at the two ends. K = 0 stands for rigid springs.
 struct DiscreteSlab {
@@ -91,10 +95,9 @@ void declare_slab(ParameterReader &in) {
   in.declare_number("Friction", 0.3, "-", 0., 100., "Coefficient of the surface.");
   in.declare_number("Young's modulus", 1000., "Pa", positive, 1e300, "Of the slab.");
   in.declare_number("Poisson", 0.3, "-", 0., 0.4999, "Ratio of the slab, of the continuum.");
-  in.declare_choice("Plane", "stress", {"stress", "strain"}, "Of the continuum in 2D.");
-  in.declare_choice("Far end", "free", {"free", "fixed"}, "The end at x = Length.");
-  in.declare_choice("Sequence", "push", {"push", "cycle"},
-                    "push: the force grows from 0; cycle: from 0 to Force, to -Force, to Force.");
+  in.declare_choice("Plane", false, plane_kinds, "Of the continuum in 2D.");
+  in.declare_choice("Far end", false, far_ends, "The end at x = Length.");
+  in.declare_choice("Sequence", false, slab_sequences, "");
   in.declare_count("Increments", 10, 1, "Of the push, of each leg of the cycle.");
   declare_slab_line(in);
 }
@@ -103,7 +106,7 @@ void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
   const unsigned int n = in.count("Elements");
   const double length = in.number("Length"), b = in.number("Width"), height = in.number("Height");
   const double friction = in.number("Friction"), force = in.number("Force");
-  const bool far_end_fixed = in.text("Far end") == "fixed";
+  const bool far_end_fixed = in.choice("Far end", far_ends);
   const double h = length / n, normal_force = in.number("Pressure") * b * h;
   const SlabLine line = read_slab_line(in, h);
   const double E = line.axial_modulus, GS = line.shear_rigidity, EA = E * b * height;
@@ -152,7 +155,7 @@ void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
     loads.emplace_back(0, factor);
     return static_step(name, loads, in.count("Increments"));
   };
-  const bool cycle = in.text("Sequence") == "cycle";
+  const bool cycle = in.choice("Sequence", slab_sequences);
   scene.steps = {step("push", 1.)};
   if (cycle) {
     scene.steps.push_back(step("pull", -1.));

@@ -15,7 +15,7 @@ void build_slab_continuum(const ParameterReader &in, const LawLibrary &laws, Sce
   const ContinuumSettings &settings = scene.continuum_settings;
   ContinuumScene body;
   body.dimension = settings.dimension;
-  body.plane_strain = in.text("Plane") == "strain";
+  body.plane_strain = in.choice("Plane", plane_kinds);
   body.thickness = width;
   body.youngs_modulus = in.number("Young's modulus");
   body.poissons_ratio = in.number("Poisson");

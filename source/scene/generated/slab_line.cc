@@ -19,7 +19,7 @@ void declare_slab_line(ParameterReader &in) {
 SlabLine read_slab_line(const ParameterReader &in, const double spacing) {
   const double E = in.number("Young's modulus"), nu = in.number("Poisson"), GS = in.number("GS"),
                c = in.number("Shear lag");
-  const bool plane_strain = in.text("Plane") == "strain";
+  const bool plane_strain = in.choice("Plane", plane_kinds);
   SlabLine line;
   line.axial_modulus = plane_strain ? E / (1. - nu * nu) : E;
   if (in.flag("Poisson squeeze"))

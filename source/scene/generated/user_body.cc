@@ -70,7 +70,7 @@ std::vector<ContinuumTraction> parse_tractions(const ParameterReader &in) {
 void declare_body(ParameterReader &in, const LawLibrary &laws) {
   in.declare_number("Young's modulus", 2.1e11, "Pa", positive, 1e300, "Of the body.");
   in.declare_number("Poisson", 0.3, "-", 0., 0.4999, "Ratio of the body.");
-  in.declare_choice("Plane", "stress", {"stress", "strain"}, "Kind of plane problem.");
+  in.declare_choice("Plane", false, plane_kinds, "Kind of plane problem.");
   in.declare_number("Thickness", 1., "m", positive, 1e300, "Of a plane body.");
   in.declare_text("Held", "", "parts or points with directions, 'left x; bottom y'",
                   "Displacements held at zero.");
@@ -98,7 +98,7 @@ void declare_body(ParameterReader &in, const LawLibrary &laws) {
 void build_body(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
   ContinuumScene body;
   body.dimension = scene.continuum_settings.dimension;
-  body.plane_strain = in.text("Plane") == "strain";
+  body.plane_strain = in.choice("Plane", plane_kinds);
   body.thickness = in.number("Thickness");
   body.youngs_modulus = in.number("Young's modulus");
   body.poissons_ratio = in.number("Poisson");

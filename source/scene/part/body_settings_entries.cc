@@ -3,6 +3,25 @@
 
 namespace frictionbeam::parts {
 
+namespace {
+
+using Refinement = ContinuumSettings::Refinement;
+constexpr Word<Refinement> refinements[] = {
+    {"adaptive", Refinement::adaptive,
+     "the cells with the largest error estimate, and those at the ends of slip zones"},
+    {"uniform", Refinement::uniform, "all"},
+    {"none", Refinement::none, "the first mesh only"}};
+
+using LinearSolver = ContinuumSettings::LinearSolver;
+constexpr Word<LinearSolver> linear_solvers[] = {
+    {"auto", LinearSolver::automatic,
+     "direct for up to 60,000 unknowns in 2D and 15,000 in 3D and without mpirun, else amg"},
+    {"direct", LinearSolver::direct,
+     "factorization (with mpirun: Amesos KLU, which works on one process)"},
+    {"amg", LinearSolver::amg, "CG or GMRES with Trilinos ML, needs mpirun"}};
+
+} // namespace
+
 void declare_continuum(ParameterReader &in) {
   in.declare_count("Degree", 3, 1, "Of the elements' polynomials, per direction.", 10);
   in.declare_count("Cells", 2, 1,
@@ -10,19 +29,13 @@ void declare_continuum(ParameterReader &in) {
   in.declare_number("Tolerance", 1e-3, "-", positive, 1.,
                     "Relative, of every quantity: the mesh is refined until the estimated errors "
                     "are below it.");
-  in.declare_choice("Refinement", "adaptive", {"adaptive", "uniform", "none"},
-                    "adaptive: the cells with the largest error estimate, and those at the ends of "
-                    "slip zones; uniform: all; none: the first mesh only.");
+  in.declare_choice("Refinement", Refinement::adaptive, refinements, "");
   in.declare_number("Fraction", 0.8, "-", positive, 1.,
                     "Of the squared error estimate that the cells to be refined hold together.");
   in.declare_count("Max refinements", 20, 0, "Of the first mesh.", 100);
   in.declare_count("Max unknowns", 200000, 1, "A mesh that has more is not refined any further.",
                    100000000);
-  in.declare_choice(
-      "Linear solver", "auto", {"auto", "direct", "amg"},
-      "direct: factorization (with mpirun: Amesos KLU, which works on one process); "
-      "amg: CG or GMRES with Trilinos ML, needs mpirun; auto: direct for up to 60,000 "
-      "unknowns in 2D and 15,000 in 3D and without mpirun, else amg.");
+  in.declare_choice("Linear solver", LinearSolver::automatic, linear_solvers, "");
   in.declare_count("Increments", 1, 1,
                    "Of each step. Friction depends on the path: 1 applies a step's loads at once.");
   in.declare_count("Dimension", 2, 2, "Of a generated slab: 2, or 3 with its width.", 3);
@@ -30,22 +43,16 @@ void declare_continuum(ParameterReader &in) {
 
 void parse_continuum(const ParameterReader &in, Scene &scene) {
   ContinuumSettings &settings = scene.continuum_settings;
-  using Refinement = ContinuumSettings::Refinement;
-  using LinearSolver = ContinuumSettings::LinearSolver;
   settings.degree = in.count("Degree");
   if (settings.degree > 12)
     in.fail("Degree", "1 to 12", "2 or 3, with more cells");
   settings.cells = in.count("Cells");
   settings.tolerance = in.number("Tolerance");
-  settings.refinement = in.text("Refinement") == "adaptive"  ? Refinement::adaptive
-                        : in.text("Refinement") == "uniform" ? Refinement::uniform
-                                                             : Refinement::none;
+  settings.refinement = in.choice("Refinement", refinements);
   settings.fraction = in.number("Fraction");
   settings.max_refinements = in.count("Max refinements");
   settings.max_unknowns = in.count("Max unknowns");
-  settings.linear_solver = in.text("Linear solver") == "auto"     ? LinearSolver::automatic
-                           : in.text("Linear solver") == "direct" ? LinearSolver::direct
-                                                                  : LinearSolver::amg;
+  settings.linear_solver = in.choice("Linear solver", linear_solvers);
   settings.increments = in.count("Increments");
   settings.dimension = in.count("Dimension");
   if (settings.dimension > 3)

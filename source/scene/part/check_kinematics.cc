@@ -16,15 +16,15 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
     return std::any_of(parts.begin(), parts.end(), is);
   };
   refuse(scene.model != ModelKind::line, "Model = continuum", "Model = line");
-  refuse(scene.solver.method == SolverSettings::Method::elastic, "Method = elastic",
+  refuse(!scene.solver.has_tangent(), "Method = elastic",
          "Method = exact or newton in section Solver");
   refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");
   refuse(scene.modal.n_modes > 0, "modes and spectra", "a case of its own for them");
   const bool transient = any(scene.steps, [](const LoadStep &step) { return step.transient; });
   if (transient) {
     const TimeSettings &time = scene.time;
-    refuse(time.integrator != TimeSettings::Integrator::moreau_jean,
-           "another integrator than moreau_jean", "Integrator = moreau_jean in section Time");
+    refuse(!time.row().is_for_turning, "another integrator than moreau_jean",
+           "Integrator = moreau_jean in section Time");
     refuse(time.reduction.modes != ReductionSettings::Modes::all, "Modes",
            "Modes = all in section Time");
     refuse(time.theta != 0.5, "Theta above 0.5", "Theta = 0.5 in section Time");

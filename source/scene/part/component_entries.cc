@@ -7,6 +7,23 @@ namespace frictionbeam::parts {
 
 namespace {
 
+constexpr Word<Tee::Kind> tee_kinds[] = {
+    {"welding tee", Tee::Kind::welding},       {"reinforced", Tee::Kind::reinforced},
+    {"unreinforced", Tee::Kind::unreinforced}, {"extruded", Tee::Kind::extruded},
+    {"welded-in", Tee::Kind::welded_in},       {"integrally reinforced", Tee::Kind::integral}};
+
+const Word<std::string> stress_codes[] = {{"none", ""}, {"B31.3", "B31.3"}};
+
+/// Whether a hanger is constant, and what the list of reactions calls its springs.
+struct HangerKind {
+  const char *word;
+  bool value;
+  const char *meaning, *of_spring;
+};
+constexpr HangerKind hanger_kinds[] = {
+    {"variable", false, "a spring", "spring hanger"},
+    {"constant", true, "the same force wherever the pipe goes", "constant hanger"}};
+
 /// "rigid" or a stiffness > 0.
 double parse_stiffness(const ParameterReader &in, const std::string &entry,
                        const std::string &unit) {
@@ -66,9 +83,7 @@ void parse_joint(const ParameterReader &in, const std::string &name, Scene &scen
 void declare_tee(ParameterReader &in) {
   in.declare_text("At", "", "name of a point", "Where the branch leaves the run.");
   in.declare_text("Branch", "", "name of a pipe", "The branch, which begins or ends there.");
-  in.declare_choice("Kind", "welding tee",
-                    {"welding tee", "reinforced", "unreinforced", "extruded", "welded-in",
-                     "integrally reinforced"},
+  in.declare_choice("Kind", Tee::Kind::welding, tee_kinds,
                     "For the stress intensification factors of ASME B31.3, appendix D.");
   in.declare_number("Pad", 0., "m", 0., 1e300, "Thickness of a reinforced tee's pad.");
   in.declare_number("Crotch radius", 0., "m", 0., 1e300, "Of an extruded or welding tee.");
@@ -85,14 +100,7 @@ void parse_tee(const ParameterReader &in, const std::string &name, Scene &scene)
   tee.point = parse_point_on(in, scene);
   tee.branch = in.text("Branch");
   in.find("Branch", tee.branch, names(scene.pipes), "pipe");
-  const std::string kind = in.text("Kind");
-  using Kind = Tee::Kind;
-  tee.kind = kind == "welding tee"    ? Kind::welding
-             : kind == "reinforced"   ? Kind::reinforced
-             : kind == "unreinforced" ? Kind::unreinforced
-             : kind == "extruded"     ? Kind::extruded
-             : kind == "welded-in"    ? Kind::welded_in
-                                      : Kind::integral;
+  tee.kind = in.choice("Kind", tee_kinds);
   tee.pad = in.number("Pad");
   tee.crotch_radius = in.number("Crotch radius");
   scene.tees.push_back(tee);
@@ -137,8 +145,7 @@ void parse_tee(const ParameterReader &in, const std::string &name, Scene &scene)
 }
 
 void declare_hanger(ParameterReader &in) {
-  in.declare_choice("Kind", "variable", {"variable", "constant"},
-                    "variable: a spring; constant: the same force wherever the pipe goes.");
+  in.declare_choice("Kind", false, hanger_kinds, "");
   in.declare_text("At", "", "names of points, separated by commas", "One such hanger at each.");
   in.declare_number("Stiffness", 0., "N/m", 0., 1e300,
                     "Of a variable hanger; 0: sized, for 'Variation'.");
@@ -162,7 +169,7 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
     in.fail("At", "at least one point", "the name of a point");
   for (const std::string &point : hanger.points)
     check_point(in, "At", point, scene);
-  hanger.constant = in.text("Kind") == "constant";
+  hanger.constant = in.choice("Kind", hanger_kinds);
   hanger.stiffness = in.number("Stiffness");
   if (hanger.constant && hanger.stiffness > 0.)
     in.fail("Stiffness", "no stiffness of a constant hanger", "Kind = variable");
@@ -176,7 +183,7 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
   for (unsigned int i = 0; i < hanger.points.size(); ++i) {
     Spring spring; // of a sized one, stiffness and preload follow
     spring.name = hanger.points.size() > 1 ? name + "." + std::to_string(i + 1) : name;
-    spring.kind = hanger.constant ? "constant hanger" : "spring hanger";
+    spring.kind = row_of(hanger_kinds, hanger.constant).of_spring;
     spring.point = hanger.points[i];
     spring.stiffness[2] = hanger.stiffness;
     spring.preload = hanger.cold_load;
@@ -227,7 +234,7 @@ void parse_nozzle(const ParameterReader &in, const std::string &name, Scene &sce
 }
 
 void declare_stress(ParameterReader &in) {
-  in.declare_choice("Code", "none", {"none", "B31.3"}, "By which stresses are judged.");
+  in.declare_choice("Code", std::string(), stress_codes, "By which stresses are judged.");
   in.declare_text("Sustained", "", "names of steps, separated by commas",
                   "With weight and pressure: SL against Sh.");
   in.declare_text("Expansion", "", "pairs 'step to step', separated by commas",
@@ -242,7 +249,7 @@ void declare_stress(ParameterReader &in) {
 
 void parse_stress(const ParameterReader &in, Scene &scene) {
   StressSettings &stress = scene.stress;
-  stress.code = in.text("Code") == "none" ? "" : in.text("Code");
+  stress.code = in.choice("Code", stress_codes);
   const std::vector<std::string> known = case_names(scene);
   const auto steps = [&](const std::string &entry) {
     const std::vector<std::string> list = in.list(entry);

@@ -5,49 +5,6 @@
 
 namespace frictionbeam::parts {
 
-void declare_load(ParameterReader &in) {
-  in.declare_choice("Kind", "weight",
-                    {"weight", "temperature", "pressure", "force", "line force", "displacement",
-                     "ground acceleration", "wind"},
-                    "weight: of pipes, contents and masses; temperature: of operation; pressure: "
-                    "inside, its thrust; force: at points; line force: per length of pipe; "
-                    "displacement: imposed at points; ground acceleration: of all supports "
-                    "together, motions are then relative to the ground; wind: on the pipe's outer "
-                    "diameter.");
-  in.declare_text("Acceleration", "0 0 -9.81", "x y z [m/s2]",
-                  "Of weight; of the ground for ground acceleration.");
-  in.declare_text("History", "", time_function_form,
-                  "Factor on the load; 0 before a table's beginning, its last value after its "
-                  "end. In a static step it multiplies the load, which goes evenly from its value "
-                  "before the step to that of the step. Empty: 1.");
-  in.declare_choice("History time", "step", {"step", "run"},
-                    "Where the time of History begins. step: with the step, or with the first of "
-                    "the steps, all transient or all static, that follow each other and name the "
-                    "load; run: with the run, of which a static step takes its Duration.");
-  in.declare_number("Temperature", 20., "degC", -273.15, 1e300,
-                    "Of operation; the pipe expands by its difference from 'Installation "
-                    "temperature'.");
-  in.declare_number("Pressure", 0., "Pa", -1e300, 1e300, "Inside, above the one outside.");
-  in.declare_text(
-      "Wind", "0 0 0", "x y z [Pa]",
-      "Dynamic pressure of the wind, rho v^2/2, in its direction. A pipe feels the part "
-      "across it: q C D |w| w, w that part of the unit vector.");
-  in.declare_number("Shape factor", 0.7, "-", 0., 10., "C of wind; 0.7 is usual for cylinders.");
-  in.declare_text("Pipes", "", "names of pipes, separated by commas",
-                  "Of temperature, pressure, line force and wind; empty: all.");
-  in.declare_text("Forces", "", "point fx fy fz [N], or with mx my mz [N m]; more after ';'",
-                  "Of force, in global axes.");
-  in.declare_flag("Follow", false,
-                  "Of force: it turns with its point, as the jet from a broken pipe does; with "
-                  "Kinematics = corotational.");
-  in.declare_text("Force per length", "0 0 0", "x y z [N/m]", "Of line force, in global axes.");
-  in.declare_text(
-      "Displacements", "",
-      "point, then motions with values: ux uy uz [m], rx ry rz [degrees]; more after ';'",
-      "Of displacement, in global axes, such as 'P ux 0.01 uz 0; Q ry 1.5'. Motions that "
-      "are not named stay free.");
-}
-
 namespace {
 
 Load::AtPoint parse_force(const ParameterReader &in, const std::string &text, Scene &scene) {
@@ -89,79 +46,176 @@ Load::AtPoint parse_displacement(const ParameterReader &in, const std::string &t
   return at;
 }
 
-/// Entries of one kind of load are refused for another.
-void check_kind(const ParameterReader &in, const std::string &kind) {
-  const std::vector<std::pair<std::string, std::vector<std::string>>> entries = {
-      {"Acceleration", {"weight", "ground acceleration"}},
-      {"Temperature", {"temperature"}},
-      {"Pressure", {"pressure"}},
-      {"Wind", {"wind"}},
-      {"Shape factor", {"wind"}},
-      {"Pipes", {"temperature", "pressure", "line force", "wind"}},
-      {"Forces", {"force"}},
-      {"Follow", {"force"}},
-      {"Force per length", {"line force"}},
-      {"Displacements", {"displacement"}}};
-  for (const auto &[entry, kinds] : entries)
-    if (in.given(entry) && std::count(kinds.begin(), kinds.end(), kind) == 0)
-      in.fail(entry, "this entry with Kind = " + join(kinds), "set Kind = " + kinds[0],
-              entry + " = " + in.text(entry) + " with Kind = " + kind);
+void parse_weight(const ParameterReader &in, Scene &, Load &load) {
+  load.vector = in.vector("Acceleration", "m/s2");
 }
+
+/// The inertia of what the ground carries along acts like a weight.
+void parse_ground_acceleration(const ParameterReader &in, Scene &, Load &load) {
+  if (!in.given("Acceleration"))
+    in.fail("Acceleration", "the direction and scale of the ground's motion", "'1 0 0'");
+  load.vector = -1. * in.vector("Acceleration", "m/s2");
+}
+
+void parse_temperature(const ParameterReader &in, Scene &, Load &load) {
+  if (!in.given("Temperature"))
+    in.fail("Temperature", "the operating temperature [degC]", "set Temperature = 120");
+  load.value = in.number("Temperature") - load.installation;
+}
+
+void parse_pressure(const ParameterReader &in, Scene &, Load &load) {
+  load.value = in.number("Pressure");
+}
+
+void parse_wind(const ParameterReader &in, Scene &, Load &load) {
+  load.vector = in.number("Shape factor") * in.vector("Wind", "Pa");
+  if (load.vector.norm() == 0.)
+    in.fail("Wind", "a vector that is not zero, the dynamic pressure", "'500 0 0'");
+}
+
+void parse_line_force(const ParameterReader &in, Scene &, Load &load) {
+  load.vector = in.vector("Force per length", "N/m");
+}
+
+using ParseAtPoint = Load::AtPoint (*)(const ParameterReader &, const std::string &, Scene &);
+
+void parse_points(const ParameterReader &in, const std::string &entry, const ParseAtPoint parse,
+                  const std::string &example, Scene &scene, Load &load) {
+  for (const std::string &text : split(in.text(entry), ';'))
+    if (!text.empty())
+      load.at.push_back(parse(in, text, scene));
+  if (load.at.empty())
+    in.fail(entry, "at least one point", example);
+}
+
+void parse_forces(const ParameterReader &in, Scene &scene, Load &load) {
+  load.follows = in.flag("Follow");
+  if (load.follows && scene.kinematics == Kinematics::linear)
+    in.fail("Follow", "forces that follow their point with Kinematics = corotational",
+            "set Kinematics = corotational, before the first subsection");
+  parse_points(in, "Forces", &parse_force, "'P1 0 0 -1000'", scene, load);
+}
+
+void parse_displacements(const ParameterReader &in, Scene &scene, Load &load) {
+  parse_points(in, "Displacements", &parse_displacement, "'P1 ux 0.01'", scene, load);
+}
+
+/// A kind of load as the user calls it; two may be of one kind of the scene.
+struct LoadWord {
+  const char *word;
+  Load::Kind value;
+  const char *meaning;
+  std::vector<std::string> entries; ///< that others do not have, beside those of the same
+  void (*parse)(const ParameterReader &, Scene &, Load &);
+};
+
+const LoadWord load_kinds[] = {
+    {"weight",
+     Load::Kind::weight,
+     "of pipes, contents and masses",
+     {"Acceleration"},
+     &parse_weight},
+    {"temperature",
+     Load::Kind::temperature,
+     "of operation",
+     {"Temperature", "Pipes"},
+     &parse_temperature},
+    {"pressure",
+     Load::Kind::pressure,
+     "inside, its thrust",
+     {"Pressure", "Pipes"},
+     &parse_pressure},
+    {"force", Load::Kind::force, "at points", {"Forces", "Follow"}, &parse_forces},
+    {"line force",
+     Load::Kind::line_force,
+     "per length of pipe",
+     {"Pipes", "Force per length"},
+     &parse_line_force},
+    {"displacement",
+     Load::Kind::displacement,
+     "imposed at points",
+     {"Displacements"},
+     &parse_displacements},
+    {"ground acceleration",
+     Load::Kind::weight,
+     "of all supports together, motions are then relative to the ground",
+     {"Acceleration"},
+     &parse_ground_acceleration},
+    {"wind",
+     Load::Kind::wind,
+     "on the pipe's outer diameter",
+     {"Wind", "Shape factor", "Pipes"},
+     &parse_wind}};
+
+/// Entries of one kind of load are refused for another.
+void check_entries(const ParameterReader &in, const std::string &kind) {
+  for (const LoadWord &of : load_kinds)
+    for (const std::string &entry : of.entries) {
+      std::vector<std::string> kinds;
+      for (const LoadWord &one : load_kinds)
+        if (std::count(one.entries.begin(), one.entries.end(), entry) > 0)
+          kinds.emplace_back(one.word);
+      if (in.given(entry) && std::count(kinds.begin(), kinds.end(), kind) == 0)
+        in.fail(entry, "this entry with Kind = " + join(kinds), "set Kind = " + kinds[0],
+                entry + " = " + in.text(entry) + " with Kind = " + kind);
+    }
+}
+
+/// Whether a step has inertia.
+constexpr Word<bool> analyses[] = {{"static", false}, {"transient", true}};
 
 } // namespace
 
+void declare_load(ParameterReader &in) {
+  in.declare_choice("Kind", Load::Kind::weight, load_kinds, "");
+  in.declare_text("Acceleration", "0 0 -9.81", "x y z [m/s2]",
+                  "Of weight; of the ground for ground acceleration.");
+  in.declare_text("History", "", time_function_form,
+                  "Factor on the load; 0 before a table's beginning, its last value after its "
+                  "end. In a static step it multiplies the load, which goes evenly from its value "
+                  "before the step to that of the step. Empty: 1.");
+  in.declare_choice("History time", TimeFunction::Clock::step, clocks,
+                    "Where the time of History begins. step: with the step, or with the first of "
+                    "the steps, all transient or all static, that follow each other and name the "
+                    "load; run: with the run, of which a static step takes its Duration.");
+  in.declare_number("Temperature", 20., "degC", -273.15, 1e300,
+                    "Of operation; the pipe expands by its difference from 'Installation "
+                    "temperature'.");
+  in.declare_number("Pressure", 0., "Pa", -1e300, 1e300, "Inside, above the one outside.");
+  in.declare_text(
+      "Wind", "0 0 0", "x y z [Pa]",
+      "Dynamic pressure of the wind, rho v^2/2, in its direction. A pipe feels the part "
+      "across it: q C D |w| w, w that part of the unit vector.");
+  in.declare_number("Shape factor", 0.7, "-", 0., 10., "C of wind; 0.7 is usual for cylinders.");
+  in.declare_text("Pipes", "", "names of pipes, separated by commas",
+                  "Of temperature, pressure, line force and wind; empty: all.");
+  in.declare_text("Forces", "", "point fx fy fz [N], or with mx my mz [N m]; more after ';'",
+                  "Of force, in global axes.");
+  in.declare_flag("Follow", false,
+                  "Of force: it turns with its point, as the jet from a broken pipe does; with "
+                  "Kinematics = corotational.");
+  in.declare_text("Force per length", "0 0 0", "x y z [N/m]", "Of line force, in global axes.");
+  in.declare_text(
+      "Displacements", "",
+      "point, then motions with values: ux uy uz [m], rx ry rz [degrees]; more after ';'",
+      "Of displacement, in global axes, such as 'P ux 0.01 uz 0; Q ry 1.5'. Motions that "
+      "are not named stay free.");
+}
+
 void parse_load(const ParameterReader &in, const std::string &name,
                 const double installation_temperature, Scene &scene) {
+  const LoadWord &kind = *find_word(load_kinds, in.text("Kind"));
+  check_entries(in, kind.word);
   Load load;
   load.name = name;
-  const std::string kind = in.text("Kind");
-  check_kind(in, kind);
+  load.kind = kind.value;
+  load.installation = installation_temperature;
   load.pipes = in.list("Pipes");
   for (const std::string &pipe : load.pipes)
     in.find("Pipes", pipe, names(scene.pipes), "pipe");
   load.history = parse_time_function(in, "History", in.text("History"));
-  if (in.text("History time") == "run")
-    load.history.clock = TimeFunction::Clock::run;
-  if (kind == "weight" || kind == "ground acceleration") {
-    load.kind = Load::Kind::weight; // the inertia of what the ground carries along acts like one
-    load.vector = in.vector("Acceleration", "m/s2");
-    if (kind == "ground acceleration") {
-      if (!in.given("Acceleration"))
-        in.fail("Acceleration", "the direction and scale of the ground's motion", "'1 0 0'");
-      load.vector *= -1.;
-    }
-  } else if (kind == "temperature") {
-    load.kind = Load::Kind::temperature;
-    if (!in.given("Temperature"))
-      in.fail("Temperature", "the operating temperature [degC]", "set Temperature = 120");
-    load.value = in.number("Temperature") - installation_temperature;
-    load.installation = installation_temperature;
-  } else if (kind == "pressure") {
-    load.kind = Load::Kind::pressure;
-    load.value = in.number("Pressure");
-  } else if (kind == "wind") {
-    load.kind = Load::Kind::wind;
-    load.vector = in.number("Shape factor") * in.vector("Wind", "Pa");
-    if (load.vector.norm() == 0.)
-      in.fail("Wind", "a vector that is not zero, the dynamic pressure", "'500 0 0'");
-  } else if (kind == "line force") {
-    load.kind = Load::Kind::line_force;
-    load.vector = in.vector("Force per length", "N/m");
-  } else {
-    const bool force = kind == "force";
-    const std::string entry = force ? "Forces" : "Displacements";
-    load.follows = in.flag("Follow");
-    if (load.follows && scene.kinematics == Kinematics::linear)
-      in.fail("Follow", "forces that follow their point with Kinematics = corotational",
-              "set Kinematics = corotational, before the first subsection");
-    load.kind = force ? Load::Kind::force : Load::Kind::displacement;
-    for (const std::string &text : split(in.text(entry), ';'))
-      if (!text.empty())
-        load.at.push_back(force ? parse_force(in, text, scene)
-                                : parse_displacement(in, text, scene));
-    if (load.at.empty())
-      in.fail(entry, "at least one point", force ? "'P1 0 0 -1000'" : "'P1 ux 0.01'");
-  }
+  load.history.clock = in.choice("History time", clocks);
+  kind.parse(in, scene, load);
   scene.loads.push_back(load);
 }
 
@@ -172,7 +226,7 @@ void declare_step(ParameterReader &in) {
       "the step before that are not named go back to zero. Steps are taken in the order "
       "of the file.");
   in.declare_count("Increments", 1, 1, "Of a static step: how many pieces the change is cut into.");
-  in.declare_choice("Analysis", "static", {"static", "transient"}, "Without or with inertia.");
+  in.declare_choice("Analysis", false, analyses, "Without or with inertia.");
   in.declare_number("Duration", 1., "s", positive, 1e300,
                     "Of a static step, the time that laws and quantities see.");
   in.declare_number("Ramp", 0., "s", 0., 1e300,
@@ -195,7 +249,7 @@ void parse_step(const ParameterReader &in, const std::string &name, Scene &scene
     step.loads.emplace_back(load, factor);
   }
   step.n_increments = in.count("Increments");
-  step.transient = in.text("Analysis") == "transient";
+  step.transient = in.choice("Analysis", analyses);
   step.duration = in.number("Duration");
   step.ramp = in.number("Ramp");
   if (step.transient && in.given("Increments"))

@@ -30,7 +30,7 @@ double Material::thermal_strain(const double from, const double to) const {
 namespace parts {
 
 void declare_material(ParameterReader &in) {
-  in.declare_choice("Grade", "given below", {"given below", "carbon steel", "austenitic steel"},
+  in.declare_choice("Grade", no_grade, material_grades,
                     "With Young's modulus (ASME BPVC II-D, table TM-1) and mean expansion (table "
                     "TE-1) that depend on temperature; density and Poisson's ratio stay below.");
   in.declare_text("Table", "", "path of a text file, from the parameter file's folder",
@@ -66,14 +66,15 @@ void parse_material(const ParameterReader &in, const std::string &name, Scene &s
   material.expansion = in.number("Expansion");
   material.allowable_cold = in.number("Allowable cold");
   material.allowable_hot = in.number("Allowable hot");
-  const bool graded = in.text("Grade") != "given below", tabled = !in.text("Table").empty();
+  const bool graded = in.choice("Grade", material_grades) != no_grade,
+             tabled = !in.text("Table").empty();
   if (graded && tabled)
     in.fail("Table", "a grade or a table", "removing one of the two");
   if (graded || tabled) {
     for (const char *entry : {"Young's modulus", "Expansion"})
       if (in.given(entry))
         in.fail(entry, "either this entry or a grade or table", "removing one of the two");
-    material.table = graded ? material_table(in.text("Grade"))
+    material.table = graded ? *in.choice("Grade", material_grades)
                             : read_material_table(existing_file(in, "Table"), scene.units);
     if (material.table.empty())
       in.fail("Table", "rows 'temperature, Young's modulus, mean expansion', rising in temperature",

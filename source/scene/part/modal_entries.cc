@@ -23,24 +23,52 @@ double Spectrum::at(const double frequency, const bool logarithmic) const {
 
 namespace parts {
 
+namespace {
+
+constexpr Word<bool> mass_matrices[] = {
+    {"consistent", false, "of the elements, with rotary inertia"},
+    {"lumped", true, "half the mass of each cell at either end, without rotary inertia"}};
+constexpr Word<bool> modal_frictions[] = {
+    {"as in the step", true, "a sticking support holds sideways too, a slipping one does not"},
+    {"off", false, "none does"}};
+
+using ModeSum = SpectrumSettings::Modes;
+constexpr Word<ModeSum> mode_sums[] = {
+    {"srss", ModeSum::srss, "square root of the sum of squares"},
+    {"cqc", ModeSum::cqc,
+     "complete quadratic combination, which sees that close modes act together"},
+    {"absolute", ModeSum::absolute, "sum of absolute values"}};
+using SpectrumSum = SpectrumSettings::Sum;
+constexpr Word<SpectrumSum> spectrum_sums[] = {{"srss", SpectrumSum::srss},
+                                               {"absolute", SpectrumSum::absolute}};
+constexpr Word<bool> interpolations[] = {{"log-log", true}, {"linear", false}};
+
+using CombinationKind = Combination::Kind;
+constexpr Word<CombinationKind> combination_kinds[] = {
+    {"sum", CombinationKind::sum,
+     "with the cases' factors, those that are sizes (spectrum, range, srss, absolute) with either "
+     "sign, so that they add to what has the larger size"},
+    {"range", CombinationKind::range, "largest minus smallest"},
+    {"envelope", CombinationKind::envelope, "that of largest size"},
+    {"srss", CombinationKind::srss, "square root of the sum of squares"},
+    {"absolute", CombinationKind::absolute, "sum of absolute values"}};
+
+} // namespace
+
 void declare_modes(ParameterReader &in) {
   in.declare_count("Number", 0, 0, "Of modes, from the lowest frequency on; 0: none.", 10000);
-  in.declare_choice("Mass", "consistent", {"consistent", "lumped"},
-                    "consistent: of the elements, with rotary inertia; lumped: half the mass of "
-                    "each cell at either end, without rotary inertia.");
+  in.declare_choice("Mass", false, mass_matrices, "");
   in.declare_text(
       "Step", "", "name of a step",
       "Which supports hold is decided by the contacts at its end: an open one does not, "
       "a closed one holds along its normal. Empty: the last static step.");
-  in.declare_choice("Friction", "as in the step", {"as in the step", "off"},
-                    "as in the step: a sticking support holds sideways too, a slipping one does "
-                    "not; off: none does. With a Spectrum it is off.");
+  in.declare_choice("Friction", true, modal_frictions, "", "With a Spectrum it is off.");
 }
 
 void parse_modes(const ParameterReader &in, Scene &scene) {
   scene.modal.n_modes = in.count("Number");
-  scene.modal.lumped = in.text("Mass") == "lumped";
-  scene.modal.friction_holds = in.text("Friction") != "off";
+  scene.modal.lumped = in.choice("Mass", mass_matrices);
+  scene.modal.friction_holds = in.choice("Friction", modal_frictions);
   scene.modal.step = in.text("Step");
 }
 
@@ -105,14 +133,11 @@ void parse_spectrum(const ParameterReader &in, const std::string &name, Scene &s
 }
 
 void declare_response(ParameterReader &in) {
-  in.declare_choice(
-      "Modes", "srss", {"srss", "cqc", "absolute"},
-      "How modes are combined: square root of the sum of squares; complete quadratic "
-      "combination, which sees that close modes act together; sum of absolute values.");
-  in.declare_choice("Directions", "srss", {"srss", "absolute"}, "How directions are combined.");
-  in.declare_choice("Groups", "absolute", {"absolute", "srss"},
+  in.declare_choice("Modes", ModeSum::srss, mode_sums, "How modes are combined.");
+  in.declare_choice("Directions", SpectrumSum::srss, spectrum_sums, "How directions are combined.");
+  in.declare_choice("Groups", SpectrumSum::absolute, spectrum_sums,
                     "How groups of supports are combined, in each mode and direction.");
-  in.declare_choice("Interpolation", "log-log", {"log-log", "linear"}, "Of spectra.");
+  in.declare_choice("Interpolation", true, interpolations, "Of spectra.");
   in.declare_number("Damping", 0.05, "-", positive, 1., "Ratio to critical, of cqc.");
   in.declare_flag("Missing mass", false,
                   "Add the static response to what the modes leave out, at the acceleration of the "
@@ -121,25 +146,17 @@ void declare_response(ParameterReader &in) {
 
 void parse_response(const ParameterReader &in, Scene &scene) {
   SpectrumSettings &s = scene.response;
-  using Modes = SpectrumSettings::Modes;
-  using Sum = SpectrumSettings::Sum;
-  const std::string modes = in.text("Modes");
-  s.modes = modes == "srss" ? Modes::srss : modes == "cqc" ? Modes::cqc : Modes::absolute;
-  s.directions = in.text("Directions") == "srss" ? Sum::srss : Sum::absolute;
-  s.groups = in.text("Groups") == "srss" ? Sum::srss : Sum::absolute;
-  s.logarithmic = in.text("Interpolation") == "log-log";
+  s.modes = in.choice("Modes", mode_sums);
+  s.directions = in.choice("Directions", spectrum_sums);
+  s.groups = in.choice("Groups", spectrum_sums);
+  s.logarithmic = in.choice("Interpolation", interpolations);
   s.damping = in.number("Damping");
   s.missing_mass = in.flag("Missing mass");
 }
 
 void declare_combination(ParameterReader &in) {
-  in.declare_choice(
-      "Kind", "sum", {"sum", "range", "envelope", "srss", "absolute"},
-      "Of displacements, forces and reactions, component by component. sum: with the "
-      "cases' factors, those that are sizes (spectrum, range, srss, absolute) with either sign, so "
-      "that they add to what has the larger size; range: largest minus smallest; envelope: that of "
-      "largest size; "
-      "srss: square root of the sum of squares; absolute: sum of absolute values.");
+  in.declare_choice("Kind", CombinationKind::sum, combination_kinds,
+                    "Of displacements, forces and reactions, component by component.");
   in.declare_text("Cases", "", "names of steps or combinations, each with a factor if not 1",
                   "What is combined, after the load sequence: 'hot, cold -1'. The result of the "
                   "spectra is called 'spectrum'. Of a transient step, the least and the largest "
@@ -149,13 +166,7 @@ void declare_combination(ParameterReader &in) {
 void parse_combination(const ParameterReader &in, const std::string &name, Scene &scene) {
   Combination combination;
   combination.name = name;
-  using Kind = Combination::Kind;
-  const std::string kind = in.text("Kind");
-  combination.kind = kind == "sum"        ? Kind::sum
-                     : kind == "range"    ? Kind::range
-                     : kind == "envelope" ? Kind::envelope
-                     : kind == "srss"     ? Kind::srss
-                                          : Kind::absolute;
+  combination.kind = in.choice("Kind", combination_kinds);
   const std::vector<std::string> known = case_names(scene);
   for (const std::string &item : in.list("Cases")) {
     const std::vector<std::string> words = split(item, ' ');

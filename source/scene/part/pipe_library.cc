@@ -128,11 +128,9 @@ std::optional<PipeSize> find_pipe_size(const std::string &file, const std::strin
   return {};
 }
 
-std::vector<MaterialPoint> material_table(const std::string &grade) {
-  return grade == "carbon steel"       ? carbon_steel
-         : grade == "austenitic steel" ? austenitic_steel
-                                       : std::vector<MaterialPoint>{};
-}
+const Word<MaterialGrade> material_grades[] = {{"given below", no_grade},
+                                               {"carbon steel", &carbon_steel},
+                                               {"austenitic steel", &austenitic_steel}};
 
 std::vector<MaterialPoint> read_material_table(const std::string &file, const UnitSystem &units) {
   std::vector<MaterialPoint> table;

@@ -20,8 +20,10 @@ std::string known_pipe_sizes(const std::string &name);
 std::optional<PipeSize> find_pipe_size(const std::string &file, const std::string &name,
                                        const std::string &schedule, const double unit);
 
-/// Of carbon steel or austenitic steel; empty for another grade.
-std::vector<MaterialPoint> material_table(const std::string &grade);
+/// What depends on temperature of the grades there are; null: given otherwise.
+using MaterialGrade = const std::vector<MaterialPoint> *;
+constexpr MaterialGrade no_grade = nullptr;
+extern const Word<MaterialGrade> material_grades[3];
 /// From a user's file, rows "temperature, Young's modulus, mean expansion from 20 degC", rising in
 /// temperature; empty if there is none.
 std::vector<MaterialPoint> read_material_table(const std::string &file, const UnitSystem &units);

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/generated/scene_kinds.h"
 #include "scene/part/parts.h"
 
 #include <algorithm>
 #include <filesystem>
 
 namespace frictionbeam::parts {
+
+namespace {
+constexpr Word<bool> bends[] = {
+    {"straight pieces", false, "cut into cells, as where 'Cells per bend' is given"},
+    {"arcs", true,
+     "one exact curved element between two points of a bend, or more by 'Cell length'"}};
+}
 
 void declare_mesh(ParameterReader &in) {
   in.declare_text("File", "", "path of a .geo or .msh file, from the parameter file's folder",
@@ -14,10 +22,7 @@ void declare_mesh(ParameterReader &in) {
       "Cell length", 0., "m", 0., 1e300,
       "Longest cell of a straight run, and of an arc; 0: one cell from point to point.");
   const bool cut = !in.raw("Cells per bend", "").empty();
-  in.declare_choice("Bends", cut ? "straight pieces" : "arcs", {"straight pieces", "arcs"},
-                    "Of routes. arcs: one exact curved element between two points of a bend, or "
-                    "more by 'Cell length'; straight pieces: cut into cells, as where 'Cells per "
-                    "bend' is given.");
+  in.declare_choice("Bends", !cut, bends, "Of routes.");
   in.declare_count("Cells per bend", 8, 1,
                    "Of straight pieces, in 90 degrees; and of arcs that move in large "
                    "displacements in time, whose mass is on their chords.");
@@ -38,18 +43,13 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
               "the path from " + fs::absolute(in.file().name()).parent_path().string());
   }
   scene.mesh.cell_length = in.number("Cell length");
-  scene.mesh.arcs = in.text("Bends") == "arcs";
+  scene.mesh.arcs = in.choice("Bends", bends);
   scene.mesh.cells_per_bend = in.count("Cells per bend");
   scene.mesh.most_cells = in.count("Most cells");
 }
 
 void declare_solver(ParameterReader &in) {
-  in.declare_choice(
-      "Method", "exact", {"elastic", "newton", "exact"},
-      "exact: Signorini's condition and Coulomb's law without a stiffness to choose, in "
-      "static steps (transient ones by Time/Integrator); elastic: the elastic stiffness kept, "
-      "residual forces sent back, as TEDEL did; "
-      "newton: consistent tangent, line search, increments halved where needed.");
+  in.declare_choice("Method", SolverMethod::exact, solver_methods, "");
   in.declare_number("Tolerance", 1e-10, "-", positive, 1.,
                     "Of the residual, relative to the largest force.");
   in.declare_number(
@@ -61,10 +61,7 @@ void declare_solver(ParameterReader &in) {
 }
 
 void parse_solver(const ParameterReader &in, Scene &scene) {
-  using Method = SolverSettings::Method;
-  scene.solver.method = in.text("Method") == "elastic"  ? Method::elastic
-                        : in.text("Method") == "newton" ? Method::newton
-                                                        : Method::exact;
+  scene.solver.method = in.choice("Method", solver_methods);
   // What rounding leaves of forces that cancel each other.
   const auto tolerance = [&](const std::string &entry) {
     constexpr double least = 1e-14;
@@ -83,12 +80,10 @@ void parse_solver(const ParameterReader &in, Scene &scene) {
 
 void declare_time(ParameterReader &in) {
   in.declare_choice(
-      "Integrator", "moreau_jean",
-      {"newmark", "generalized_alpha", "moreau_jean", "nonsmooth_alpha", "event"},
+      "Integrator", Integrator::moreau_jean, integrators,
       "Of transient steps. All but event: rigid contact and friction exact, as impulses on "
       "velocities, friction elements of finite stiffness by their return mapping; newmark and "
-      "generalized_alpha take all by return mapping with Solver/Method = newton or elastic; event: "
-      "exact from one change of a contact's state to the next, with any step.");
+      "generalized_alpha take all by return mapping with Solver/Method = newton or elastic;");
   in.declare_number("Step", 0., "s", 0., 1e300,
                     "Of the integrator; of event: between instants of output. 0: 0.7 of the time "
                     "that a wave along the pipe needs for the shortest cell; without pipes a "
@@ -120,19 +115,13 @@ void declare_time(ParameterReader &in) {
 }
 
 void parse_time(const ParameterReader &in, Scene &scene) {
-  using Integrator = TimeSettings::Integrator;
-  const std::string integrator = in.text("Integrator");
-  scene.time.integrator = integrator == "newmark"             ? Integrator::newmark
-                          : integrator == "generalized_alpha" ? Integrator::generalized_alpha
-                          : integrator == "moreau_jean"       ? Integrator::moreau_jean
-                          : integrator == "nonsmooth_alpha"   ? Integrator::nonsmooth_alpha
-                                                              : Integrator::event;
+  scene.time.integrator = in.choice("Integrator", integrators);
   scene.time.tolerance = in.number("Tolerance");
   scene.time.spectral_radius = in.number("Spectral radius");
   if (scene.time.spectral_radius < 0. && scene.time.spectral_radius != -1.)
     in.fail("Spectral radius", "0 to 1, or -1 for the integrator's own", "'0.8'");
   if (scene.time.spectral_radius < 0.)
-    scene.time.spectral_radius = scene.time.integrator == Integrator::generalized_alpha ? 0.8 : 1.;
+    scene.time.spectral_radius = scene.time.row().spectral_radius;
   scene.time.theta = in.number("Theta");
   scene.time.mass_damping = in.number("Mass damping");
   scene.time.stiffness_damping = in.number("Stiffness damping");
@@ -202,21 +191,16 @@ void declare_global(ParameterReader &in) {
                   "is force s2/length and stress force/length2 unless they are named. Words: " +
                       UnitSystem::known_words() + ".");
   in.declare_text("Title", "", "any text", "Of the report.");
-  in.declare_choice(
-      "Scene", "line",
-      {"line", "slab", "oscillator", "friction bed", "rack", "random", "long bar", "body"},
-      "line: from the parts in this file; the others are generated from the few "
-      "entries of a section of their own: Slab, Oscillator, Rack, Random, Long bar; "
-      "body: a continuum on a mesh of your own, section Body.");
-  in.declare_choice("Model", "line", {"line", "continuum", "both", "auto"},
-                    "line: beams; continuum: a plane or solid body, of scenes that are one; both: "
-                    "one after the other, with their quantities side by side; auto: the line if "
-                    "its modelling error is estimated to be below Accuracy, else the continuum.");
-  in.declare_choice(
-      "Kinematics", "linear", {"linear", "corotational"},
-      "Of the line. linear: small displacements; corotational: pipes move and turn by "
-      "any amount, with small strains, in statics and with the integrator "
-      "moreau_jean; supports keep their directions.");
+  std::vector<std::string> sections;
+  for (const SceneKind &kind : scene_kinds())
+    if (kind.is_generated() &&
+        std::count(sections.begin(), sections.end(), std::string(kind.value)) == 0)
+      sections.emplace_back(kind.value);
+  in.declare_choice("Scene", std::string(), scene_kinds(), "",
+                    "All but line are made from the few entries of a section of their own: " +
+                        join(sections) + ".");
+  in.declare_choice("Model", ModelKind::line, model_kinds, "");
+  in.declare_choice("Kinematics", Kinematics::linear, kinematics_kinds, "Of the line.");
   in.declare_number(
       "Accuracy", 0., "-", 0., 0.5,
       "Relative error of the quantities that is good enough: the program chooses increments, time "
@@ -238,12 +222,8 @@ void declare_global(ParameterReader &in) {
 
 void parse_global(const ParameterReader &in, Scene &scene) {
   scene.title = in.text("Title");
-  scene.model = in.text("Model") == "line"        ? ModelKind::line
-                : in.text("Model") == "continuum" ? ModelKind::continuum
-                : in.text("Model") == "both"      ? ModelKind::both
-                                                  : ModelKind::automatic;
-  scene.kinematics =
-      in.text("Kinematics") == "linear" ? Kinematics::linear : Kinematics::corotational;
+  scene.model = in.choice("Model", model_kinds);
+  scene.kinematics = in.choice("Kinematics", kinematics_kinds);
   scene.accuracy = in.number("Accuracy");
   scene.free_motions = parse_motions(in, "Free motions");
   for (const double multiplier : in.numbers("Friction multipliers")) {

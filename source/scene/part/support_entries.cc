@@ -10,30 +10,62 @@ namespace frictionbeam::parts {
 namespace {
 
 const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
-const std::vector<std::string> kinds = {"anchor", "restraint", "guide",    "line stop", "stop",
-                                        "rest",   "rod",       "friction", "snubber"};
+
+/// What a kind of support is made of.
+enum class Form {
+  restraint, ///< motions held exactly
+  pair,      ///< friction elements from either side, or a restraint without gap and friction
+  element    ///< one friction element
+};
+struct SupportKind {
+  const char *word;
+  Form value;
+  const char *meaning;
+  bool slides = false; ///< with friction, unless its coefficient is given
+  const char *law = "coulomb";
+};
+constexpr SupportKind kinds[] = {
+    {"anchor", Form::restraint, "all six motions held"},
+    {"restraint", Form::restraint, "those in Fixed"},
+    {"guide", Form::pair, "no motion sideways (horizontal, across the pipe)"},
+    {"line stop", Form::pair, "none along the pipe"},
+    {"stop", Form::pair, "none along Normal, either way"},
+    {"rest", Form::element, "stands under the pipe, lifts off, slides with friction", true},
+    {"rod", Form::element,
+     "carries the pipe from above without friction, goes slack when it rises"},
+    {"friction", Form::element, "as rest, with any normal", true},
+    {"snubber", Form::element,
+     "nothing in static steps, holds along Normal in vibrations, by the law of that name", true,
+     "snubber"}};
+
+/// Of an entry that may not have been checked yet.
+const SupportKind &kind_of(const std::string &word) {
+  const auto row = find_word(kinds, word);
+  return row == std::end(kinds) ? *find_word(kinds, "rest") : *row;
+}
+
 /// Friction coefficients in use for sliding pairs; a design takes its supplier's.
-const std::vector<std::pair<std::string, double>> pads = {
-    {"steel", 0.3}, {"ptfe", 0.1}, {"graphite", 0.15}, {"concrete", 0.5}, {"roller", 0.03}};
+constexpr double no_pad = -1.;
+constexpr Word<double> pads[] = {{"none", no_pad},   {"steel", 0.3},    {"ptfe", 0.1},
+                                 {"graphite", 0.15}, {"concrete", 0.5}, {"roller", 0.03}};
+
+using Rotations = FrictionSupport::Rotations;
+constexpr Word<Rotations> rotations[] = {
+    {"none", Rotations::none}, {"averaged", Rotations::averaged}, {"pipe", Rotations::pipe}};
+
 const std::vector<std::string> element_entries = {
     "Law",          "Normal", "Length",      "Rotations",     "Torsion",
     "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time"};
 
-bool is_restraint(const std::string &kind) { return kind == "anchor" || kind == "restraint"; }
-bool is_pair(const std::string &kind) {
-  return kind == "guide" || kind == "line stop" || kind == "stop";
-}
+bool is_restraint(const std::string &kind) { return kind_of(kind).value == Form::restraint; }
+bool is_pair(const std::string &kind) { return kind_of(kind).value == Form::pair; }
 
 double friction_of(const std::string &pad, const double otherwise) {
-  for (const auto &[name, friction] : pads)
-    if (pad == name)
-      return friction;
-  return otherwise;
+  const auto row = find_word(pads, pad);
+  return row == std::end(pads) || row->value == no_pad ? otherwise : row->value;
 }
 
-std::string default_law(const std::string &kind) {
-  return kind == "snubber" ? "snubber" : "coulomb";
-}
+std::string default_law(const std::string &kind) { return kind_of(kind).law; }
 
 /// The law of this section before it is declared, or null if there is none of that name.
 const LawDescription *law_of(const ParameterReader &in, const LawLibrary &laws) {
@@ -62,14 +94,7 @@ std::array<bool, 6> parse_motions(const ParameterReader &in, const std::string &
 
 void declare_support(ParameterReader &in, const LawLibrary &laws) {
   const std::string kind = in.raw("Kind", "rest");
-  in.declare_choice(
-      "Kind", "rest", kinds,
-      "anchor: all six motions held; restraint: those in Fixed; guide: no motion "
-      "sideways (horizontal, across the pipe); line stop: none along the pipe; stop: none "
-      "along Normal, either way; rest: stands under the pipe, lifts off, slides with friction; "
-      "rod: carries the pipe from above without friction, goes slack when it rises; friction: "
-      "as rest, with any normal; snubber: nothing in static steps, holds along Normal in "
-      "vibrations, by the law of that name.");
+  in.declare_choice("Kind", Form::element, kinds, ""); // the first such: rest
   in.declare_text("At", "", "names of points, separated by commas", "Where the support stands.");
   in.declare_text("Pipe", "", "name of a pipe", "Repeated along this pipe, instead of At.");
   in.declare_number("Every", 0., "m", 0., 1e300,
@@ -92,7 +117,7 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
                     "Of the friction element. Rigidity over length is stiffness; with Rotations it "
                     "is the lever arm as well. Not given, it is 1 m in all units, and with Ground "
                     "the distance to that point.");
-  in.declare_choice("Rotations", "none", {"none", "averaged", "pipe"},
+  in.declare_choice("Rotations", Rotations::none, rotations,
                     "Rotations of the pipe in the shear strain: none; averaged over the element "
                     "(moment T l/2 on the pipe); the pipe's own (T l: contact at its surface, with "
                     "Length its radius).");
@@ -108,15 +133,12 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text("Ground motion", "", "x; y; z, each " + std::string(time_function_form),
                   "Displacement of the ground in global axes [m]: a belt, one support's motion in "
                   "an earthquake, a gap that changes. Empty: it stands still.");
-  in.declare_choice("Ground motion time", "step", {"step", "run"},
+  in.declare_choice("Ground motion time", TimeFunction::Clock::step, clocks,
                     "Where the time of Ground motion begins. step: with the step, or with the "
                     "first of the steps, all transient or all static, that follow each other; run: "
                     "with the run.");
-  std::vector<std::string> pad_names = {"none"};
-  for (const auto &pad : pads)
-    pad_names.push_back(pad.first);
   in.declare_choice(
-      "Pad", "none", pad_names,
+      "Pad", no_pad, pads,
       "What steel slides on, which gives 'Friction coefficient' a default: steel 0.3, "
       "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03.");
   if (const LawDescription *const law = law_of(in, laws))
@@ -124,7 +146,7 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
       const LawParameter &p = law->parameters[i];
       double value = p.default_value;
       if (std::string(p.name) == "Friction coefficient")
-        value = friction_of(in.raw("Pad", "none"), is_pair(kind) || kind == "rod" ? 0. : value);
+        value = friction_of(in.raw("Pad", "none"), kind_of(kind).slides ? value : 0.);
       in.declare_number(p.name, value, p.unit, p.minimum, p.maximum,
                         "Law " + std::string(law->name) + ": " + p.meaning + ".");
     }
@@ -278,11 +300,7 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     scene.remarks.push_back("Support " + name + ": its Length is not given and is 1 m, " +
                             to_text(1. / scene.units.factor("m")) + " " + scene.units.name("m") +
                             ". Its stiffness is the rigidity over that.");
-  using Rotations = FrictionSupport::Rotations;
-  const std::string rotations = in.text("Rotations");
-  support.rotations = rotations == "pipe"       ? Rotations::pipe
-                      : rotations == "averaged" ? Rotations::averaged
-                                                : Rotations::none;
+  support.rotations = in.choice("Rotations", rotations);
   support.torsion = in.flag("Torsion");
   support.normal_force = in.number("Normal force");
   support.ground = in.text("Ground");
@@ -305,8 +323,7 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     for (unsigned int d = 0; d < 3; ++d) {
       TimeFunction &one = support.ground_motion[d];
       one = parse_time_function(in, "Ground motion", courses[d], in.si("m"));
-      if (in.text("Ground motion time") == "run")
-        support.ground_motion[d].clock = TimeFunction::Clock::run;
+      one.clock = in.choice("Ground motion time", clocks);
     }
     if (!support.ground.empty())
       in.fail("Ground motion", "either a ground that moves or one that is a pipe",
