@@ -47,13 +47,12 @@ void LoadSequence::set_initial_motion(const bool displaced) {
 }
 
 void LoadSequence::press_at_start() {
-  using Integrator = TimeSettings::Integrator;
   constexpr double instant = 1e-3, touches = 1e-12; // of a time step; of the contact's length
   if (model.scene.steps.empty())
     return;
   const LoadStep &first = model.scene.steps.front();
   const Integrator by = model.scene.time.integrator;
-  const bool by_impulses = model.scene.solver.method == SolverSettings::Method::exact ||
+  const bool by_impulses = model.scene.solver.is_exact() ||
                            (by != Integrator::newmark && by != Integrator::generalized_alpha);
   if (!first.transient || !by_impulses)
     return;
