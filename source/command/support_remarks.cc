@@ -148,8 +148,9 @@ void add_remarks_on_model(const Model &model, Results &results) {
         support.ground.empty() ? Vector3() : arm_of_ground(model.discretization, contact);
     if (arm.norm() == 0. || contact.site > 0)
       continue;
-    const bool turns = model.discretization.vertex_dofs().index(contact.vertices[1], 3) !=
-                       numbers::invalid_dof_index;
+    const unsigned int on = contact.vertices[1];
+    const bool turns = model.discretization.turns(on, 0) || model.discretization.turns(on, 1) ||
+                       model.discretization.turns(on, 2);
     if (model.corotational && turns)
       throw UserError("Support " + support.name + " stands beside its Ground " + support.ground +
                       ", seen along its normal, and large displacements do not know how that "

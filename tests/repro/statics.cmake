@@ -6,6 +6,11 @@ repro("force_at_point" force_at_point --errors 1e-6)
 repro("force_of_pair" force_of_pair --errors 1e-9)
 repro("ground_length" ground_length --errors 1e-9)
 repro("ground_arm" ground_arm --errors 1e-9 --expect "by a rigid arm")
+repro("ground_of_springs" ground_of_springs --errors 1e-9 --expect "That point has no rotations")
+foreach(entry "Torsion = true" "Rotations = pipe" "Rotations = averaged")
+  repro("ground_of_springs ${entry}" ground_of_springs --set "Support shoe/${entry}" --expect "fn = 900 N"
+    --expect "uz = -0.009 m" --expect "That point has no rotations")
+endforeach()
 
 # Methods that need a stiffness take one that is rigid beside the line.
 repro("newton_rigid" newton_rigid --set "Solver/Method = newton" --errors 1e-6)

@@ -26,7 +26,8 @@ void stand_on_point(const FrictionSupport &support, const Discretization &discre
   for (const bool is_ground : {false, true})
     for (unsigned int c = 0; c < 6; ++c) {
       const auto dof = discretization.vertex_dofs().index(contact.vertices[is_ground ? 1 : 0], c);
-      if (dof == numbers::invalid_dof_index)
+      if (dof == numbers::invalid_dof_index ||
+          (c >= 3 && !discretization.turns(contact.vertices[is_ground ? 1 : 0], c - 3)))
         continue;
       Vector3 unit;
       unit[c % 3] = 1.;

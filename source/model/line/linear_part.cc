@@ -185,7 +185,7 @@ void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
         const auto dof = discretization.vertex_dofs().index(vertex, c);
         if (force[c] == 0.)
           continue;
-        if (dof == numbers::invalid_dof_index)
+        if (dof == numbers::invalid_dof_index || (c >= 3 && !discretization.turns(vertex, c - 3)))
           throw UserError("Load " + load.name +
                           " puts a moment on a point that has no rotations. "
                           "Leave the moment out.");

@@ -200,6 +200,7 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
     fe.push_back(FE_FrictionBeam(rotations, torsion));
   add_supports(scene, mesh);
   add_carriers(scene, mesh);
+  find_rotations(scene, mesh);
   check_cells(points, cells);
   const std::vector<CellOrigin> origins = triangulate(points, cells, triangulation);
   infos.resize(cells.size());
@@ -319,6 +320,25 @@ void Discretization::add_carriers(const Scene &scene, const LineMesh &mesh) {
       cells.push_back({{vertex, static_cast<unsigned int>(points.size() - 1)}, 0});
       fe_index.push_back(fe.size() - 1);
     }
+}
+
+void Discretization::find_rotations(const Scene &scene, const LineMesh &mesh) {
+  rotations.assign(n_own, {false, false, false});
+  for (const MeshedPipe &pipe : mesh.pipes)
+    for (const unsigned int vertex : pipe.vertices)
+      rotations[vertex] = {true, true, true};
+  for (unsigned int axis = 0; axis < 3; ++axis) {
+    for (const Spring &spring : scene.springs)
+      if (spring.stiffness[3 + axis] != 0. || spring.damping[3 + axis] != 0.)
+        for (const std::string &point : {spring.point, spring.other})
+          if (!point.empty())
+            rotations[mesh.points.at(point)][axis] = true;
+    for (const Load &load : scene.loads)
+      if (load.kind == Load::Kind::displacement)
+        for (const Load::AtPoint &at : load.at)
+          if (at.given[3 + axis])
+            rotations[mesh.points.at(at.point)][axis] = true;
+  }
 }
 
 } // namespace frictionbeam

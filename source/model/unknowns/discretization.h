@@ -71,6 +71,11 @@ public:
   const VertexDofs &vertex_dofs() const { return *dofs_at_vertex; }
   const std::vector<Point3> &vertices() const { return points; }
   unsigned int n_line_vertices() const { return n_own; } ///< the rest are ground
+  /// Whether a point of the line has the rotation @p axis: all that a pipe reaches have; others
+  /// have those alone that a spring resists or a load imposes.
+  bool turns(const unsigned int vertex, const unsigned int axis) const {
+    return rotations[vertex][axis];
+  }
   const std::vector<Profile> &profiles() const { return sections; }
   const std::vector<PipeCell> &pipe_cells() const { return pipes; }
   const std::vector<SupportCell> &support_cells() const { return supports; }
@@ -96,6 +101,7 @@ private:
   void add_supports(const Scene &scene, const LineMesh &mesh);
   void add_joints(const Scene &scene, const LineMesh &mesh);
   void add_carriers(const Scene &scene, const LineMesh &mesh);
+  void find_rotations(const Scene &scene, const LineMesh &mesh);
   unsigned int element_index(const FrictionSupport &support, const bool reversed) const;
 
   dealii::Triangulation<1, 3> triangulation;
@@ -105,6 +111,7 @@ private:
 
   std::vector<Point3> points;
   unsigned int n_own = 0;
+  std::vector<std::array<bool, 3>> rotations; ///< of the line's vertices
   std::vector<Profile> sections;
   std::vector<LineCell> cells;
   std::vector<unsigned int> fe_index; ///< of each author's cell

@@ -125,6 +125,10 @@ ReducedSpace::ReducedSpace(const Scene &scene, const LineMesh &mesh,
   std::map<unsigned int, VertexElimination> eliminations;
   for (const Held &held : rows)
     eliminations[held.vertex].hold(held.direction);
+  for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v)
+    for (unsigned int axis = 0; axis < 3; ++axis)
+      if (!discretization.turns(v, axis))
+        eliminations[v].hold(motion(3 + axis));
 
   AffineConstraints<double> constraints;
   for (const auto &[vertex, elimination] : eliminations)
