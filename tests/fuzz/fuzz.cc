@@ -4,6 +4,8 @@
 // depend on a seed and the number of the run alone. CONTRIBUTING.md says how to use it.
 //   fuzz PROJECT [--runs N] [--first N] [--seed N] [--seconds N] [--law LIBRARY] [--keep FOLDER]
 //   fuzz PROJECT --replay FOLDER [--time N]   the files of a folder, as they are, N seconds each
+//   fuzz PROJECT --costs                      the text of costs.txt, which new files are to be put
+//   into
 #include "parameter_text.h"
 #include "subjects.h"
 #include "trial.h"
@@ -153,6 +155,10 @@ int replay(const std::string &folder, Subjects &subjects) {
 int main(int argc, char **argv) {
   if (argc < 2)
     return 2;
+  if (argc == 3 && std::string(argv[2]) == "--costs") {
+    Subjects(argv[1], "", 2).print_costs();
+    return 0;
+  }
   const Options options = read_options(argc, argv);
   const auto start = std::chrono::steady_clock::now();
   const auto passed = [&] {

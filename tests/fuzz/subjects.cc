@@ -2,6 +2,7 @@
 #include "subjects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -47,8 +48,8 @@ std::string changed_bytes(const std::string &bytes, Random &random) {
   return result;
 }
 
-/// Files that take longer are run less often [s].
-constexpr double longest = 0.1;
+/// What is refused at once takes little, and has less to tell [ms].
+constexpr std::uint64_t least_cost = 20, cost_of_broken = 200;
 
 const char *const law_scene = R"(
 set Law libraries = LIBRARY
@@ -88,11 +89,12 @@ std::string Input::ending() const {
 }
 
 Subjects::Subjects(const std::string &project, const std::string &law, const unsigned int seconds)
-    : law(law), seconds(seconds) {
+    : project(project), law(law), seconds(seconds) {
   std::string name = fs::exists("/dev/shm") ? "/dev/shm/fuzz-XXXXXX" : "/tmp/fuzz-XXXXXX";
   if (mkdtemp(name.data()) == nullptr)
     throw std::runtime_error("No temporary folder can be made.");
   place = name;
+  read_costs();
   std::set<std::string> found;
   for (const char *const part : {"prm", "tests"})
     for (const auto &entry : fs::recursive_directory_iterator(fs::path(project) / part))
@@ -105,6 +107,15 @@ Subjects::Subjects(const std::string &project, const std::string &law, const uns
 Subjects::~Subjects() {
   std::error_code ignored;
   fs::remove_all(place, ignored);
+}
+
+void Subjects::read_costs() {
+  std::ifstream file(project + "/tests/fuzz/costs.txt");
+  std::uint64_t cost = 0; // [ms]
+  for (std::string path; file >> cost >> path;)
+    weights[path] =
+        1000000 /
+        std::max(path.find("broken") == std::string::npos ? least_cost : cost_of_broken, cost);
 }
 
 void Subjects::add_folder(const std::string &path) {
@@ -120,11 +131,18 @@ void Subjects::add_folder(const std::string &path) {
   for (const std::string &name : names) {
     if (fs::path(name).extension() != ".prm")
       continue;
-    File file = {path + "/" + name, read_file(path + "/" + name), number, {}};
+    const auto weight = weights.find(fs::relative(path + "/" + name, project).string());
+    File file = {path + "/" + name,
+                 read_file(path + "/" + name),
+                 number,
+                 {},
+                 weight == weights.end() ? 0 : weight->second};
     for (const std::string &other : names)
       if (other != name && file.text.find(other) != std::string::npos)
         file.beside.push_back(other);
-    dictionary.add(ParameterText(file.text));
+    if (file.weight > 0)
+      dictionary.add(ParameterText(file.text));
+    sum_of_weights += file.weight;
     files.push_back(file);
   }
 }
@@ -140,9 +158,12 @@ void Subjects::make_contact_problems() {
       trial.keep_after = true;
       fuzz::run(trial);
       std::error_code none;
+      std::set<std::string> problems;
       for (const auto &entry : fs::directory_iterator(folder + "/results/contact_problems", none))
         if (entry.file_size() < 300000)
-          contact_problems.push_back(read_file(entry.path().string()));
+          problems.insert(entry.path().string());
+      for (const std::string &problem : problems)
+        contact_problems.push_back(read_file(problem));
     }
   folders.push_back(folder);
 }
@@ -155,12 +176,14 @@ void Subjects::make_checkpoint() {
     if (fs::path(file.path).filename() == "resume.prm") {
       checkpoint_parameters = file.text;
       write(folder + "/" + file_name, file.text);
-      Trial trial{
-          {"run", file_name, "--set", "Step shake/Duration = 1000", "--set", "Output/VTU = false"},
-          folder};
-      trial.keep_after = true;
-      trial.interrupt_after = 700;
-      fuzz::run(trial);
+      Trial trial{{"run", file_name, "--set", "Output/VTU = false"}, folder};
+      trial.keep_after = trial.interrupted = true;
+      for (int i = 0; i < 8; ++i) { // increments and time steps
+        fuzz::run(trial);
+        if (!trial.keep_before)
+          trial.words.emplace_back("--resume");
+        trial.keep_before = true;
+      }
       checkpoint_folder = folder + "/saved";
       std::error_code error;
       fs::rename(folder + "/results", checkpoint_folder, error);
@@ -177,27 +200,39 @@ void Subjects::prepare() {
     }
   make_contact_problems();
   make_checkpoint();
-  std::cout << files.size() << " parameter files, " << contact_problems.size()
+  std::cout << weights.size() << " parameter files, " << contact_problems.size()
             << " contact problems, " << (checkpoint_folder.empty() ? "no" : "a") << " checkpoint"
             << std::endl;
 }
 
-Input Subjects::draw(const std::uint64_t seed, const std::uint64_t number) {
+void Subjects::print_costs() {
+  for (const File &file : files) {
+    write(folders[file.folder] + "/" + file_name, file.text);
+    const double passed = fuzz::run({{"run", file_name}, folders[file.folder]}).seconds;
+    std::cout << std::lround(1e3 * passed) << ' ' << fs::relative(file.path, project).string()
+              << std::endl;
+  }
+}
+
+const Subjects::File &Subjects::draw_file(Random &random) const {
+  std::uint64_t left = below(random, sum_of_weights);
+  for (const File &file : files) {
+    if (left < file.weight)
+      return file;
+    left -= file.weight;
+  }
+  throw std::runtime_error("tests/fuzz/costs.txt names no file of the project.");
+}
+
+Input Subjects::draw(const std::uint64_t seed, const std::uint64_t number) const {
   Random random(seed * 1000003 + number);
   const std::size_t what = below(random, 100);
-  std::size_t chosen = below(random, files.size());
-  for (unsigned int i = 0; i < 3 && files[chosen].path.find("broken") != std::string::npos; ++i)
-    chosen = below(random, files.size()); // what is refused at once has less to tell
-  File &file = files[chosen];
-  if (file.seconds < 0.) {
-    write(folders[file.folder] + "/" + file_name, file.text);
-    file.seconds = fuzz::run({{"run", file_name}, folders[file.folder]}).seconds;
-  }
-  const bool only_looked_at = below(random, file.seconds > longest ? 20 : 12) != 0;
+  const File &file = draw_file(random);
   Input input;
   input.origin = file.path;
   input.folder = file.folder;
-  input.command = (file.seconds > longest) == only_looked_at ? "check" : "run";
+  input.command = below(random, 8) == 0 ? "check" : "run";
+  input.bare = below(random, 10) != 0;
   if (what < 2 && !contact_problems.empty()) {
     input.kind = Input::Kind::contact;
     input.folder = folders.size() - 2;
@@ -250,13 +285,14 @@ Outcome Subjects::run(const Input &input) {
     fs::copy(checkpoint_folder, folder + "/results", fs::copy_options::recursive);
     write(folder + "/results/unfinished/checkpoint.bin", input.text);
     write(folder + "/" + file_name, checkpoint_parameters);
-    trial.words = {
-        "run",     file_name, "--set", "Step shake/Duration = 1000", "--set", "Output/VTU = false",
-        "--resume"};
+    trial.words = {"run", file_name, "--set", "Output/VTU = false", "--resume"};
     trial.keep_before = true;
-    trial.interrupt_after = 1000;
     return fuzz::run(trial);
   }
+  if (input.bare)
+    for (const char *const output : {"VTU", "Report"})
+      trial.words.insert(trial.words.end(),
+                         {"--set", std::string("Output/") + output + " = false"});
   setenv("FUZZ_LAW", std::to_string(input.law).c_str(), 1);
   if (input.kind != Input::Kind::beside) {
     write(folder + "/" + file_name, input.text);

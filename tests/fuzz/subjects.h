@@ -18,23 +18,29 @@ struct Input {
   std::string parameters; ///< then: the parameter file's text
   std::uint64_t law = 0;  ///< number of its description
   std::string command = "run";
+  bool bare = false; ///< without files for ParaView and report.html
 
   std::string ending() const;
-  std::string words() const { return command + (law > 0 ? " law " + std::to_string(law) : ""); }
+  std::string words() const {
+    return command + (bare ? " bare" : "") + (law > 0 ? " law " + std::to_string(law) : "");
+  }
 };
 
-/// All files of the project that the program reads, and a place to run them, changed.
+/// The files of the project that the program reads, and a place to run them, changed.
 class Subjects {
 public:
+  /// Files are those that tests/fuzz/costs.txt names, drawn the more rarely the longer they take
+  /// there: what a run draws depends on neither the computer nor on files that are new.
   /// @param seconds of computing that a run may take
   Subjects(const std::string &project, const std::string &law, const unsigned int seconds);
   ~Subjects();
 
   /// Make contact problems and a checkpoint to be changed.
   void prepare();
-  /// The input of run @p number, which depends on nothing else but @p seed; but of files that take
-  /// long, which depends on the computer, most runs are a 'check'.
-  Input draw(const std::uint64_t seed, const std::uint64_t number);
+  /// Run all parameter files of the project as they are, and print the text of costs.txt.
+  void print_costs();
+  /// The input of run @p number, which depends on nothing else but @p seed.
+  Input draw(const std::uint64_t seed, const std::uint64_t number) const;
   Outcome run(const Input &input);
   /// Where the files of @p folder find those that they name; the first one if it is not of the
   /// project.
@@ -45,12 +51,17 @@ private:
     std::string path, text;
     std::size_t folder;
     std::vector<std::string> beside; ///< files of its folder that it names
-    double seconds = -1.;            ///< that it takes as it is; -1: has not been run
+    std::uint64_t weight;            ///< in drawing
   };
+  void read_costs();
   void add_folder(const std::string &path);
+  const File &draw_file(Random &random) const;
   void make_contact_problems();
   void make_checkpoint();
 
+  const std::string project;
+  std::map<std::string, std::uint64_t> weights; ///< of files, by their path in the project
+  std::uint64_t sum_of_weights = 0;
   std::string place; ///< a folder in memory
   std::string law;   ///< library
   const unsigned int seconds;

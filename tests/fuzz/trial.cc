@@ -37,7 +37,7 @@ void limit(const int what, const rlim_t value) {
 }
 
 /// As main().
-int command(const std::vector<std::string> &words) {
+int command(const std::vector<std::string> &words, const bool interrupted) {
   using namespace frictionbeam;
   try {
     if (words[0] == "contact")
@@ -52,6 +52,8 @@ int command(const std::vector<std::string> &words) {
       else
         options.parameter_file = words[i];
     interruption::listen();
+    if (interrupted)
+      raise(SIGTERM);
     return words[0] == "check" ? check_case_file(options) : run_case(options);
   } catch (const UserError &error) {
     std::cerr << error.what() << '\n';
@@ -78,7 +80,7 @@ int command(const std::vector<std::string> &words) {
   limit(RLIMIT_AS, 6000000000u);
 #endif
   limit(RLIMIT_CPU, trial.seconds + 20);
-  const int status = command(trial.words);
+  const int status = command(trial.words, trial.interrupted);
   std::cout.flush();
   _exit(status);
 }
@@ -154,33 +156,27 @@ double computing_time(const pid_t process) {
 
 /// Of computing after it was asked to end [s].
 constexpr double time_to_end = 8.;
-/// Of a process that does not compute, and may only have to wait for others [s].
+/// Without computing, until a process counts as one that hangs: others may have the machine [s].
 constexpr double most_waiting = 60.;
 
 /// @return status of waitpid(); a hang is ended, and noted.
 int wait_for(const pid_t child, const Trial &trial, Outcome &outcome) {
   using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const auto since = [](const Clock::time_point &time) {
-    return std::chrono::duration<double>(Clock::now() - time).count();
-  };
-  Clock::time_point asked = start;
-  bool interrupted = false;
+  Clock::time_point moved = Clock::now(); // when it was last seen to have computed
+  double computed = 0.;
   int status = 0;
   pollfd ended = {static_cast<int>(syscall(SYS_pidfd_open, child, 0)), POLLIN, 0};
   while (waitpid(child, &status, WNOHANG) != child) {
-    const double passed = since(start), computed = computing_time(child);
-    if (!interrupted && trial.interrupt_after > 0 && passed > 1e-3 * trial.interrupt_after) {
-      interrupted = true;
-      kill(child, SIGTERM);
-    }
-    // A program may hang without computing, and a machine may be busy.
-    if (!outcome.slow && (computed > trial.seconds || passed > most_waiting)) {
+    const double now = computing_time(child);
+    if (now > computed)
+      moved = Clock::now();
+    computed = std::max(computed, now);
+    const bool waits = std::chrono::duration<double>(Clock::now() - moved).count() > most_waiting;
+    if (!outcome.slow && (computed > trial.seconds || waits)) {
       outcome.slow = true;
-      asked = Clock::now();
+      moved = Clock::now();
       kill(child, SIGTERM);
-    } else if (outcome.slow &&
-               (computed > trial.seconds + time_to_end || since(asked) > most_waiting)) {
+    } else if (outcome.slow && (computed > trial.seconds + time_to_end || waits)) {
       outcome.fault = "hang";
       kill(child, SIGKILL);
     }
@@ -220,7 +216,7 @@ void warm_up(const Trial &trial) {
   fs::current_path(trial.folder);
   std::ostringstream unread;
   std::streambuf *const out = std::cout.rdbuf(unread.rdbuf());
-  const int status = command(trial.words);
+  const int status = command(trial.words, false);
   std::cout.rdbuf(out);
   fs::current_path(here);
   fs::remove_all(trial.folder + "/results");

@@ -12,7 +12,7 @@ struct Trial {
   std::string folder;             ///< to run in; results go to its folder `results`
   unsigned int seconds = 2;       ///< of computing until it is asked to end, within 8 s more
   bool keep_before = false, keep_after = false; ///< the folder `results`
-  unsigned int interrupt_after = 0;             ///< [ms]; 0: not
+  bool interrupted = false; ///< asked to end from the beginning: after one increment
 };
 
 struct Outcome {
