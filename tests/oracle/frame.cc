@@ -94,6 +94,12 @@ std::vector<double> Frame::breaks_of(const int pipe) const {
 
 void Frame::lay_pipe(const int pipe, const std::vector<double> &breaks) {
   const Path &path = paths[pipe];
+  const bool bedded =
+      std::any_of(scene.loads.begin(), scene.loads.end(),
+                  [](const Load &load) { return load.kind == "wind"; }) &&
+      std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support &support) {
+        return support.continuous && support.pipe == scene.pipes[pipe].name;
+      });
   on_pipe[pipe].emplace_back(0., node_at(path.at(0.)));
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const double from = breaks[i], to = breaks[i + 1], length = to - from;
@@ -105,6 +111,8 @@ void Frame::lay_pipe(const int pipe, const std::vector<double> &breaks) {
     const bool bend = curve.radius > 0.;
     int cells = scene.cell_length > 0. ? whole(length / scene.cell_length) : 1;
     const bool arc = bend && scene.arcs;
+    if (arc && bedded) // a bed stands at the program's nodes
+      cells = std::max(cells, whole(length / curve.radius / 0.03));
     if (bend && !scene.arcs)
       cells = whole(scene.cells_per_bend * length / curve.radius / (pi / 2.));
     if (scene.pipes[pipe].end_section >= 0 && !arc)
