@@ -194,7 +194,9 @@ void AdaptiveRun<dim>::run() {
     // Slip zones end where they will: one small change may be chance.
     reached = error <= (levels.size() == 2 ? first_share : 1.) * settings.tolerance;
   }
-  results.status = solution.converged && why.empty() ? RunStatus::converged : RunStatus::failed;
+  results.status = solution.converged && why.empty()                    ? RunStatus::converged
+                   : solution.sequence->reports().back().no_equilibrium ? RunStatus::no_equilibrium
+                                                                        : RunStatus::failed;
   if (!why.empty())
     results.remarks.push_back("The refinement stopped at Continuum/" + why +
                               " before the quantities were known to Continuum/Tolerance = " +

@@ -3,6 +3,7 @@
 
 #include "analysis/algebra/condensed_line.h"
 #include "analysis/algebra/line_factorization.h"
+#include "analysis/contact/contact_attempts.h"
 #include "analysis/contact/equilibrium.h"
 
 namespace frictionbeam {
@@ -16,7 +17,7 @@ public:
   ContactNewton(const SolverSettings &settings, const Contacts &contacts, const CondensedLine &line,
                 ProximalContacts &proximal);
 
-  enum class Outcome { solved, stalled, slides_away };
+  using Outcome = ContactOutcome;
 
   /**
    * Begin from the displacements q.
@@ -46,6 +47,14 @@ public:
   /// is too large beside the forces to be excused.
   bool rounding_bars() const { return is_barred; }
   std::string rounding_remark() const;
+
+  void take_forces_as_centre(const ContactResponse &response) { proximal.centre = response.stress; }
+  /// Whether no further attempt is worth its iterations.
+  bool gives_up(const EquilibriumResult &result) const {
+    return is_barred || result.iterations >= most_iterations;
+  }
+  double agreed(const double number) const { return number; } ///< of one process
+  unsigned int most_iterations = 0;                           ///< of the present problem
 
   /// The tangents that are factored, and reading them, their factors.
   void transfer(Archive &archive);

@@ -5,19 +5,12 @@
 
 #include <algorithm>
 #include <optional>
-#include <random>
 
 namespace frictionbeam {
 
 namespace {
 
-// Newton's method on displacements and forces together, from the start of the increment.
-constexpr std::array<double, 4> factors_together = {1e-4, 1e-3, 1e-5, 1e-2};
-constexpr unsigned int most_together = 30;
-// Proximal steps.
-constexpr double first_proximal = 1e-3, largest_factor = 100., first_growth = 10.,
-                 least_growth = 2., retreat = 30.;
-constexpr unsigned int most_outer = 60, most_failures = 20, most_to_finish = 15;
+const AttemptLimits limits = {{1e-4, 1e-3, 1e-5, 1e-2}, 30};
 constexpr unsigned int most_refinements = 5, most_releases = 2;
 constexpr double in_common_least = 1e-9; // of the larger force of a pair
 constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing is left to correct
@@ -29,14 +22,15 @@ ExactSolver::ExactSolver(const SolverSettings &settings, const Contacts &contact
                          const ReducedSpace &space, const SparseMatrix &stiffness)
     : settings(settings), contacts(contacts), space(space), line(stiffness, contacts),
       proximal(contacts, stiffness), newton(settings, contacts, line, proximal),
-      diagonal(stiffness.diagonal()), first_factor(0.), pairs(rigid_pairs(contacts)) {}
+      attempts(newton, proximal, limits), diagonal(stiffness.diagonal()),
+      pairs(rigid_pairs(contacts)) {}
 
 EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,
                                      ContactResponse &response) {
   EquilibriumResult result;
   proximal.begin(committed, problem.overrides);
-  most_iterations = problem.most_iterations;
+  newton.most_iterations = problem.most_iterations;
   const Residual residual(problem, contacts, space, {});
   const auto centre_before = proximal.centre;
   const Vector unknowns_before = unknowns;
@@ -62,11 +56,12 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                  std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
                  problem.force_so_far, dofs, committed, problem.increment);
     Vector x = Vector::Zero(line.n_kept());
-    Outcome outcome = accepted ? newton.solve_together(most_to_finish, x, response, result)
-                               : solve_contacts(x, response, result);
-    if (outcome == Outcome::stalled && !accepted && !gives_up(result))
-      outcome = solve_from_elsewhere(
-          problem.increment.length > 0. ? most_restarts_in_motion : most_restarts, x, response,
+    Outcome outcome = accepted ? newton.solve_together(limits.most_to_finish, x, response, result)
+                               : attempts.solve(x, response, result);
+    if (outcome == Outcome::stalled && !accepted && !newton.gives_up(result))
+      outcome = attempts.solve_from_elsewhere(
+          problem.increment.length > 0. ? most_restarts_in_motion : most_restarts,
+          Vector(Vector::Zero(line.n_kept())), x, response,
           result); // in motion, a shorter step helps as well
     if (outcome != Outcome::solved && accepted)
       break;
@@ -120,7 +115,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     if (judge(response, result))
       return result;
   }
-  if (result.iterations >= most_iterations && !result.no_equilibrium)
+  if (result.iterations >= problem.most_iterations && !result.no_equilibrium)
     result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
   proximal.centre = centre_before;
   unknowns = unknowns_before;
@@ -152,83 +147,6 @@ void ExactSolver::release_pairs(const ContactResponse &response) {
     for (const unsigned int i : pair)
       proximal.centre[i][0] +=
           force_in_common(pair, response) * contacts[i].length / contacts[i].weight;
-}
-
-ExactSolver::Outcome ExactSolver::solve_contacts(Vector &x, ContactResponse &response,
-                                                 EquilibriumResult &result) {
-  const auto centre_before = proximal.centre;
-  std::vector<double> list(factors_together.begin(), factors_together.end());
-  std::stable_partition(list.begin(), list.end(),
-                        [&](const double c) { return c == first_factor; });
-  for (const double c : list) {
-    proximal.stiffness_factor = c;
-    Vector trial = x;
-    const Outcome outcome = newton.solve_together(most_together, trial, response, result);
-    if (outcome == Outcome::solved) {
-      x = trial;
-      first_factor = c;
-    }
-    if (outcome != Outcome::stalled || gives_up(result))
-      return outcome;
-    proximal.centre = centre_before;
-  }
-  return solve_by_proximal_steps(x, response, result);
-}
-
-ExactSolver::Outcome ExactSolver::solve_from_elsewhere(const unsigned int most, Vector &x,
-                                                       ContactResponse &response,
-                                                       EquilibriumResult &result) {
-  const std::vector<double> coefficients = proximal.friction_coefficients();
-  const auto centre = proximal.centre;
-  std::minstd_rand random; // always the same sequence: equal inputs give equal results
-  std::uniform_real_distribution<double> portion(0., 1.), multiple(0., 2.);
-  Outcome outcome = Outcome::stalled;
-  for (unsigned int k = 0; k < most && outcome == Outcome::stalled && !gives_up(result); ++k) {
-    for (unsigned int i = 0; i < centre.size(); ++i)
-      proximal.centre[i] = multiple(random) * centre[i];
-    std::vector<double> reduced = coefficients;
-    const double share = portion(random);
-    for (double &friction : reduced)
-      friction *= share;
-    x.setZero();
-    proximal.set_friction_coefficients(reduced);
-    solve_contacts(x, response, result);
-    proximal.set_friction_coefficients(coefficients);
-    outcome = solve_contacts(x, response, result);
-  }
-  return outcome;
-}
-
-ExactSolver::Outcome ExactSolver::solve_by_proximal_steps(Vector &x, ContactResponse &response,
-                                                          EquilibriumResult &result) {
-  double factor = first_proximal, growth = first_growth;
-  unsigned int failures = 0;
-  for (unsigned int outer = 0; outer < most_outer && !gives_up(result); ++outer) {
-    proximal.stiffness_factor = factor;
-    Vector trial = x;
-    const Outcome outcome = newton.solve_proximal(trial, response, result);
-    if (outcome == Outcome::slides_away)
-      return outcome;
-    if (outcome == Outcome::stalled) {
-      if (++failures == most_failures)
-        return outcome;
-      factor = std::min(first_proximal, factor / retreat);
-      growth = std::max(least_growth, growth / 2.); // next time more slowly
-      continue;
-    }
-    x = trial;
-    proximal.centre = response.stress;
-    const auto centre = proximal.centre;
-    const Outcome finished = newton.solve_together(most_to_finish, trial, response, result);
-    if (finished == Outcome::solved)
-      x = trial;
-    if (finished != Outcome::stalled)
-      return finished;
-    proximal.centre = centre;
-    factor = std::min(growth * factor, largest_factor);
-  }
-  result.remark = "no convergence in " + std::to_string(most_outer) + " proximal steps";
-  return Outcome::stalled;
 }
 
 } // namespace frictionbeam

@@ -77,7 +77,7 @@ bool ContinuumSequence<dim>::advance(const double from, const double to, const d
                                      const double duration, const unsigned int halvings) {
   if (increment(to, start + duration, duration))
     return true;
-  if (halvings == 0)
+  if (halvings == 0 || step_reports.back().no_equilibrium)
     return false;
   ++step_reports.back().halvings;
   const double middle = 0.5 * (from + to);
@@ -103,6 +103,7 @@ bool ContinuumSequence<dim>::increment(const double factor, const double time,
   if (!result.converged) {
     foundation.centre = centre;
     report.remark = result.remark;
+    report.no_equilibrium = result.no_equilibrium;
     return false;
   }
   report.remark.clear();

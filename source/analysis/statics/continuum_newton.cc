@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/contact/halving_search.h"
-
 #include "analysis/statics/continuum_newton.h"
+
+#include "analysis/contact/halving_search.h"
 #include "base/interruption.h"
 #include "base/numbers.h"
 
@@ -15,10 +15,14 @@ using namespace dealii;
 
 namespace {
 
-constexpr double stiffness_of_direction = 1e6;
-constexpr std::array<double, 4> scales = {1., 0.1, 10., 0.01}; ///< of rho, tried in this order
-constexpr unsigned int most_iterations = 40, most_stalls = 6;
+const AttemptLimits body_limits = {{1., 0.1, 10., 0.01}, 40, 15, 20, 6};
+constexpr unsigned int most_stalls_of_body = 6, most_proximal_of_body = 15,
+                       most_restarts_of_body = 2, most_iterations_of_increment = 500;
+constexpr double stiffness_of_step = 1e6; ///< of rho, where Newton's step wants none
 constexpr double epsilon_of_rounding = 64. * std::numeric_limits<double>::epsilon();
+/// Of the diagonal, so that what moves freely has a direction in which it does: of a motion, and of
+/// Newton's steps; there below the proximal stiffness as well.
+constexpr double shift_of_motion = 1e-9, shift_of_step = 1e-6, shift_below_rho = 1e-3;
 
 double largest_of(const ContinuumVector &vector) { return vector.linfty_norm(); }
 
@@ -27,8 +31,10 @@ double largest_of(const ContinuumVector &vector) { return vector.linfty_norm(); 
 template <int dim>
 ContinuumNewton<dim>::ContinuumNewton(const ContinuumBody<dim> &body, ContinuumSystem &system,
                                       FoundationContacts &contacts)
-    : body(body), system(system), contacts(contacts), settings(body.scene.solver) {
+    : body(body), system(system), contacts(contacts), settings(body.scene.solver),
+      attempts(*this, contacts, body_limits) {
   body.reinit(diagonal);
+  body.reinit(elastic);
   for (const auto dof : body.owned)
     diagonal(dof) = system.diagonal(dof);
 }
@@ -56,10 +62,9 @@ void ContinuumNewton<dim>::add_forces(const std::vector<LocalVector> &stress,
 }
 
 template <int dim>
-void ContinuumNewton<dim>::residual(const ContinuumVector &forces, const ContinuumVector &elastic,
-                                    const std::vector<LocalVector> &stress,
+void ContinuumNewton<dim>::residual(const std::vector<LocalVector> &stress,
                                     ContinuumVector &left) const {
-  left = forces;
+  left = *loads;
   left -= elastic;
   add_forces(stress, left);
   body.constraints.set_zero(left);
@@ -86,136 +91,258 @@ ContinuumNewton<dim>::largest(const std::vector<LocalVector> &stress) const {
 }
 
 template <int dim>
+bool ContinuumNewton<dim>::all(const bool here) const {
+  return Utilities::MPI::min(static_cast<unsigned int>(here), body.communicator) > 0;
+}
+
+template <int dim>
+double ContinuumNewton<dim>::agreed(const double number) const {
+  return Utilities::MPI::max(number, body.communicator);
+}
+
+template <int dim>
+bool ContinuumNewton<dim>::gives_up(const ContinuumNewtonResult &result) const {
+  return result.iterations >= most_iterations_of_increment;
+}
+
+template <int dim>
 ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
-                                                  const FoundationState &committed,
-                                                  const LawIncrement &increment, ContinuumVector &u,
+                                                  const FoundationState &state,
+                                                  const LawIncrement &of_time, ContinuumVector &u,
                                                   FoundationResponse &response) {
   ContinuumNewtonResult result;
-  contacts.begin(committed);
-  const ContinuumVector start = u;
-  const auto centre = contacts.centre;
-  for (const double scale : scales) {
-    contacts.stiffness_factor = scale;
-    u = start;
-    contacts.centre = centre;
-    result.converged = iterate(forces, committed, increment, u, response, result);
-    while (result.converged &&
-           Utilities::MPI::max(static_cast<unsigned int>(contacts.let_slipping_go(response.state)),
-                               body.communicator) > 0)
-      result.converged = iterate(forces, committed, increment, u, response, result);
-    if (result.converged)
-      return result;
-  }
-  result.remark = "Newton's method on the contacts does not converge";
+  loads = &forces;
+  committed = &state;
+  increment = of_time;
+  largest_load = largest_of(forces);
+  contacts.begin(state);
+  ContactOutcome outcome = solve_contacts(u, response, result);
+  while (outcome == ContactOutcome::solved && !all(!contacts.let_slipping_go(response.state)))
+    outcome = solve_contacts(u, response, result);
+  result.converged = outcome == ContactOutcome::solved;
+  result.no_equilibrium = outcome == ContactOutcome::slides_away;
+  if (result.no_equilibrium)
+    result.remark =
+        "there is no equilibrium: the loads exceed what friction can hold, and the body "
+        "slides away";
+  else if (!result.converged)
+    result.remark = "Newton's method on the contacts does not converge";
   return result;
 }
 
 template <int dim>
-bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const FoundationState &committed,
-                                   const LawIncrement &increment, ContinuumVector &u,
-                                   FoundationResponse &response, ContinuumNewtonResult &result) {
-  const unsigned int n = contacts.size();
-  const double epsilon = contacts.stiffness_factor / stiffness_of_direction;
-  std::vector<LocalVector> step(n), displacement, used(n);
-  ContinuumVector left, direction, elastic; // elastic forces: stiffness times u
-  body.reinit(left);
+ContactOutcome ContinuumNewton<dim>::solve_contacts(ContinuumVector &u,
+                                                    FoundationResponse &response,
+                                                    ContinuumNewtonResult &result) {
+  if (!contacts.are_exact()) // no centre, no rho: nothing else to try
+    return solve_together(body_limits.most_together, u, response, result);
+  const ContinuumVector start = u;
+  const auto centre = contacts.centre;
+  ContactOutcome outcome = attempts.solve(u, response, result);
+  if (outcome == ContactOutcome::stalled) {
+    contacts.centre = centre;
+    outcome = attempts.solve_from_elsewhere(most_restarts_of_body, start, u, response, result);
+  }
+  return outcome;
+}
+
+template <int dim>
+void ContinuumNewton<dim>::evaluate(const ContinuumVector &u, FoundationResponse &response) {
+  displacement = local(u);
+  contacts.evaluate(displacement, *committed, increment, response);
+  response.failed = !all(!response.failed);
+  system.multiply(u, elastic);
+  largest_displacement = largest_of(u);
+}
+
+template <int dim>
+double ContinuumNewton<dim>::energy_together(const FoundationResponse &response,
+                                             ContinuumVector &left) const {
+  double misfit = 0.;
+  std::vector<LocalVector> used = response.state.stress;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    if (!contacts.is_exact(i))
+      continue;
+    used[i] = contacts.centre[i];
+    if (contacts.has_pressure(i))
+      used[i][0] = response.state.stress[i][0];
+    const LocalVector difference = response.state.stress[i] - used[i];
+    misfit += body.nodes[i].weight * difference.cwiseProduct(difference).dot(contacts.by_centre(i));
+  }
+  residual(used, left);
+  return energy(left) + Utilities::MPI::sum(misfit, body.communicator);
+}
+
+template <int dim>
+ContactCheck ContinuumNewton<dim>::check(const FoundationResponse &response) const {
+  ContactCheck check = contacts.check(displacement, response.state, *committed,
+                                      largest(response.state.stress).second,
+                                      epsilon_of_rounding * largest_displacement);
+  check.natural_map = Utilities::MPI::max(check.natural_map, body.communicator);
+  check.penetration = Utilities::MPI::max(check.penetration, body.communicator);
+  check.cone_violation = Utilities::MPI::max(check.cone_violation, body.communicator);
+  check.slip_angle = Utilities::MPI::max(check.slip_angle, body.communicator);
+  check.least_dissipation = Utilities::MPI::min(check.least_dissipation, body.communicator);
+  return check;
+}
+
+template <int dim>
+bool ContinuumNewton<dim>::balanced(const ContinuumVector &u, const ContinuumVector &left,
+                                    const FoundationResponse &response,
+                                    ContinuumNewtonResult &result) const {
+  const double largest_force = std::max(largest_load, largest(response.state.stress).first),
+               size = largest_of(left);
+  result.residual = largest_force > 0. ? size / largest_force : size;
+  ContinuumVector stiff(u);
+  stiff.scale(diagonal);
+  return size <=
+         std::max(settings.tolerance * largest_force,
+                  std::min(epsilon_of_rounding * largest_of(stiff), most_excused * largest_force));
+}
+
+template <int dim>
+void ContinuumNewton<dim>::eliminate_centre(FoundationResponse &response,
+                                            std::vector<LocalVector> &step) const {
+  const double epsilon = contacts.stiffness_factor / stiffness_of_step;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    step[i].setZero();
+    if (!contacts.is_exact(i))
+      continue;
+    LocalMatrix &D = response.tangent[i];
+    LocalVector &stress = response.state.stress[i], centre = contacts.centre[i];
+    if (contacts.has_pressure(i))
+      centre[0] = stress[0];
+    const LocalMatrix by_centre = -D * contacts.by_centre(i).asDiagonal();
+    const Eigen::PartialPivLU<LocalMatrix> M(LocalMatrix::Identity() - (1. - epsilon) * by_centre);
+    D = M.solve(LocalMatrix(D));
+    step[i] = M.solve(LocalVector(stress - centre));
+    stress = centre + step[i];
+  }
+}
+
+template <int dim>
+bool ContinuumNewton<dim>::find_direction(const std::vector<LocalMatrix> &tangent,
+                                          const double shift, const ContinuumVector &left,
+                                          ContinuumVector &direction) {
+  std::vector<ContinuumSystem::Block> blocks(contacts.size());
+  bool symmetric = true;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const LocalMatrix &D = tangent[i];
+    symmetric &= (D - D.transpose()).norm() <= no_component * D.norm();
+    const auto &node = body.nodes[i];
+    blocks[i].dofs.assign(node.dofs.begin(), node.dofs.end());
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int b = 0; b < dim; ++b) {
+        double value = a == b ? shift * contacts[i].normal_diagonal : 0.;
+        for (unsigned int k = 0; k < dim; ++k)
+          for (unsigned int l = 0; l < dim; ++l)
+            value -= node.frame[k][a] * D(k, l) * node.frame[l][b];
+        blocks[i].values.push_back(node.weight * value);
+      }
+  }
   body.reinit(direction);
-  body.reinit(elastic);
-  const double largest_load = largest_of(forces);
+  return system.solve(blocks, all(symmetric), left, direction);
+}
 
-  // Evaluates at u and the centre; the merit of both together.
-  const auto evaluate = [&]() {
-    displacement = local(u);
-    contacts.evaluate(displacement, committed, increment, response);
-    double misfit = 0.;
-    for (unsigned int i = 0; i < n; ++i) {
-      used[i] = response.state.stress[i];
-      if (!contacts.is_exact(i))
-        continue;
-      if (!contacts.has_pressure(i))
-        used[i][0] = contacts.centre[i][0];
-      used[i].tail<2>() = contacts.centre[i].tail<2>();
-      const LocalVector difference = response.state.stress[i] - used[i];
-      misfit +=
-          body.nodes[i].weight * difference.cwiseProduct(difference).dot(contacts.by_centre(i));
-    }
-    system.multiply(u, elastic);
-    residual(forces, elastic, used, left);
-    return energy(left) + Utilities::MPI::sum(misfit, body.communicator);
+template <int dim>
+bool ContinuumNewton<dim>::slides_away(const ContinuumVector &u, FoundationResponse &response) {
+  evaluate(u, response);
+  // Where a body tips over, what sticks is where it turns about.
+  return moves_away(response, false) || moves_away(response, true);
+}
+
+template <int dim>
+bool ContinuumNewton<dim>::moves_away(const FoundationResponse &response, const bool holds_stuck) {
+  ContinuumVector left, motion, stiff;
+  body.reinit(left);
+  body.reinit(stiff);
+  residual(response.state.stress, left);
+  const double hold = largest_of(diagonal);
+  std::vector<LocalMatrix> tangent(contacts.size(), LocalMatrix::Zero());
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const ContactStatus status = response.state.status[i];
+    if (status != ContactStatus::open && !contacts.has_pressure(i)) // holds along its normal
+      tangent[i](0, 0) = -hold / body.nodes[i].weight;
+    if (status == ContactStatus::stick && holds_stuck)
+      tangent[i](1, 1) = tangent[i](2, 2) = -hold / body.nodes[i].weight;
+  }
+  if (!find_direction(tangent, shift_of_motion, left, motion))
+    return false;
+  system.multiply(motion, stiff);
+  body.constraints.set_zero(stiff);
+  const double work = left * motion, stored = motion * stiff;
+  if (!(work > 0.) || stored > 1e-3 * work)
+    return false;
+  const std::vector<LocalVector> rate = local(motion);
+  const double fastest = largest_of(motion);
+  bool utmost = true;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    utmost = utmost && contacts.gives_utmost(i, response.state, rate[i], fastest);
+  return all(utmost);
+}
+
+template <int dim>
+ContactOutcome ContinuumNewton<dim>::solve_proximal(ContinuumVector &u,
+                                                    FoundationResponse &response,
+                                                    ContinuumNewtonResult &result) {
+  const double shift = std::min(shift_of_step, shift_below_rho * contacts.stiffness_factor);
+  ContinuumVector left, direction;
+  body.reinit(left);
+  const auto go_on = [&]() {
+    evaluate(u, response);
+    residual(response.state.stress, left);
+    return energy(left);
   };
+  double before = go_on();
+  for (unsigned int iteration = 0;; ++iteration) {
+    interruption::end_if_overdue();
+    if (response.failed)
+      return ContactOutcome::stalled;
+    if (balanced(u, left, response, result))
+      return ContactOutcome::solved;
+    ++result.iterations;
+    if (iteration == most_proximal_of_body ||
+        !find_direction(response.tangent, shift, left, direction))
+      return slides_away(u, response) ? ContactOutcome::slides_away : ContactOutcome::stalled;
+    const ContinuumVector start = u;
+    const auto go = [&](const double length) {
+      u = start;
+      u.add(length, direction);
+      return go_on();
+    };
+    before = search_by_halving(go, before, 0.0625).merit;
+  }
+}
 
-  double before = evaluate();
+template <int dim>
+ContactOutcome
+ContinuumNewton<dim>::solve_together(const unsigned int most_iterations, ContinuumVector &u,
+                                     FoundationResponse &response, ContinuumNewtonResult &result) {
+  const unsigned int n = contacts.size();
+  std::vector<LocalVector> step(n);
+  ContinuumVector left, direction;
+  body.reinit(left);
+  evaluate(u, response);
+  double before = energy_together(response, left);
   unsigned int stalls = 0;
   for (unsigned int iteration = 0;; ++iteration) {
     interruption::end_if_overdue();
-    if (Utilities::MPI::max(static_cast<unsigned int>(response.failed), body.communicator) > 0) {
-      result.remark = "a law had no answer";
-      return false;
-    }
-    const auto [contact_force, traction] = largest(response.state.stress);
-    const double largest_force = std::max(largest_load, contact_force);
-    const double largest_displacement = largest_of(u);
-    const double rounding = epsilon_of_rounding * largest_displacement;
-    residual(forces, elastic, response.state.stress, left);
-    ContinuumVector stiff(u);
-    stiff.scale(diagonal);
-    const double size = largest_of(left);
-    result.residual = largest_force > 0. ? size / largest_force : size;
-    ContactCheck check =
-        contacts.check(displacement, response.state, committed, traction, rounding);
-    check.natural_map = Utilities::MPI::max(check.natural_map, body.communicator);
-    check.penetration = Utilities::MPI::max(check.penetration, body.communicator);
-    check.cone_violation = Utilities::MPI::max(check.cone_violation, body.communicator);
-    check.slip_angle = Utilities::MPI::max(check.slip_angle, body.communicator);
-    check.least_dissipation = Utilities::MPI::min(check.least_dissipation, body.communicator);
-    result.check = check;
-    const bool last = iteration == most_iterations || stalls == most_stalls;
-    const double accepted =
-        std::max(settings.tolerance * largest_force,
-                 std::min(epsilon_of_rounding * largest_of(stiff), most_excused * largest_force));
-    if (size <= accepted && check.holds(settings.contact_tolerance) &&
-        (last || check.natural_map <= 0.1 * settings.contact_tolerance))
-      return true;
+    if (response.failed)
+      return ContactOutcome::stalled;
+    residual(response.state.stress, left);
+    result.check = check(response);
+    const bool last = iteration == most_iterations || stalls == most_stalls_of_body;
+    if (balanced(u, left, response, result) && result.check.holds(settings.contact_tolerance) &&
+        (last || result.check.natural_map <= 0.1 * settings.contact_tolerance))
+      return ContactOutcome::solved;
     if (last)
-      return false;
+      return ContactOutcome::stalled;
 
-    // Stress and tangent with the centre eliminated, point by point.
-    std::vector<ContinuumSystem::Block> blocks(n);
-    bool symmetric = true;
-    for (unsigned int i = 0; i < n; ++i) {
-      step[i].setZero();
-      LocalMatrix &D = response.tangent[i];
-      used[i] = response.state.stress[i];
-      if (contacts.is_exact(i)) {
-        LocalVector centre = contacts.centre[i];
-        if (contacts.has_pressure(i))
-          centre[0] = used[i][0];
-        const LocalMatrix by_centre = -D * contacts.by_centre(i).asDiagonal();
-        const Eigen::PartialPivLU<LocalMatrix> M(LocalMatrix::Identity() -
-                                                 (1. - epsilon) * by_centre);
-        D = M.solve(LocalMatrix(D));
-        step[i] = M.solve(LocalVector(used[i] - centre));
-        used[i] = centre + step[i];
-      }
-      symmetric &= (D - D.transpose()).norm() <= no_component * D.norm();
-      blocks[i].dofs.assign(body.nodes[i].dofs.begin(), body.nodes[i].dofs.end());
-      const auto &frame = body.nodes[i].frame;
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = 0; b < dim; ++b) {
-          double value = 0.;
-          for (unsigned int k = 0; k < dim; ++k)
-            for (unsigned int l = 0; l < dim; ++l)
-              value -= frame[k][a] * D(k, l) * frame[l][b];
-          blocks[i].values.push_back(body.nodes[i].weight * value);
-        }
-    }
-    symmetric = Utilities::MPI::min(static_cast<unsigned int>(symmetric), body.communicator) > 0;
-    residual(forces, elastic, used, left);
+    eliminate_centre(response, step);
+    residual(response.state.stress, left);
     ++result.iterations;
-    if (!system.solve(blocks, symmetric, left, direction)) {
-      result.remark = "a linear system could not be solved";
-      return false;
-    }
+    if (!find_direction(response.tangent, 0., left, direction))
+      return slides_away(u, response) ? ContactOutcome::slides_away : ContactOutcome::stalled;
     const auto motion = local(direction);
     for (unsigned int i = 0; i < n; ++i)
       if (contacts.is_exact(i))
@@ -228,7 +355,8 @@ bool ContinuumNewton<dim>::iterate(const ContinuumVector &forces, const Foundati
       u.add(length, direction);
       for (unsigned int i = 0; i < n; ++i)
         contacts.centre[i] = centre[i] + length * step[i];
-      return evaluate();
+      evaluate(u, response);
+      return energy_together(response, left);
     };
     const HalvingResult step_taken = search_by_halving(go, before, 1e-3);
     stalls = step_taken.length < 0.01 || step_taken.merit > before ? stalls + 1 : 0;

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "analysis/algebra/elastic_system.h"
+#include "analysis/contact/contact_attempts.h"
 #include "analysis/statics/foundation_contacts.h"
 
 namespace frictionbeam {
 
 struct ContinuumNewtonResult {
   bool converged = false;
+  bool no_equilibrium = false; ///< proved: something slides or lifts off freely
   unsigned int iterations = 0;
   double residual = 0.; ///< relative to the largest force
   ContactCheck check;
@@ -15,10 +17,10 @@ struct ContinuumNewtonResult {
 };
 
 /**
- * Newton's method for one increment of a body on its foundation, on displacements and contact
- * tractions together: ContactNewton::solve_together() for a body, whose words hold here as well.
- * With direct linear algebra on one process, an iteration costs two triangular solves and a dense
- * system of the contacts.
+ * One increment of a body on its foundation: the two Newton's methods of ContactNewton for a body,
+ * in the order of ContactAttempts. What differs is the linear algebra: with a factorization on one
+ * process an iteration costs two triangular solves and a dense system of the contacts; unknowns are
+ * distributed among processes, and what is judged is judged by all of them.
  */
 template <int dim>
 class ContinuumNewton {
@@ -40,22 +42,68 @@ public:
   /// Add the forces of tractions on the body.
   void add_forces(const std::vector<LocalVector> &stress, ContinuumVector &forces) const;
 
+  /// As ContactNewton::solve_together().
+  ContactOutcome solve_together(const unsigned int most_iterations, ContinuumVector &u,
+                                FoundationResponse &response, ContinuumNewtonResult &result);
+  /// As ContactNewton::solve_proximal().
+  ContactOutcome solve_proximal(ContinuumVector &u, FoundationResponse &response,
+                                ContinuumNewtonResult &result);
+  void take_forces_as_centre(const FoundationResponse &response) {
+    contacts.centre = response.state.stress;
+  }
+  bool gives_up(const ContinuumNewtonResult &result) const;
+  /// A random number, the same for all processes.
+  double agreed(const double number) const;
+
 private:
-  bool iterate(const ContinuumVector &forces, const FoundationState &committed,
-               const LawIncrement &increment, ContinuumVector &u, FoundationResponse &response,
-               ContinuumNewtonResult &result);
+  ContactOutcome solve_contacts(ContinuumVector &u, FoundationResponse &response,
+                                ContinuumNewtonResult &result);
+  /// Evaluate contacts and elastic forces at u.
+  void evaluate(const ContinuumVector &u, FoundationResponse &response);
   /// Loads minus elastic forces, stiffness times u, plus forces of tractions.
-  void residual(const ContinuumVector &forces, const ContinuumVector &elastic,
-                const std::vector<LocalVector> &stress, ContinuumVector &left) const;
+  void residual(const std::vector<LocalVector> &stress, ContinuumVector &left) const;
   double energy(const ContinuumVector &forces) const;
+  /// Of the residual with the centre for the contacts' tractions, and of what these miss the
+  /// centre.
+  double energy_together(const FoundationResponse &response, ContinuumVector &left) const;
   /// Largest contact force and traction.
   std::pair<double, double> largest(const std::vector<LocalVector> &stress) const;
+  bool balanced(const ContinuumVector &u, const ContinuumVector &left,
+                const FoundationResponse &response, ContinuumNewtonResult &result) const;
+  ContactCheck check(const FoundationResponse &response) const;
+  /// Add to the tractions and their tangents what the centre as an unknown makes of them, and to
+  /// @p step what the centre moves by itself.
+  void eliminate_centre(FoundationResponse &response, std::vector<LocalVector> &step) const;
+  /// Solve with the contacts' tangents for the motion that @p left asks for.
+  bool find_direction(const std::vector<LocalMatrix> &tangent, const double shift,
+                      const ContinuumVector &left, ContinuumVector &direction);
+  /**
+   * Whether an iterate proves that there is no equilibrium: a motion without elastic forces that
+   * presses on no contact, along which every contact gives its utmost resistance or none, and the
+   * loads still do work.
+   */
+  bool slides_away(const ContinuumVector &u, FoundationResponse &response);
+  /// The same of one motion, that of the forces left. @param holds_stuck whether sticking contacts
+  /// take no part in it
+  bool moves_away(const FoundationResponse &response, const bool holds_stuck);
+  bool all(const bool here) const;
 
   const ContinuumBody<dim> &body;
   ContinuumSystem &system;
   FoundationContacts &contacts;
   const SolverSettings &settings;
+  ContactAttempts<ContinuumNewton, FoundationContacts> attempts;
   ContinuumVector diagonal;
+
+  // of the increment
+  const ContinuumVector *loads = nullptr;
+  const FoundationState *committed = nullptr;
+  LawIncrement increment;
+  double largest_load = 0.;
+  // as last evaluated
+  ContinuumVector elastic; ///< stiffness times u
+  std::vector<LocalVector> displacement;
+  double largest_displacement = 0.;
 };
 
 } // namespace frictionbeam

@@ -159,6 +159,24 @@ LocalVector FoundationContacts::by_centre(const unsigned int i) const {
   return {1. / (stiffness_factor * points[i].normal_diagonal), shear, shear};
 }
 
+bool FoundationContacts::are_exact() const {
+  return std::any_of(surfaces.begin(), surfaces.end(),
+                     [](const Surface &surface) { return surface.exact; });
+}
+
+bool FoundationContacts::gives_utmost(const unsigned int i, const FoundationState &state,
+                                      const LocalVector &rate, const double largest) const {
+  const auto sliding = rate.tail<2>();
+  const double size = has_pressure(i) ? sliding.norm() : rate.norm();
+  if (size <= 1e-6 * largest || (state.status[i] == ContactStatus::open && rate[0] <= 1e-6 * size))
+    return true;
+  if (!is_exact(i) || (!has_pressure(i) && std::abs(rate[0]) > 1e-6 * size))
+    return false; // pressed on: the contact will resist more
+  const double most = friction[i] * -state.stress[i][0];
+  return most == 0. ||
+         -state.stress[i].tail<2>().dot(sliding) >= (1. - 1e-6) * most * sliding.norm();
+}
+
 double FoundationContacts::gap(const unsigned int i, const LocalVector &displacement) const {
   if (has_pressure(i))
     return 0.;

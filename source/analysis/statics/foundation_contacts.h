@@ -78,6 +78,15 @@ public:
   unsigned int size() const { return points.size(); }
   const FoundationPoint &operator[](const unsigned int i) const { return points[i]; }
   bool is_exact(const unsigned int i) const { return surfaces[points[i].surface].exact; }
+  /// Whether that is so anywhere.
+  bool are_exact() const;
+  /// As ProximalContacts::gives_utmost(), of a motion in the point's own axes. @p largest motion of
+  /// all points, beside which one without motion is told.
+  bool gives_utmost(const unsigned int i, const FoundationState &state, const LocalVector &rate,
+                    const double largest) const;
+  /// In force in this increment.
+  const std::vector<double> &friction_coefficients() const { return friction; }
+  void set_friction_coefficients(const std::vector<double> &values) { friction = values; }
   bool has_pressure(const unsigned int i) const {
     return surfaces[points[i].surface].pressure.has_value();
   }
