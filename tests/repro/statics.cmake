@@ -75,3 +75,8 @@ case_test("repro/hanger of a small travel" "" tests/cases/piping/hanger_sized.pr
 
 # A scene without an entry for its increments has none that Accuracy could refine.
 repro("rack, Accuracy" rack_accuracy --set "Accuracy = 1e-2" --errors 1e-9)
+# What large displacements leave to the length of cells is said, and of compressed cells that it is not known.
+repro("cells of an elastica" cells_of_an_elastica --error uy 1e-3 --error ux 0.05
+  --expect "cells 0.88 %")
+repro("cells of an elastica, compressed" cells_of_an_elastica
+  --set "Load P/Forces = end -2000 100 0" --expect "cells not estimated")

@@ -13,7 +13,7 @@ void Resolution::include(const Resolution &other) {
   state_changes += other.state_changes;
   exact_in_time = exact_in_time && other.exact_in_time;
   handed_over = handed_over || other.handed_over;
-  cell_turn = std::max(cell_turn, other.cell_turn);
+  unbent = std::max(unbent, other.unbent);
   slip_turned = std::max(slip_turned, other.slip_turned);
   slip_from_rest = std::max(slip_from_rest, other.slip_from_rest);
   slip_is_known = slip_is_known && other.slip_is_known;

@@ -18,7 +18,10 @@ struct Resolution {
   unsigned int state_changes = 0; ///< time steps in which a contact changed its state
   bool exact_in_time = true;      ///< no time step has an error of its own (event)
   bool handed_over = false;       ///< parts of the motion, by event to an integrator that has one
-  double cell_turn = 0.;          ///< large displacements: most that a cell's ends turn apart [rad]
+  /// Large displacements: by how much cells, whose length is that of their chords, are longer than
+  /// the curves that they stand for: the sum of l (2 a^2 - a b + 2 b^2)/30, a and b the angles
+  /// between the chord and the line at its ends [m].
+  double unbent = 0.;
   /// Static increments: of the contact where it is largest, the sum over the increments so far of
   /// 1/2 |dT x dslip| / |T|, by how much its path may be off where friction turns [m].
   double slip_turned = 0.;
@@ -29,7 +32,7 @@ struct Resolution {
   void include(const Resolution &other);
   void transfer(Archive &archive) {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
-            exact_in_time, handed_over, cell_turn, slip_turned, slip_from_rest, slip_is_known);
+            exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known);
   }
 };
 

@@ -18,8 +18,9 @@ inline constexpr char parameter_notes[] =
 # on the pipe; fn ft1 ft2 [N] gap slip1 slip2 [m] work [J] at a friction support (name.1, name.2,
 # ... of a repeated one), wear [J], the integral of fn |slip rate|, and impulse [N s], of fn,
 # impacts included (a guide, line stop or stop that is a pair, name.plus and name.minus, has fx to
-# mz, work and wear of both, the others of either); sum_normal sum_friction [N] n_stick n_slip n_open of all friction supports or
-# of one part; slip_length [m] of the zone of supports that slip and begins at the lowest x;
+# mz, work and wear of both, the others of either); sum_normal sum_friction [N] n_stick n_slip
+# n_open of all friction supports or of one part; slip_length [m] of the zone of supports that slip
+# and begins at the lowest x;
 # frequency N [Hz] of mode N; of a stress code, flexibility sif_in sif_out at a point,
 # SL SE [Pa] at a point, utilization; max_error [m, or relative] in scenes with an exact solution.
 # |what| is its absolute value.
