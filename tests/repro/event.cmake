@@ -42,6 +42,7 @@ repro("stick and slip do not accumulate" event_accumulate --errors 1e-10)
 repro("stick and slip do not accumulate, Accuracy" event_accumulate --set "Accuracy = 1e-3" --errors 1e-10)
 repro("stick and slip do not accumulate, default step" event_accumulate_nostep --errors 1e-10)
 repro("wear near stick" wear_near_stick --errors 1e-9)
+repro("start of slip together" start_of_slip_together --errors 1e-8 --check energy 1e-9)
 repro("belt with static friction" belt_static_dynamic --errors 1e-9)
 
 # Bounces end where their intervals' geometric sum does: the impulse until t is m g t.

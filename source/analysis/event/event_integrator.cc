@@ -34,6 +34,9 @@ std::string EventIntegrator::remark() const {
     text += "; " + reason + ", first at " + rounded_number(first_handed_over, 6) +
             " s: handed over to moreau_jean " + std::to_string(n_handed_over) + " times, for " +
             rounded_number(time_handed_over) + " s in all";
+  if (n_unshared > 0)
+    text += "; contacts that begin to slip together did not find their friction, " +
+            std::to_string(n_unshared) + " times";
   return text;
 }
 
@@ -340,7 +343,8 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
     if (event.x <= valid) {
       change(event, x, length, to, step.energy);
       if (event.kind == Kind::slipping && line.contacts[event.contact].rigid_shear)
-        share_start(event.contact, loads, ground_velocity(x, length), to);
+        step.handed_over =
+            !share_start(event.contact, loads, ground_velocity(x, length), to) || step.handed_over;
       ++n_events;
       changed = true;
     }

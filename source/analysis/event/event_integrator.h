@@ -75,8 +75,9 @@ private:
   void change(const Event &event, const double x, const double length, LineState &to,
               EnergyAccount &energy);
   /// A contact on a rigid surface begins to slip: find which others do, which do not, and where
-  /// to, from Coulomb's law for the accelerations of all that are at rest.
-  void share_start(const unsigned int first, const LoadCourse &loads, const Vector &of_ground,
+  /// to, from Coulomb's law for the accelerations of all that are at rest. @return whether their
+  /// friction was found
+  bool share_start(const unsigned int first, const LoadCourse &loads, const Vector &of_ground,
                    LineState &to);
   /// Velocities of all contacts' ground at x, as relative motions.
   Vector ground_velocity(const double x, const double length) const;
@@ -143,7 +144,7 @@ private:
   bool at_rest_on_ground = false; ///< what is closed, to the error of the steps before
   std::vector<Bounces> bounces;   ///< by contact
   bool goes_straight_on = false;  ///< slip along curves that is not resolved
-  unsigned int n_events = 0, n_handed_over = 0, n_unresolved = 0;
+  unsigned int n_events = 0, n_handed_over = 0, n_unresolved = 0, n_unshared = 0;
   double first_handed_over = 0., time_handed_over = 0.;
   std::string reason;
 };

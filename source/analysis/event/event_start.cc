@@ -10,13 +10,14 @@ namespace {
 
 constexpr unsigned int most_iterations = 5000;
 constexpr double tolerance = 1e-14;           ///< of the largest force
+constexpr double good_enough = 1e-9;          ///< of it, where most_iterations do not get so far
 constexpr double at_rest = 1e-12;             ///< of the fastest velocity so far
 constexpr double no_acceleration = 1e-9;      ///< of the largest of the parts that it is the sum of
 constexpr double well_below_the_limit = 1e-6; ///< friction that has been relieved
 
 } // namespace
 
-void EventIntegrator::share_start(const unsigned int first, const LoadCourse &loads,
+bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &loads,
                                   const Vector &of_ground, LineState &to) {
   // Of all contacts that rest on rigid surfaces with friction.
   std::vector<bool> rests(states.size(), false);
@@ -57,8 +58,9 @@ void EventIntegrator::share_start(const unsigned int first, const LoadCourse &lo
     const double largest = (W + W.transpose()).norm() / 2.;
     step[k] = largest > 0. ? 1. / largest : 0.;
   }
+  double change = 0.;
   for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
-    double change = 0.;
+    change = 0.;
     for (int k = 0; k < n; ++k) {
       const unsigned int i = begin.contacts[k];
       Eigen::Vector2d next;
@@ -105,6 +107,9 @@ void EventIntegrator::share_start(const unsigned int first, const LoadCourse &lo
     if (state.status != before)
       to.events.push_back({present, i, state.status});
   }
+  const bool is_shared = change <= good_enough * tau.lpNorm<Eigen::Infinity>();
+  n_unshared += is_shared ? 0 : 1;
+  return is_shared;
 }
 
 } // namespace frictionbeam
