@@ -11,10 +11,11 @@ void factor_mass(const Model &model, LineFactorization &mass) {
   mass.analyze(regular);
   if (!mass.factorize(regular))
     throw UserError("The mass matrix has no inverse.\n  read:    masses and densities that differ "
-                    "by so much that the small ones are rounding errors of the large ones\n  "
-                    "allowed: masses that are 0 or within some twelve orders of magnitude\n  try: "
-                    "    Density = 0 where mass is negligible, or Time/Integrator = moreau_jean, "
-                    "which inverts no mass");
+                    "by so much that the small ones are rounding errors of the large ones, or a "
+                    "pipe so flexible in shear that its rotations move no mass\n  allowed: masses "
+                    "that are 0 or within some twelve orders of magnitude\n  try:     Density = 0 "
+                    "where mass is negligible, Rotary inertia = true, or Time/Integrator = "
+                    "moreau_jean, which inverts no mass");
 }
 
 } // namespace frictionbeam
