@@ -11,7 +11,6 @@
 #include "results/file/vtu_writer.h"
 #include "results/text.h"
 #include "scene/file/parameter_file.h"
-#include "scene/read_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -54,15 +53,15 @@ std::vector<std::string> only_of_the_other(const Scene &scene, const ModelKind m
 
 class AccuracyControl {
 public:
-  AccuracyControl(const RunOptions &options, LawLibrary &laws, Scene &scene,
-                  const std::function<Results(Scene &)> &solve)
-      : options(options), laws(laws), scene(scene), solve(solve), demanded(scene.accuracy),
+  AccuracyControl(const RunOptions &options, Scene as_read, const ReadScene &read,
+                  const SolveScene &solve)
+      : read(read), solve(solve), scene(std::move(as_read)), demanded(scene.accuracy),
         model(scene.model), file(options.parameter_file) {
     for (const std::string &option : options.overrides)
       file.apply(option);
   }
 
-  Results run();
+  SolvedScene run();
 
 private:
   /// The line, if what it leaves out is estimated to be small enough, with its settings.
@@ -82,10 +81,9 @@ private:
   double estimate_without(const std::size_t what) const;
   std::string describe(const std::vector<std::string> &settings) const;
 
-  const RunOptions &options;
-  LawLibrary &laws;
-  Scene &scene;
-  const std::function<Results(Scene &)> &solve;
+  const ReadScene &read;
+  const SolveScene &solve;
+  Scene scene; ///< of the last run
   const double demanded;
   ModelKind model;                 ///< that is solved
   ParameterFile file;              ///< with the options
@@ -114,14 +112,10 @@ std::string AccuracyControl::describe(const std::vector<std::string> &settings) 
 }
 
 Results AccuracyControl::solve_with(const std::vector<std::string> &settings) {
-  std::vector<std::string> overrides = options.overrides;
-  overrides.insert(overrides.end(), settings.begin(), settings.end());
-  const std::string directory = scene.output.directory;
-  scene = read_scene(options.parameter_file, overrides, laws);
-  scene.output.directory = directory;
+  scene = read(settings);
   scene.model = model;
   if (this_process() == 0)
-    remove_frames(directory); // of coarser levels
+    remove_frames(scene.output.directory); // of coarser levels
   Results results = solve(scene);
   cost.mesh_seconds += results.cost.mesh_seconds;
   cost.setup_seconds += results.cost.setup_seconds;
@@ -330,7 +324,7 @@ Results AccuracyControl::run_continuum() {
   return results;
 }
 
-Results AccuracyControl::run() {
+SolvedScene AccuracyControl::run() {
   account.demanded = demanded;
   account.reached = true;
   const bool choose = model == ModelKind::automatic;
@@ -383,14 +377,14 @@ Results AccuracyControl::run() {
   if (!account.left_out.empty())
     results.remarks.push_back("Accuracy, left out: " + describe(account.left_out) + ".");
   results.accuracy = account;
-  return results;
+  return {std::move(scene), std::move(results)};
 }
 
 } // namespace
 
-Results solve_to_accuracy(const RunOptions &options, LawLibrary &laws, Scene &scene,
-                          const std::function<Results(Scene &)> &solve) {
-  return AccuracyControl(options, laws, scene, solve).run();
+SolvedScene solve_to_accuracy(const RunOptions &options, Scene scene, const ReadScene &read,
+                              const SolveScene &solve) {
+  return AccuracyControl(options, std::move(scene), read, solve).run();
 }
 
 } // namespace frictionbeam

@@ -4,11 +4,19 @@
 #include "base/run_options.h"
 
 #include "results/results.h"
-#include <frictionbeam/law_library.h>
 
 #include <functional>
 
 namespace frictionbeam {
+
+struct SolvedScene {
+  Scene scene;
+  Results results;
+};
+
+/// Reads the scene again, with these settings as further options --set.
+using ReadScene = std::function<Scene(const std::vector<std::string> &settings)>;
+using SolveScene = std::function<Results(const Scene &)>;
 
 /**
  * Solve a scene to its Accuracy, as cheaply as the estimates allow.
@@ -21,10 +29,10 @@ namespace frictionbeam {
  * is solved if what it leaves out is estimated to be small enough (accuracy::line_forms()), else
  * the continuum. The cost counts all runs.
  *
- * @param scene as read; replaced by the one that was solved last
- * @param solve solves a scene and returns what came out
+ * @param scene as read
+ * @return with the scene that was solved last
  */
-Results solve_to_accuracy(const RunOptions &options, LawLibrary &laws, Scene &scene,
-                          const std::function<Results(Scene &)> &solve);
+SolvedScene solve_to_accuracy(const RunOptions &options, Scene scene, const ReadScene &read,
+                              const SolveScene &solve);
 
 } // namespace frictionbeam

@@ -12,9 +12,7 @@ namespace {
 constexpr double floor_of_unit = 0.01; ///< as in frictionbeam chart
 constexpr double floor_of_line = 1e-6; ///< of the largest anywhere: less than that is nothing
 
-bool is_count(const std::string &what) {
-  return what == "n_stick" || what == "n_slip" || what == "n_open";
-}
+using Measure = QuantityKind::Measure;
 
 const Quantity *find(const Scene &scene, const std::string &name) {
   const auto found = std::find_if(scene.quantities.begin(), scene.quantities.end(),
@@ -82,15 +80,15 @@ std::vector<Difference> differences(const Scene &scene, const Results &coarse,
   std::map<std::string, double> largest; // by unit
   for (const QuantityResult &one : fine.quantities)
     if (const Quantity *const quantity = find(scene, one.name);
-        quantity != nullptr && quantity->what != "slip_length") // a place and no motion
+        quantity != nullptr && quantity->kind().measure != Measure::place) // and no motion
       largest[one.unit] = std::max(largest[one.unit], std::abs(one.value));
   std::map<std::string, double> of_line = largest_of_line(scene.units, fine);
   std::vector<Difference> result;
   for (const QuantityResult &one : fine.quantities) {
     const Quantity *const quantity = find(scene, one.name);
-    if (quantity == nullptr || is_count(quantity->what) || one.of_impact)
+    if (quantity == nullptr || quantity->kind().measure == Measure::count || one.of_impact)
       continue;
-    if (quantity->what == "max_error") {
+    if (quantity->kind().measure == Measure::error) {
       if (scene.exact)
         result.push_back({distance(*scene.exact, coarse, fine), one.name, 1.});
       continue;
@@ -119,7 +117,7 @@ Difference largest(const std::vector<Difference> &differences) {
 std::vector<std::string> left_out(const Scene &scene) {
   std::vector<std::string> names;
   for (const Quantity &quantity : scene.quantities)
-    if (is_count(quantity.what))
+    if (quantity.kind().measure == Measure::count)
       names.push_back(quantity.name + ": a number of supports has no relative error");
   return names;
 }

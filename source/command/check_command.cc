@@ -119,7 +119,7 @@ void list_steps(const Scene &scene) {
 
 namespace {
 
-void check(const RunOptions &options, const LawLibrary &laws, Scene &scene) {
+void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene) {
   const LineModel line(scene, laws);
   const Model &model = line.model();
 
@@ -131,8 +131,7 @@ void check(const RunOptions &options, const LawLibrary &laws, Scene &scene) {
   std::cout << "Quantities: " << scene.quantities.size() << '\n'
             << "Unknowns: " << model.space.n_unknowns() << ", contacts: " << model.contacts.size()
             << '\n';
-  for (const std::vector<std::string> *const remarks :
-       {&std::as_const(scene.remarks), &model.mesh.remarks})
+  for (const std::vector<std::string> *const remarks : {&scene.remarks, &model.mesh.remarks})
     for (const std::string &remark : *remarks)
       std::cout << "Note: " << remark << '\n';
   if (!has_transient_step(scene))
@@ -155,11 +154,8 @@ void check(const RunOptions &options, const LawLibrary &laws, Scene &scene) {
   results.units = scene.units;
   results.supports = builder.support_infos();
   results.restraints = builder.restraint_infos();
-  LoadStep built;
-  built.name = "as built";
-  scene.steps.push_back(built);
   Frame frame = builder.make(state);
-  frame.step = scene.steps.size() - 1;
+  frame.name = "as built";
   const std::string picture = scene.output.directory + "/model.svg";
   if (!frame.line.empty()) {
     write_file(picture, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +

@@ -116,11 +116,9 @@ void AdaptiveRun<dim>::estimate_errors(const ContinuumSequence<dim> &sequence) {
 
 template <int dim>
 std::vector<double> AdaptiveRun<dim>::least_scales() const {
-  using Kind = ContinuumQuantity::Kind;
   const auto &quantities = body.continuum.quantities;
   const auto is_length = [](const ContinuumQuantity &quantity) {
-    return quantity.kind == Kind::slip_length || quantity.kind == Kind::slip_end ||
-           quantity.kind == Kind::open_end;
+    return row_of(body_quantity_kinds, quantity.kind).is_place;
   };
   double size = 0.;
   for (const Point<dim> &vertex : mesh.vertices)

@@ -29,6 +29,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -130,23 +131,20 @@ void study_friction(const Scene &scene, const LawLibrary &laws, Results &results
 
 /// Solve the scene as beams, and write everything but summary and report. Of several processes the
 /// first one does it alone.
-Results run_line(Scene &scene, const LawLibrary &laws) {
-  Scene as_read;
+Results run_line(const Scene &scene, const LawLibrary &laws) {
   Results results;
   if (this_process() > 0) {
     results.status = RunStatus::converged;
     return results;
   }
   try {
-    size_hangers(scene, laws);
-    as_read = scene;
     results = solve_scene(scene, laws);
   } catch (const UserError &error) {
     throw UserError(with_place(scene, error.what()));
   }
   if (n_processes() > 1)
     results.remarks.push_back("A line is solved by one process: the others have waited.");
-  study_friction(as_read, laws, results);
+  study_friction(scene, laws, results);
   write_stresses(scene, results, scene.output.directory);
   write_envelopes(scene, results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
@@ -217,18 +215,39 @@ void check_resumable(const Scene &scene) {
                     "without --resume, from its beginning");
 }
 
+/// The scene of a file, as it will be solved.
+Scene read_case(const RunOptions &options, const std::vector<std::string> &overrides,
+                const std::string &folder, LawLibrary &laws) {
+  Scene scene = read_scene(options.parameter_file, overrides, laws);
+  scene.output.directory = RunFolder::work(folder);
+  scene.output.resume = options.resume;
+  scene.output.quiet = options.quiet;
+  if (this_process() > 0)
+    return scene; // a line is the first one's
+  try {
+    return with_sized_hangers(scene, laws);
+  } catch (const UserError &error) {
+    throw UserError(with_place(scene, error.what()));
+  }
+}
+
 /// The solution of a scene, its files written into the folder of the scene's output.
-Results solve(const RunOptions &options, LawLibrary &laws, Scene &scene,
-              const dealii::Timer &wall) {
-  const auto solve_once = [&](Scene &read) {
-    return read.model == ModelKind::line        ? run_line(read, laws)
-           : read.model == ModelKind::continuum ? run_continuum(read, laws)
-                                                : run_both(read, laws);
+SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scene,
+                  const std::string &folder, const dealii::Timer &wall) {
+  const auto read = [&](const std::vector<std::string> &settings) {
+    std::vector<std::string> overrides = options.overrides;
+    overrides.insert(overrides.end(), settings.begin(), settings.end());
+    return read_case(options, overrides, folder, laws);
   };
-  Results results =
-      scene.accuracy > 0. ? solve_to_accuracy(options, laws, scene, solve_once) : solve_once(scene);
-  conclude(scene, results, wall);
-  return results;
+  const auto solve_once = [&](const Scene &one) {
+    return one.model == ModelKind::line        ? run_line(one, laws)
+           : one.model == ModelKind::continuum ? run_continuum(one, laws)
+                                               : run_both(one, laws);
+  };
+  SolvedScene solved = scene.accuracy > 0. ? solve_to_accuracy(options, scene, read, solve_once)
+                                           : SolvedScene{scene, solve_once(scene)};
+  conclude(solved.scene, solved.results, wall);
+  return solved;
 }
 
 /// Keep the folder for this run, on the first process.
@@ -251,21 +270,20 @@ int run_case(const RunOptions &options) {
   const dealii::Timer wall;
   LawLibrary laws;
   laws.load_builtin();
-  Scene scene = read_scene(options.parameter_file, options.overrides, laws);
   const std::string folder =
-      options.output_directory.empty() ? "output/" + scene.name : options.output_directory;
-  scene.output.directory = RunFolder::work(folder);
-  scene.output.resume = options.resume;
-  scene.output.quiet = options.quiet;
+      options.output_directory.empty()
+          ? "output/" + std::filesystem::path(options.parameter_file).stem().string()
+          : options.output_directory;
+  const Scene scene = read_case(options, options.overrides, folder, laws);
   if (options.resume)
     check_resumable(scene);
   const std::unique_ptr<RunFolder> run = take_folder(folder, scene);
   const auto with_what_is_whole = [&](const std::exception &error) {
     return error.what() + (run ? '\n' + run->what_is_whole(may_be_resumed(scene)) : "");
   };
-  Results results;
+  SolvedScene solved;
   try {
-    results = solve(options, laws, scene, wall);
+    solved = solve(options, laws, scene, folder, wall);
     if (n_processes() > 1)
       MPI_Barrier(MPI_COMM_WORLD); // all have written
     if (run) {
@@ -283,10 +301,10 @@ int run_case(const RunOptions &options) {
     throw Interrupted(interrupted.signal, with_what_is_whole(interrupted));
   }
   if (this_process() == 0) {
-    print_summary(scene, results);
+    print_summary(solved.scene, solved.results);
     std::cout << "Results are in " << folder << ", the report is report.html\n";
   }
-  return results.status == RunStatus::converged ? 0 : 2;
+  return solved.results.status == RunStatus::converged ? 0 : 2;
 }
 
 } // namespace frictionbeam

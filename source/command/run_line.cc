@@ -76,10 +76,10 @@ CaseRange range_of(const Results &results, const Frame &end) {
   return {&end, &end};
 }
 
-/// Modes, spectra and combinations; their names become steps of the scene, for the writers.
+/// Modes, spectra and combinations. Their frames count on from the scene's steps.
 void add_derived_cases(const Model &model, const std::optional<LineState> &modal_state,
-                       Scene &scene, Collector &collector, Results &results) {
-  const unsigned int n_steps = scene.steps.size();
+                       Collector &collector, Results &results) {
+  const Scene &scene = model.scene;
   std::optional<Frame> response;
   if (modal_state) {
     const ModalAnalysis analysis(model, *modal_state, scene.modal);
@@ -96,16 +96,11 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
           (scene.modal.friction_holds ? ", and those that stick sideways too; slipping ones do not."
                                       : " only: friction is off."));
   }
-  for (const std::string &name : derived_case_names(scene)) {
-    LoadStep step;
-    step.name = name;
-    scene.steps.push_back(step);
-  }
-  unsigned int next = n_steps;
+  unsigned int next = scene.steps.size();
   if (response) {
     response->step = next++;
     results.combination_ranges.push_back({response->step, with_other_sign(*response), *response});
-    collector.observe_case("spectrum", *response);
+    collector.observe_case(*response);
   }
   for (const Combination &combination : scene.combinations) {
     std::vector<CaseRange> cases;
@@ -113,7 +108,7 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     bool of_either_sign = combination.kind != Combination::Kind::sum;
     for (const auto &part : combination.cases)
       for (const Frame &end : results.frames)
-        if (end.end_of_step && step_name(scene, end) == part.first) {
+        if (end.end_of_step && end.name == part.first) {
           cases.push_back(range_of(results, end));
           of_either_sign = of_either_sign || cases.back().least != cases.back().largest;
           if (results.envelope_of(end.step) != nullptr)
@@ -124,8 +119,9 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     CombinationRange range;
     range.step = next;
     Frame frame = combine(combination, cases, &range);
+    frame.name = combination.name;
     frame.step = next++;
-    collector.observe_case(combination.name, frame);
+    collector.observe_case(frame);
     if (of_either_sign)
       results.combination_ranges.push_back(range);
     if (over_steps.empty())
@@ -139,7 +135,7 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
 
 } // namespace
 
-Results solve_scene(Scene &scene, const LawLibrary &laws) {
+Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   const dealii::Timer wall;
   Results results;
   results.units = scene.units;
@@ -251,7 +247,7 @@ Results solve_scene(Scene &scene, const LawLibrary &laws) {
   }
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
   if (converged)
-    add_derived_cases(model, modal_state, scene, collector, results);
+    add_derived_cases(model, modal_state, collector, results);
   std::map<std::pair<std::string, unsigned int>, double> pressures; // by step and pipe
   results.stresses = evaluate_stresses(
       scene, model.mesh, results, [&](const std::string &step, const unsigned int pipe) {

@@ -10,8 +10,7 @@ namespace frictionbeam {
  * Mesh, model, load sequence, modes, spectra, combinations and stresses of a scene. Rows of csv and
  * vtu files are written into Scene::output.directory, which exists, while it runs; summary and
  * report are left to the caller.
- * @param scene gains the names of cases made after the load sequence as steps.
  */
-Results solve_scene(Scene &scene, const LawLibrary &laws);
+Results solve_scene(const Scene &scene, const LawLibrary &laws);
 
 } // namespace frictionbeam

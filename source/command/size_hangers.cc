@@ -55,7 +55,7 @@ void solve(const Scene &scene, const LawLibrary &laws, const std::string &what, 
 
 } // namespace
 
-void size_hangers(Scene &scene, const LawLibrary &laws) {
+Scene with_sized_hangers(Scene scene, const LawLibrary &laws) {
   const auto by_weight = open_springs(scene, &Hanger::weight_step),
              by_heat = open_springs(scene, &Hanger::hot_step);
   const auto number = [&](const double value, const std::string &unit) {
@@ -124,6 +124,7 @@ void size_hangers(Scene &scene, const LawLibrary &laws) {
                               " for a stiffness."
                         : "."));
     }
+  return scene;
 }
 
 } // namespace frictionbeam

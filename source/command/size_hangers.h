@@ -7,13 +7,13 @@
 namespace frictionbeam {
 
 /**
- * Choose the loads and stiffnesses of the hangers that the scene leaves open. The hot load W is
+ * The scene with the loads and stiffnesses of the hangers that it leaves open. The hot load W is
  * what a rigid support at the hanger carries in its weight step. With W as a constant force, the
  * line is taken to the hot step, where the hanger has travelled by u. A variable hanger then gets
  * the stiffness k = variation W/|u|, at most W/25 mm, and the cold load W + k u, so that it carries
  * W when the line is hot. What was chosen is said in Scene::remarks.
  * @throws UserError if a hanger would have to push down or the line is not in equilibrium without.
  */
-void size_hangers(Scene &scene, const LawLibrary &laws);
+Scene with_sized_hangers(Scene scene, const LawLibrary &laws);
 
 } // namespace frictionbeam

@@ -16,9 +16,8 @@ bool finite(const Numbers &numbers) {
 }
 
 bool finite(const SupportState &state) {
-  return finite(
-      std::array<double, 9>{{state.fn, state.ft1, state.ft2, state.gap, state.slip1, state.slip2,
-                             state.work_friction, state.wear, state.impulse}});
+  return std::all_of(std::begin(support_numbers), std::end(support_numbers),
+                     [&](const auto number) { return std::isfinite(state.*number); });
 }
 
 /// What of a frame is not finite.

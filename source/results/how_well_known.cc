@@ -77,7 +77,7 @@ double compression_in_cells(const Scene &scene, const Results &results) {
   for (const Frame &frame : results.frames) {
     const Station *last = nullptr; // node
     for (const Station &station : frame.line) {
-      if (!station.node)
+      if (!station.is_node())
         continue;
       if (last != nullptr && last->pipe == station.pipe && station.s > last->s) {
         const Pipe &pipe = scene.pipes[station.pipe];

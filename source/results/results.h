@@ -6,6 +6,8 @@
 #include "results/known_error.h"
 #include "scene/scene.h"
 
+#include <limits>
+
 /**
  * @file
  * What an analysis leaves behind, as plain data in SI units: everything that the writers of csv,
@@ -34,30 +36,49 @@ struct SupportState {
   double mt = 0.;      ///< moment about the normal, of Torsion [N m]
 };
 
+/// The numbers of such a state, in the order of the quantities of a support (scene/quantity.h); the
+/// first of them are those that tables show and cases are combined of.
+inline constexpr double SupportState::*support_numbers[] = {
+    &SupportState::fn,    &SupportState::ft1,    &SupportState::ft2,           &SupportState::gap,
+    &SupportState::slip1, &SupportState::slip2,  &SupportState::work_friction, &SupportState::mt,
+    &SupportState::wear,  &SupportState::impulse};
+constexpr unsigned int n_shown_support_numbers = 8;
+
 /// A restraint or spring in place; its forces on the pipe in global axes are in Frame::reactions.
 struct RestraintInfo {
   std::string name, kind;
   Point3 position;
 };
 
+/// A point with a name.
+struct PointInfo {
+  std::string name;
+  unsigned int vertex = 0; ///< of the mesh; several names may have the same
+};
+
 /// A point of a pipe: a mesh node or a station between two.
 struct Station {
+  static constexpr unsigned int between_nodes = std::numeric_limits<unsigned int>::max();
+
   unsigned int pipe = 0;
-  double s = 0.; ///< along the pipe [m]
+  unsigned int vertex = between_nodes; ///< of the mesh, if it is a node
+  double s = 0.;                       ///< along the pipe [m]
   Point3 position;
-  Motion displacement{}; ///< global axes [m, rad]
-  Motion force{};        ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
-  bool node = true;
+  Motion displacement{};   ///< global axes [m, rad]
+  Motion force{};          ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
   Vector3 y, z;            ///< local axes of the section forces
   double part = 0.;        ///< s over the pipe's length
   double bend_radius = 0.; ///< [m]; 0: not in a bend
   Vector3 bend_axis;       ///< of a bend: unit normal of its plane
+
+  bool is_node() const { return vertex != between_nodes; }
 };
 
 /// The state at one instant. Neighbouring stations of one pipe are joined by the pipe; a pipe's
 /// stations are stored one after the other.
 struct Frame {
-  unsigned int step = 0; ///< place in Scene::steps
+  std::string name;      ///< of its step, or of a case made after the steps
+  unsigned int step = 0; ///< place in Scene::steps; of cases, on from there
   unsigned int increment = 0;
   double time = 0.;
   bool end_of_step = true;
@@ -233,7 +254,7 @@ struct AccuracyAccount {
 struct Results {
   std::vector<SupportInfo> supports;
   std::vector<RestraintInfo> restraints;
-  std::vector<std::pair<std::string, Point3>> points; ///< with a name, by name
+  std::vector<PointInfo> points;       ///< by name
   std::vector<Frame> frames;           ///< ends of steps, and output instants in between
   std::vector<StationPlace> stations;  ///< of the envelopes
   std::vector<StepEnvelope> envelopes; ///< of transient steps

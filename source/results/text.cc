@@ -76,11 +76,6 @@ std::string status_word(const RunStatus status) {
   return "failed";
 }
 
-const std::string &step_name(const Scene &scene, const Frame &frame) {
-  AssertIndexRange(frame.step, scene.steps.size());
-  return scene.steps[frame.step].name;
-}
-
 bool is_finished(const Results &results, const Frame &frame) {
   return frame.end_of_step &&
          (frame.step >= results.steps.size() || results.steps[frame.step].converged);

@@ -22,9 +22,6 @@ std::string status_word(const ContactStatus status);
 /// converged, failed, no_equilibrium.
 std::string status_word(const RunStatus status);
 
-/// Name of the step that a frame belongs to.
-const std::string &step_name(const Scene &scene, const Frame &frame);
-
 /// Whether a frame is the end of a step that converged, and not the last state reached in one.
 bool is_finished(const Results &results, const Frame &frame);
 

@@ -30,6 +30,9 @@ struct Spectrum {
   double at(const double frequency, const bool logarithmic) const;
 };
 
+/// Name of the case that the spectra make.
+inline constexpr char spectrum_case[] = "spectrum";
+
 struct SpectrumSettings {
   enum class Modes { srss, cqc, absolute } modes = Modes::srss;
   enum class Sum { srss, absolute } directions = Sum::srss, groups = Sum::absolute;

@@ -334,7 +334,7 @@ std::string with_place(const Scene &scene, const std::string &message) {
 }
 
 void print_parameters(std::ostream &out, const LawLibrary &laws) {
-  out << parameter_notes;
+  out << parameter_notes();
   const ParameterFile empty;
   ParameterReader in(empty);
   parts::declare_global(in);

@@ -4,6 +4,7 @@
 #include "scene/body.h"
 #include "scene/components.h"
 #include "scene/modal.h"
+#include "scene/quantity.h"
 #include "scene/settings.h"
 #include "scene/time_function.h"
 #include "scene/units.h"
@@ -198,27 +199,6 @@ struct InitialCondition {
   Motion displacement{}, velocity{};
   /// Named point: displacement and velocity are those of a rigid body there; empty: of each node.
   std::string about;
-};
-
-/// A number that the user asks for.
-struct Quantity {
-  std::string name;
-  std::string what; ///< ux .. rz, fx .. mz, N .. Mz, fn, ft1, ft2, gap, slip1, slip2, work,
-                    ///< frequency, sum_normal, sum_friction, n_stick, n_slip, n_open, slip_length,
-                    ///< max_error
-  bool absolute = false;
-  /// Over an interval of time: change and rate are between its ends, and the change per time.
-  enum class Over { end, maximum, minimum, mean, integral, change, rate, time_of } over = Over::end;
-  double from = 0., to = 1e300; ///< interval of time [s], if not `end`
-  std::string where; ///< named point, or name of a support or restraint; number of a mode
-  enum class Side { any, before, after } side = Side::any; ///< of a point, for N .. Mz
-  std::string pipe;           ///< on which the point is meant, for N .. Mz; empty: the first
-  std::string step;           ///< empty: the last one
-  std::optional<double> time; ///< [s], instead of a step's end
-  double scale = 1.;
-  std::string unit; ///< to show, of a scaled one; empty: what it measures
-  std::optional<double> reference;
-  std::string source;
 };
 
 /// Exact course of one motion of one point, for quantities of kind max_error.

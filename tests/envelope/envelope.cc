@@ -78,7 +78,7 @@ public:
     double displacement = 0.;
     for (const Station &station : frame.line) {
       const Motion &u = station.displacement;
-      if (station.node)
+      if (station.is_node())
         displacement = std::max(displacement, std::hypot(u[0], u[1], u[2]));
       stress.push_back(straight_stress(station.force, 0.2191, 0.0082, pressure));
     }
@@ -115,7 +115,7 @@ void run(const std::string &file, const std::vector<std::string> &options, const
   results.supports = reference.builder.support_infos();
   results.restraints = reference.builder.restraint_infos();
   for (const auto &[name, vertex] : model.mesh.points)
-    results.points.emplace_back(name, model.mesh.vertices[vertex]);
+    results.points.push_back({name, vertex});
   auto envelope = std::make_unique<Envelope>(model, results);
   Results read; // by an envelope that goes on from a checkpoint
   read.supports = results.supports;
@@ -131,6 +131,7 @@ void run(const std::string &file, const std::vector<std::string> &options, const
     const bool end = progress.n_increments > 0 && progress.increment == progress.n_increments;
     if (end) { // as the program keeps them
       Frame frame = FrameBuilder(model, true).make(state);
+      frame.name = scene.steps[progress.step].name;
       frame.step = progress.step;
       results.frames.push_back(frame);
     }

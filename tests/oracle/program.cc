@@ -39,7 +39,7 @@ Outcome run(frictionbeam::LawLibrary &laws, const std::string &file, const std::
     outcome.scene = frictionbeam::read_scene(file, {}, laws);
     outcome.scene.output.directory = folder;
     outcome.scene.output.resume = resume;
-    frictionbeam::size_hangers(outcome.scene, laws);
+    outcome.scene = frictionbeam::with_sized_hangers(outcome.scene, laws);
     outcome.results = frictionbeam::solve_scene(outcome.scene, laws);
   } catch (const frictionbeam::UserError &error) {
     outcome.message = error.what();

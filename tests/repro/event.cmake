@@ -77,3 +77,5 @@ repro("imposed velocity jumps" event_imposed_jump --errors 1e-9 --check energy 1
 foreach(seed 35 38 135 500)
   repro("event on random scene ${seed}" event_random_${seed} --errors 2e-5 --check energy 1e-10)
 endforeach()
+
+repro("least_of_sum" least_of_sum --errors 1e-12)

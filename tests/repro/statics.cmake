@@ -80,3 +80,6 @@ repro("cells of an elastica" cells_of_an_elastica --error uy 1e-3 --error ux 0.0
   --expect "cells 0.88 %")
 repro("cells of an elastica, compressed" cells_of_an_elastica
   --set "Load P/Forces = end -2000 100 0" --expect "cells not estimated")
+
+# What is asked of all supports may be asked of one part.
+repro("sum_of_one" sum_of_one --errors 1e-12)

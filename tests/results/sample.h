@@ -48,6 +48,7 @@ inline Sample make_sample(const unsigned int n_supports, const unsigned int n_st
   for (unsigned int step = 0; step < 2; ++step)
     for (unsigned int increment = 1; increment <= 2; ++increment) {
       Frame frame;
+      frame.name = scene.steps[step].name;
       frame.step = step;
       frame.increment = increment;
       frame.time = step + 0.5 * increment;

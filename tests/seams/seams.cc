@@ -48,7 +48,7 @@ public:
     std::ofstream(file) << text;
     Scene scene = read_scene(file, options, laws);
     scene.output.directory = folder;
-    size_hangers(scene, laws);
+    scene = with_sized_hangers(scene, laws);
     return solve_scene(scene, laws);
   }
 

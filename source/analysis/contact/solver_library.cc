@@ -4,6 +4,8 @@
 #include "analysis/contact/exact_solver.h"
 #include "analysis/contact/return_mapping_solver.h"
 
+#include <iterator>
+
 namespace frictionbeam {
 
 namespace {
@@ -30,6 +32,8 @@ struct Maker {
 constexpr Maker makers[] = {{SolverMethod::elastic, &return_mapping},
                             {SolverMethod::newton, &return_mapping},
                             {SolverMethod::exact, &exact}};
+
+static_assert(std::size(makers) == std::size(solver_methods), "each method is made by one row");
 
 } // namespace
 

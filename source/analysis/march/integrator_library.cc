@@ -6,6 +6,8 @@
 #include "analysis/time/corotational_motion.h"
 #include "analysis/time/moreau_jean.h"
 
+#include <iterator>
+
 namespace frictionbeam {
 
 namespace {
@@ -35,6 +37,8 @@ constexpr Maker makers[] = {
     {Integrator::event, [](const Model &model, const PieceObserver &observer) -> Made {
        return std::make_unique<EventIntegrator>(model, observer);
      }}};
+
+static_assert(std::size(makers) == std::size(integrators), "each integrator is made by one row");
 
 } // namespace
 

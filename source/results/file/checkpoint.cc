@@ -87,13 +87,14 @@ void transfer(Archive &archive, Point3 &point) { archive(point[0], point[1], poi
 void transfer(Archive &archive, Vector3 &vector) { archive(vector[0], vector[1], vector[2]); }
 
 void transfer(Archive &archive, Station &station) {
-  archive(station.pipe, station.s, station.position, station.displacement, station.force,
-          station.node, station.y, station.z, station.part, station.bend_radius, station.bend_axis);
+  archive(station.pipe, station.vertex, station.s, station.position, station.displacement,
+          station.force, station.y, station.z, station.part, station.bend_radius,
+          station.bend_axis);
 }
 
 void transfer(Archive &archive, Frame &frame) {
-  archive(frame.step, frame.increment, frame.time, frame.end_of_step, frame.line, frame.supports,
-          frame.reactions);
+  archive(frame.name, frame.step, frame.increment, frame.time, frame.end_of_step, frame.line,
+          frame.supports, frame.reactions);
 }
 
 void transfer(Archive &archive, History &history) {

@@ -17,8 +17,8 @@ void add_numbers(std::string &row, const Numbers &numbers) {
     (row += ',') += exact_number(number);
 }
 
-std::string instant(const Scene &scene, const Frame &frame) {
-  return csv_field(step_name(scene, frame)) + ',' + std::to_string(frame.increment) + ',' +
+std::string instant(const Frame &frame) {
+  return csv_field(frame.name) + ',' + std::to_string(frame.increment) + ',' +
          exact_number(frame.time);
 }
 
@@ -111,13 +111,15 @@ void CsvWriter::finish() {
 
 void CsvWriter::append_supports(const Frame &frame) {
   AssertDimension(frame.supports.size(), results.supports.size());
-  const std::string when = instant(scene, frame);
+  const std::string when = instant(frame);
   for (unsigned int i = 0; i < frame.supports.size(); ++i) {
     const SupportState &state = frame.supports[i];
     std::string row =
         csv_field(results.supports[i].name) + ',' + when + ',' + status_word(state.status);
-    add_numbers(row, std::array<double, 8>{{state.fn, state.ft1, state.ft2, state.gap, state.slip1,
-                                            state.slip2, state.work_friction, state.mt}});
+    std::array<double, n_shown_support_numbers> numbers;
+    for (unsigned int k = 0; k < numbers.size(); ++k)
+      numbers[k] = state.*support_numbers[k];
+    add_numbers(row, numbers);
     supports.stream() << row << '\n';
   }
   supports.flush();
@@ -125,7 +127,7 @@ void CsvWriter::append_supports(const Frame &frame) {
 
 void CsvWriter::append_reactions(const Frame &frame) {
   AssertDimension(frame.reactions.size(), results.restraints.size());
-  const std::string when = instant(scene, frame);
+  const std::string when = instant(frame);
   for (unsigned int i = 0; i < frame.reactions.size(); ++i) {
     std::string row = csv_field(results.restraints[i].name) + ',' + when;
     add_numbers(row, frame.reactions[i]);
@@ -135,7 +137,7 @@ void CsvWriter::append_reactions(const Frame &frame) {
 }
 
 void CsvWriter::append_line(const Frame &frame) {
-  const std::string step = csv_field(step_name(scene, frame));
+  const std::string step = csv_field(frame.name);
   for (const Station &station : frame.line) {
     AssertIndexRange(station.pipe, scene.pipes.size());
     std::string row = step + ',' + csv_field(scene.pipes[station.pipe].name);

@@ -8,10 +8,7 @@ namespace frictionbeam {
 
 namespace {
 
-const std::array<const char *, 6> forces{{"fx", "fy", "fz", "mx", "my", "mz"}},
-    motions{{"ux", "uy", "uz", "rx", "ry", "rz"}},
-    section_forces{{"N", "Vy", "Vz", "Mx", "My", "Mz"}},
-    contact{{"fn", "ft1", "ft2", "gap", "slip1", "slip2"}};
+using Of = QuantityKind::Of;
 
 class Rows {
 public:
@@ -20,6 +17,15 @@ public:
   /// What the next rows are of. @param s along a pipe, as text
   void begin(const char *const part, const std::string &name, const std::string &s = "") {
     of = step + ',' + part + ',' + csv_field(name) + ',' + s + ',';
+  }
+
+  /// The first six quantities of a sort.
+  template <typename Values>
+  void add_six(const Of of, const Values &values) {
+    for (unsigned int c = 0; c < 6; ++c) {
+      const QuantityKind &kind = quantity_kind(of, c);
+      add(kind.word, kind.unit, values(c));
+    }
   }
 
   void add(const char *const what, const char *const unit, const Extremes &values) {
@@ -52,33 +58,30 @@ void write_envelopes(const Scene &scene, const Results &results, const std::stri
     for (std::size_t i = 0; i < envelope.supports.size(); ++i) {
       const SupportEnvelope &support = envelope.supports[i];
       rows.begin("support", results.supports[i].name);
-      for (unsigned int c = 0; c < 6; ++c)
-        rows.add(contact[c], c < 3 ? "N" : "m", support.values[c]);
+      rows.add_six(Of::support, [&](const unsigned int c) { return support.values[c]; });
       rows.add("force", "N", support.force);
       rows.add("friction", "N", support.friction);
       rows.add("impact", "N s", support.impact);
     }
     for (std::size_t i = 0; i < envelope.restraints.size(); ++i) {
       rows.begin("restraint", results.restraints[i].name);
-      for (unsigned int c = 0; c < 6; ++c)
-        rows.add(forces[c], c < 3 ? "N" : "N m", envelope.restraints[i].values[c]);
+      rows.add_six(Of::holder,
+                   [&](const unsigned int c) { return envelope.restraints[i].values[c]; });
       rows.add("force", "N", envelope.restraints[i].force);
     }
     for (std::size_t i = 0; i < envelope.points.size(); ++i) {
-      rows.begin("point", results.points[i].first);
-      for (unsigned int c = 0; c < 6; ++c)
-        rows.add(motions[c], c < 3 ? "m" : "rad", envelope.points[i][c]);
+      rows.begin("point", results.points[i].name);
+      rows.add_six(Of::motion, [&](const unsigned int c) { return envelope.points[i][c]; });
     }
     for (std::size_t i = 0; i < results.stations.size(); ++i) {
       const StationPlace &place = results.stations[i];
       rows.begin("pipe", scene.pipes[place.pipe].name,
                  exact_number(place.s / results.units.factor("m")));
-      for (unsigned int c = 0; c < 6; ++c) {
+      rows.add_six(Of::section, [&](const unsigned int c) -> Extremes {
         const std::size_t k = 6 * i + c;
-        rows.add(
-            section_forces[c], c < 3 ? "N" : "N m",
-            {envelope.least[k], envelope.largest[k], envelope.least_at[k], envelope.largest_at[k]});
-      }
+        return {envelope.least[k], envelope.largest[k], envelope.least_at[k],
+                envelope.largest_at[k]};
+      });
     }
     text += rows.text;
   }

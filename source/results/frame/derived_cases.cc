@@ -20,9 +20,8 @@ void for_each_number(AnyFrame &frame, const Function &function) {
       function(value);
   }
   for (auto &support : frame.supports)
-    for (auto *value : {&support.fn, &support.ft1, &support.ft2, &support.gap, &support.slip1,
-                        &support.slip2, &support.work_friction, &support.mt})
-      function(*value);
+    for (unsigned int i = 0; i < n_shown_support_numbers; ++i)
+      function(support.*support_numbers[i]);
   for (auto &reaction : frame.reactions)
     for (auto &value : reaction)
       function(value);
@@ -152,15 +151,6 @@ private:
 
 } // namespace
 
-std::vector<std::string> derived_case_names(const Scene &scene) {
-  std::vector<std::string> names;
-  if (!scene.spectra.empty())
-    names.push_back("spectrum");
-  for (const Combination &combination : scene.combinations)
-    names.push_back(combination.name);
-  return names;
-}
-
 void add_modes(const Model &model, const ModalAnalysis &analysis, Results &results) {
   FrameBuilder builder(model, true);
   std::array<Vector, 3> inertia;
@@ -204,6 +194,7 @@ Frame spectrum_response(const Model &model, const ModalAnalysis &analysis) {
   }
   if (squares)
     sum = sum.cwiseSqrt().eval();
+  frame.name = spectrum_case;
   frame.step = model.scene.steps.size();
   return with_numbers(frame, sum);
 }

@@ -8,12 +8,8 @@ namespace frictionbeam {
 
 /**
  * What is made after the load sequence: modes, the response to spectra, combinations of cases.
- * Their frames carry numbers of steps beyond Scene::steps, in the order of their names in
- * derived_case_names(). All frames must have been built with both sides of each node.
+ * All frames must have been built with both sides of each node.
  */
-
-/// "spectrum" if the scene has spectra, then the combinations.
-std::vector<std::string> derived_case_names(const Scene &scene);
 
 /// Frequencies, shapes (largest displacement 1), participation and effective masses.
 void add_modes(const Model &model, const ModalAnalysis &analysis, Results &results);
@@ -21,11 +17,10 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
 /**
  * The response to the scene's spectra, all numbers >= 0:
  *   R_kd = |sum over groups| (Gamma_kdg S_g(f_k) / w_k^2) R(phi_k),
- * combined over modes k (those of one frequency as one, with their signs), then over directions d,
- * as Scene::response says. Gamma = phi^T M r with r the motion of the line at rest when the group
- * moves by a unit. The missing mass is the static
- * response to M (r - sum phi_k Gamma_k) at the spectrum's last acceleration, joined to the modes by
- * the square root of the sum of squares.
+ * combined over modes k (of one frequency: as one, with their signs), then over directions d, as
+ * Scene::response says. Gamma = phi^T M r with r the motion of the line at rest when the group
+ * moves by a unit. The missing mass is the static response to M (r - sum phi_k Gamma_k) at the
+ * spectrum's last acceleration, joined to the modes by the square root of the sum of squares.
  * Source: A. K. Chopra, Dynamics of Structures, chapter 13; CQC: A. Der Kiureghian, Earthquake
  * Engineering and Structural Dynamics 9 (1981) 419-435, doi:10.1002/eqe.4290090503.
  */

@@ -241,6 +241,7 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
   };
   const auto at_node = [&](const double x, const unsigned int first) {
     Station result = station(x);
+    result.vertex = meshed.vertices[pipe_cell.position + (x > 0.)];
     for (unsigned int c = 0; c < 6; ++c)
       result.displacement[c] = u[first + c];
     return result;
@@ -253,7 +254,6 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
   for (unsigned int i = 0; i < n; ++i) {
     const double x = length * (i + 1) / (n + 1), rest = length - x;
     Station result = station(x);
-    result.node = false;
     const unsigned int q = pipe_cell.reversed ? n - 1 - i : i;
     for (unsigned int j = 0; j < 12; ++j)
       for (unsigned int c = 0; c < 6; ++c)
@@ -326,7 +326,8 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
                  psi = arc.angle() * (pipe_cell.reversed ? 1. - part : part);
     Station station;
     station.pipe = pipe_cell.pipe;
-    station.node = i == 0 || i == n + 1;
+    if (i == 0 || i == n + 1)
+      station.vertex = meshed.vertices[pipe_cell.position + (i > 0)];
     station.s = meshed.s[pipe_cell.position] +
                 part * (meshed.s[pipe_cell.position + 1] - meshed.s[pipe_cell.position]);
     station.position = arc.point(psi);
@@ -334,7 +335,7 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
     const Tensor<1, 6> clamped =
         arc.clamped_motion(psi, load.line_force, load.axial_strain, load.curvature);
     for (unsigned int c = 0; c < 6; ++c) {
-      station.displacement[c] = station.node ? 0. : clamped[c];
+      station.displacement[c] = station.is_node() ? 0. : clamped[c];
       for (unsigned int j = 0; j < 12; ++j)
         station.displacement[c] += shapes(c, j) * motions[j];
     }

@@ -34,7 +34,8 @@ std::string heat(const double part) {
 
 } // namespace
 
-std::string draw_coloured_line(const Scene &scene, const Frame &frame, const ColouredLine &what) {
+std::string draw_coloured_line(const Scene &scene, const Results &results, const Frame &frame,
+                               const ColouredLine &what) {
   AssertDimension(what.values.size(), frame.line.size());
   const auto moved = [&](const Station &station) {
     Point3 p = station.position;
@@ -64,17 +65,18 @@ std::string draw_coloured_line(const Scene &scene, const Frame &frame, const Col
         stroke(view.place(moved(a)), view.place(moved(b)),
                "stroke=\"" + heat(value) + "\" stroke-width=\"4\" stroke-linecap=\"round\"");
   }
-  std::set<std::string> named;
+  std::set<std::string> unnamed; // corners of routes
+  for (const Pipe &pipe : scene.pipes)
+    for (const RoutePoint &point : pipe.route)
+      unnamed.insert(point.name);
   for (const Station &station : frame.line)
-    for (const Pipe &pipe : scene.pipes)
-      for (const RoutePoint &point : pipe.route)
-        if (!point.name.empty() && station.node &&
-            point.position.distance(station.position) < 1e-9 && named.insert(point.name).second) {
-          const Pixel at = view.place(moved(station));
-          if (std::hypot(at.x - last.x, at.y - last.y) > 24.)
-            names += text_at(at.x + 6., at.y - 6., point.name, "font-size=\"11\" fill=\"#444\"");
-          last = at;
-        }
+    for (const PointInfo &point : results.points)
+      if (point.vertex == station.vertex && unnamed.erase(point.name) > 0) {
+        const Pixel at = view.place(moved(station));
+        if (std::hypot(at.x - last.x, at.y - last.y) > 24.)
+          names += text_at(at.x + 6., at.y - 6., point.name, "font-size=\"11\" fill=\"#444\"");
+        last = at;
+      }
   std::string key;
   for (unsigned int i = 0; i < 40; ++i)
     key += "<rect x=\"" + px(margin + 5. * i) + "\" y=\"" + px(bottom + 6.) +

@@ -15,6 +15,7 @@ struct ColouredLine {
   double largest = 1.;        ///< of the colour scale
   double scale = 0.;          ///< of displacements, drawn if not 0, beside the line as built
 };
-std::string draw_coloured_line(const Scene &scene, const Frame &frame, const ColouredLine &what);
+std::string draw_coloured_line(const Scene &scene, const Results &results, const Frame &frame,
+                               const ColouredLine &what);
 
 } // namespace frictionbeam

@@ -323,9 +323,8 @@ std::string Picture::draw() {
   std::string text = draw_pipes();
   text += draw_supports() + draw_restraints();
   text += draw_labels() + draw_legend();
-  return svg_picture(
-      width, bottom + legend,
-      step_name(scene, frame) + (is_finished(results, frame) ? "" : " (not finished)"), text);
+  return svg_picture(width, bottom + legend,
+                     frame.name + (is_finished(results, frame) ? "" : " (not finished)"), text);
 }
 
 } // namespace

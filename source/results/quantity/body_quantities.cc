@@ -308,10 +308,7 @@ double evaluate_quantity(const ContinuumBody<dim> &body, const ContinuumState &s
 }
 
 std::string unit_of(const ContinuumQuantity &quantity) {
-  return quantity.kind == Kind::axial_force || quantity.kind == Kind::sum_normal ||
-                 quantity.kind == Kind::sum_friction
-             ? "N"
-             : "m";
+  return row_of(body_quantity_kinds, quantity.kind).unit;
 }
 
 std::string convergence_table(const Scene &scene, const std::vector<ContinuumLevel> &levels) {

@@ -16,62 +16,10 @@ namespace frictionbeam {
 
 namespace {
 
-const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
-const std::vector<std::string> velocities = {"vx", "vy", "vz", "wx", "wy", "wz"};
-const std::vector<std::string> forces = {"fx", "fy", "fz", "mx", "my", "mz"};
-const std::vector<std::string> section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"};
-
-/// Of the whole line, in corotational kinematics.
-const std::vector<std::string> of_motion = {
-    "momentum_x",         "momentum_y",         "momentum_z", "angular_momentum_x",
-    "angular_momentum_y", "angular_momentum_z", "energy"};
-
-/// What is known only when everything else is: see finish().
-const std::vector<std::string> of_the_end = {"frequency", "flexibility", "sif_in",     "sif_out",
-                                             "SL",        "SE",          "utilization"};
-
-/// Place in a list of words, or -1.
-int place(const std::vector<std::string> &words, const std::string &word) {
-  const auto found = std::find(words.begin(), words.end(), word);
-  return found == words.end() ? -1 : static_cast<int>(found - words.begin());
-}
-
-} // namespace
-
-std::string unit_of(const std::string &what) {
-  const int motion = place(motions, what), force = place(forces, what),
-            section = place(section_forces, what);
-  if (motion >= 0)
-    return motion < 3 ? "m" : "rad";
-  if (force >= 0 || section >= 0)
-    return std::max(force, section) < 3 || section == 6 ? "N" : "N m";
-  if (what == "fn" || what == "ft1" || what == "ft2" || what == "sum_normal" ||
-      what == "sum_friction")
-    return "N";
-  if (what == "gap" || what == "slip1" || what == "slip2" || what == "slip_length" ||
-      what == "max_error")
-    return "m";
-  if (const int velocity = place(velocities, what); velocity >= 0)
-    return velocity < 3 ? "m/s" : "rad/s";
-  if (what == "mt")
-    return "N m";
-  if (what == "impulse")
-    return "N s";
-  if (const int c = place(of_motion, what); c >= 0)
-    return c < 3 ? "N s" : c < 6 ? "N m s" : "J";
-  if (what == "frequency")
-    return "Hz";
-  if (what == "SL" || what == "SE")
-    return "Pa";
-  return what == "work" || what == "wear" ? "J" : "-";
-}
-
-namespace {
+using Of = QuantityKind::Of;
 
 std::string unit_of(const Quantity &quantity) {
-  const std::string unit = frictionbeam::unit_of(quantity.what);
-  if (quantity.over == Quantity::Over::time_of)
-    return "s";
+  const std::string unit = quantity.kind().unit;
   if (quantity.over == Quantity::Over::integral)
     return unit == "-" ? "s" : unit + " s";
   if (quantity.over == Quantity::Over::rate)
@@ -89,7 +37,7 @@ Collector::Collector(const Model &model, Results &results, FrameSink sink)
   results.supports = builder.support_infos();
   results.restraints = builder.restraint_infos();
   for (const auto &[name, vertex] : model.mesh.points)
-    results.points.emplace_back(name, model.mesh.vertices[vertex]);
+    results.points.push_back({name, vertex});
   for (const std::string &point : model.scene.monitors)
     results.histories.push_back({point, {}, {}});
 }
@@ -125,34 +73,57 @@ double Collector::evaluate(const Quantity &quantity, const LineState &state) {
 }
 
 double Collector::evaluate_signed(const Quantity &quantity, const LineState &state) {
-  const std::string &what = quantity.what;
-  double value = 0.;
-  if (const int c = place(motions, what); c >= 0)
-    value = builder.motion(state, quantity.where)[c];
-  else if (const int c = place(velocities, what); c >= 0)
-    value = builder.velocity(state, quantity.where)[c];
-  else if (const int c = place(forces, what); c >= 0)
-    value = force_at(quantity, state, c);
-  else if (const int c = place(section_forces, what); c >= 0)
-    value = section_force(quantity, current_frame(state), c);
-  else if (const int c = place(of_motion, what); c >= 0)
-    value = builder.momentum_and_energy(state)[c];
-  else if (what == "max_error")
-    value = largest_error;
-  else if (quantity.where.empty())
-    value = value_of_supports(results.supports, current_frame(state).supports, what);
-  else {
-    bool found = false;
-    for (unsigned int i = 0; i < results.supports.size(); ++i)
-      if (is_part_of(results.supports[i], quantity.where)) {
-        value += support_value(builder.support_state(state, i), what);
-        found = true;
-      }
-    if (!found)
-      throw UserError("Quantity " + quantity.name + ": there is no friction support called '" +
-                      quantity.where + "'. A repeated support's names are numbered: name.1, ...");
-  }
-  return quantity.scale * value;
+  const QuantityKind &kind = quantity.kind();
+  const auto value = [&]() -> double {
+    switch (kind.of) {
+    case Of::motion:
+      return builder.motion(state, quantity.where)[kind.component];
+    case Of::velocity:
+      return builder.velocity(state, quantity.where)[kind.component];
+    case Of::holder:
+      return force_at(quantity, state, kind.component);
+    case Of::section:
+      return section_force(quantity, current_frame(state), kind.component);
+    case Of::line:
+      return builder.momentum_and_energy(state)[kind.component];
+    case Of::exact:
+      return largest_error;
+    case Of::supports:
+      return of_supports(quantity, current_frame(state));
+    default:
+      return of_support(quantity, [&](const unsigned int i) {
+        return builder.support_state(state, i).*support_numbers[kind.component];
+      });
+    }
+  };
+  return quantity.scale * value();
+}
+
+double Collector::of_supports(const Quantity &quantity, const Frame &made) const {
+  std::vector<SupportInfo> infos;
+  std::vector<SupportState> states;
+  for (unsigned int i = 0; i < results.supports.size(); ++i)
+    if (const std::string &name = results.supports[i].name, &where = quantity.where;
+        where.empty() || name == where || name.substr(0, name.rfind('.')) == where) {
+      infos.push_back(results.supports[i]);
+      states.push_back(made.supports[i]);
+    }
+  return value_of_supports(infos, states, quantity.kind());
+}
+
+double Collector::of_support(const Quantity &quantity,
+                             const std::function<double(const unsigned int)> &number) const {
+  double sum = 0.;
+  bool found = false;
+  for (unsigned int i = 0; i < results.supports.size(); ++i)
+    if (is_part_of(results.supports[i], quantity.where)) {
+      sum += number(i);
+      found = true;
+    }
+  if (found)
+    return sum;
+  throw UserError("Quantity " + quantity.name + ": there is no friction support called '" +
+                  quantity.where + "'. A repeated support's names are numbered: name.1, ...");
 }
 
 namespace {
@@ -171,14 +142,20 @@ const Station *find_station(const Model &model, const Quantity &quantity, const 
                                  i == (quantity.side == Side::after ? pipe.vertices.size() - 1 : 0);
       if (pipe.vertices[i] != vertex || nothing_there)
         continue;
+      const auto pass = std::count(pipe.vertices.begin(), pipe.vertices.begin() + i, vertex);
       const Station *last = nullptr;
-      for (const Station &station : made.line)
-        if (station.pipe == p && station.node &&
-            std::abs(station.s - pipe.s[i]) <= same_place * pipe.s.back()) {
+      std::ptrdiff_t n_passed = 0; // a route may come to a point again
+      bool was_there = false;
+      for (const Station &station : made.line) {
+        const bool is_there = station.pipe == p && station.vertex == vertex;
+        n_passed += was_there && !is_there;
+        was_there = is_there;
+        if (is_there && n_passed == pass) {
           last = &station;
           if (quantity.side != Side::after)
             break;
         }
+      }
       Assert(last != nullptr, dealii::ExcInternalError());
       return last;
     }
@@ -218,41 +195,54 @@ double Collector::section_force(const Quantity &quantity, const Frame &made,
   return 0.5 * (before->force[0] + after->force[0]);
 }
 
-double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
-  const std::string &what = quantity.what;
+double Collector::force_at(const Quantity &quantity, const Frame &made,
+                           const unsigned int component) const {
   double value = 0.;
-  if (const int c = place(motions, what); c >= 0)
-    value = station_at(quantity, made).displacement[c];
-  else if (const int c = place(section_forces, what); c >= 0)
-    value = section_force(quantity, made, c);
-  else if (const int c = place(forces, what); c >= 0) {
-    const auto point = model.mesh.points.find(quantity.where);
-    for (unsigned int i = 0; i < results.restraints.size(); ++i)
-      if (results.restraints[i].name == quantity.where ||
-          (point != model.mesh.points.end() &&
-           results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.))
-        value += made.reactions[i][c];
-    for (unsigned int i = 0; i < results.supports.size(); ++i)
-      if (is_part_of(results.supports[i], quantity.where) ||
-          (point != model.mesh.points.end() && model.contacts[i].vertices[0] == point->second)) {
-        const SupportState &s = made.supports[i];
-        const SupportInfo &info = results.supports[i];
-        value += c < 3 ? s.fn * info.normal[c] + s.ft1 * info.t1[c] + s.ft2 * info.t2[c]
-                       : s.mt * info.normal[c - 3];
-      }
-  } else if (quantity.where.empty())
-    value = value_of_supports(results.supports, made.supports, what);
-  else
-    for (unsigned int i = 0; i < results.supports.size(); ++i)
-      if (is_part_of(results.supports[i], quantity.where))
-        value += support_value(made.supports[i], what);
-  return quantity.scale * (quantity.absolute ? std::abs(value) : value);
+  const auto point = model.mesh.points.find(quantity.where);
+  for (unsigned int i = 0; i < results.restraints.size(); ++i)
+    if (results.restraints[i].name == quantity.where ||
+        (point != model.mesh.points.end() &&
+         results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.))
+      value += made.reactions[i][component];
+  for (unsigned int i = 0; i < results.supports.size(); ++i)
+    if (is_part_of(results.supports[i], quantity.where) ||
+        (point != model.mesh.points.end() && model.contacts[i].vertices[0] == point->second)) {
+      const SupportState &s = made.supports[i];
+      const SupportInfo &info = results.supports[i];
+      value += component < 3 ? s.fn * info.normal[component] + s.ft1 * info.t1[component] +
+                                   s.ft2 * info.t2[component]
+                             : s.mt * info.normal[component - 3];
+    }
+  return value;
 }
 
-void Collector::observe_case(const std::string &name, const Frame &made) {
+double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
+  const QuantityKind &kind = quantity.kind();
+  const auto value = [&]() -> double {
+    switch (kind.of) {
+    case Of::motion:
+      return station_at(quantity, made).displacement[kind.component];
+    case Of::section:
+      return section_force(quantity, made, kind.component);
+    case Of::holder:
+      return force_at(quantity, made, kind.component);
+    case Of::supports:
+      return of_supports(quantity, made);
+    case Of::support:
+      return of_support(quantity, [&](const unsigned int i) {
+        return made.supports[i].*support_numbers[kind.component];
+      });
+    default:
+      return 0.;
+    }
+  };
+  return quantity.scale * (quantity.absolute ? std::abs(value()) : value());
+}
+
+void Collector::observe_case(const Frame &made) {
   for (unsigned int i = 0; i < pending.size(); ++i)
-    if (model.scene.quantities[i].step == name &&
-        place(of_the_end, model.scene.quantities[i].what) < 0)
+    if (model.scene.quantities[i].step == made.name &&
+        !model.scene.quantities[i].kind().is_of_the_end())
       pending[i].value = evaluate(model.scene.quantities[i], made);
   sink(made);
   results.frames.push_back(made);
@@ -274,9 +264,9 @@ bool Collector::needs_line(const unsigned int step, const unsigned int increment
   for (unsigned int i = 0; i < pending.size(); ++i) {
     const Quantity &quantity = model.scene.quantities[i];
     const bool now = quantity.over != Quantity::Over::end || (quantity.time && !pending[i].value),
-               of_line = quantity.where.empty() || place(forces, quantity.what) >= 0 ||
-                         place(section_forces, quantity.what) >= 0;
-    if (now && of_line && quantity.what != "max_error")
+               of_line = quantity.where.empty() || quantity.is(Of::supports) ||
+                         quantity.is(Of::holder) || quantity.is(Of::section);
+    if (now && of_line && !quantity.is(Of::exact))
       return true;
   }
   return false;
@@ -319,7 +309,7 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
         pending[i].value =
             part == 1. ? now : pending[i].previous + part * (now - pending[i].previous);
       }
-    } else if (last && place(of_the_end, quantity.what) < 0 &&
+    } else if (last && !quantity.kind().is_of_the_end() &&
                (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
       pending[i].value = evaluate(quantity, state);
   }
@@ -338,6 +328,7 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
 void Collector::put_out(const LineState &state, const bool keep) {
   current_frame(state);
   frame.step = current_step;
+  frame.name = model.scene.steps[current_step].name;
   frame.increment = current_increment;
   frame.end_of_step = keep;
   sink(frame);
@@ -357,10 +348,10 @@ void Collector::finish(const LineState &state) {
     put_out(state, true);
   for (unsigned int i = 0; i < pending.size(); ++i) {
     const Quantity &quantity = model.scene.quantities[i];
-    if (quantity.what == "frequency")
+    if (quantity.is(Of::mode))
       if (const std::size_t mode = std::stoul(quantity.where); mode <= results.modes.size())
         pending[i].value = quantity.scale * results.modes[mode - 1].frequency;
-    if (place(of_the_end, quantity.what) > 0)
+    if (quantity.is(Of::stress))
       if (const auto value = stress_quantity(quantity, model.mesh, results))
         pending[i].value = quantity.scale * *value;
     if (!pending[i].value) {
@@ -368,7 +359,7 @@ void Collector::finish(const LineState &state) {
       continue;
     }
     const bool relative =
-        quantity.what == "max_error" && model.scene.exact && model.scene.exact->largest > 0.;
+        quantity.is(Of::exact) && model.scene.exact && model.scene.exact->largest > 0.;
     const std::string unit = relative ? "-" : unit_of(quantity);
     const double factor = model.scene.units.factor(unit);
     QuantityResult result{

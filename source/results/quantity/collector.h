@@ -36,7 +36,7 @@ public:
                   const unsigned int n_increments, const double time) const;
 
   /// To be called for every case made after the load sequence: @p made is put out and kept.
-  void observe_case(const std::string &name, const Frame &made);
+  void observe_case(const Frame &made);
 
   /// Fill in the quantities' results; those never reached are left out with a remark. If the
   /// analysis stopped between outputs, @p state, the last in equilibrium, is put out as well.
@@ -75,6 +75,11 @@ private:
                        const unsigned int component) const;
   const Station &station_at(const Quantity &quantity, const Frame &made) const;
   double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
+  double force_at(const Quantity &quantity, const Frame &made, const unsigned int component) const;
+  double of_supports(const Quantity &quantity, const Frame &made) const;
+  /// A number of the friction support that a quantity names, summed over the halves of a pair.
+  double of_support(const Quantity &quantity,
+                    const std::function<double(const unsigned int)> &number) const;
   const Frame &current_frame(const LineState &state);
   void put_out(const LineState &state, const bool keep);
   bool output_is_due(const LoadStep &step, const double time, const bool last) const;
@@ -90,8 +95,5 @@ private:
   std::vector<ContactStatus> previous_status; ///< of the contacts
   double previous_time = 0., last_output = 0., largest_error = 0.;
 };
-
-/// SI unit of what a quantity measures.
-std::string unit_of(const std::string &what);
 
 } // namespace frictionbeam

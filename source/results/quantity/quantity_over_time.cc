@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/smooth_courses.h"
 
+#include "analysis/increment/contact_watch.h"
 #include "results/quantity/collector.h"
+#include "results/quantity/impact_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +24,7 @@ void Collector::find_change(const Quantity &quantity, const LineState &state,
   // What a static step has become at its end belongs to it, and not to what begins there.
   if (ends_static && state.time <= quantity.from * (1. + 1e-9))
     return;
-  const ContactStatus wanted = quantity.what == "stick"  ? ContactStatus::stick
-                               : quantity.what == "slip" ? ContactStatus::slip
-                               : quantity.what == "open" ? ContactStatus::open
-                                                         : ContactStatus::closed;
+  const auto wanted = static_cast<ContactStatus>(quantity.kind().component);
   for (const ContactEvent &event : state.events) {
     // closed: with or without friction
     const bool is_it = event.status == wanted ||
@@ -81,7 +80,7 @@ namespace {
 /// What changes with time within a piece; max_error is gathered at the ends of steps.
 bool is_followed(const Quantity &quantity) {
   return quantity.over != Quantity::Over::end && quantity.over != Quantity::Over::time_of &&
-         quantity.what != "max_error";
+         !quantity.is(QuantityKind::Of::exact);
 }
 
 } // namespace
@@ -178,6 +177,20 @@ void Collector::follow(const unsigned int i, const SmoothCourses &courses,
   course.begun = true;
   course.previous = at_last;
   course.since = piece.end;
+}
+
+void Collector::watch_impacts(const bool transient, const LineState &state) {
+  if (transient && previous_status.size() == state.contact_status.size())
+    for (const unsigned int i : closed_in(previous_status, previous_time, state.events)) {
+      if (!is_rigid_stop(model, model.contacts[i]))
+        continue;
+      for (unsigned int q = 0; q < pending.size(); ++q)
+        if (const Quantity &quantity = model.scene.quantities[q];
+            state.time >= quantity.from && previous_time <= quantity.to &&
+            is_extreme_of_force(quantity, results.supports[i]))
+          pending[q].struck = true;
+    }
+  previous_status = state.contact_status;
 }
 
 } // namespace frictionbeam

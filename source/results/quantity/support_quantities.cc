@@ -3,11 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace frictionbeam {
 
 namespace {
+
+constexpr unsigned int n_quantities(const QuantityKind::Of of) {
+  unsigned int n = 0;
+  for (const QuantityKind &kind : quantity_kinds)
+    n += kind.of == of ? 1 : 0;
+  return n;
+}
+static_assert(n_quantities(QuantityKind::Of::support) == std::size(support_numbers),
+              "each quantity of a support is one of its numbers");
 
 /// Each support stands for the length to midway between it and its neighbours, the first that does
 /// not slip for as much of it as its share of the friction per length of the last that does.
@@ -40,30 +50,19 @@ double slip_length(const std::vector<SupportInfo> &infos, const std::vector<Supp
 
 } // namespace
 
-double support_value(const SupportState &support, const std::string &what) {
-  return what == "fn"      ? support.fn
-         : what == "ft1"   ? support.ft1
-         : what == "ft2"   ? support.ft2
-         : what == "gap"   ? support.gap
-         : what == "slip1" ? support.slip1
-         : what == "slip2" ? support.slip2
-         : what == "mt"    ? support.mt
-         : what == "wear"  ? support.wear
-         : what == "work"  ? support.work_friction
-                           : support.impulse;
-}
-
 double value_of_supports(const std::vector<SupportInfo> &infos,
-                         const std::vector<SupportState> &states, const std::string &what) {
-  if (what == "slip_length")
+                         const std::vector<SupportState> &states, const QuantityKind &kind) {
+  enum Component : unsigned int { normal, friction, sticking, slipping, open, zone };
+  const auto component = static_cast<Component>(kind.component); // in the order of quantity_kinds
+  if (component == zone)
     return slip_length(infos, states);
   double sum = 0.;
   for (const SupportState &support : states)
-    sum += what == "sum_normal"     ? std::abs(support.fn)
-           : what == "sum_friction" ? std::hypot(support.ft1, support.ft2)
-           : what == "n_stick"      ? support.status == ContactStatus::stick
-           : what == "n_slip"       ? support.status == ContactStatus::slip
-                                    : support.status == ContactStatus::open;
+    sum += component == normal     ? std::abs(support.fn)
+           : component == friction ? std::hypot(support.ft1, support.ft2)
+           : component == sticking ? support.status == ContactStatus::stick
+           : component == slipping ? support.status == ContactStatus::slip
+                                   : support.status == ContactStatus::open;
   return sum;
 }
 

@@ -95,9 +95,8 @@ std::string pictures(const Scene &scene, const Results &results,
                      const std::vector<const Frame *> &frames, const double scale) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const Frame *frame : frames)
-    panels.emplace_back(step_name(scene, *frame), "<div class=\"picture\">" +
-                                                      draw_line(scene, results, *frame, scale) +
-                                                      "</div>\n");
+    panels.emplace_back(frame->name, "<div class=\"picture\">" +
+                                         draw_line(scene, results, *frame, scale) + "</div>\n");
   return html_tabs("line-of", panels) +
          (results.envelopes.empty()
               ? ""
@@ -135,10 +134,11 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     add("accuracy", "Accuracy", accuracy_section(*results.accuracy));
   if (!frames.empty()) {
     std::string steps = step_table(scene, results, frames);
-    if (frames.size() == n_frames_at_most && scene.steps.size() > n_frames_at_most)
-      steps +=
-          html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
-                    std::to_string(scene.steps.size()) + " steps; the csv files have all of them.");
+    const std::size_t n_ends = std::count_if(results.frames.begin(), results.frames.end(),
+                                             [](const Frame &frame) { return frame.end_of_step; });
+    if (frames.size() == n_frames_at_most && n_ends > n_frames_at_most)
+      steps += html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
+                         std::to_string(n_ends) + " steps; the csv files have all of them.");
     add("steps", "Steps", steps);
     if (!frames.back()->line.empty()) // a scene may have no pipe at all
       add("line", "Line", pictures(scene, results, frames, scale));
@@ -148,13 +148,13 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     if (!charts.histories.empty())
       add("histories", "Histories", charts.histories);
     if (!results.supports.empty() && frames.size() > 1)
-      add("states", "States", state_table(scene, results));
+      add("states", "States", state_table(results));
     if (!results.supports.empty())
-      add("supports", "Supports", support_tables(scene, results, frames));
+      add("supports", "Supports", support_tables(results, frames));
     if (!results.restraints.empty())
-      add("reactions", "Reactions", reaction_tables(scene, results, frames));
+      add("reactions", "Reactions", reaction_tables(results, frames));
     if (!results.points.empty())
-      add("displacements", "Displacements", displacement_tables(scene, results, frames));
+      add("displacements", "Displacements", displacement_tables(results, frames));
     if (!results.stresses.empty())
       add("stresses", "Stresses", stress_section(scene, results));
     if (!results.nozzles.empty())
@@ -162,7 +162,7 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     if (!results.friction_study.multipliers.empty())
       add("friction", "Friction study", friction_study_section(results));
     if (!results.supports.empty() || !results.restraints.empty())
-      add("restraints", "Restraint summary", restraint_summary(scene, results));
+      add("restraints", "Restraint summary", restraint_summary(results));
     if (!results.modes.empty())
       add("modes", "Modes", mode_section(scene, results));
     write_file(folder + "/line.svg", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +

@@ -24,13 +24,13 @@ struct Group {
 };
 
 /// One key for all charts of the section forces: the colours of the steps.
-std::string step_key(const Scene &scene, const std::vector<const Frame *> &frames) {
+std::string step_key(const std::vector<const Frame *> &frames) {
   if (frames.size() < 2)
     return "";
   std::string key = "<p class=\"key\">";
   for (unsigned int i = 0; i < frames.size(); ++i)
-    key += "<span style=\"--c:" + series_colour(i) + "\">" +
-           escape_xml(step_name(scene, *frames[i])) + "</span>";
+    key +=
+        "<span style=\"--c:" + series_colour(i) + "\">" + escape_xml(frames[i]->name) + "</span>";
   return key + "</p>\n";
 }
 
@@ -58,7 +58,7 @@ Group pipe_charts(const Scene &scene, const Results &results,
   static const std::array<const char *, 6> names{{"N, axial force", "Vy, shear force",
                                                   "Vz, shear force", "Mx, torsional moment",
                                                   "My, bending moment", "Mz, bending moment"}};
-  Group group{"Pipe " + scene.pipes[pipe].name, step_key(scene, frames), {}};
+  Group group{"Pipe " + scene.pipes[pipe].name, step_key(frames), {}};
   for (unsigned int c = 0; c < 6; ++c) {
     Largest largest;
     for (const Frame *frame : frames)

@@ -149,7 +149,7 @@ std::string displacement_envelope_table(const Results &results, const StepEnvelo
   std::vector<std::string> names;
   std::array<Pair, 6> columns;
   for (std::size_t i = 0; i < envelope.points.size() && i < n_rows_at_most; ++i) {
-    names.push_back(results.points[i].first);
+    names.push_back(results.points[i].name);
     for (unsigned int c = 0; c < 6; ++c)
       columns[c].extreme(envelope.points[i][c]);
   }

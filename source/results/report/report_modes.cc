@@ -18,7 +18,8 @@ double part_of_mass(const Results &results, const ModeResult &mode, const unsign
   return results.total_mass[d] > 0. ? mode.effective_mass[d] / results.total_mass[d] : 0.;
 }
 
-std::string picture(const Scene &scene, const ModeResult &mode, const unsigned int number) {
+std::string picture(const Scene &scene, const Results &results, const unsigned int number) {
+  const ModeResult &mode = results.modes[number - 1];
   ColouredLine what;
   what.title = "Mode " + std::to_string(number) + ", " + rounded_number(mode.frequency, 5) + " Hz";
   what.legend = "displacement of the shape, from none to the largest";
@@ -26,7 +27,8 @@ std::string picture(const Scene &scene, const ModeResult &mode, const unsigned i
     what.values.push_back(
         std::hypot(station.displacement[0], station.displacement[1], station.displacement[2]));
   what.scale = displacement_scale({&mode.shape});
-  return "<div class=\"picture\">" + draw_coloured_line(scene, mode.shape, what) + "</div>\n";
+  return "<div class=\"picture\">" + draw_coloured_line(scene, results, mode.shape, what) +
+         "</div>\n";
 }
 
 } // namespace
@@ -55,7 +57,7 @@ std::string mode_section(const Scene &scene, const Results &results) {
     table.right(std::string("mass ") + axes[d] + " [%]", mass[d]).right("\u03a3 [%]", sum[d]);
   std::vector<std::pair<std::string, std::string>> panels;
   for (std::size_t i = 0; i < std::min(n_pictures_at_most, results.modes.size()); ++i)
-    panels.emplace_back("mode " + std::to_string(i + 1), picture(scene, results.modes[i], i + 1));
+    panels.emplace_back("mode " + std::to_string(i + 1), picture(scene, results, i + 1));
   return table.right("residual", residual).str() +
          html_note(
              "Effective modal masses as parts of the mass that can move, those at supports "

@@ -22,7 +22,7 @@ double distance(const SupportState &state) {
 
 } // namespace
 
-std::string state_table(const Scene &scene, const Results &results) {
+std::string state_table(const Results &results) {
   const auto frames = frames_to_show(results, n_columns_at_most);
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < results.supports.size(); ++i)
@@ -58,7 +58,7 @@ std::string state_table(const Scene &scene, const Results &results) {
                            ? " " + fixed_number(size, decimals)
                            : ""));
     }
-    table.html(step_name(scene, *frame), cells);
+    table.html(frame->name, cells);
   }
   std::string note = "The state of each support at the end of each step, with its slip since "
                      "contact began, or its gap where it is open, in " +

@@ -16,9 +16,9 @@ namespace {
 
 /// The name of the point that a station stands on, or nothing.
 std::string point_name(const Results &results, const Station &station) {
-  for (const auto &[name, position] : results.points)
-    if (position.distance(station.position) < 1e-6 * (1. + station.position.norm()))
-      return name;
+  for (const PointInfo &point : results.points)
+    if (point.vertex == station.vertex)
+      return point.name;
   return "";
 }
 
@@ -69,8 +69,8 @@ std::string stress_section(const Scene &scene, const Results &results) {
       for (std::size_t i = 0; i < one.stress.size(); ++i)
         what.values.push_back(one.stress[i] / one.allowed[i]);
       panels.emplace_back(one.kind + " " + one.name,
-                          "<div class=\"picture\">" + draw_coloured_line(scene, one.frame, what) +
-                              "</div>\n");
+                          "<div class=\"picture\">" +
+                              draw_coloured_line(scene, results, one.frame, what) + "</div>\n");
     }
   }
   HtmlTable table(results.units);

@@ -32,7 +32,7 @@ std::vector<std::size_t> largest_first(const std::vector<double> &weight) {
 
 } // namespace
 
-std::string restraint_summary(const Scene &scene, const Results &results) {
+std::string restraint_summary(const Results &results) {
   struct Row {
     std::string name, kind, step, when;
     double force = 0., normal = 0., friction = 0., moment = 0., impulse = 0., impact = 0.;
@@ -77,8 +77,7 @@ std::string restraint_summary(const Scene &scene, const Results &results) {
       }
       if (size <= row.force && !row.step.empty())
         continue;
-      row.set(size, step_name(scene, frame),
-              force.is_known() ? rounded_number(force.largest_at, 5) : "end");
+      row.set(size, frame.name, force.is_known() ? rounded_number(force.largest_at, 5) : "end");
       if (support)
         set_support(row, force.is_known() ? envelope->supports[i].at_largest : frame.supports[i]);
       else
@@ -134,22 +133,18 @@ std::string restraint_summary(const Scene &scene, const Results &results) {
   return table.str() + html_note(note);
 }
 
-std::string displacement_tables(const Scene &scene, const Results &results,
-                                const std::vector<const Frame *> &frames) {
+std::string displacement_tables(const Results &results, const std::vector<const Frame *> &frames) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const Frame *const frame : frames) {
     std::vector<std::string> names;
     std::array<std::vector<double>, 6> motions;
     std::array<double, 2> largest{};
-    for (const auto &[name, position] : results.points) {
-      const Point3 &place = position;
-      const auto station =
-          std::find_if(frame->line.begin(), frame->line.end(), [&](const Station &s) {
-            return s.node && s.position.distance(place) < same_place * (1. + place.norm());
-          });
+    for (const PointInfo &point : results.points) {
+      const auto station = std::find_if(frame->line.begin(), frame->line.end(),
+                                        [&](const Station &s) { return s.vertex == point.vertex; });
       if (station == frame->line.end() || names.size() == n_rows_at_most)
         continue;
-      names.push_back(name);
+      names.push_back(point.name);
       for (unsigned int c = 0; c < 6; ++c) {
         motions[c].push_back(station->displacement[c]);
         largest[c / 3] = std::max(largest[c / 3], std::abs(station->displacement[c]));
@@ -161,7 +156,7 @@ std::string displacement_tables(const Scene &scene, const Results &results,
     for (unsigned int c = 0; c < 6; ++c)
       table.numbers(titles[c], c < 3 ? "m" : "rad", motions[c], largest[c / 3]);
     const StepEnvelope *const envelope = results.envelope_of(frame->step);
-    panels.emplace_back(step_name(scene, *frame),
+    panels.emplace_back(frame->name,
                         (envelope != nullptr ? "<h3>Over the step</h3>\n" +
                                                    displacement_envelope_table(results, *envelope) +
                                                    "<h3>At its end</h3>\n"

@@ -23,8 +23,11 @@ std::string optional_number(const std::optional<double> &value, const unsigned i
   return value && std::isfinite(*value) ? rounded_number(*value, digits) : dash;
 }
 
-/// Loads active at the end of a step.
-std::string load_list(const Scene &scene, const LoadStep &step) {
+/// Loads active at the end of a step; of a case, none.
+std::string load_list(const Scene &scene, const Frame &frame) {
+  if (frame.step >= scene.steps.size())
+    return dash;
+  const LoadStep &step = scene.steps[frame.step];
   std::string list;
   for (const auto &[load, factor] : step.loads) {
     AssertIndexRange(load, scene.loads.size());
@@ -153,18 +156,17 @@ std::string reaction_table(const Results &results, const Frame &frame) {
 
 /// A tab for each frame; of a transient step its envelope first.
 template <typename MakeTable, typename MakeEnvelope>
-std::string tabs(const std::string &id, const Scene &scene, const Results &results,
+std::string tabs(const std::string &id, const Results &results,
                  const std::vector<const Frame *> &frames, const MakeTable &make_table,
                  const MakeEnvelope &make_envelope) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const Frame *frame : frames) {
     const StepEnvelope *const envelope = results.envelope_of(frame->step);
-    panels.emplace_back(step_name(scene, *frame),
-                        (envelope != nullptr
-                             ? "<h3>Over the step</h3>\n" + make_envelope(results, *envelope) +
-                                   "<h3>At its end</h3>\n"
-                             : "") +
-                            make_table(*frame));
+    panels.emplace_back(frame->name, (envelope != nullptr ? "<h3>Over the step</h3>\n" +
+                                                                make_envelope(results, *envelope) +
+                                                                "<h3>At its end</h3>\n"
+                                                          : "") +
+                                         make_table(*frame));
   }
   return html_tabs(id, panels);
 }
@@ -204,8 +206,8 @@ std::string step_table(const Scene &scene, const Results &results,
     const StepEnvelope *const envelope = results.envelope_of(frame->step);
     if (envelope != nullptr) {
       any_envelope = true;
-      names.push_back(step_name(scene, *frame) + ", largest");
-      loads.push_back(load_list(scene, scene.steps[frame->step]));
+      names.push_back(frame->name + ", largest");
+      loads.push_back(load_list(scene, *frame));
       where.push_back(place_and_instant(scene, *envelope));
       displacement.push_back(envelope->displacement.largest);
       for (auto &count : counts)
@@ -214,9 +216,9 @@ std::string step_table(const Scene &scene, const Results &results,
       friction.push_back(envelope->sum_friction.largest);
       work.push_back(std::numeric_limits<double>::quiet_NaN());
     }
-    names.push_back(step_name(scene, *frame) + (envelope != nullptr ? ", end" : "") +
+    names.push_back(frame->name + (envelope != nullptr ? ", end" : "") +
                     (is_finished(results, *frame) ? "" : " (not finished)"));
-    loads.push_back(load_list(scene, scene.steps[frame->step]));
+    loads.push_back(load_list(scene, *frame));
     const auto [place, size] = largest_displacement(scene, *frame);
     where.push_back(place);
     displacement.push_back(size);
@@ -258,10 +260,9 @@ std::string step_table(const Scene &scene, const Results &results,
                              : ""));
 }
 
-std::string support_tables(const Scene &scene, const Results &results,
-                           const std::vector<const Frame *> &frames) {
+std::string support_tables(const Results &results, const std::vector<const Frame *> &frames) {
   return tabs(
-             "supports-of", scene, results, frames,
+             "supports-of", results, frames,
              [&](const Frame &frame) { return support_table(results, frame); },
              &support_envelope_table) +
          html_note(
@@ -271,10 +272,9 @@ std::string support_tables(const Scene &scene, const Results &results,
              "ground since contact began.");
 }
 
-std::string reaction_tables(const Scene &scene, const Results &results,
-                            const std::vector<const Frame *> &frames) {
+std::string reaction_tables(const Results &results, const std::vector<const Frame *> &frames) {
   return tabs(
-             "reactions-of", scene, results, frames,
+             "reactions-of", results, frames,
              [&](const Frame &frame) { return reaction_table(results, frame); },
              &reaction_envelope_table) +
          html_note("Forces and moments on the pipe in global axes, z up.");

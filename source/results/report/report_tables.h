@@ -17,15 +17,13 @@ std::string step_table(const Scene &scene, const Results &results,
 
 /// The supports, a tab for each of at most six frames. Of very many supports, those with the
 /// largest forces.
-std::string support_tables(const Scene &scene, const Results &results,
-                           const std::vector<const Frame *> &frames);
+std::string support_tables(const Results &results, const std::vector<const Frame *> &frames);
 
 /// The supports' states through the sequence: a row each, a column for the end of each step.
-std::string state_table(const Scene &scene, const Results &results);
+std::string state_table(const Results &results);
 
 /// Forces and moments of restraints and springs on the pipes, a tab for each of at most six frames.
-std::string reaction_tables(const Scene &scene, const Results &results,
-                            const std::vector<const Frame *> &frames);
+std::string reaction_tables(const Results &results, const std::vector<const Frame *> &frames);
 
 /// What the solver did, how far the result can be trusted and what it cost.
 std::string solver_tables(const Results &results);

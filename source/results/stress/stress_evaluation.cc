@@ -25,7 +25,7 @@ std::vector<StressEvaluation::TeeSite> StressEvaluation::find_tees(const Scene &
   std::vector<TeeSite> sites;
   for (const Tee &tee : scene.tees) {
     const unsigned int vertex = mesh.points.at(tee.point);
-    TeeSite site{&tee, mesh.vertices[vertex], Vector3(), 0, 0};
+    TeeSite site{&tee, vertex, Vector3(), 0, 0};
     std::optional<unsigned int> run;
     for (unsigned int p = 0; p < scene.pipes.size(); ++p) {
       const auto &vertices = mesh.pipes[p].vertices;
@@ -51,7 +51,7 @@ StressEvaluation::StressEvaluation(const Scene &scene, const LineMesh &mesh, con
 const Frame *StressEvaluation::frame_of(const std::string &step) const {
   const Frame *found = nullptr;
   for (const Frame &frame : results.frames)
-    if (frame.end_of_step && step_name(scene, frame) == step)
+    if (frame.end_of_step && frame.name == step)
       found = &frame;
   return found;
 }
@@ -95,10 +95,9 @@ StressEvaluation::Axes StressEvaluation::axes(const Station &station, const doub
 }
 
 const StressEvaluation::TeeSite *StressEvaluation::tee_at(const Station &station) const {
-  if (station.node)
-    for (const TeeSite &site : tees)
-      if (site.position.distance(station.position) < same_place * (1. + station.position.norm()))
-        return &site;
+  for (const TeeSite &site : tees)
+    if (site.vertex == station.vertex)
+      return &site;
   return nullptr;
 }
 

@@ -43,7 +43,7 @@ private:
   /// Where tees stand: the vertex' position, the normal of their plane, run and branch.
   struct TeeSite {
     const Tee *tee;
-    Point3 position;
+    unsigned int vertex;
     Vector3 normal;
     unsigned int branch, run;
   };

@@ -210,22 +210,21 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
 
 std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
                                       const Results &results) {
-  const std::string &what = quantity.what;
+  // in the order of quantity_kinds
+  enum Component : unsigned int { flexibility, sif_in, sif_out, sustained, range, utilization };
+  const auto component = static_cast<Component>(quantity.kind().component);
   std::optional<double> largest;
   for (const StressCase &one : results.stresses) {
-    const bool range = one.kind == "expansion";
-    if ((what == "SL" && range) || (what == "SE" && !range) ||
+    const bool is_range = one.kind == "expansion";
+    if ((component == sustained && is_range) || (component == range && !is_range) ||
         (!quantity.step.empty() && quantity.step != one.step))
       continue;
     for (unsigned int i = 0; i < one.stress.size(); ++i) {
-      if (!quantity.where.empty() &&
-          one.frame.line[i].position.distance(mesh.vertices[mesh.points.at(quantity.where)]) > 1e-9)
+      if (!quantity.where.empty() && one.frame.line[i].vertex != mesh.points.at(quantity.where))
         continue;
-      const double value = what == "flexibility"   ? one.factors[i][0]
-                           : what == "sif_in"      ? one.factors[i][1]
-                           : what == "sif_out"     ? one.factors[i][2]
-                           : what == "utilization" ? one.stress[i] / one.allowed[i]
-                                                   : one.stress[i];
+      const double value = component <= sif_out       ? one.factors[i][component]
+                           : component == utilization ? one.stress[i] / one.allowed[i]
+                                                      : one.stress[i];
       largest = std::max(largest.value_or(0.), value);
     }
   }
@@ -265,7 +264,7 @@ std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &resul
         const unsigned int i = sites[k].second;
         NozzleUse use{nozzle.name,
                       results.restraints[i].name,
-                      step_name(scene, frame),
+                      frame.name,
                       frame.reactions[i],
                       nozzle.allowed,
                       0.,

@@ -95,11 +95,12 @@ LoadStep static_step(const std::string &name,
 
 std::vector<Quantity> sums_over_supports() {
   std::vector<Quantity> quantities;
-  for (const char *const what : {"sum_normal", "sum_friction", "n_stick", "n_slip", "n_open"}) {
-    Quantity quantity;
-    quantity.name = quantity.what = what;
-    quantities.push_back(quantity);
-  }
+  for (const QuantityKind &kind : quantity_kinds)
+    if (kind.of == QuantityKind::Of::supports && kind.measure != QuantityKind::Measure::place) {
+      Quantity quantity;
+      quantity.name = quantity.what = kind.word;
+      quantities.push_back(quantity);
+    }
   return quantities;
 }
 

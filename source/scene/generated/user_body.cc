@@ -134,21 +134,30 @@ namespace parts {
 
 namespace {
 
+/// "ux uy uz at POINT; ...", as the table has them.
+std::string body_forms() {
+  using At = BodyQuantityKind::At;
+  constexpr Word<At> places[] = {{"POINT", At::point}, {"PART", At::part}, {"X [m]", At::x}};
+  std::string text;
+  for (const Word<At> &place : places) {
+    for (const BodyQuantityKind &kind : body_quantity_kinds)
+      if (kind.at == place.value)
+        text += std::string(kind.word) + " ";
+    text += std::string("at ") + place.word + "; ";
+  }
+  return text;
+}
+
 [[noreturn]] void fail_form(const ParameterReader &in, const std::string &entry,
                             const std::string &read) {
-  in.fail(
-      entry,
-      "of a continuum: ux uy uz at POINT; mean_ux mean_uy mean_uz slip_length slip_end open_end "
-      "sum_normal sum_friction at PART; N at X [m]; then '; reference R; source TEXT'",
-      "'mean_ux at left; reference 0.012; source hand calculation'", "'" + read + "'");
+  in.fail(entry, "of a continuum: " + body_forms() + "then '; reference R; source TEXT'",
+          "'mean_ux at left; reference 0.012; source hand calculation'", "'" + read + "'");
 }
 
 /// What is asked of a surface with friction shall be one.
 void check_contact_part(const ParameterReader &in, const std::string &entry,
                         const ContinuumQuantity &quantity, const ContinuumScene &body) {
-  using Kind = ContinuumQuantity::Kind;
-  if (quantity.kind == Kind::displacement || quantity.kind == Kind::mean_displacement ||
-      quantity.kind == Kind::axial_force)
+  if (!row_of(body_quantity_kinds, quantity.kind).of_friction)
     return;
   std::string known;
   for (const ContinuumContact &contact : body.contacts) {
@@ -163,19 +172,6 @@ void check_contact_part(const ParameterReader &in, const std::string &entry,
 } // namespace
 
 void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
-  using Kind = ContinuumQuantity::Kind;
-  const std::vector<std::pair<std::string, Kind>> kinds = {{"ux", Kind::displacement},
-                                                           {"uy", Kind::displacement},
-                                                           {"uz", Kind::displacement},
-                                                           {"mean_ux", Kind::mean_displacement},
-                                                           {"mean_uy", Kind::mean_displacement},
-                                                           {"mean_uz", Kind::mean_displacement},
-                                                           {"N", Kind::axial_force},
-                                                           {"slip_length", Kind::slip_length},
-                                                           {"slip_end", Kind::slip_end},
-                                                           {"open_end", Kind::open_end},
-                                                           {"sum_normal", Kind::sum_normal},
-                                                           {"sum_friction", Kind::sum_friction}};
   const ParameterFile::Section *const section = in.file().find("Quantities");
   if (section == nullptr)
     return;
@@ -194,8 +190,7 @@ void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
     const auto known =
         std::find_if(quantities.begin(), quantities.end(),
                      [&](const ContinuumQuantity &other) { return other.name == entry.name; });
-    const auto kind = std::find_if(kinds.begin(), kinds.end(),
-                                   [&](const auto &k) { return k.first == words[0]; });
+    const auto kind = find_word(body_quantity_kinds, words[0]);
     std::size_t first = 1;
     const bool is_reference = known != quantities.end() && words[0] == "reference";
     if (has_line(scene) && !is_reference)
@@ -203,14 +198,13 @@ void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
     if (is_reference) {
       quantity = *known;
       first = 0;
-    } else if (kind == kinds.end() || words.size() != 3 || words[1] != "at")
+    } else if (kind == std::end(body_quantity_kinds) || words.size() != 3 || words[1] != "at")
       fail_form(in, entry.name, pieces[0]);
     else {
-      quantity.kind = kind->second;
+      quantity.kind = kind->value;
       quantity.where = words[2];
-      const char last = words[0].back();
-      quantity.component = last == 'y' ? 1 : last == 'z' ? 2 : 0;
-      if (quantity.kind == Kind::axial_force && !to_number(words[2], quantity.x))
+      quantity.component = kind->component;
+      if (kind->at == BodyQuantityKind::At::x && !to_number(words[2], quantity.x))
         fail_form(in, entry.name, pieces[0]);
       if (quantity.component >= scene.continuum->dimension)
         in.fail(entry.name, "ux and uy in a plane body", "mean_uy", "'" + words[0] + "'");

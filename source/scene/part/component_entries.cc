@@ -169,7 +169,8 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
     in.fail("At", "at least one point", "the name of a point");
   for (const std::string &point : hanger.points)
     check_point(in, "At", point, scene);
-  hanger.constant = in.choice("Kind", hanger_kinds);
+  const HangerKind &kind = *find_word(hanger_kinds, in.text("Kind"));
+  hanger.constant = kind.value;
   hanger.stiffness = in.number("Stiffness");
   if (hanger.constant && hanger.stiffness > 0.)
     in.fail("Stiffness", "no stiffness of a constant hanger", "Kind = variable");
@@ -183,7 +184,7 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
   for (unsigned int i = 0; i < hanger.points.size(); ++i) {
     Spring spring; // of a sized one, stiffness and preload follow
     spring.name = hanger.points.size() > 1 ? name + "." + std::to_string(i + 1) : name;
-    spring.kind = row_of(hanger_kinds, hanger.constant).of_spring;
+    spring.kind = kind.of_spring;
     spring.point = hanger.points[i];
     spring.stiffness[2] = hanger.stiffness;
     spring.preload = hanger.cold_load;

@@ -188,7 +188,7 @@ void parse_combination(const ParameterReader &in, const std::string &name, Scene
 std::vector<std::string> case_names(const Scene &scene) {
   std::vector<std::string> result = names(scene.steps);
   if (!scene.spectra.empty())
-    result.push_back("spectrum");
+    result.emplace_back(spectrum_case);
   for (const Combination &combination : scene.combinations)
     result.push_back(combination.name);
   return result;

@@ -7,18 +7,17 @@ namespace frictionbeam::parts {
 
 namespace {
 
-const std::vector<std::string>
-    motions = {"ux", "uy", "uz", "rx", "ry", "rz", "vx", "vy", "vz", "wx", "wy", "wz"},
-    reactions = {"fx", "fy", "fz", "mx", "my", "mz"},
-    section_forces = {"N", "Vy", "Vz", "Mx", "My", "Mz", "N_mean"},
-    contact = {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "work", "wear", "impulse", "mt"},
-    changes = {"stick", "slip", "open", "closed"}, modal = {"frequency"},
-    stresses = {"flexibility", "sif_in", "sif_out", "SL", "SE", "utilization"},
-    of_motion = {"momentum_x",         "momentum_y",         "momentum_z", "angular_momentum_x",
-                 "angular_momentum_y", "angular_momentum_z", "energy"},
-    sums = {"sum_normal", "sum_friction", "n_stick",  "n_slip",
-            "n_open",     "slip_length",  "max_error"},
-    over = {"max", "min", "mean", "integral", "change", "rate", "time_of"};
+using Of = QuantityKind::Of;
+using Over = Quantity::Over;
+
+/// Words of what may be asked of the first time, or else.
+std::vector<std::string> words_of_kinds(const bool changes) {
+  std::vector<std::string> words;
+  for (const QuantityKind &kind : quantity_kinds)
+    if ((kind.of == Of::change) == changes)
+      words.emplace_back(kind.word);
+  return words;
+}
 
 bool contains(const std::vector<std::string> &list, const std::string &item) {
   return std::count(list.begin(), list.end(), item) > 0;
@@ -53,32 +52,23 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
   const std::vector<std::string> supports = names(scene.supports), pairs = pairs_of(scene.supports);
   const std::vector<std::string> holders =
       supports + pairs + names(scene.restraints) + names(scene.springs);
-  const std::string &what = quantity.what, &where = quantity.where;
-  const std::string entry = quantity.name;
-  if (what == "frequency") {
-    double number;
-    if (!to_number(where, number) || number < 1. || number > scene.modal.n_modes)
-      in.fail(entry, "frequency N, with N from 1 to the Number of modes in section Modes",
-              "'frequency 1'", "'" + where + "'");
-    return;
-  }
-  if (contains(stresses, what)) {
-    if (scene.stress.code.empty())
-      in.fail(entry, what + " where section Stress has a Code", "set Code = B31.3 there");
-    if (!where.empty() || what != "utilization")
-      check_point(in, entry, where, scene);
-    return;
-  }
-  if (contains(motions, what) || contains(section_forces, what))
+  const std::string &what = quantity.what, &where = quantity.where, &entry = quantity.name;
+  switch (quantity.kind().of) {
+  case Of::motion:
+  case Of::velocity:
+  case Of::section:
     check_point(in, entry, where, scene);
-  else if (contains(reactions, what)) {
+    return;
+  case Of::holder:
     if (contains(holders, where) || is_repeated(where, holders))
       return;
     if (!scene.mesh.file.empty())
       check_point(in, entry, where, scene);
     else
       in.find(entry, where, point_names(scene) + holders, "point, support or spring");
-  } else if (contains(contact, what) || contains(changes, what)) {
+    return;
+  case Of::support:
+  case Of::change: {
     const bool is_one = contains(pairs, where), is_pair = is_one || is_repeated(where, pairs);
     if (is_pair && (what == "work" || what == "wear"))
       return;
@@ -94,27 +84,67 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
           "'" + what + " at " + where + "'");
     if (!is_repeated(where, supports))
       in.find(entry, where, supports, "friction support");
-  } else if (contains(of_motion, what)) {
+    return;
+  }
+  case Of::supports:
+    if (!where.empty() && quantity.kind().measure == QuantityKind::Measure::place)
+      in.fail(entry, what + " of all friction supports", "no place");
+    if (!where.empty() && !is_repeated(where, supports))
+      in.find(entry, where, supports, "friction support");
+    return;
+  case Of::mode:
+    double number;
+    if (!to_number(where, number) || number < 1. || number > scene.modal.n_modes)
+      in.fail(entry, what + " N, with N from 1 to the Number of modes in section Modes",
+              "'" + what + " 1'", "'" + where + "'");
+    return;
+  case Of::stress:
+    if (scene.stress.code.empty())
+      in.fail(entry, what + " where section Stress has a Code", "set Code = B31.3 there");
+    if (!where.empty() || !quantity.kind().is_of_line_too)
+      check_point(in, entry, where, scene);
+    return;
+  case Of::line:
     if (scene.kinematics == Kinematics::linear || !where.empty())
       in.fail(entry, what + " of the whole line, with Kinematics = corotational",
               "set Kinematics = corotational, and no point");
-  } else if (what == "slip_length") {
-    if (!where.empty())
-      in.fail(entry, "slip_length of all friction supports", "no place");
-  } else if (what == "max_error") {
+    return;
+  case Of::exact:
     if (!scene.exact)
-      in.fail(entry, "max_error in scenes with an exact solution",
+      in.fail(entry, what + " in scenes with an exact solution",
               "a section Exact, Scene = oscillator, or slab with Sequence = cycle");
-  } else if (!where.empty())
-    in.find(entry, where, supports, "friction support");
+  }
+}
+
+/// What is known only at the end of a run has no course in time.
+void check_when(const ParameterReader &in, const Quantity &quantity) {
+  if (quantity.kind().is_of_the_end() && (quantity.over != Over::end || quantity.time))
+    in.fail(quantity.name, quantity.what + " of a step, without an interval and a time",
+            "'" + quantity.what +
+                (quantity.where.empty()  ? ""
+                 : quantity.is(Of::mode) ? " " + quantity.where
+                                         : " at " + quantity.where) +
+                "'");
+}
+
+/// "max, min, ... or rate"
+std::string words_of_intervals() {
+  std::vector<std::string> words;
+  for (const Word<Over> &interval : intervals)
+    if (interval.value != Over::time_of)
+      words.emplace_back(interval.word);
+  const std::string last = words.back();
+  words.pop_back();
+  return join(words) + " or " + last;
 }
 
 [[noreturn]] void fail_form(const ParameterReader &in, const std::string &entry,
                             const std::string &read) {
   in.fail(entry,
           "what at where, step NAME, time T; scale F; unit U; reference R; source TEXT (all but "
-          "'what' may be left out; |what| is its absolute value), or max, min, mean, integral, "
-          "change or rate and then what at where, from T, to T, or time_of slip at SUPPORT, from T",
+          "'what' may be left out; |what| is its absolute value), or " +
+              words_of_intervals() +
+              " and then what at where, from T, to T, or time_of slip at SUPPORT, from T",
           "'ux at P1, step heat; reference 0.012; source hand calculation'", "'" + read + "'");
 }
 
@@ -123,18 +153,6 @@ double number_of(const ParameterReader &in, const std::string &entry, const std:
   if (!to_number(text, value))
     in.fail(entry, "a number", "a number in place of '" + text + "'");
   return value;
-}
-
-/// max, min, mean, integral, change, rate, time_of
-void parse_over(const std::string &word, Quantity &quantity) {
-  using Over = Quantity::Over;
-  quantity.over = word == "max"        ? Over::maximum
-                  : word == "min"      ? Over::minimum
-                  : word == "mean"     ? Over::mean
-                  : word == "integral" ? Over::integral
-                  : word == "change"   ? Over::change
-                  : word == "rate"     ? Over::rate
-                                       : Over::time_of;
 }
 
 bool is_of_continuum(const Scene &scene, const std::string &name) {
@@ -153,8 +171,9 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
     if (words.empty())
       fail_form(in, quantity.name, text);
     if (quantity.what.empty()) {
-      if (contains(over, words[0]) && words.size() > 1) {
-        parse_over(words[0], quantity);
+      const auto interval = find_word(intervals, words[0]);
+      if (interval != std::end(intervals) && words.size() > 1) {
+        quantity.over = interval->value;
         words.erase(words.begin());
       }
       std::string what = words[0];
@@ -162,32 +181,27 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
       if (quantity.absolute)
         what = what.substr(1, what.size() - 2);
       quantity.what = what;
-      in.find(quantity.name, what,
-              quantity.over == Quantity::Over::time_of
-                  ? changes
-                  : motions + reactions + section_forces + contact + modal + stresses + of_motion +
-                        sums,
-              "quantity");
+      in.find(quantity.name, what, words_of_kinds(quantity.over == Over::time_of), "quantity");
       using Side = Quantity::Side;
       if (words.size() == 3 && words[1] == "at")
         quantity.where = words[2];
-      else if (words.size() == 3 && contains(section_forces, what) &&
+      else if (words.size() == 3 && quantity.is(Of::section) &&
                (words[1] == "before" || words[1] == "after")) {
         quantity.where = words[2];
         quantity.side = words[1] == "before" ? Side::before : Side::after;
-      } else if (words.size() == 2 && what == "frequency")
+      } else if (words.size() == 2 && quantity.is(Of::mode))
         quantity.where = words[1];
       else if (words.size() != 1)
         fail_form(in, quantity.name, piece);
     } else if (words.size() == 2 && words[0] == "step") {
       quantity.step = words[1];
       in.find(quantity.name, words[1], case_names(scene), "step");
-    } else if (words.size() == 2 && words[0] == "pipe" && contains(section_forces, quantity.what)) {
+    } else if (words.size() == 2 && words[0] == "pipe" && quantity.is(Of::section)) {
       quantity.pipe = words[1];
       in.find(quantity.name, words[1], names(scene.pipes), "pipe");
     } else if (words.size() == 2 && words[0] == "time")
       quantity.time = number_of(in, quantity.name, words[1]);
-    else if (words.size() == 2 && quantity.over != Quantity::Over::end &&
+    else if (words.size() == 2 && quantity.over != Over::end &&
              (words[0] == "from" || words[0] == "to"))
       (words[0] == "from" ? quantity.from : quantity.to) = number_of(in, quantity.name, words[1]);
     else
@@ -240,6 +254,7 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
     if (!is_reference || known == scene.quantities.end()) {
       parse_definition(in, pieces[0], scene, quantity);
       check_where(in, quantity, scene);
+      check_when(in, quantity);
     }
     for (unsigned int i = is_reference ? 0 : 1; i < pieces.size(); ++i) {
       const auto blank = pieces[i].find(' ');

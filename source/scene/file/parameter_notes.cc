@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/file/parameter_notes.h"
+
+#include "scene/file/parameter_file.h"
+#include "scene/quantity.h"
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr std::size_t longest_line = 96;
+
+/// Where quantities of one sort are asked.
+constexpr Word<QuantityKind::Of> places[] = {
+    {"at a point", QuantityKind::Of::motion},
+    {"at a point", QuantityKind::Of::velocity},
+    {"of the pipe at a point, local axes, N > 0 in tension ('before P' or 'after P' where they "
+     "jump, 'pipe NAME' at a branch)",
+     QuantityKind::Of::section},
+    {"at a support, spring or point: the force of what holds the pipe there on the pipe",
+     QuantityKind::Of::holder},
+    {"at a friction support (name.1, name.2, ... of a repeated one)", QuantityKind::Of::support},
+    {"of all friction supports or of one part", QuantityKind::Of::supports},
+    {"of a mode, by its number: 'frequency 1'", QuantityKind::Of::mode},
+    {"at a point, by the stress code", QuantityKind::Of::stress},
+    {"of the whole line, with Kinematics = corotational", QuantityKind::Of::line},
+    {"in scenes with an exact solution", QuantityKind::Of::exact}};
+
+/// "ux uy uz [m] rx ry rz [rad] at a point", and what the words mean that do not say it.
+std::string quantities_of(const Word<QuantityKind::Of> &place) {
+  std::string text, unit, meanings;
+  for (const QuantityKind &kind : quantity_kinds) {
+    if (kind.of != place.value)
+      continue;
+    if (!unit.empty() && unit != kind.unit)
+      text += "[" + unit + "] ";
+    unit = kind.unit;
+    text += std::string(kind.word) + " ";
+    if (*kind.meaning != '\0')
+      meanings += std::string("; ") + kind.word + ": " + kind.meaning;
+  }
+  return text + "[" + unit + "] " + place.word + meanings + ".";
+}
+
+/// As lines of comment.
+std::string comment(const std::string &text) {
+  std::string lines, line = "#";
+  for (const std::string &word : split(text, ' ')) {
+    if (line.size() + 1 + word.size() > longest_line) {
+      lines += line + "\n";
+      line = "#  ";
+    }
+    line += " " + word;
+  }
+  return lines + line + "\n";
+}
+
+} // namespace
+
+std::string parameter_notes() {
+  std::string text =
+      R"(# All entries of a parameter file, with their defaults. A file holds any number of parts
+# '<Kind> <name>': here stands one of each kind, called 'name'. Steps are taken in the
+# order of the file. Units are SI unless an entry says otherwise; angles are in degrees.
+# Entries of a support's law stand in the support: those of 'coulomb' are shown.
+# Files may be included: include <file>. In 'Quantities', entries have names of your own:
+#   set <name> = what at where, step NAME, time T; scale F; unit U; reference R; source TEXT
+# |what| is the absolute value. Without a step, the last one is meant; without a time, the end of
+# the step. Over an interval:
+#   set <name> = max what at where, from T1, to T2        or min, mean, integral, change, rate
+#   set <name> = time_of slip at SUPPORT, from T1         or stick, open, closed
+# What there is to ask for:
+)";
+  for (const Word<QuantityKind::Of> &place : places)
+    text += comment(quantities_of(place));
+  return text;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene/body.h"
+#include "scene/file/choice.h"
+
+#include <frictionbeam/law.h>
+
+#include <optional>
+#include <string>
+
+/**
+ * @file
+ * What a user may ask for: the one table of quantities, from which the grammar, its messages, the
+ * documentation, the evaluation and Accuracy read. SI units.
+ */
+namespace frictionbeam {
+
+/// A word that a quantity may ask for.
+struct QuantityKind {
+  /// What it is of, and so who evaluates it.
+  enum class Of {
+    motion,   ///< a point
+    velocity, ///< a point
+    section,  ///< the pipe at a point
+    holder,   ///< what holds the pipe at a support, spring or point
+    support,  ///< one friction support
+    supports, ///< all friction supports, or those of one part
+    change,   ///< the state of a friction support, of which the first time is asked
+    mode,     ///< a mode of the line
+    stress,   ///< the line by its stress code
+    line,     ///< all of it
+    exact     ///< the scene's exact solution
+  };
+  /// What its numbers are, for who compares two of them.
+  enum class Measure { amount, count, place, error };
+
+  const char *word;
+  Of of;
+  unsigned int component; ///< among those of the same: a place in what they are evaluated from
+  const char *unit;
+  const char *meaning = ""; ///< for the documentation, where the word does not say it
+  Measure measure = Measure::amount;
+  bool is_size = false;        ///< never negative
+  bool is_of_line_too = false; ///< a point is not needed: the largest of the line
+
+  /// Known only when everything else is.
+  bool is_of_the_end() const { return of == Of::mode || of == Of::stress; }
+};
+
+inline constexpr QuantityKind quantity_kinds[] = {
+    {"ux", QuantityKind::Of::motion, 0, "m"},
+    {"uy", QuantityKind::Of::motion, 1, "m"},
+    {"uz", QuantityKind::Of::motion, 2, "m"},
+    {"rx", QuantityKind::Of::motion, 3, "rad"},
+    {"ry", QuantityKind::Of::motion, 4, "rad"},
+    {"rz", QuantityKind::Of::motion, 5, "rad"},
+    {"vx", QuantityKind::Of::velocity, 0, "m/s"},
+    {"vy", QuantityKind::Of::velocity, 1, "m/s"},
+    {"vz", QuantityKind::Of::velocity, 2, "m/s"},
+    {"wx", QuantityKind::Of::velocity, 3, "rad/s"},
+    {"wy", QuantityKind::Of::velocity, 4, "rad/s"},
+    {"wz", QuantityKind::Of::velocity, 5, "rad/s"},
+    {"fx", QuantityKind::Of::holder, 0, "N"},
+    {"fy", QuantityKind::Of::holder, 1, "N"},
+    {"fz", QuantityKind::Of::holder, 2, "N"},
+    {"mx", QuantityKind::Of::holder, 3, "N m"},
+    {"my", QuantityKind::Of::holder, 4, "N m"},
+    {"mz", QuantityKind::Of::holder, 5, "N m"},
+    {"N", QuantityKind::Of::section, 0, "N"},
+    {"Vy", QuantityKind::Of::section, 1, "N"},
+    {"Vz", QuantityKind::Of::section, 2, "N"},
+    {"Mx", QuantityKind::Of::section, 3, "N m"},
+    {"My", QuantityKind::Of::section, 4, "N m"},
+    {"Mz", QuantityKind::Of::section, 5, "N m"},
+    {"N_mean", QuantityKind::Of::section, 6, "N", "of N before and after"},
+    // in the order of support_numbers
+    {"fn", QuantityKind::Of::support, 0, "N", "", QuantityKind::Measure::amount, true},
+    {"ft1", QuantityKind::Of::support, 1, "N"},
+    {"ft2", QuantityKind::Of::support, 2, "N"},
+    {"gap", QuantityKind::Of::support, 3, "m"},
+    {"slip1", QuantityKind::Of::support, 4, "m"},
+    {"slip2", QuantityKind::Of::support, 5, "m"},
+    {"work", QuantityKind::Of::support, 6, "J", "of friction"},
+    {"mt", QuantityKind::Of::support, 7, "N m", "about the normal, of Torsion"},
+    {"wear", QuantityKind::Of::support, 8, "J", "the integral of fn |slip rate|"},
+    {"impulse", QuantityKind::Of::support, 9, "N s", "of fn, impacts included"},
+    {"frequency", QuantityKind::Of::mode, 0, "Hz"},
+    {"flexibility", QuantityKind::Of::stress, 0, "-"},
+    {"sif_in", QuantityKind::Of::stress, 1, "-"},
+    {"sif_out", QuantityKind::Of::stress, 2, "-"},
+    {"SL", QuantityKind::Of::stress, 3, "Pa", "of sustained and occasional loads"},
+    {"SE", QuantityKind::Of::stress, 4, "Pa", "a displacement stress range"},
+    {"utilization", QuantityKind::Of::stress, 5, "-", "the largest of the line without a point",
+     QuantityKind::Measure::amount, true, true},
+    {"momentum_x", QuantityKind::Of::line, 0, "N s"},
+    {"momentum_y", QuantityKind::Of::line, 1, "N s"},
+    {"momentum_z", QuantityKind::Of::line, 2, "N s"},
+    {"angular_momentum_x", QuantityKind::Of::line, 3, "N m s"},
+    {"angular_momentum_y", QuantityKind::Of::line, 4, "N m s"},
+    {"angular_momentum_z", QuantityKind::Of::line, 5, "N m s"},
+    {"energy", QuantityKind::Of::line, 6, "J"},
+    {"sum_normal", QuantityKind::Of::supports, 0, "N", "", QuantityKind::Measure::amount, true},
+    {"sum_friction", QuantityKind::Of::supports, 1, "N", "", QuantityKind::Measure::amount, true},
+    {"n_stick", QuantityKind::Of::supports, 2, "-", "", QuantityKind::Measure::count},
+    {"n_slip", QuantityKind::Of::supports, 3, "-", "", QuantityKind::Measure::count},
+    {"n_open", QuantityKind::Of::supports, 4, "-", "", QuantityKind::Measure::count},
+    {"slip_length", QuantityKind::Of::supports, 5, "m",
+     "of the zone of supports that slip and begins at the lowest x", QuantityKind::Measure::place},
+    {"max_error", QuantityKind::Of::exact, 0, "m", "relative where Exact has a Scale",
+     QuantityKind::Measure::error},
+    {"stick", QuantityKind::Of::change, static_cast<unsigned int>(ContactStatus::stick), "s"},
+    {"slip", QuantityKind::Of::change, static_cast<unsigned int>(ContactStatus::slip), "s"},
+    {"open", QuantityKind::Of::change, static_cast<unsigned int>(ContactStatus::open), "s"},
+    {"closed", QuantityKind::Of::change, static_cast<unsigned int>(ContactStatus::closed), "s"}};
+
+/// One of the quantities of the same, by its place among them.
+inline const QuantityKind &quantity_kind(const QuantityKind::Of of, const unsigned int component) {
+  return *std::find_if(
+      std::begin(quantity_kinds), std::end(quantity_kinds),
+      [&](const QuantityKind &kind) { return kind.of == of && kind.component == component; });
+}
+
+/// What is asked of a body.
+struct BodyQuantityKind {
+  enum class At { point, part, x }; ///< x: a coordinate
+
+  const char *word;
+  ContinuumQuantity::Kind value;
+  unsigned int component;
+  At at;
+  const char *unit;
+  bool of_friction = false; ///< its part is a surface with friction
+  bool is_place = false;    ///< on it
+};
+
+inline constexpr BodyQuantityKind body_quantity_kinds[] = {
+    {"ux", ContinuumQuantity::Kind::displacement, 0, BodyQuantityKind::At::point, "m"},
+    {"uy", ContinuumQuantity::Kind::displacement, 1, BodyQuantityKind::At::point, "m"},
+    {"uz", ContinuumQuantity::Kind::displacement, 2, BodyQuantityKind::At::point, "m"},
+    {"mean_ux", ContinuumQuantity::Kind::mean_displacement, 0, BodyQuantityKind::At::part, "m"},
+    {"mean_uy", ContinuumQuantity::Kind::mean_displacement, 1, BodyQuantityKind::At::part, "m"},
+    {"mean_uz", ContinuumQuantity::Kind::mean_displacement, 2, BodyQuantityKind::At::part, "m"},
+    {"slip_length", ContinuumQuantity::Kind::slip_length, 0, BodyQuantityKind::At::part, "m", true,
+     true},
+    {"slip_end", ContinuumQuantity::Kind::slip_end, 0, BodyQuantityKind::At::part, "m", true, true},
+    {"open_end", ContinuumQuantity::Kind::open_end, 0, BodyQuantityKind::At::part, "m", true, true},
+    {"sum_normal", ContinuumQuantity::Kind::sum_normal, 0, BodyQuantityKind::At::part, "N", true},
+    {"sum_friction", ContinuumQuantity::Kind::sum_friction, 0, BodyQuantityKind::At::part, "N",
+     true},
+    {"N", ContinuumQuantity::Kind::axial_force, 0, BodyQuantityKind::At::x, "N"}};
+
+/// A number that the user asks for.
+struct Quantity {
+  std::string name;
+  std::string what; ///< a word of quantity_kinds
+  bool absolute = false;
+  /// Over an interval of time: change and rate are between its ends, and the change per time.
+  enum class Over { end, maximum, minimum, mean, integral, change, rate, time_of } over = Over::end;
+  double from = 0., to = 1e300; ///< interval of time [s], if not `end`
+  std::string where; ///< named point, or name of a support or restraint; number of a mode
+  enum class Side { any, before, after } side = Side::any; ///< of a point, for N .. Mz
+  std::string pipe;           ///< on which the point is meant, for N .. Mz; empty: the first
+  std::string step;           ///< empty: the last one
+  std::optional<double> time; ///< [s], instead of a step's end
+  double scale = 1.;
+  std::string unit; ///< to show, of a scaled one; empty: what it measures
+  std::optional<double> reference;
+  std::string source;
+
+  const QuantityKind &kind() const { return *find_word(quantity_kinds, what); }
+  bool is(const QuantityKind::Of of) const { return kind().of == of; }
+};
+
+/// Words of what is asked over an interval of time.
+inline constexpr Word<Quantity::Over> intervals[] = {
+    {"max", Quantity::Over::maximum},    {"min", Quantity::Over::minimum},
+    {"mean", Quantity::Over::mean},      {"integral", Quantity::Over::integral},
+    {"change", Quantity::Over::change},  {"rate", Quantity::Over::rate},
+    {"time_of", Quantity::Over::time_of}};
+
+} // namespace frictionbeam
