@@ -14,8 +14,8 @@ constexpr double remark_above = 1e-6, failed_above = 1e-2, gained_above = 1e-3;
 /// Diagonal of the box about all there is [m].
 double size_of_scene(const Results &results) {
   std::vector<Point3> places;
-  for (const auto &point : results.points)
-    places.push_back(point.second);
+  for (const PointInfo &point : results.points)
+    places.push_back(point.position);
   for (const SupportInfo &support : results.supports)
     places.push_back(support.position);
   if (!results.frames.empty())

@@ -54,6 +54,7 @@ struct RestraintInfo {
 struct PointInfo {
   std::string name;
   unsigned int vertex = 0; ///< of the mesh; several names may have the same
+  Point3 position{};
 };
 
 /// A point of a pipe: a mesh node or a station between two.

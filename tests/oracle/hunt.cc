@@ -5,6 +5,7 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,7 +32,13 @@ using namespace oracle;
 
 namespace {
 
-constexpr unsigned int longest_seconds = 60; ///< of one scene; it then counts as a hang
+constexpr unsigned int longest_seconds = 60; ///< of computing for one scene; more is a hang
+
+/// End this process by SIGPROF after @p seconds of computing; 0: do not.
+void end_after(const unsigned int seconds) {
+  const itimerval limit = {{0, 0}, {static_cast<time_t>(seconds), 0}};
+  setitimer(ITIMER_PROF, &limit, nullptr);
+}
 
 /// Counts that all processes add to.
 struct Tally {
@@ -121,7 +128,7 @@ void work(const Options &options, const int process, std::uint64_t seed, Tally &
   const auto judge = make_judge(options, laws, folder);
   for (; seed < options.first + options.number; seed += options.processes) {
     tally.at[process] = seed;
-    alarm(longest_seconds);
+    end_after(longest_seconds);
     const Scene scene = judge->make(seed);
     Verdict verdict;
     try {
@@ -131,7 +138,7 @@ void work(const Options &options, const int process, std::uint64_t seed, Tally &
       verdict.text = error.what();
       verdict.worst = 1.;
     }
-    alarm(0);
+    end_after(0);
     tally.numbers[process] = tally.numbers[process] + verdict.numbers;
     using Kind = Verdict::Kind;
     if (verdict.kind == Kind::right) {
@@ -185,7 +192,7 @@ int main(int argc, char **argv) {
       if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
         continue;
       std::cout << "WRONG " << options.kind << ' ' << tally.at[process] << ": "
-                << (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM ? "it does not end"
+                << (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF ? "it does not end"
                                                                        : "the process died")
                 << '\n';
       tally.wrong[process] = tally.wrong[process] + 1;

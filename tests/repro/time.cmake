@@ -108,3 +108,6 @@ foreach(integrator newmark nonsmooth_alpha)
   time_case("nothing moves, ${integrator}" nothing_moves --set "Time/Integrator = ${integrator}"
     --value moved 1e-12 --without "has gained")
 endforeach()
+
+# An initial motion at a skew stop keeps what the stop leaves of it.
+repro("initial_on_skew_stops" initial_on_skew_stops --errors 1e-9)

@@ -6,11 +6,42 @@
 #include "analysis/march/integrator_library.h"
 #include "analysis/time/moreau_jean.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 
 namespace frictionbeam {
 
 using namespace dealii;
+
+namespace {
+
+/// Set the unknowns of a vertex to the motion that is nearest to @p motion of those that nothing
+/// there holds.
+void set_motion(const Motion &motion, const unsigned int vertex, const VertexDofs &dofs,
+                const ReducedSpace &space, Vector &unknowns) {
+  std::vector<int> columns; // unknowns
+  Eigen::Matrix<double, 6, 6> motions = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> wanted;
+  for (unsigned int c = 0; c < 6; ++c) {
+    wanted[c] = motion[c];
+    if (const auto dof = dofs.index(vertex, c); dof != numbers::invalid_dof_index)
+      for (const auto &term : space.terms(dof)) {
+        const auto found = std::find(columns.begin(), columns.end(), term.unknown);
+        const auto column = found - columns.begin();
+        if (found == columns.end())
+          columns.push_back(term.unknown);
+        motions(c, column) = term.weight;
+      }
+  }
+  if (columns.empty())
+    return;
+  const Vector nearest = motions.leftCols(columns.size()).colPivHouseholderQr().solve(wanted);
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    unknowns[columns[i]] = nearest[i];
+}
+
+} // namespace
 
 void LoadSequence::set_initial_motion(const bool displaced) {
   const VertexDofs &dofs = model.discretization.vertex_dofs();
@@ -33,15 +64,9 @@ void LoadSequence::set_initial_motion(const bool displaced) {
       return motion;
     };
     for (const unsigned int vertex : vertices) {
-      const Motion displacement = at(initial.displacement, vertex),
-                   velocity = at(initial.velocity, vertex);
-      for (unsigned int c = 0; c < 6; ++c)
-        if (const auto dof = dofs.index(vertex, c); dof != numbers::invalid_dof_index)
-          for (const auto &term : model.space.terms(dof)) {
-            if (displaced)
-              current.unknowns[term.unknown] = displacement[c];
-            current.velocity[term.unknown] = velocity[c];
-          }
+      if (displaced)
+        set_motion(at(initial.displacement, vertex), vertex, dofs, model.space, current.unknowns);
+      set_motion(at(initial.velocity, vertex), vertex, dofs, model.space, current.velocity);
     }
   }
 }

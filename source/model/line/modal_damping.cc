@@ -24,6 +24,8 @@ SparseMatrix modal_damping(const SparseMatrix &K, const SparseMatrix &M, const d
       throw UserError(
           "'Modal damping' needs mass at every point that can move. Give points without "
           "mass a Mass, hold them, or use 'Mass damping' and 'Stiffness damping'.");
+  if (K.rows() == 0) // all is held
+    return K;
   const Eigen::MatrixXd mass(M);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(K), mass);
   const Vector &squares = modes.eigenvalues();

@@ -37,7 +37,7 @@ Collector::Collector(const Model &model, Results &results, FrameSink sink)
   results.supports = builder.support_infos();
   results.restraints = builder.restraint_infos();
   for (const auto &[name, vertex] : model.mesh.points)
-    results.points.push_back({name, vertex});
+    results.points.push_back({name, vertex, model.mesh.vertices[vertex]});
   for (const std::string &point : model.scene.monitors)
     results.histories.push_back({point, {}, {}});
 }
