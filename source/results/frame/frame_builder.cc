@@ -181,7 +181,6 @@ void FrameBuilder::add_pipe(const LineState &state, const unsigned int pipe,
 void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
                             std::vector<Station> &line) {
   const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
-  const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
   const auto cell = model.discretization.pipe_cell(index);
   element.reinit(cell);
   const Profile &profile = element.profile();
