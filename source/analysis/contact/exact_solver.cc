@@ -143,10 +143,11 @@ bool ExactSolver::presses_pairs(const ContactResponse &response) const {
 }
 
 void ExactSolver::release_pairs(const ContactResponse &response) {
-  for (const Pair &pair : pairs)
+  for (const Pair &pair : pairs) {
+    const double force = force_in_common(pair, response);
     for (const unsigned int i : pair)
-      proximal.centre[i][0] +=
-          force_in_common(pair, response) * contacts[i].length / contacts[i].weight;
+      proximal.centre[i][0] += force / contacts[i].share();
+  }
 }
 
 } // namespace frictionbeam
