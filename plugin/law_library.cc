@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -55,6 +56,8 @@ void check_texts(const LawDescription &law, const std::string &file) {
       check(std::string(p.name) != law.parameters[j].name, file,
             "it has two parameters called '" + std::string(p.name) +
                 "'. Give each a name of its own.");
+    check(std::isfinite(p.default_value), file,
+          "the default of " + which + " is not finite. Give a number within its bounds.");
     check(p.minimum <= p.default_value && p.default_value <= p.maximum, file,
           "the default " + std::to_string(p.default_value) + " of " + which +
               " is outside its bounds " + std::to_string(p.minimum) + " to " +

@@ -311,6 +311,13 @@ LineMesh mesh_routes(const Scene &scene) {
   if (paths.empty())
     return {};
   const double tolerance = 1e-7 * extent(paths);
+  for (unsigned int p = 0; p < paths.size(); ++p)
+    if (paths[p].length() <= tolerance)
+      throw UserError("Pipe " + scene.pipes[p].name + " vanishes beside the others.\n  read:    " +
+                      in_units(scene.units, paths[p].length(), "m") + " of pipe in a line of " +
+                      in_units(scene.units, extent(paths), "m") +
+                      "\n  allowed: pipes longer than 1e-7 of the line's extent, below which two "
+                      "places are one\n  try:     lengths in the same unit");
   const PipeJunctions junctions(scene, paths, tolerance);
   Pieces pieces = PiecePlan(scene).pieces(paths, Breaks(scene, paths, junctions, tolerance));
 

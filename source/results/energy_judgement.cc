@@ -47,15 +47,24 @@ double energy_of_rounding(const Results &results) {
 
 void remark_on_gains(Results &results) {
   const double rounding = energy_of_rounding(results);
-  for (const StepReport &step : results.steps) {
+  for (StepReport &step : results.steps) {
     const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
     // Where nothing moves, rounding is large beside the energy in motion.
-    if (step.energy.at_hand > 1e-9 * std::max(step.energy.stored, std::abs(step.energy.external)) &&
-        gained > std::max(gained_above * step.energy.at_hand, rounding))
-      results.remarks.push_back("Step " + step.step + ": the integrator has gained " +
-                                rounded_number(100. * gained / step.energy.at_hand, 2) +
-                                " % of the largest energy in motion, at contacts. Take a shorter "
-                                "time step, moreau_jean or event.");
+    if (!(step.energy.at_hand >
+          1e-9 * std::max(step.energy.stored, std::abs(step.energy.external))) ||
+        !(gained > std::max(gained_above * step.energy.at_hand, rounding)))
+      continue;
+    const std::string share = rounded_number(100. * gained / step.energy.at_hand, 2) +
+                              " % of the largest energy in motion";
+    if (results.supports.empty() && gained > failed_above * step.energy.at_hand) {
+      // No contact can have done it, and nothing else may.
+      step.remark += (step.remark.empty() ? "" : "; ") + ("the integrator has gained " + share);
+      step.converged = false;
+      if (results.status == RunStatus::converged)
+        results.status = RunStatus::failed;
+    } else
+      results.remarks.push_back("Step " + step.step + ": the integrator has gained " + share +
+                                ", at contacts. Take a shorter time step, moreau_jean or event.");
   }
 }
 

@@ -290,6 +290,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   parts::check_model(in, scene);
   parts::parse_monitors(in, scene);
   parts::check_kinematics(in, scene);
+  parts::remark_on_free_motions(scene);
   parts::check_histories(scene);
   parts::check_size(in, scene);
   in.enter("");

@@ -57,8 +57,17 @@ void add_motions(const frictionbeam::Results &results, const double time, StepAn
       }
 }
 
+/// Below this a normal force is rounding, and when the support last touched is nobody's knowledge.
+double force_that_touches(const frictionbeam::Results &results) {
+  double largest = 0.;
+  for (const frictionbeam::Frame &frame : results.frames)
+    for (const frictionbeam::SupportState &state : frame.supports)
+      largest = std::max(largest, state.fn);
+  return 1e-12 * largest;
+}
+
 void add_supports(const frictionbeam::Results &results, const frictionbeam::Frame &frame,
-                  StepAnswer &step) {
+                  const double force_that_touches, StepAnswer &step) {
   for (std::size_t i = 0; i < results.supports.size(); ++i) {
     const frictionbeam::SupportInfo &info = results.supports[i];
     const frictionbeam::SupportState &state = frame.supports[i];
@@ -72,7 +81,7 @@ void add_supports(const frictionbeam::Results &results, const frictionbeam::Fram
         force;
     if (name != info.name)
       continue;
-    if (state.fn > 0.)
+    if (state.fn > force_that_touches)
       step[name + " slip"] = {Kind::displacement, slip};
     step[name + " mt"] = {Kind::moment, Vec(std::abs(state.mt), 0., 0.), Turns::fixed};
   }
@@ -162,7 +171,7 @@ Answer::Answer(const Scene &scene, const Outcome &program) {
     const std::string &name = names[frame.step];
     if (!derived) {
       add_motions(results, frame.time, step);
-      add_supports(results, frame, step);
+      add_supports(results, frame, force_that_touches(results), step);
       if (const auto *const envelope = results.envelope_of(frame.step))
         add_envelope(results, *envelope, step);
     }

@@ -164,6 +164,8 @@ void Frame::give_section(Member &member) const {
       (pipe.mass >= 0. ? pipe.mass / paths[member.pipe].length : material.density * f.area) +
       f.added;
   member.rotary = scene.sections[pipe.section].rotary_inertia ? material.density * f.inertia : 0.;
+  member.twist = 2. * (material.density > 0. ? material.density * f.inertia
+                                             : member.mass * f.inertia / f.area);
 }
 
 std::vector<Place> Frame::places(const Support &support) const {

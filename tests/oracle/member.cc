@@ -149,9 +149,10 @@ Mat12 Member::mass_matrix() const {
     for (int i = 0; i < 12; ++i)
       N.col(i) = at(s, Vec12::Unit(i), MemberLoad{}).motion;
     const Vec3 t = curve.direction(s).cast<Real>();
+    const Mat3 along = t * t.transpose(),
+               inertia = rotary * (Mat3::Identity() - along) + twist * along;
     const auto u = N.topRows<3>(), turn = N.bottomRows<3>();
-    M += w * (mass * u.transpose() * u +
-              rotary * turn.transpose() * (Mat3::Identity() + t * t.transpose()) * turn);
+    M += w * (mass * u.transpose() * u + turn.transpose() * inertia * turn);
   });
   return M;
 }

@@ -48,7 +48,8 @@ public:
   std::array<int, 2> node{};               ///< a, b
   std::array<Vec, 2> tangent{};            ///< of the pipe there: of a bend, not of its chord
   Real EA = 0., GA = 0., GJ = 0., EI = 0.; ///< GA = 0: no shear flexibility; EI with a bend's
-  Real mass = 0., rotary = 0.;             ///< per length; density times second moment of area
+  Real mass = 0.;                          ///< per length
+  Real rotary = 0., twist = 0.;            ///< per length: about a diameter, about the axis
   std::array<Mat6, 2> joint{{Mat6::Zero(), Mat6::Zero()}};  ///< flexibility, global axes
   std::array<Vec6, 2> thrust{{Vec6::Zero(), Vec6::Zero()}}; ///< of a joint by unit pressure
 

@@ -47,9 +47,14 @@ Maybe reversed(const Scene &scene, Random &) {
   return reverse_routes(related.scene) ? Maybe(related) : Maybe();
 }
 
+/// Whether motions are held at all points of the mesh, and so at more of them where it has more.
+bool holds_motions(const Scene &scene) {
+  return std::count(scene.free_motions.begin(), scene.free_motions.end(), false) > 0;
+}
+
 Maybe cut(const Scene &scene, Random &random) {
   Related related{scene, {}};
-  if (scene.modes > 0) // which depend on the cells
+  if (scene.modes > 0 || holds_motions(scene)) // which depend on the cells
     return {};
   related.mapping.same_stations = false;
   return cut_a_pipe(related.scene, random) ? Maybe(related) : Maybe();
@@ -58,7 +63,7 @@ Maybe cut(const Scene &scene, Random &random) {
 /// A point on a run, and a mass of zero there.
 Maybe point_added(const Scene &scene, Random &random) {
   Related related{scene, {}};
-  if (scene.modes > 0 || !add_a_point(related.scene, "Z1", random))
+  if (scene.modes > 0 || holds_motions(scene) || !add_a_point(related.scene, "Z1", random))
     return {};
   for (const Support &support : scene.supports)
     if (support.continuous) // a bed acts at its nodes

@@ -29,8 +29,12 @@ double time_step(const Model &model) {
 }
 
 void check_time_steps(const Model &model) {
-  // Of a step that the program chose; of the user's own, Time/Most steps says.
-  const double most = model.scene.time.step > 0. ? 2e9 : 1e11 / (1. + model.space.n_unknowns());
+  // Of a step that the program chose; of the user's own, Time/Most steps says, up to what the list
+  // of their ends takes in memory.
+  constexpr double most_listed = 2e8;
+  const double most = model.scene.time.step > 0.
+                          ? most_listed
+                          : std::min(most_listed, 1e11 / (1. + model.space.n_unknowns()));
   for (const LoadStep &step : model.scene.steps)
     if (step.transient && !(step.duration <= most * time_step(model)))
       throw UserError("Step '" + step.name + "' would take too many time steps.\n  read:    " +

@@ -19,7 +19,6 @@ using namespace dealii;
 
 namespace {
 
-constexpr double shift = 1.;  ///< (rad/s)^2 below zero: a line that floats can be factored
 constexpr double stiff = 1e3; ///< times the line's largest stiffness: as good as rigid
 constexpr unsigned int largest_dense = 300;
 
@@ -27,7 +26,18 @@ double frequency_of(const double eigenvalue) {
   return std::sqrt(std::max(eigenvalue, 0.)) / (2. * numbers::PI);
 }
 
-void add_shifted_mass(const Eigen::SparseMatrix<double> &M, SparseMatrix &A) {
+/// 1 (rad/s)^2, or less where a line is so soft that this would hide its lowest modes: 1e-7 of the
+/// slowest motion of a single unknown.
+double choose_shift(const SparseMatrix &K, const Eigen::SparseMatrix<double> &M) {
+  const Vector stiffness = K.diagonal(), mass = M.diagonal();
+  double slowest = 1e7;
+  for (int i = 0; i < mass.size(); ++i)
+    if (mass[i] > 0. && stiffness[i] > 0.)
+      slowest = std::min(slowest, stiffness[i] / mass[i]);
+  return 1e-7 * slowest;
+}
+
+void add_shifted_mass(const Eigen::SparseMatrix<double> &M, const double shift, SparseMatrix &A) {
   for (int column = 0; column < M.outerSize(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(M, column); entry; ++entry)
       add_to(A, entry.row(), entry.col(), shift * entry.value());
@@ -40,10 +50,10 @@ ModalAnalysis::ModalAnalysis(const Model &model, const LineState &state,
     : model(model), start(state),
       matrices(model.scene, model.mesh, model.discretization, model.space, settings.lumped),
       M(matrices.unknowns_to_dofs().transpose() * matrices.mass() * matrices.unknowns_to_dofs()),
-      K(model.linear.stiffness()) {
+      K(model.linear.stiffness()), shift(choose_shift(K, M)) {
   hold_contacts(state, settings.friction_holds);
   SparseMatrix A = K;
-  add_shifted_mass(M, A);
+  add_shifted_mass(M, shift, A);
   shifted.analyze(A);
   factors.analyze(K);
   if (!shifted.factorize(A))
@@ -108,7 +118,7 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
           !(D(r, r) * contact.weight * contact.B_reduced.row(r).squaredNorm() <= stiff * stiffest);
   }
   SparseMatrix A = K;
-  add_shifted_mass(M, A);
+  add_shifted_mass(M, shift, A);
   const auto holds = rigid_holds(A, contacts, rigid);
   for (unsigned int i = 0; i < contacts.size(); ++i)
     for (unsigned int r = 0; r < 4; ++r)

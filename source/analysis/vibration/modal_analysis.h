@@ -62,6 +62,7 @@ private:
   const FullMatrices matrices;
   Eigen::SparseMatrix<double> M;
   SparseMatrix K;            ///< with the contacts that hold
+  const double shift;        ///< (rad/s)^2 below zero: a line that floats can be factored
   ContactResponse held;      ///< its tangents are the contacts' stiffness
   LineFactorization shifted; ///< of K + shift M
   LineFactorization factors; ///< of K

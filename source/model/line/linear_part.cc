@@ -91,6 +91,22 @@ void add_local(const Matrix &local, const std::vector<types::global_dof_index> &
           add_to(global, row.unknown, column.unknown, row.weight * column.weight * local(i, j));
 }
 
+/// The degrees of freedom that component @p c of a spring or dashpot joins: two, or one to the
+/// ground.
+std::vector<types::global_dof_index> ends_of_spring(const Spring &spring, const unsigned int c,
+                                                    const LineMesh &mesh,
+                                                    const VertexDofs &vertex_dofs) {
+  std::vector<types::global_dof_index> dofs = {vertex_dofs.index(mesh.points.at(spring.point), c)};
+  if (!spring.other.empty())
+    dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
+  for (const auto dof : dofs)
+    if (dof == numbers::invalid_dof_index)
+      throw UserError("Spring " + spring.name +
+                      " has a rotational stiffness or damping at a point without rotations. "
+                      "Set it to 0.");
+  return dofs;
+}
+
 std::vector<types::global_dof_index> dofs_of_vertices(const VertexDofs &vertex_dofs,
                                                       const std::vector<unsigned int> &vertices) {
   std::vector<types::global_dof_index> dofs;
@@ -152,10 +168,7 @@ void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
   for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c)
       if (spring.damping[c] != 0.) {
-        std::vector<types::global_dof_index> dofs = {
-            discretization.vertex_dofs().index(mesh.points.at(spring.point), c)};
-        if (!spring.other.empty())
-          dofs.push_back(discretization.vertex_dofs().index(mesh.points.at(spring.other), c));
+        const auto dofs = ends_of_spring(spring, c, mesh, discretization.vertex_dofs());
         Eigen::Matrix2d local;
         local << 1., -1., -1., 1.;
         local *= spring.damping[c];
@@ -286,14 +299,7 @@ void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
     for (unsigned int c = 0; c < 6; ++c) {
       if (spring.stiffness[c] == 0.)
         continue;
-      std::vector<types::global_dof_index> dofs = {
-          vertex_dofs.index(mesh.points.at(spring.point), c)};
-      if (!spring.other.empty())
-        dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
-      for (const auto dof : dofs)
-        if (dof == numbers::invalid_dof_index)
-          throw UserError("Spring " + spring.name +
-                          " has a rotational stiffness at a point without rotations. Set it to 0.");
+      const auto dofs = ends_of_spring(spring, c, mesh, vertex_dofs);
       Eigen::Matrix2d local;
       local << 1., -1., -1., 1.;
       local *= spring.stiffness[c];

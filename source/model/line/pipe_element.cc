@@ -130,11 +130,13 @@ PipeElement::Matrix12 PipeElement::mass(const Discretization::Cell &cell) {
     if (bend)
       tangent = bend->tangent(bend->angle() * shapes.get_quadrature().point(q)[0]);
     for (unsigned int i = 0; i < 12; ++i) {
-      // Momentum of function i: about the axis a pipe has twice the inertia of a diameter.
+      // Momentum of function i.
       Vector3 rotation;
       for (unsigned int d = 0; d < 3; ++d)
         rotation[d] = shapes.shape_value_component(i, q, 3 + d);
-      const Vector3 spin = profile.rotary_inertia * (rotation + (rotation * tangent) * tangent);
+      const Vector3 twist = (rotation * tangent) * tangent,
+                    spin =
+                        profile.rotary_inertia * (rotation - twist) + profile.twist_inertia * twist;
       for (unsigned int j = 0; j < 12; ++j) {
         double sum = 0.;
         for (unsigned int d = 0; d < 3; ++d)

@@ -103,6 +103,13 @@ std::pair<FE_FrictionBeam::Rotations, bool> element_option(const FrictionSupport
 /// How many times stiffer than its section a valve or flange is.
 constexpr double rigid_part = 1000.;
 
+/// About the axis [kg m]. A twist without inertia in a skew pipe would be a motion that no single
+/// unknown names, and rounding its only mass: where the metal has no density, all mass stands for it.
+double twist_inertia(const Profile &profile, const Section &section) {
+  const double density = profile.material.density;
+  return 2. * section.inertia * (density > 0. ? density : profile.mass / section.area);
+}
+
 Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
                      const double bend_radius, const std::optional<Point3> &arc_centre,
                      const LawDescription &law) {
@@ -116,6 +123,7 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   profile.wind_diameter = 2. * (section.outer_radius + section.insulation);
   profile.rotary_inertia = section.rotary_inertia ? material.density * section.inertia : 0.;
   profile.material = material;
+  profile.twist_inertia = twist_inertia(profile, section);
   profile.pressure_strain = section.bore_area() * (1. - 2. * material.poissons_ratio) / profile.EA;
   const double stiffer = pipe.rigid ? rigid_part : 1.;
   for (double *rigidity : {&profile.EA, &profile.GA, &profile.GJ, &profile.EI})
@@ -190,10 +198,13 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
     add_option(element_option(support, false));
     add_option(element_option(support, true)); // the triangulation may turn the cell
   }
-  const bool turning_spring =
-      std::any_of(scene.springs.begin(), scene.springs.end(), [](const Spring &spring) {
-        return spring.stiffness[3] != 0. || spring.stiffness[4] != 0. || spring.stiffness[5] != 0.;
-      });
+  const auto turns = [](const Spring &spring) {
+    bool result = false;
+    for (unsigned int c = 3; c < 6; ++c)
+      result = result || spring.stiffness[c] != 0. || spring.damping[c] != 0.;
+    return result;
+  };
+  const bool turning_spring = std::any_of(scene.springs.begin(), scene.springs.end(), turns);
   if (!scene.springs.empty()) // carriers of free points
     options.emplace_back(turning_spring ? Rotations::averaged : Rotations::none, turning_spring);
   for (const auto &[rotations, torsion] : options)
@@ -254,8 +265,10 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
         sections.push_back(
             make_profile(pipe, section, scene.materials[pipe.material], meshed.bend_radius[i],
                          is_arc ? std::optional<Point3>(arc->second) : std::nullopt, law));
-        if (pipe.total_mass)
+        if (pipe.total_mass) {
           sections[id].mass = *pipe.total_mass / meshed.s.back() + section.added_mass;
+          sections[id].twist_inertia = twist_inertia(sections[id], section);
+        }
       }
       cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, id});
       fe_index.push_back(is_arc ? 1 : 0);

@@ -17,7 +17,8 @@ namespace frictionbeam {
 struct Profile {
   double EA = 0., GA = 0., GJ = 0., EI = 0.; ///< [N, N, N m2, N m2]; EI divided by a bend's factor
   double mass = 0.;                          ///< [kg/m], with contents
-  double rotary_inertia = 0.;                ///< about a diameter [kg m]
+  double rotary_inertia = 0.;                ///< about a diameter, where it is not left out [kg m]
+  double twist_inertia = 0.;                 ///< about the axis: never 0 where there is mass [kg m]
   Material material;                         ///< for its expansion
   double wind_diameter = 0.;                 ///< outer, with insulation [m]
   double pressure_strain = 0.;               ///< axial strain of a closed pipe per pressure [1/Pa]

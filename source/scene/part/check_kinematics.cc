@@ -2,6 +2,7 @@
 #include "scene/part/parts.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam::parts {
 
@@ -54,6 +55,32 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
   refuse(any(scene.initial,
              [](const InitialCondition &initial) { return initial.displacement != Motion{}; }),
          "an initial displacement", "a static step before");
+}
+
+void remark_on_free_motions(Scene &scene) {
+  const auto &free = scene.free_motions;
+  for (const Pipe &pipe : scene.pipes)
+    for (std::size_t i = 0; i + 1 < pipe.route.size(); ++i)
+      for (unsigned int axis = 0; axis < 3; ++axis) {
+        if (free[3 + axis])
+          continue;
+        // A pipe that bends about the axis moves along the axis times the leg's direction.
+        const unsigned int next = (axis + 1) % 3, last = (axis + 2) % 3;
+        const Vector3 leg = pipe.route[i + 1].position - pipe.route[i].position;
+        const auto bends = [&](const unsigned int along, const unsigned int moves) {
+          return std::abs(leg[along]) > 1e-6 * leg.norm() && free[moves];
+        };
+        if (!bends(next, last) && !bends(last, next))
+          continue;
+        const unsigned int moves = bends(next, last) ? last : next;
+        scene.remarks.push_back(
+            "Free motions: u" + std::string(1, "xyz"[moves]) + " is free and r" +
+            std::string(1, "xyz"[axis]) + " is held, at the points only: between them pipe " +
+            pipe.name +
+            " bends, so that the answer depends on where points stand. Free both, or "
+            "hold both.");
+        return;
+      }
 }
 
 } // namespace frictionbeam::parts

@@ -22,6 +22,12 @@ bool is_in_inches(const double unit) {
   return std::abs(unit - 0.0254) < 1e-9 || std::abs(unit - 0.3048) < 1e-9;
 }
 
+/// Second moment of area of a hollow circle, A (D^2 + d^2)/16: right for walls of any thinness.
+double inertia_of_pipe(const double D, const double wall) {
+  const double d = D - 2. * wall;
+  return pi * (D - wall) * wall * (D * D + d * d) / 16.;
+}
+
 } // namespace
 
 double Section::bore_area() const {
@@ -37,9 +43,9 @@ Section between(const Section &begin, const Section &end, const double part) {
   section.outer_radius = mix(begin.outer_radius, end.outer_radius);
   section.wall = mix(begin.wall, end.wall);
   if (begin.wall > 0. && end.wall > 0.) {
-    const double D = 2. * section.outer_radius, t = section.wall, d = D - 2. * t;
+    const double D = 2. * section.outer_radius, t = section.wall;
     section.area = pi * (D - t) * t;
-    section.inertia = pi / 64. * (D * D * D * D - d * d * d * d);
+    section.inertia = inertia_of_pipe(D, t);
     section.torsion_constant = 2. * section.inertia;
     section.shear_area = begin.shear_area / begin.area * section.area;
     return section;
@@ -76,7 +82,9 @@ void declare_section(ParameterReader &in) {
                   "flexibility.");
   in.declare_number("Added mass", 0., "kg/m", 0., 1e300,
                     "Contents, insulation and what else moves with the pipe.");
-  in.declare_flag("Rotary inertia", true, "Of the metal, in the mass of transient steps.");
+  in.declare_flag("Rotary inertia", true,
+                  "Of the metal, in the mass of transient steps, about a "
+                  "diameter of the section; twist has its own always.");
   in.declare_number("Contents", 0., "kg/m3", 0., 1e300, "Density of what fills the pipe.");
   in.declare_number("Corrosion allowance", 0., "m", 0., 1e300,
                     "Taken off the inside of the wall in sustained and occasional stresses.");
@@ -116,11 +124,10 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
       if (in.given(entry))
         in.fail(entry, "either diameter and wall, or the section's figures",
                 "removing '" + std::string(entry) + "' or 'Outer diameter'");
-    const double d = D - 2. * t;
     section.outer_radius = D / 2.;
     section.wall = t;
     section.area = pi * (D - t) * t;
-    section.inertia = pi / 64. * (D * D * D * D - d * d * d * d);
+    section.inertia = inertia_of_pipe(D, t);
     section.torsion_constant = 2. * section.inertia;
   } else {
     for (const char *entry : {"Area", "Inertia"})
