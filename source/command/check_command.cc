@@ -148,8 +148,7 @@ void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene
   state.contact_stress.assign(model.contacts.size(), Contact::Strains::Zero());
   state.contact_status.assign(model.contacts.size(), ContactStatus::closed);
   state.load_factors.assign(scene.loads.size(), 0.);
-  if (model.corotational != nullptr)
-    state.turns = model.corotational->at_rest().turns;
+  state.turns = model.cells.at_rest().turns;
   Results results;
   results.units = scene.units;
   results.supports = builder.support_infos();

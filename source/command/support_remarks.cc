@@ -2,6 +2,7 @@
 #include "command/support_remarks.h"
 
 #include "base/user_error.h"
+#include "model/cell/line_cells.h"
 #include "model/contact/finite_rigidity.h"
 #include "model/contact/ground_point.h"
 #include "results/text.h"
@@ -151,7 +152,7 @@ void add_remarks_on_model(const Model &model, Results &results) {
     const unsigned int on = contact.vertices[1];
     const bool turns = model.discretization.turns(on, 0) || model.discretization.turns(on, 1) ||
                        model.discretization.turns(on, 2);
-    if (model.corotational && turns)
+    if (model.cells.turns_far() && turns)
       throw UserError("Support " + support.name + " stands beside its Ground " + support.ground +
                       ", seen along its normal, and large displacements do not know how that "
                       "point's pipe would turn under it. Leave Normal out, or place the point on "

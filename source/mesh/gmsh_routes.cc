@@ -183,7 +183,7 @@ private:
   }
 
   const Scene &scene;
-  const bool mass_on_chords; ///< CorotationalLine's
+  const bool mass_on_chords; ///< of CorotationalCells
   const bool windy;
 };
 

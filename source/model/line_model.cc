@@ -8,20 +8,6 @@
 
 namespace frictionbeam {
 
-namespace {
-
-std::optional<const CorotationalLine> corotational_line(const Scene &scene, const LineMesh &mesh,
-                                                        const Discretization &discretization,
-                                                        const ReducedSpace &space,
-                                                        const LinearPart &linear) {
-  if (scene.kinematics != Kinematics::corotational)
-    return {};
-  return std::optional<const CorotationalLine>(std::in_place, scene, mesh, discretization, space,
-                                               linear);
-}
-
-} // namespace
-
 bool has_transient_step(const Scene &scene) {
   return std::any_of(scene.steps.begin(), scene.steps.end(),
                      [](const LoadStep &step) { return step.transient; });
@@ -34,16 +20,10 @@ LineModel::LineModel(const Scene &scene, LineMesh line_mesh, const LawLibrary &l
     : mesh(std::move(line_mesh)), discretization(scene, mesh, laws),
       space(scene, mesh, discretization), contacts(scene, mesh, discretization, space, laws),
       linear(scene, mesh, discretization, space, contacts, has_transient_step(scene)),
-      corotational(corotational_line(scene, mesh, discretization, space, linear)),
-      whole{scene,
-            mesh,
-            discretization,
-            space,
-            contacts,
-            linear,
-            corotational ? &*corotational : nullptr} {
+      cells(make_line_cells(scene, mesh, discretization, space, linear)),
+      whole{scene, mesh, discretization, space, contacts, linear, *cells} {
   if (!scene.solver.is_exact() && scene.solver.has_tangent() && !has_transient_step(scene) &&
-      scene.kinematics == Kinematics::linear)
+      cells->is_linear())
     make_rigid_contacts_finite(linear.stiffness(), contacts);
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "model/cell/corotational_line.h"
+#include "model/cell/line_cells.h"
 #include "model/model.h"
-
-#include <optional>
 
 namespace frictionbeam {
 
@@ -29,7 +27,7 @@ private:
   const ReducedSpace space;
   Contacts contacts;
   const LinearPart linear;
-  std::optional<const CorotationalLine> corotational;
+  const std::unique_ptr<const LineCells> cells;
   const Model whole;
 };
 

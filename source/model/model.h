@@ -5,10 +5,10 @@
 
 namespace frictionbeam {
 
-class CorotationalLine;
+class LineCells;
 
 /// What an analysis sees of a line: of the scene as it was read (LineModel), or of one on fewer
-/// unknowns (ReducedLine), which share its first three.
+/// unknowns (ReducedLine), which share its first three and the cells.
 struct Model {
   const Scene &scene;
   const LineMesh &mesh;
@@ -16,7 +16,7 @@ struct Model {
   const ReducedSpace &space;
   const Contacts &contacts;
   const LinearPart &linear;
-  const CorotationalLine *corotational = nullptr; ///< null in linear kinematics
+  const LineCells &cells; ///< of all degrees of freedom
 };
 
 } // namespace frictionbeam

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/increment/follow_resolution.h"
 
+#include "model/cell/line_cells.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,30 +47,7 @@ void FollowResolution::add_displacement(const LineState &state, Resolution &reso
         std::max(resolution.largest_displacement,
                  std::hypot(state.dofs[translations[i]], state.dofs[translations[i + 1]],
                             state.dofs[translations[i + 2]]));
-  if (!model.corotational)
-    return;
-  const auto place = [&](const unsigned int v) {
-    Eigen::Vector3d x;
-    for (unsigned int d = 0; d < 3; ++d)
-      x[d] = model.mesh.vertices[v][d] + state.dofs[translations[3 * v + d]];
-    return x;
-  };
-  double unbent = 0.;
-  for (const MeshedPipe &pipe : model.mesh.pipes)
-    for (unsigned int i = 0; i + 1 < pipe.vertices.size(); ++i) {
-      const unsigned int v = pipe.vertices[i], w = pipe.vertices[i + 1];
-      const Vector3 cell = model.mesh.vertices[w] - model.mesh.vertices[v];
-      const Eigen::Vector3d before = Eigen::Vector3d(cell[0], cell[1], cell[2]).normalized(),
-                            chord = (place(w) - place(v)).normalized();
-      const auto angles = [&](const unsigned int vertex) -> Eigen::Vector3d {
-        return Eigen::Map<const Eigen::Quaterniond>(state.turns.data() + 4 * vertex) * before -
-               chord;
-      };
-      const Eigen::Vector3d first = angles(v), last = angles(w);
-      unbent += cell.norm() *
-                (2. * first.squaredNorm() - first.dot(last) + 2. * last.squaredNorm()) / 30.;
-    }
-  resolution.unbent = std::max(resolution.unbent, unbent);
+  resolution.unbent = std::max(resolution.unbent, model.cells.unbent({state.dofs, state.turns}));
 }
 
 void FollowResolution::add_time_step(const LineState &before, const LineState &after,

@@ -3,8 +3,9 @@
 
 #include "analysis/event/event_integrator.h"
 #include "analysis/time/alpha_scheme.h"
-#include "analysis/time/corotational_motion.h"
 #include "analysis/time/moreau_jean.h"
+#include "analysis/time/nonlinear_motion.h"
+#include "model/cell/line_cells.h"
 
 #include <iterator>
 
@@ -44,8 +45,8 @@ static_assert(std::size(makers) == std::size(integrators), "each integrator is m
 
 std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model,
                                                      const PieceObserver &observer) {
-  if (model.corotational)
-    return std::make_unique<CorotationalMotion>(model);
+  if (!model.cells.is_linear())
+    return std::make_unique<NonlinearMotion>(model);
   return row_of(makers, model.scene.time.integrator).make(model, observer);
 }
 

@@ -4,6 +4,7 @@
 #include "analysis/algebra/line_factorization.h"
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/step_helpers.h"
+#include "model/cell/line_cells.h"
 
 #include <cmath>
 
@@ -37,7 +38,7 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
   state.load_factors = course.factors_after(state.time);
   course.set_rates(state, LoadCourse::Side::after);
   if (const Vector impulse = impulse_of_inertia(model, before.load_rates, state.load_rates);
-      impulse.size() > 0 && !model.corotational) {
+      impulse.size() > 0 && model.cells.is_linear()) {
     LineFactorization mass;
     factor_mass(model, mass);
     const std::vector<bool> has_mass = unknowns_with_mass(model.linear.mass());

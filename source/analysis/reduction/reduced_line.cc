@@ -78,7 +78,7 @@ ReducedLine::ReducedLine(const Model &line, const LineParts &parts, const LinePa
   contacts = std::make_unique<Contacts>(line.contacts, dof_places, unknown_places, n);
   linear = std::make_unique<LinearPart>(make_matrices());
   reduced = std::make_unique<Model>(
-      Model{line.scene, line.mesh, line.discretization, *space, *contacts, *linear});
+      Model{line.scene, line.mesh, line.discretization, *space, *contacts, *linear, line.cells});
 }
 
 void ReducedLine::make_basis(const unsigned int p, const unsigned int n_modes,

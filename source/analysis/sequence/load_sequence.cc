@@ -3,9 +3,8 @@
 
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/reduction/transient_reduction.h"
-#include "analysis/statics/corotational_statics.h"
+#include "model/cell/line_cells.h"
 
-#include "analysis/contact/solver_library.h"
 #include "analysis/increment/time_step.h"
 #include "analysis/time/step_helpers.h"
 
@@ -17,11 +16,8 @@ namespace frictionbeam {
 using namespace dealii;
 
 LoadSequence::LoadSequence(const Model &model)
-    : model(model), statics(make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
-                                                    model.linear.stiffness())),
-      corotational_statics(model.corotational ? std::make_unique<CorotationalStatics>(model)
-                                              : nullptr),
-      course(model), declared(model.scene.loads.size(), 0.) {}
+    : model(model), statics(make_statics(model)), course(model),
+      declared(model.scene.loads.size(), 0.) {}
 
 LoadSequence::~LoadSequence() = default;
 
@@ -34,8 +30,7 @@ void LoadSequence::initialize() {
   const unsigned int n = model.space.n_unknowns();
   current.unknowns = current.velocity = current.acceleration = current.auxiliary = Vector::Zero(n);
   current.load_factors = declared;
-  if (model.corotational)
-    current.turns = model.corotational->at_rest().turns;
+  current.turns = model.cells.at_rest().turns;
   set_initial_motion(true);
   const Vector imposed = course.imposed(0.);
   const auto expand = [&]() {

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/contact/equilibrium.h"
 #include "analysis/increment/progress.h"
 #include "analysis/increment/step_report.h"
 #include "analysis/march/time_march.h"
+#include "analysis/statics/statics.h"
 
 #include <memory>
 
 namespace frictionbeam {
 
-class CorotationalStatics;
 class FollowResolution;
 class TransientReduction;
 
 /**
- * Runs the declared sequence of load steps: static increments, each solved by EquilibriumSolver,
- * cut in two, again and again, where they do not converge, and transient steps by TimeMarch, which
- * may run on the line reduced to contact nodes and modes.
+ * Runs the declared sequence of load steps: static increments, each solved by Statics, cut in two,
+ * again and again, where they do not converge, and transient steps by TimeMarch, which may run on
+ * the line reduced to contact nodes and modes.
  */
 class LoadSequence {
 public:
@@ -68,7 +67,6 @@ private:
   /// An increment that takes no time, to what the loads are after a jump.
   bool advance_to_other_side();
   bool solve_increment(const Factors &factors, const double time);
-  bool solve_corotational_increment(const Factors &factors, const double time);
   /// After a static increment: its account of energy, its slips, contacts that it tore off.
   void judge_increment(const LineState &before, EnergyAccount account);
   /// Forces that a state before the first static increment, or the motion before it, leaves
@@ -84,8 +82,7 @@ private:
   void commit(const Factors &factors, const double time);
 
   const Model &model;
-  const std::unique_ptr<EquilibriumSolver> statics;
-  const std::unique_ptr<CorotationalStatics> corotational_statics; ///< null in linear kinematics
+  const std::unique_ptr<Statics> statics;
   std::unique_ptr<TimeMarch> march; ///< null before the first transient step
   LoadCourse course;
   Factors declared; ///< factors without the loads' histories
@@ -105,7 +102,6 @@ private:
   unsigned int iterations_left = 0, halvings_left = 0; ///< of the declared increment
 
   // of the increment being solved
-  Vector trial;
   EquilibriumResult last_result;
   ContactResponse response;
   LoadCourse::Side side = LoadCourse::Side::before; ///< of a jump at the end of an increment

@@ -7,8 +7,6 @@
 #include "analysis/contact/undetermined_forces.h"
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/increment/report_result.h"
-#include "analysis/statics/corotational_statics.h"
-#include "model/cell/corotational_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,10 +29,8 @@ unsigned int most_iterations_of(const SolverSettings &settings) {
 }
 
 /// What of a static step's answer is not the only one.
-std::vector<BeyondUniqueness>
-several_equilibria(const Model &model, const EquilibriumSolver &statics, const LineState &state) {
-  if (model.corotational)
-    return {};
+std::vector<BeyondUniqueness> several_equilibria(const Model &model, const Statics &statics,
+                                                 const LineState &state) {
   std::vector<ContactStatus> status = state.contact_status;
   const std::vector<bool> idle = idle_halves(model.contacts, state);
   for (unsigned int i = 0; i < status.size(); ++i)
@@ -153,12 +149,7 @@ Vector LoadSequence::unbalanced_at_start() const {
   ContactResponse of_contacts;
   of_contacts.stress = current.contact_stress;
   model.contacts.add_forces(of_contacts, forces);
-  if (model.corotational) {
-    CorotationalLine::Balance balance;
-    model.corotational->evaluate({current.dofs, current.turns}, current.load_factors, balance);
-    return balance.forces + model.contacts.platen_forces() - forces;
-  }
-  return course.forces(current.load_factors) - model.linear.stiffness() * current.unknowns - forces;
+  return statics->forces_on_contacts(current, course) - forces;
 }
 
 void LoadSequence::judge_increment(const LineState &before, EnergyAccount account) {
@@ -177,51 +168,21 @@ void LoadSequence::judge_increment(const LineState &before, EnergyAccount accoun
       report.torn_off.push_back(i);
 }
 
-bool LoadSequence::solve_corotational_increment(const Factors &factors, const double time) {
+bool LoadSequence::solve_increment(const Factors &factors, const double time) {
+  const Factors full = course.factors_at(time, side);
   LineState to = current;
-  to.time = time;
-  to.load_factors = course.factors_at(time, side);
-  last_result =
-      corotational_statics->solve(current, course, least_force * force_so_far, to, response);
+  last_result = statics->solve(
+      current, {course, time, full, least_force * force_so_far, force_so_far, iterations_left}, to,
+      response);
   iterations_left -= std::min(iterations_left, last_result.iterations);
   if (!add_result(last_result, step_reports.back()))
     return false;
   const Vector unbalanced = unbalanced_at_start();
   const LineState before = current;
   current = to;
-  current.time = before.time;
   commit(factors, time);
-  EnergyAccount account = corotational_statics->account(before, current, course);
-  // What was not balanced before is put on as evenly as the loads.
-  account.external -= unbalanced.dot(current.unknowns - before.unknowns) / 2.;
-  measure_forces(course.forces(current.load_factors));
-  judge_increment(before, account);
-  return true;
-}
-
-bool LoadSequence::solve_increment(const Factors &factors, const double time) {
-  if (corotational_statics)
-    return solve_corotational_increment(factors, time);
-  const Factors full = course.factors_at(time, side);
-  EquilibriumProblem increment{model.linear.stiffness(), course.forces(full), course.imposed(time)};
-  increment.increment = {time, 0., model.contacts.temperatures(full)};
-  increment.largest_force = least_force * force_so_far;
-  increment.force_so_far = force_so_far;
-  increment.most_iterations = iterations_left;
-  trial = current.unknowns;
-  last_result = statics->solve(increment, current.contacts, trial, response);
-  iterations_left -= std::min(iterations_left, last_result.iterations);
-  if (!add_result(last_result, step_reports.back()))
-    return false;
-  const Vector loads_before = course.forces(current.load_factors) - unbalanced_at_start();
-  const LineState before = current;
-  current.unknowns = trial;
-  model.space.expand(current.unknowns, current.dofs);
-  current.dofs += increment.imposed;
-  commit(factors, time);
-  measure_forces(increment.right_hand_side);
-  judge_increment(
-      before, account_increment(model, before, current, loads_before, increment.right_hand_side));
+  measure_forces(course.forces(full));
+  judge_increment(before, statics->account(before, current, course, unbalanced));
   return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "model/cell/corotational_line.h"
+#include "model/cell/corotational_cells.h"
 
 namespace frictionbeam {
 
@@ -7,11 +7,9 @@ using namespace dealii;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-void CorotationalLine::add_mass() {
-  for (const PointMass &mass : scene.masses)
-    for (const std::string &point : mass.points)
-      point_mass[mesh.points.at(point)] += mass.mass;
-  M = pattern;
+void CorotationalCells::add_mass() {
+  M = linear.mass();
+  std::fill(M.valuePtr(), M.valuePtr() + M.nonZeros(), 0.);
   for (const Cell &cell : cells) {
     std::vector<types::global_dof_index> dofs(cell.dofs.begin(), cell.dofs.begin() + 3);
     dofs.insert(dofs.end(), cell.dofs.begin() + 6, cell.dofs.begin() + 9);
@@ -29,9 +27,9 @@ void CorotationalLine::add_mass() {
   }
 }
 
-void CorotationalLine::add_rotary(const Pose &from, const Pose &to, const Vector &change,
-                                  const Vector &spin_before, const double step, Vector &forces,
-                                  SparseMatrix &matrix) const {
+void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vector &change,
+                                   const Vector &spin_before, const double step, Vector &forces,
+                                   SparseMatrix &matrix) const {
   Vector on_dofs = Vector::Zero(space.n_dofs());
   for (unsigned int v = 0; v < n_vertices; ++v) {
     if (!turns(v) || vertex_inertia[v].isZero(0.))
@@ -54,9 +52,9 @@ void CorotationalLine::add_rotary(const Pose &from, const Pose &to, const Vector
   forces += space.restrict_forces(on_dofs);
 }
 
-void CorotationalLine::set_spins(const Pose &from, const Pose &to, const Vector &change,
-                                 const Vector &spin_before, const double step,
-                                 Vector &velocity) const {
+void CorotationalCells::set_spins(const Pose &from, const Pose &to, const Vector &change,
+                                  const Vector &spin_before, const double step,
+                                  Vector &velocity) const {
   for (unsigned int v = 0; v < n_vertices; ++v) {
     if (!turns(v))
       continue;
@@ -70,43 +68,29 @@ void CorotationalLine::set_spins(const Pose &from, const Pose &to, const Vector 
   }
 }
 
-double CorotationalLine::kinetic_energy(const Pose &pose, const Vector &velocity) const {
-  double energy = 0.;
+Vector CorotationalCells::momenta(const Pose &pose, const Vector &velocity) const {
+  Vector result = Vector::Zero(velocity.size());
   for (const Cell &cell : cells) {
-    const Vector3d v0 = part(velocity, cell.vertices[0], 0),
-                   v1 = part(velocity, cell.vertices[1], 0);
-    energy += cell.mass / 6. * (v0.dot(v0) + v0.dot(v1) + v1.dot(v1));
+    const Vector3d first = part(velocity, cell.vertices[0], 0),
+                   last = part(velocity, cell.vertices[1], 0);
+    add_part(cell.mass / 6. * (2. * first + last), cell.vertices[0], 0, result);
+    add_part(cell.mass / 6. * (first + 2. * last), cell.vertices[1], 0, result);
   }
   for (unsigned int v = 0; v < n_vertices; ++v) {
     const Vector3d spin = turn(pose, v).conjugate() * part(velocity, v, 3);
-    energy +=
-        (point_mass[v] * part(velocity, v, 0).squaredNorm() + spin.dot(vertex_inertia[v] * spin)) /
-        2.;
+    add_part(point_mass[v] * part(velocity, v, 0), v, 0, result);
+    add_part(turn(pose, v) * (vertex_inertia[v] * spin), v, 3, result);
   }
-  return energy;
+  return result;
 }
 
-Motion CorotationalLine::momentum(const Pose &pose, const Vector &velocity) const {
-  Vector3d linear_sum = Vector3d::Zero(), angular_sum = Vector3d::Zero();
-  const auto place = [&](const unsigned int v) {
-    const Point3 &rest = discretization.vertices()[v];
-    return Vector3d(Vector3d(rest[0], rest[1], rest[2]) + part(pose.dofs, v, 0));
-  };
-  for (const Cell &cell : cells)
-    for (unsigned int i = 0; i < 2; ++i)
-      for (unsigned int j = 0; j < 2; ++j) {
-        const Vector3d share = cell.mass / (i == j ? 3. : 6.) * part(velocity, cell.vertices[j], 0);
-        linear_sum += share;
-        angular_sum += place(cell.vertices[i]).cross(share);
-      }
-  for (unsigned int v = 0; v < n_vertices; ++v) {
-    const Vector3d share = point_mass[v] * part(velocity, v, 0),
-                   spin = turn(pose, v).conjugate() * part(velocity, v, 3);
-    linear_sum += share;
-    angular_sum += place(v).cross(share) + turn(pose, v) * (vertex_inertia[v] * spin);
+LineCells::Matrix12 CorotationalCells::mass_of(const unsigned int cell, PipeElement &) const {
+  Matrix12 result = Matrix12::Zero();
+  for (unsigned int d = 0; d < 3; ++d) {
+    result(d, d) = result(6 + d, 6 + d) = cells[cell].mass / 3.;
+    result(d, 6 + d) = result(6 + d, d) = cells[cell].mass / 6.;
   }
-  return {linear_sum[0],  linear_sum[1],  linear_sum[2],
-          angular_sum[0], angular_sum[1], angular_sum[2]};
+  return result;
 }
 
 } // namespace frictionbeam

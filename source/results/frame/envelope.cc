@@ -4,6 +4,8 @@
 
 #include "results/frame/derived_cases.h"
 #include "results/frame/envelope.h"
+
+#include "model/cell/line_cells.h"
 #include "results/frame/frame_builder.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
@@ -62,7 +64,7 @@ struct Envelope::Tools {
   Tools(const Model &model, const Results &results)
       : builder(model, true), line(builder.stations()),
         nozzles(nozzle_sites(model.scene, results)) {
-    if (model.corotational == nullptr)
+    if (model.cells.is_linear())
       section_forces.emplace(model);
     for (unsigned int i = 0; i < model.contacts.size(); ++i)
       rigid.push_back(is_rigid(model.contacts[i]));
@@ -270,7 +272,7 @@ void Envelope::include_line(const LineState &state) {
   const auto include = [&](const unsigned int first, const double *const forces,
                            const unsigned int n) { include_forces(state.time, first, forces, n); };
   const bool is_part = is_combined(model.scene, model.scene.steps[envelope.step].name);
-  if (model.corotational == nullptr && !is_part) {
+  if (model.cells.is_linear() && !is_part) {
     include_reactions(state.time, tools->builder.reactions(state));
     const auto is_inside = [&](const unsigned int cell, const SectionForces::Bounds &bounds) {
       if (stresses)

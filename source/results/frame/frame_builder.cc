@@ -3,8 +3,6 @@
 
 #include "results/frame/frame_builder.h"
 
-#include "model/cell/corotational_line.h"
-
 #include <limits>
 
 namespace frictionbeam {
@@ -144,10 +142,11 @@ SupportState FrameBuilder::support_state(const LineState &state, const unsigned 
 Frame FrameBuilder::make(const LineState &state) {
   Frame frame;
   frame.time = state.time;
+  const Pose pose{state.dofs, state.turns};
   vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
   for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
-    add_pipe(state, p, frame.line);
-  add_vertex_forces(state);
+    add_pipe(state, pose, p, frame.line);
+  add_vertex_forces(state, pose);
   add_inertia(state);
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
     frame.supports.push_back(support_state(state, i));
@@ -157,50 +156,20 @@ Frame FrameBuilder::make(const LineState &state) {
 
 std::vector<Station> FrameBuilder::stations() {
   LineState at_rest;
-  at_rest.dofs = Vector::Zero(model.space.n_dofs());
   at_rest.load_factors.assign(model.scene.loads.size(), 0.);
-  if (model.corotational)
-    at_rest.turns = model.corotational->at_rest().turns;
+  const Pose pose = model.cells.at_rest();
   vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
   std::vector<Station> line;
   for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
-    add_pipe(at_rest, p, line);
+    add_pipe(at_rest, pose, p, line);
   return line;
 }
 
-void FrameBuilder::add_pipe(const LineState &state, const unsigned int pipe,
+void FrameBuilder::add_pipe(const LineState &state, const Pose &pose, const unsigned int pipe,
                             std::vector<Station> &line) {
   const unsigned int n = model.mesh.pipes[pipe].bend_radius.size();
   for (unsigned int i = 0; i < n; ++i)
-    if (model.corotational)
-      add_turned_cell(state, first_cell[pipe] + i, line);
-    else
-      add_cell(state, first_cell[pipe] + i, line);
-}
-
-void FrameBuilder::add_cell(const LineState &state, const unsigned int index,
-                            std::vector<Station> &line) {
-  const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
-  const auto cell = model.discretization.pipe_cell(index);
-  element.reinit(cell);
-  const Profile &profile = element.profile();
-
-  std::vector<types::global_dof_index> dofs(12);
-  cell->get_dof_indices(dofs);
-  PipeElement::Vector12 u;
-  for (unsigned int i = 0; i < 12; ++i)
-    u[i] = state.dofs[dofs[i]];
-  const CellLoad load = load_on(state, pipe_cell, profile, cell->vertex(1) - cell->vertex(0));
-  const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
-  const PipeElement::Vector12 ends =
-      element.stiffness() * u - element.unit_line_loads() * line_force -
-      load.axial_strain * element.unit_axial_strain() - load.curvature * element.unit_curvature() -
-      load.pressure * element.unit_thrust();
-  for (const unsigned int v : {0u, 1u})
-    for (unsigned int c = 0; c < 6; ++c)
-      vertex_forces[cell->vertex_index(v)][c] += ends[6 * v + c];
-  u = element.inside(u, ends, load.pressure); // beyond joints
-  append(stations_of(index, ends, u, load), line);
+    add_cell(state, pose, first_cell[pipe] + i, line);
 }
 
 void FrameBuilder::append(const std::vector<Station> &stations, std::vector<Station> &line) const {
@@ -274,20 +243,6 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
   return stations;
 }
 
-CellLoad FrameBuilder::load_on(const LineState &state, const PipeCell &cell, const Profile &profile,
-                               const Vector3 &chord) const {
-  CellLoad load;
-  for (unsigned int l = 0; l < state.load_factors.size(); ++l) {
-    const CellLoad one =
-        cell_load(model.scene.loads[l], model.scene.pipes[cell.pipe].name, profile, chord);
-    load.line_force += state.load_factors[l] * one.line_force;
-    load.axial_strain += state.load_factors[l] * one.axial_strain;
-    load.curvature += state.load_factors[l] * one.curvature;
-    load.pressure += state.load_factors[l] * one.pressure;
-  }
-  return load;
-}
-
 void FrameBuilder::place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const {
   const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
   station.y = axes.y;
@@ -351,12 +306,11 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
   return stations;
 }
 
-void FrameBuilder::add_vertex_forces(const LineState &state) {
+void FrameBuilder::add_vertex_forces(const LineState &state, const Pose &pose) {
   for (unsigned int l = 0; l < state.load_factors.size(); ++l)
-    for (const auto &[vertex, dead] : model.linear.nodal(l)) {
-      const Motion force =
-          model.corotational ? model.corotational->nodal_load(l, vertex, {state.dofs, state.turns})
-                             : dead;
+    for (const auto &entry : model.linear.nodal(l)) {
+      const unsigned int vertex = entry.first;
+      const Motion force = model.cells.nodal_load(l, vertex, pose);
       for (unsigned int c = 0; c < 6; ++c)
         vertex_forces[vertex][c] -= state.load_factors[l] * force[c];
     }

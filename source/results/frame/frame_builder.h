@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "model/line/pipe_element.h"
+#include "model/cell/line_cells.h"
 #include "model/line_state.h"
 #include "model/model.h"
 #include "results/results.h"
@@ -24,8 +24,8 @@ public:
   /// Frame::line at rest: places and axes.
   std::vector<Station> stations();
 
-  /// Frame::reactions alone, of linear kinematics, from the cells at the restraints. reaction()
-  /// then knows the vertices of restraints and imposed motions.
+  /// Frame::reactions alone, of linear cells, from those at the restraints. reaction() then knows
+  /// the vertices of restraints and imposed motions.
   std::vector<Motion> reactions(const LineState &state);
 
   /// Motion of a named point in global axes.
@@ -44,8 +44,8 @@ public:
   /// Force of a spring on its first point.
   Motion spring_force(const LineState &state, const Spring &spring) const;
 
-  /// In corotational kinematics: linear (3) and angular momentum about the origin (3), kinetic and
-  /// stored energy of the line together.
+  /// Linear (3) and angular momentum about the origin (3), kinetic and stored energy of the line
+  /// together.
   std::array<double, 7> momentum_and_energy(const LineState &state) const;
 
 private:
@@ -60,15 +60,16 @@ private:
   void find_cells_at_restraints();
   /// What holds each restraint, by the forces at the vertices.
   std::vector<Motion> reactions_of_vertices(const LineState &state) const;
-  void add_pipe(const LineState &state, const unsigned int pipe, std::vector<Station> &line);
-  void add_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
+  /// @param pose of the state
+  void add_pipe(const LineState &state, const Pose &pose, const unsigned int pipe,
+                std::vector<Station> &line);
+  void add_cell(const LineState &state, const Pose &pose, const unsigned int cell,
+                std::vector<Station> &line);
   /// Forces M a + C v of a state in motion on the nodes of restraints, of imposed motions too.
   void add_inertia(const LineState &state);
-  /// The same in corotational kinematics: section forces in the axes that turn with the cell.
-  void add_turned_cell(const LineState &state, const unsigned int cell, std::vector<Station> &line);
-  /// Sum of a state's loads on a pipe cell.
-  CellLoad load_on(const LineState &state, const PipeCell &cell, const Profile &profile,
-                   const Vector3 &chord) const;
+  /// Stations of a cell in a frame that has moved: section forces in the axes that turn with it.
+  std::vector<Station> stations_in(const CellFrame &frame, const LineCells::CellState &of_cell,
+                                   const Pose &pose, const unsigned int index, CellLoad load);
   /// What a station knows of the pipe there, with its local axes.
   void place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const;
   void begin_cell(const Station &first, std::vector<Station> &line) const;
@@ -80,7 +81,7 @@ private:
                                        const PipeElement::Vector12 &motions,
                                        const CellLoad &load) const;
   void append(const std::vector<Station> &stations, std::vector<Station> &line) const;
-  void add_vertex_forces(const LineState &state);
+  void add_vertex_forces(const LineState &state, const Pose &pose);
 
   const Model &model;
   const bool both_sides;

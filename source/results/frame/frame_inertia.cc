@@ -8,20 +8,6 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-namespace {
-
-/// Of displacements linear along a cell, without rotary inertia.
-PipeElement::Matrix12 mass_in_any_frame(const double mass) {
-  PipeElement::Matrix12 result = PipeElement::Matrix12::Zero();
-  for (unsigned int d = 0; d < 3; ++d) {
-    result(d, d) = result(6 + d, 6 + d) = mass / 3.;
-    result(d, 6 + d) = result(6 + d, d) = mass / 6.;
-  }
-  return result;
-}
-
-} // namespace
-
 void FrameBuilder::find_cells_at_restraints() {
   is_held.assign(model.discretization.n_line_vertices(), false);
   for (const auto &sites : model.mesh.restraints)
@@ -40,8 +26,7 @@ void FrameBuilder::find_cells_at_restraints() {
     held.dofs.resize(12);
     cell->get_dof_indices(held.dofs);
     const Profile &profile = model.discretization.profiles()[cell->material_id()];
-    held.mass = model.corotational ? mass_in_any_frame(profile.mass * cell->diameter())
-                                   : element.mass(cell);
+    held.mass = model.cells.mass_of(i, element);
     element.reinit(cell);
     held.stiffness = element.stiffness();
     const Vector3 chord = cell->vertex(1) - cell->vertex(0);
@@ -62,7 +47,7 @@ void FrameBuilder::find_cells_at_restraints() {
 }
 
 std::vector<Motion> FrameBuilder::reactions(const LineState &state) {
-  Assert(model.corotational == nullptr, ExcMessage("Turned cells are evaluated with the frame."));
+  Assert(model.cells.is_linear(), ExcMessage("Turned cells are evaluated with the frame."));
   vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
   for (const HeldCell &cell : held_cells) {
     PipeElement::Vector12 u;
@@ -75,7 +60,7 @@ std::vector<Motion> FrameBuilder::reactions(const LineState &state) {
       for (unsigned int c = 0; c < 6; ++c)
         vertex_forces[cell.vertices[v]][c] += ends[6 * v + c];
   }
-  add_vertex_forces(state);
+  add_vertex_forces(state, {state.dofs, state.turns});
   add_inertia(state);
   return reactions_of_vertices(state);
 }
@@ -131,7 +116,7 @@ void FrameBuilder::add_inertia(const LineState &state) {
     for (unsigned int c = 0; c < 12; ++c)
       std::tie(v[c], a[c]) = rates(cell.dofs[c]);
     PipeElement::Vector12 forces = cell.mass * (a + time.mass_damping * v);
-    if (time.stiffness_damping != 0. && !model.corotational)
+    if (time.stiffness_damping != 0. && model.cells.is_linear())
       forces += time.stiffness_damping * (cell.stiffness * v);
     for (const unsigned int end : {0u, 1u})
       for (unsigned int c = 0; c < 6; ++c)

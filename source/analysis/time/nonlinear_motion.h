@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/statics/corotational_statics.h"
+#include "analysis/statics/linearized_solver.h"
 #include "analysis/time/impulse_contacts.h"
 
 namespace frictionbeam {
 
 /**
- * The midpoint rule for lines in corotational kinematics, conserving momentum:
+ * The midpoint rule for any cells, conserving momentum:
  *   M (v1 - v0) = h F + P,   x1 - x0 = h (v0 + v1)/2,
  * with the forces F on the pose halfway made from the mean of the cells' forces at both ends (J. C.
  * Simo, N. Tarnow, M. Doblare, IJNME 38 (1995) 1431-1473, doi:10.1002/nme.1620380903). F has no
  * resultant, so that linear and angular momentum are exact, and its work is the change of the
- * stored energy. In linear kinematics this is moreau_jean with theta = 1/2, and the contacts are
+ * stored energy. Of linear cells this is moreau_jean with theta = 1/2, and the contacts are
  * that method's.
  *
  * A step is solved by Newton's method with the contacts solved on the linearized line.
  */
-class CorotationalMotion final : public TimeIntegrator {
+class NonlinearMotion final : public TimeIntegrator {
 public:
-  explicit CorotationalMotion(const Model &model);
+  explicit NonlinearMotion(const Model &model);
 
   std::string name() const override;
   void start(LineState &state, const LoadCourse &loads) override;
@@ -37,7 +37,7 @@ private:
     std::vector<double> factors; ///< mean ones of the loads
     Vector velocity;             ///< of all degrees of freedom, at the start
     double h = 0.;
-    CorotationalLine::Balance balance;
+    LineCells::Balance balance;
     Vector residual;     ///< but for the contacts at the end
     SparseMatrix matrix; ///< less its derivative by `moved`
     double largest = 0.;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/time/corotational_motion.h"
+#include "analysis/time/nonlinear_motion.h"
 
 #include "analysis/time/step_helpers.h"
 #include "base/interruption.h"
@@ -11,21 +11,21 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-CorotationalMotion::CorotationalMotion(const Model &model)
-    : model(model), has_mass(unknowns_with_mass(model.corotational->mass())), contacts(model),
+NonlinearMotion::NonlinearMotion(const Model &model)
+    : model(model), has_mass(unknowns_with_mass(model.cells.mass())), contacts(model),
       linearized(model) {}
 
-std::string CorotationalMotion::name() const {
+std::string NonlinearMotion::name() const {
   return "moreau_jean: midpoint rule with exact momentum in corotational kinematics, rigid contact "
          "and friction by impulses";
 }
 
-void CorotationalMotion::start(LineState &state, const LoadCourse &) {
+void NonlinearMotion::start(LineState &state, const LoadCourse &) {
   state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
 }
 
-void CorotationalMotion::evaluate(const LineState &state, Step &step) const {
-  const CorotationalLine &line = *model.corotational;
+void NonlinearMotion::evaluate(const LineState &state, Step &step) const {
+  const LineCells &line = model.cells;
   const double h = step.h;
   model.space.expand(step.moved, step.change);
   step.change += step.imposed;
@@ -46,10 +46,9 @@ void CorotationalMotion::evaluate(const LineState &state, Step &step) const {
   step.largest = std::max(2. * step.balance.largest, inertia.lpNorm<Eigen::Infinity>());
 }
 
-EquilibriumResult CorotationalMotion::solve_linearized(const LineState &state,
-                                                       const LoadCourse &loads, const double time,
-                                                       Step &step, Vector &change,
-                                                       ContactResponse &response) {
+EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, const LoadCourse &loads,
+                                                    const double time, Step &step, Vector &change,
+                                                    ContactResponse &response) {
   if (model.contacts.size() == 0) {
     EquilibriumProblem problem{step.matrix, step.residual, step.to.dofs};
     return linearized.solve(problem, state.contacts, change, response);
@@ -70,9 +69,8 @@ EquilibriumResult CorotationalMotion::solve_linearized(const LineState &state,
   return result;
 }
 
-EquilibriumResult CorotationalMotion::solve(const LineState &state, const LoadCourse &loads,
-                                            const double time, Step &step,
-                                            ContactResponse &response) {
+EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCourse &loads,
+                                         const double time, Step &step, ContactResponse &response) {
   const SolverSettings &settings = model.scene.solver;
   EquilibriumResult result;
   Vector change;
@@ -128,10 +126,10 @@ EquilibriumResult CorotationalMotion::solve(const LineState &state, const LoadCo
   }
 }
 
-void CorotationalMotion::finish(const LineState &state, const LoadCourse &loads, const double time,
-                                const Step &step, ContactResponse &response, LineState &to,
-                                TimeStep &report) {
-  const CorotationalLine &line = *model.corotational;
+void NonlinearMotion::finish(const LineState &state, const LoadCourse &loads, const double time,
+                             const Step &step, ContactResponse &response, LineState &to,
+                             TimeStep &report) {
+  const LineCells &line = model.cells;
   const double h = step.h;
   to.unknowns = state.unknowns + step.moved;
   set_pose(model, step.to, to);
@@ -172,8 +170,8 @@ void CorotationalMotion::finish(const LineState &state, const LoadCourse &loads,
   report.error = h * h / 12. * jerk;
 }
 
-TimeStep CorotationalMotion::advance(const LineState &from, const LoadCourse &loads,
-                                     const double time, LineState &to) {
+TimeStep NonlinearMotion::advance(const LineState &from, const LoadCourse &loads, const double time,
+                                  LineState &to) {
   Step step;
   step.h = time - from.time;
   step.from = {from.dofs, from.turns};

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/statics/corotational_statics.h"
+#include "analysis/statics/linearized_solver.h"
 
 #include "analysis/contact/solver_library.h"
-#include "base/interruption.h"
 #include "base/numbers.h"
 
 #include <algorithm>
@@ -13,10 +12,6 @@
 namespace frictionbeam {
 
 using namespace dealii;
-
-namespace {
-constexpr double largest_turn = 0.5; // of a vertex in one iteration [rad]
-}
 
 SparseMatrix symmetric_part(const SparseMatrix &matrix) {
   const SparseMatrix transposed = matrix.transpose();
@@ -64,7 +59,7 @@ namespace {
 /// moved by some of its last digits.
 double measured_rounding(const Model &model, const Pose &pose, const std::vector<double> &factors) {
   constexpr double digits = 4. * std::numeric_limits<double>::epsilon();
-  const CorotationalLine &line = *model.corotational;
+  const LineCells &line = model.cells;
   Vector nudge = Vector::Zero(pose.dofs.size());
   std::minstd_rand random; // always the same sequence
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
@@ -72,7 +67,7 @@ double measured_rounding(const Model &model, const Pose &pose, const std::vector
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);
           dof != numbers::invalid_dof_index)
         nudge[dof] = (random() % 2 == 0 ? digits : -digits) * (c < 3 ? pose.dofs[dof] : 1.);
-  CorotationalLine::Balance here, beside;
+  LineCells::Balance here, beside;
   line.evaluate(pose, factors, here);
   line.evaluate(line.moved(pose, nudge), factors, beside);
   return (beside.forces - here.forces).lpNorm<Eigen::Infinity>();
@@ -113,90 +108,6 @@ void set_pose(const Model &model, const Pose &pose, LineState &state) {
         for (const auto &term : model.space.terms(dof))
           if (term.weight == 1.)
             state.unknowns[term.unknown] = pose.dofs[dof];
-}
-
-EquilibriumResult CorotationalStatics::solve(const LineState &from, const LoadCourse &course,
-                                             const double least_force, LineState &to,
-                                             ContactResponse &response) {
-  const CorotationalLine &line = *model.corotational;
-  const SolverSettings &settings = model.scene.solver;
-  CorotationalLine::Balance balance;
-  line.evaluate({from.dofs, from.turns}, from.load_factors, balance);
-  const double largest_before =
-      std::max(least_force, balance.largest); // a line may lose all its forces
-  Pose pose =
-      line.moved({from.dofs, from.turns}, course.imposed(to.time) - course.imposed(from.time));
-  EquilibriumResult result;
-  Vector change, dofs, moved = Vector::Zero(from.unknowns.size());
-  bool judged = false; // whether the contacts' forces are those at the pose
-  for (;;) {
-    interruption::end_if_overdue();
-    line.evaluate(pose, to.load_factors, balance);
-    const Vector forces = balance.forces + model.contacts.platen_forces();
-    if (!forces.allFinite()) {
-      result.remark = "the iteration diverges";
-      return result;
-    }
-    double largest = std::max(largest_before, balance.largest);
-    if (judged) {
-      Vector of_contacts = Vector::Zero(forces.size());
-      model.contacts.add_forces(response, of_contacts);
-      largest = std::max(largest, largest_contact_force(model.contacts, response));
-      const double size = (forces - of_contacts).lpNorm<Eigen::Infinity>();
-      result.residual = largest > 0. ? size / largest : size;
-      if (is_balanced(model, balance.stiffness, size, largest, pose, to.load_factors)) {
-        result.converged = true;
-        to.unknowns = from.unknowns + moved;
-        set_pose(model, pose, to);
-        return result;
-      }
-    }
-    if (result.iterations == settings.max_iterations) {
-      result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
-      return result;
-    }
-    EquilibriumProblem problem{balance.stiffness, forces, pose.dofs};
-    problem.increment = {to.time, 0., model.contacts.temperatures(to.load_factors)};
-    problem.largest_force = largest;
-    const EquilibriumResult inner = linearized.solve(problem, from.contacts, change, response);
-    ++result.iterations;
-    result.factorizations += inner.factorizations;
-    result.check = inner.check;
-    if (!inner.converged) {
-      result.remark = inner.remark;
-      return result;
-    }
-    model.space.expand(change, dofs);
-    double turn = 0.;
-    for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
-      for (unsigned int c = 3; c < 6; ++c)
-        if (const auto dof = model.discretization.vertex_dofs().index(v, c);
-            dof != numbers::invalid_dof_index)
-          turn = std::max(turn, std::abs(dofs[dof]));
-    const double part = turn > largest_turn ? largest_turn / turn : 1.;
-    judged = part == 1.;
-    moved += part * change;
-    pose = line.moved(pose, part * dofs);
-  }
-}
-
-EnergyAccount CorotationalStatics::account(const LineState &before, const LineState &after,
-                                           const LoadCourse &course) const {
-  const CorotationalLine &line = *model.corotational;
-  const Pose from{before.dofs, before.turns}, to{after.dofs, after.turns};
-  std::vector<double> factors(after.load_factors);
-  for (unsigned int l = 0; l < factors.size(); ++l)
-    factors[l] = (factors[l] + before.load_factors[l]) / 2.;
-  CorotationalLine::Balance mean;
-  line.evaluate(from, line.halfway(from, to), to, factors, mean);
-  EnergyAccount account;
-  account.external =
-      mean.loads.dot(line.change(from, to)) + mean.free_work +
-      model.contacts.platen_forces().dot(after.unknowns - before.unknowns) +
-      (mean.internal - mean.loads).dot(course.imposed(after.time) - course.imposed(before.time));
-  account.stored = line.stored_energy(to) - line.stored_energy(from);
-  account.turnover = std::abs(account.external) + std::abs(account.stored);
-  return account += account_contacts(model, before, after, {});
 }
 
 } // namespace frictionbeam

@@ -3,9 +3,9 @@
 
 #include "analysis/algebra/line_factorization.h"
 #include "analysis/contact/equilibrium.h"
-#include "analysis/increment/energy_account.h"
-#include "analysis/increment/load_course.h"
-#include "model/cell/corotational_line.h"
+#include "model/cell/line_cells.h"
+#include "model/line_state.h"
+#include "model/model.h"
 
 namespace frictionbeam {
 
@@ -45,28 +45,5 @@ double largest_contact_force(const Contacts &contacts, const ContactResponse &re
 
 /// Take over a pose: displacements, turns, and rotations among the unknowns.
 void set_pose(const Model &model, const Pose &pose, LineState &state);
-
-/**
- * Static increments in corotational kinematics: Newton's method on the line, in each of whose
- * iterations the contacts are solved on the linearized line. It has converged when the forces of
- * the line itself balance those of the contacts, which obey their laws at that very pose.
- */
-class CorotationalStatics {
-public:
-  explicit CorotationalStatics(const Model &model) : model(model), linearized(model) {}
-
-  /// @param least_force that residuals are measured by, even where all loads are taken off
-  /// @param to in: its time and load factors; out: the solution, but for its contacts
-  EquilibriumResult solve(const LineState &from, const LoadCourse &course, const double least_force,
-                          LineState &to, ContactResponse &response);
-  /// Of an increment: stored energy exactly, work by the forces halfway, so that what is left over
-  /// measures the increment.
-  EnergyAccount account(const LineState &before, const LineState &after,
-                        const LoadCourse &course) const;
-
-private:
-  const Model &model;
-  LinearizedSolver linearized;
-};
 
 } // namespace frictionbeam

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "analysis/contact/equilibrium.h"
+#include "analysis/contact/uniqueness.h"
+#include "analysis/increment/energy_account.h"
+#include "analysis/increment/load_course.h"
+
+#include <memory>
+
+namespace frictionbeam {
+
+/// A static increment, as it begins.
+struct StaticIncrement {
+  const LoadCourse &course;
+  double time = 0.;                   ///< at its end [s]
+  const std::vector<double> &factors; ///< of the loads at its end, with their histories
+  double least_force = 0.;            ///< that residuals are measured by, whatever the loads [N]
+  double force_so_far = 0.;           ///< largest of the sequence [N]
+  unsigned int most_iterations = 0;
+};
+
+/// Solves static increments of a line with its contacts.
+class Statics {
+public:
+  virtual ~Statics() = default;
+
+  /// @param to in: the state before; out: the solution, but for its contacts
+  virtual EquilibriumResult solve(const LineState &from, const StaticIncrement &increment,
+                                  LineState &to, ContactResponse &response) = 0;
+  /// Account of an increment.
+  /// @param unbalanced forces on the unknowns that the state before left so, which are put on as
+  /// evenly as the loads
+  virtual EnergyAccount account(const LineState &before, const LineState &after,
+                                const LoadCourse &course, const Vector &unbalanced) const = 0;
+  /// What loads and line put on the contacts at a state: zero without contacts, in equilibrium.
+  virtual Vector forces_on_contacts(const LineState &state, const LoadCourse &course) const = 0;
+  /// Where contacts in these states may have other equilibria.
+  virtual std::vector<BeyondUniqueness>
+  beyond_uniqueness(const std::vector<ContactStatus> &status) const = 0;
+  /// What the increments to come depend on, besides the line's state.
+  virtual void transfer(Archive &archive) = 0;
+};
+
+/// The one that the line's cells need.
+std::unique_ptr<Statics> make_statics(const Model &model);
+
+} // namespace frictionbeam

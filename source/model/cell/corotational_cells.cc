@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/cell/corotational_cells.h"
+
+#include "model/line/pipe_element.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+using namespace dealii;
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Vector7 = CorotationalBeam::Vector7;
+using Vector12 = CorotationalBeam::Vector12;
+
+namespace {
+
+Vector3d to_eigen(const Vector3 &v) { return {v[0], v[1], v[2]}; }
+
+/// Free strains of a cell per unit of a load, as forces on its deformations.
+Vector7 free_forces(const CorotationalBeam &beam, const PipeElement &element,
+                    const CellLoad &load) {
+  return beam.on_deformations(load.axial_strain * element.unit_axial_strain() +
+                              load.curvature * element.unit_curvature() +
+                              load.pressure * element.unit_thrust());
+}
+
+/**
+ * What to add to the mean forces s of a step so that their work on the motions halfway, s . (B
+ * change), is s . (d1 - d0) exactly: along the change of the deformations, as a discrete gradient
+ * (O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467, doi:10.1007/BF02440162). B of a rigid motion is
+ * zero, so that forces without resultant stay so.
+ *
+ * The two differ by the square of the angle turned times the change of the deformations. Where
+ * these hardly change, by that square of themselves or by rounding, the correction fades out: the
+ * energy is then wrong by the fourth power of the angle times what the cell stores.
+ */
+Vector7 energy_correction(const CorotationalBeam &beam, const Vector7 &moved, const Vector7 &before,
+                          const Vector7 &after, const double angle, const Vector7 &s) {
+  constexpr double rounding = 1e-9; // of deformations, relative to the length or in radians
+  Vector7 least = Vector7::Constant(rounding);
+  least[0] *= beam.length_at_rest();
+  const Vector7 direction = beam.stiffness() * moved;
+  const double size = moved.dot(direction), square = angle * angle,
+               smallest =
+                   least.dot(beam.stiffness() * least) +
+                   square * square * (before + after).dot(beam.stiffness() * (before + after)) / 4.;
+  return direction * ((after - before - moved).dot(s) * size / (size * size + smallest * smallest));
+}
+
+/// The rotation between two poses.
+Quaterniond between_turns(const Quaterniond &from, const Quaterniond &to) {
+  Quaterniond result = to * from.conjugate();
+  if (result.w() < 0.)
+    result.coeffs() *= -1.;
+  return result;
+}
+
+} // namespace
+
+CorotationalCells::CorotationalCells(const Scene &scene, const LineMesh &mesh,
+                                     const Discretization &discretization,
+                                     const ReducedSpace &space, const LinearPart &linear)
+    : LineCells(scene, mesh, discretization, space, linear),
+      vertex_inertia(n_vertices, Matrix3d::Zero()) {
+  PipeElement element(discretization);
+  for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
+    const auto deal_cell = discretization.pipe_cell(i);
+    element.reinit(deal_cell);
+    const Vector3 chord = deal_cell->vertex(1) - deal_cell->vertex(0);
+    const LocalAxes local(chord);
+    Matrix3d axes;
+    axes << to_eigen(local.x), to_eigen(local.y), to_eigen(local.z);
+    Cell cell{CorotationalBeam(to_eigen(chord), axes, element.stiffness()),
+              {static_cast<unsigned int>(deal_cell->vertex_index(0)),
+               static_cast<unsigned int>(deal_cell->vertex_index(1))},
+              std::vector<types::global_dof_index>(12),
+              element.unit_line_loads(),
+              {}};
+    deal_cell->get_dof_indices(cell.dofs);
+    const Profile &profile = element.profile();
+    const std::string &pipe = scene.pipes[discretization.pipe_cells()[i].pipe].name;
+    for (unsigned int l = 0; l < scene.loads.size(); ++l) {
+      const CellLoad load = cell_load(scene.loads[l], pipe, profile, chord);
+      if (load.axial_strain != 0. || load.curvature != 0. || load.line_force.norm() != 0. ||
+          load.pressure != 0.)
+        cell.loads.push_back({l, free_forces(cell.beam, element, load), to_eigen(load.line_force)});
+    }
+    const double length = element.arc() ? element.arc()->length() : chord.norm();
+    for (const unsigned int v : cell.vertices) {
+      vertex_inertia[v] += length / 2. * profile.rotary_inertia *
+                           (Matrix3d::Identity() + axes.col(0) * axes.col(0).transpose());
+    }
+    cell.mass = length * profile.mass;
+    cells.push_back(std::move(cell));
+  }
+  if (linear.mass().rows() > 0)
+    add_mass();
+}
+
+bool CorotationalCells::turns(const unsigned int vertex) const {
+  return discretization.vertex_dofs().index(vertex, 3) != numbers::invalid_dof_index;
+}
+
+Pose CorotationalCells::at_rest() const {
+  Pose pose{Vector::Zero(space.n_dofs()), Vector::Zero(4 * n_vertices)};
+  for (unsigned int v = 0; v < n_vertices; ++v)
+    pose.turns[4 * v + 3] = 1.;
+  return pose;
+}
+
+namespace {
+/// Turn a vertex, and choose its rotation vector.
+void turn_vertex(const Quaterniond &by, double *const turn, const Vector3d &near,
+                 Vector3d &vector) {
+  Eigen::Map<Quaterniond> rotation(turn);
+  rotation = (by * Quaterniond(rotation)).normalized();
+  vector = rotation_vector_near(rotation, near);
+}
+} // namespace
+
+Pose CorotationalCells::moved(const Pose &from, const Vector &change) const {
+  Pose pose{from.dofs + change, from.turns};
+  for (unsigned int v = 0; v < n_vertices; ++v)
+    if (turns(v)) {
+      const Vector3d near = part(pose.dofs, v, 3);
+      Vector3d vector;
+      turn_vertex(turn_by(part(change, v, 3)), pose.turns.data() + 4 * v, near, vector);
+      add_part(vector - near, v, 3, pose.dofs);
+    }
+  return pose;
+}
+
+Pose CorotationalCells::stepped(const Pose &from, const Vector &change) const {
+  Pose pose{from.dofs + change, from.turns};
+  for (unsigned int v = 0; v < n_vertices; ++v)
+    if (turns(v)) {
+      const Quaterniond by = cayley(part(change, v, 3));
+      const Vector3d now = part(pose.dofs, v, 3),
+                     near = part(from.dofs, v, 3) + rotation_vector(by);
+      Vector3d vector;
+      turn_vertex(by, pose.turns.data() + 4 * v, near, vector);
+      add_part(vector - now, v, 3, pose.dofs);
+    }
+  return pose;
+}
+
+Vector CorotationalCells::change(const Pose &from, const Pose &to) const {
+  Vector result = to.dofs - from.dofs;
+  for (unsigned int v = 0; v < n_vertices; ++v)
+    add_part(rotation_vector(between_turns(turn(from, v), turn(to, v))) - part(result, v, 3), v, 3,
+             result);
+  return result;
+}
+
+Pose CorotationalCells::halfway(const Pose &from, const Pose &to) const {
+  Pose pose{(from.dofs + to.dofs) / 2., from.turns};
+  for (unsigned int v = 0; v < n_vertices; ++v) {
+    Eigen::Map<Quaterniond> rotation(pose.turns.data() + 4 * v);
+    rotation = half_of(between_turns(turn(from, v), turn(to, v))) * Quaterniond(rotation);
+  }
+  return pose;
+}
+
+CorotationalBeam::Ends CorotationalCells::ends(const Cell &cell, const Pose &pose) const {
+  CorotationalBeam::Ends result;
+  for (unsigned int d = 0; d < 3; ++d)
+    result.relative[d] = pose.dofs[cell.dofs[6 + d]] - pose.dofs[cell.dofs[d]];
+  for (unsigned int end = 0; end < 2; ++end)
+    result.turn[end] = turn(pose, cell.vertices[end]).toRotationMatrix();
+  return result;
+}
+
+Vector12 CorotationalCells::on_line(const Cell &cell, const Matrix3d &axes,
+                                    const std::vector<double> &factors, Vector7 &free) const {
+  free.setZero();
+  Vector3d line_force = Vector3d::Zero();
+  for (const CellForces &load : cell.loads) {
+    free += factors[load.load] * load.free;
+    line_force += factors[load.load] * load.line_force;
+  }
+  Vector12 result = Vector12::Zero();
+  if (line_force.isZero(0.))
+    return result;
+  const Matrix3d turned = axes * cell.beam.axes_at_rest().transpose();
+  const Vector12 forces = cell.line_loads * (turned.transpose() * line_force);
+  for (int block = 0; block < 4; ++block)
+    result.segment<3>(3 * block) = turned * forces.segment<3>(3 * block);
+  return result;
+}
+
+void CorotationalCells::answer(const unsigned int index, const Pose &from, const Pose &half,
+                               const Pose &to, const std::vector<double> &factors,
+                               CellAnswer &answer) const {
+  const bool is_step = &from != &to;
+  const Cell &cell = cells[index];
+  const CorotationalBeam &beam = cell.beam;
+  const CorotationalBeam::Deformed before = beam.deform(ends(cell, from)),
+                                   mean = is_step ? beam.deform(ends(cell, half)) : before,
+                                   after = is_step ? beam.deform(ends(cell, to)) : before;
+  Vector7 free;
+  answer.dofs = cell.dofs;
+  answer.loads = on_line(cell, mean.axes, factors, free);
+  Vector7 s = beam.stiffness() * (before.d + after.d) / 2. - free;
+  const CorotationalBeam::Matrix7_12 B = beam.derivative(mean, (before.length + after.length) / 2.);
+  CorotationalBeam::Matrix7_12 B_after = B;
+  if (is_step) {
+    B_after = beam.derivative(after, after.length);
+    Vector12 change;
+    double angle = 0.;
+    for (int end = 0; end < 2; ++end) {
+      const unsigned int v = cell.vertices[end];
+      const Vector3d turned = cayley_vector(between_turns(turn(from, v), turn(to, v)));
+      B_after.middleCols<3>(6 * end + 3) =
+          (B_after.middleCols<3>(6 * end + 3) * cayley_spin(turned)).eval();
+      change.segment<3>(6 * end) = part(to.dofs, v, 0) - part(from.dofs, v, 0);
+      change.segment<3>(6 * end + 3) = turned;
+      angle = std::max(angle, turned.norm());
+    }
+    s += energy_correction(beam, B * change, before.d, after.d, angle, s);
+  }
+  answer.internal = B.transpose() * s;
+  answer.stiffness = B.transpose() * beam.stiffness() * B_after + beam.geometric_stiffness(mean, s);
+  answer.free_work = free.dot(after.d - before.d);
+}
+
+Motion CorotationalCells::nodal_load(const unsigned int load, const unsigned int vertex,
+                                     const Pose &pose) const {
+  Motion value = linear.nodal(load).at(vertex);
+  if (!scene.loads[load].follows)
+    return value;
+  for (const unsigned int first : {0u, 3u}) {
+    const Vector3d turned =
+        turn(pose, vertex) * Vector3d(value[first], value[first + 1], value[first + 2]);
+    for (unsigned int d = 0; d < 3; ++d)
+      value[first + d] = turned[d];
+  }
+  return value;
+}
+
+double CorotationalCells::stored_in(const unsigned int cell, const Pose &pose) const {
+  const Vector7 d = cells[cell].beam.deform(ends(cells[cell], pose)).d;
+  return d.dot(cells[cell].beam.stiffness() * d) / 2.;
+}
+
+LineCells::CellState CorotationalCells::state_of(const unsigned int index, const PipeElement &,
+                                                 const Pose &pose,
+                                                 const std::vector<double> &factors) const {
+  const Cell &cell = cells[index];
+  const CorotationalBeam::Deformed deformed = cell.beam.deform(ends(cell, pose));
+  Vector7 free;
+  const Vector12 loads = on_line(cell, deformed.axes, factors, free);
+  CellState state;
+  state.ends = cell.beam.derivative(deformed, deformed.length).transpose() *
+                   (cell.beam.stiffness() * deformed.d - free) -
+               loads;
+  state.motions = cell.beam.motions_of(deformed.d);
+  state.frame = CellFrame{deformed.axes * cell.beam.axes_at_rest().transpose(),
+                          to_eigen(Vector3(discretization.vertices()[cell.vertices[0]])),
+                          part(pose.dofs, cell.vertices[0], 0), state.motions.head<3>()};
+  return state;
+}
+
+double CorotationalCells::unbent(const Pose &pose) const {
+  double unbent = 0.;
+  for (const Cell &cell : cells) {
+    const Point3 &first = discretization.vertices()[cell.vertices[0]],
+                 &last = discretization.vertices()[cell.vertices[1]];
+    const Vector3d at_rest = to_eigen(last - first),
+                   chord = (at_rest + part(pose.dofs, cell.vertices[1], 0) -
+                            part(pose.dofs, cell.vertices[0], 0))
+                               .normalized();
+    const auto angles = [&](const unsigned int vertex) -> Vector3d {
+      return turn(pose, vertex) * at_rest.normalized() - chord;
+    };
+    const Vector3d one = angles(cell.vertices[0]), two = angles(cell.vertices[1]);
+    unbent +=
+        at_rest.norm() * (2. * one.squaredNorm() - one.dot(two) + 2. * two.squaredNorm()) / 30.;
+  }
+  return unbent;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/cell/line_cells.h"
+
+#include "model/cell/rotation.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+using namespace dealii;
+using Eigen::Vector3d;
+
+LineCells::LineCells(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+                     const ReducedSpace &space, const LinearPart &linear)
+    : scene(scene), mesh(mesh), discretization(discretization), space(space), linear(linear),
+      n_vertices(discretization.n_line_vertices()), point_mass(n_vertices, 0.) {
+  for (const PointMass &mass : scene.masses)
+    for (const std::string &point : mass.points)
+      point_mass[mesh.points.at(point)] += mass.mass;
+}
+
+void LineCells::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
+                          const std::vector<types::global_dof_index> &dofs,
+                          SparseMatrix &matrix) const {
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    for (const auto &row : space.terms(dofs[i]))
+      for (unsigned int j = 0; j < dofs.size(); ++j)
+        for (const auto &column : space.terms(dofs[j]))
+          if (const double value = row.weight * column.weight * local(i, j); value != 0.)
+            add_to(matrix, row.unknown, column.unknown, value);
+}
+
+Vector3d LineCells::part(const Vector &dofs, const unsigned int vertex,
+                         const unsigned int first) const {
+  Vector3d result = Vector3d::Zero();
+  for (unsigned int d = 0; d < 3; ++d)
+    if (const auto dof = discretization.vertex_dofs().index(vertex, first + d);
+        dof != numbers::invalid_dof_index)
+      result[d] = dofs[dof];
+  return result;
+}
+
+void LineCells::add_part(const Vector3d &value, const unsigned int vertex, const unsigned int first,
+                         Vector &dofs) const {
+  for (unsigned int d = 0; d < 3; ++d)
+    if (const auto dof = discretization.vertex_dofs().index(vertex, first + d);
+        dof != numbers::invalid_dof_index)
+      dofs[dof] += value[d];
+}
+
+void LineCells::evaluate(const Pose &from, const Pose &half, const Pose &to,
+                         const std::vector<double> &factors, Balance &balance) const {
+  balance.loads = balance.internal = Vector::Zero(space.n_dofs());
+  balance.stiffness = linear.stiffness(); // its pattern
+  std::fill(balance.stiffness.valuePtr(),
+            balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
+  balance.largest = balance.free_work = 0.;
+  CellAnswer of_cell;
+  for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
+    answer(i, from, half, to, factors, of_cell);
+    add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
+    for (unsigned int j = 0; j < 12; ++j) {
+      balance.internal[of_cell.dofs[j]] += of_cell.internal[j];
+      balance.loads[of_cell.dofs[j]] += of_cell.loads[j];
+    }
+    balance.largest = std::max({balance.largest, of_cell.internal.lpNorm<Eigen::Infinity>(),
+                                of_cell.loads.lpNorm<Eigen::Infinity>()});
+    balance.free_work += of_cell.free_work;
+  }
+  add_springs(from, to, balance);
+  add_nodal_loads(half, factors, balance);
+  balance.forces = space.restrict_forces(balance.loads - balance.internal);
+}
+
+void LineCells::add_springs(const Pose &from, const Pose &to, Balance &balance) const {
+  const VertexDofs &vertex_dofs = discretization.vertex_dofs();
+  for (const Spring &spring : scene.springs) {
+    const unsigned int vertex = mesh.points.at(spring.point);
+    balance.loads[vertex_dofs.index(vertex, 2)] += spring.preload;
+    for (unsigned int c = 0; c < 6; ++c) {
+      if (spring.stiffness[c] == 0.)
+        continue;
+      std::vector<types::global_dof_index> dofs = {vertex_dofs.index(vertex, c)};
+      if (!spring.other.empty())
+        dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
+      Eigen::Matrix2d local;
+      local << 1., -1., -1., 1.;
+      local *= spring.stiffness[c];
+      Eigen::Vector2d u = Eigen::Vector2d::Zero();
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        u[i] = (from.dofs[dofs[i]] + to.dofs[dofs[i]]) / 2.;
+      const Eigen::Vector2d force = local * u;
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        balance.internal[dofs[i]] += force[i];
+      balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
+      add_local(local, dofs, balance.stiffness);
+    }
+  }
+}
+
+Motion LineCells::nodal_load(const unsigned int load, const unsigned int vertex,
+                             const Pose &) const {
+  return linear.nodal(load).at(vertex);
+}
+
+void LineCells::add_nodal_loads(const Pose &half, const std::vector<double> &factors,
+                                Balance &balance) const {
+  for (unsigned int l = 0; l < factors.size(); ++l) {
+    if (factors[l] == 0.)
+      continue;
+    for (const auto &entry : linear.nodal(l)) {
+      const unsigned int vertex = entry.first;
+      Eigen::Matrix<double, 6, 1> force;
+      const Motion value = nodal_load(l, vertex, half);
+      std::vector<types::global_dof_index> dofs;
+      for (unsigned int c = 0; c < 6; ++c) {
+        force[c] = factors[l] * value[c];
+        if (const auto dof = discretization.vertex_dofs().index(vertex, c);
+            dof != numbers::invalid_dof_index) {
+          dofs.push_back(dof);
+          balance.loads[dof] += force[c];
+        }
+      }
+      balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
+      if (!scene.loads[l].follows || dofs.size() < 6)
+        continue;
+      Eigen::Matrix<double, 6, 6> turning = Eigen::Matrix<double, 6, 6>::Zero();
+      turning.block<3, 3>(0, 3) = skew(force.head<3>());
+      turning.block<3, 3>(3, 3) = skew(force.tail<3>());
+      add_local(turning, dofs, balance.stiffness);
+    }
+  }
+}
+
+double LineCells::stored_energy(const Pose &pose) const {
+  double energy = 0.;
+  for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i)
+    energy += stored_in(i, pose);
+  for (const Spring &spring : scene.springs)
+    for (unsigned int c = 0; c < 6; ++c)
+      if (spring.stiffness[c] != 0.) {
+        const auto motion = [&](const std::string &point) {
+          return pose.dofs[discretization.vertex_dofs().index(mesh.points.at(point), c)];
+        };
+        const double u = motion(spring.point) - (spring.other.empty() ? 0. : motion(spring.other));
+        energy += spring.stiffness[c] * u * u / 2.;
+      }
+  return energy;
+}
+
+double LineCells::kinetic_energy(const Pose &pose, const Vector &velocity) const {
+  return velocity.dot(momenta(pose, velocity)) / 2.;
+}
+
+Motion LineCells::momentum(const Pose &pose, const Vector &velocity) const {
+  const Vector momenta_of_dofs = momenta(pose, velocity);
+  Vector3d linear_sum = Vector3d::Zero(), angular_sum = Vector3d::Zero();
+  for (unsigned int v = 0; v < n_vertices; ++v) {
+    const Point3 &rest = discretization.vertices()[v];
+    const Vector3d place = Vector3d(rest[0], rest[1], rest[2]) + part(pose.dofs, v, 0),
+                   share = part(momenta_of_dofs, v, 0);
+    linear_sum += share;
+    angular_sum += place.cross(share) + part(momenta_of_dofs, v, 3);
+  }
+  return {linear_sum[0],  linear_sum[1],  linear_sum[2],
+          angular_sum[0], angular_sum[1], angular_sum[2]};
+}
+
+CellLoad LineCells::load_on(const PipeCell &cell, const Profile &profile, const Vector3 &chord,
+                            const std::vector<double> &factors) const {
+  CellLoad load;
+  for (unsigned int l = 0; l < factors.size(); ++l) {
+    const CellLoad one = cell_load(scene.loads[l], scene.pipes[cell.pipe].name, profile, chord);
+    load.line_force += factors[l] * one.line_force;
+    load.axial_strain += factors[l] * one.axial_strain;
+    load.curvature += factors[l] * one.curvature;
+    load.pressure += factors[l] * one.pressure;
+  }
+  return load;
+}
+
+} // namespace frictionbeam

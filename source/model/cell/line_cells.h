@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/line/linear_part.h"
+#include "model/line/pipe_element.h"
+
+#include <memory>
+
+namespace frictionbeam {
+
+/// Where a line is.
+struct Pose {
+  /// Of all degrees of freedom: translations [m] and rotation vectors [rad]. Where points turn by
+  /// any angle the latter are to be read only: of those that mean the same rotation, the one that a
+  /// steady motion leads to.
+  Vector dofs;
+  /// Rotation of each vertex of the line, a quaternion (x, y, z, w); empty where turns are small.
+  Vector turns;
+};
+
+/// Where a cell's frame has gone, in which the cell is the linear element.
+struct CellFrame {
+  Eigen::Matrix3d turn;        ///< from rest
+  Eigen::Vector3d first;       ///< vertex at rest [m]
+  Eigen::Vector3d first_moved; ///< its translation [m]
+  Eigen::Vector3d own;         ///< its translation in the frame [m]
+};
+
+/**
+ * What a line's pipe cells, with its springs and the loads on them, answer at a pose: forces,
+ * tangent, energies, inertia and what results are made of. Contacts are not in it. Analyses take
+ * any cells; those of which is_linear() is true may be asked LinearPart alone.
+ *
+ * Rates of rotations are spins, angular velocities in global axes.
+ */
+class LineCells {
+public:
+  using Vector12 = PipeElement::Vector12;
+  using Matrix12 = PipeElement::Matrix12;
+
+  LineCells(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
+            const ReducedSpace &space, const LinearPart &linear);
+  virtual ~LineCells() = default;
+
+  /// Whether forces are linear in the motion, so that states may be superposed.
+  virtual bool is_linear() const = 0;
+  /// Whether points turn by any angle, and arms and loads that follow with them.
+  virtual bool turns_far() const = 0;
+
+  virtual Pose at_rest() const = 0;
+  /// Moved by translations and rotation vectors of all degrees of freedom.
+  virtual Pose moved(const Pose &from, const Vector &change) const = 0;
+  /// Moved by a time step: translations and Cayley vectors.
+  virtual Pose stepped(const Pose &from, const Vector &change) const = 0;
+  /// Translations and rotation vectors from one pose to another, for turns of less than pi.
+  virtual Vector change(const Pose &from, const Pose &to) const = 0;
+  /// Half of the way, likewise.
+  virtual Pose halfway(const Pose &from, const Pose &to) const = 0;
+
+  struct Balance {
+    Vector loads, internal; ///< forces on all degrees of freedom, loads without free strains
+    Vector forces;          ///< loads less internal, on the unknowns
+    SparseMatrix stiffness; ///< less their derivative
+    double largest = 0.;    ///< force or moment of a cell or load on a vertex
+    double free_work = 0.;  ///< of free strains from the first to the last pose [J]
+  };
+  /**
+   * Forces at a pose, or those of a time step: the mean of the cells' forces at both its ends,
+   * acting on the pose halfway, so that their work is the change of the stored energy. Their
+   * resultant is zero. The stiffness is then twice the derivative by the step's change.
+   * @param factors of the loads, mean ones of a step
+   */
+  void evaluate(const Pose &from, const Pose &half, const Pose &to,
+                const std::vector<double> &factors, Balance &balance) const;
+  void evaluate(const Pose &at, const std::vector<double> &factors, Balance &balance) const {
+    evaluate(at, at, at, factors, balance);
+  }
+  /// Elastic energy of pipes and springs [J].
+  double stored_energy(const Pose &pose) const;
+
+  /// Of the unknowns, in the stiffness's pattern, without what add_rotary() adds; without entries
+  /// in statics.
+  virtual const SparseMatrix &mass() const = 0;
+  /**
+   * Inertia that is not constant, over a step.
+   * @param change Cayley vectors among all degrees of freedom
+   * @param spin_before angular velocities among them [rad/s]
+   * @param forces -= 2/h times the change of angular momentum, on the unknowns
+   * @param matrix += its derivative by the change
+   */
+  virtual void add_rotary(const Pose &from, const Pose &to, const Vector &change,
+                          const Vector &spin_before, const double step, Vector &forces,
+                          SparseMatrix &matrix) const = 0;
+  /// Angular velocities at a step's end, in place of the entries of @p velocity that are spins.
+  virtual void set_spins(const Pose &from, const Pose &to, const Vector &change,
+                         const Vector &spin_before, const double step, Vector &velocity) const = 0;
+  /// Momenta that belong to velocities, of all degrees of freedom.
+  virtual Vector momenta(const Pose &pose, const Vector &velocity) const = 0;
+  /// Kinetic energy [J] of velocities of all degrees of freedom.
+  double kinetic_energy(const Pose &pose, const Vector &velocity) const;
+  /// Linear (3) and angular momentum about the origin (3).
+  Motion momentum(const Pose &pose, const Vector &velocity) const;
+
+  /// What results are made of: a cell with the forces on its ends.
+  struct CellState {
+    Vector12 ends;                  ///< forces on them, global axes
+    Vector12 motions;               ///< of the linear element's ends, in the axes at rest
+    std::optional<CellFrame> frame; ///< that it is linear in; none: where it is at rest
+  };
+  /// @param element that speaks of this cell
+  virtual CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
+                             const std::vector<double> &factors) const = 0;
+  /// Consistent mass of a cell, as inertia puts it on restraints.
+  virtual Matrix12 mass_of(const unsigned int cell, PipeElement &element) const = 0;
+  /// A load's force and moment on a vertex, turned with it if it follows.
+  virtual Motion nodal_load(const unsigned int load, const unsigned int vertex,
+                            const Pose &pose) const;
+  /// Sum of loads on a pipe cell, in global axes.
+  CellLoad load_on(const PipeCell &cell, const Profile &profile, const Vector3 &chord,
+                   const std::vector<double> &factors) const;
+  /// Length that chords which stand for curves take away from the line [m].
+  virtual double unbent(const Pose &) const { return 0.; }
+
+protected:
+  /// A cell's share of a Balance.
+  struct CellAnswer {
+    std::vector<dealii::types::global_dof_index> dofs;
+    Vector12 internal, loads;
+    Matrix12 stiffness;
+    double free_work = 0.;
+  };
+  virtual void answer(const unsigned int cell, const Pose &from, const Pose &half, const Pose &to,
+                      const std::vector<double> &factors, CellAnswer &answer) const = 0;
+  /// Elastic energy of a pipe cell [J].
+  virtual double stored_in(const unsigned int cell, const Pose &pose) const = 0;
+
+  Eigen::Vector3d part(const Vector &dofs, const unsigned int vertex,
+                       const unsigned int first) const;
+  void add_part(const Eigen::Vector3d &value, const unsigned int vertex, const unsigned int first,
+                Vector &dofs) const;
+  void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
+                 const std::vector<dealii::types::global_dof_index> &dofs,
+                 SparseMatrix &matrix) const;
+
+  const Scene &scene;
+  const LineMesh &mesh;
+  const Discretization &discretization;
+  const ReducedSpace &space;
+  const LinearPart &linear;
+  const unsigned int n_vertices;
+  std::vector<double> point_mass; ///< of each vertex [kg]
+
+private:
+  void add_springs(const Pose &from, const Pose &to, Balance &balance) const;
+  void add_nodal_loads(const Pose &half, const std::vector<double> &factors,
+                       Balance &balance) const;
+};
+
+/// The cells of a scene's Kinematics.
+std::unique_ptr<const LineCells> make_line_cells(const Scene &scene, const LineMesh &mesh,
+                                                 const Discretization &discretization,
+                                                 const ReducedSpace &space,
+                                                 const LinearPart &linear);
+
+} // namespace frictionbeam

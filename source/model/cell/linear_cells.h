@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/cell/line_cells.h"
+
+namespace frictionbeam {
+
+/// Cells in small displacements, straight or arcs, with joints: PipeElement where it is at rest.
+class LinearCells final : public LineCells {
+public:
+  using LineCells::LineCells;
+
+  bool is_linear() const override { return true; }
+  bool turns_far() const override { return false; }
+
+  Pose at_rest() const override;
+  Pose moved(const Pose &from, const Vector &change) const override;
+  Pose stepped(const Pose &from, const Vector &change) const override {
+    return moved(from, change);
+  }
+  Vector change(const Pose &from, const Pose &to) const override { return to.dofs - from.dofs; }
+  Pose halfway(const Pose &from, const Pose &to) const override;
+
+  /// Consistent, with rotary inertia.
+  const SparseMatrix &mass() const override { return linear.mass(); }
+  void add_rotary(const Pose &, const Pose &, const Vector &, const Vector &, const double,
+                  Vector &, SparseMatrix &) const override {}
+  void set_spins(const Pose &, const Pose &, const Vector &, const Vector &, const double,
+                 Vector &) const override {}
+  Vector momenta(const Pose &pose, const Vector &velocity) const override;
+
+  CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
+                     const std::vector<double> &factors) const override;
+  Matrix12 mass_of(const unsigned int cell, PipeElement &element) const override;
+
+private:
+  void answer(const unsigned int cell, const Pose &from, const Pose &half, const Pose &to,
+              const std::vector<double> &factors, CellAnswer &answer) const override;
+  double stored_in(const unsigned int cell, const Pose &pose) const override;
+  /// Motions of a cell's ends, or whatever else belongs to its degrees of freedom.
+  Vector12 ends_of(const unsigned int cell, const Vector &dofs) const;
+};
+
+} // namespace frictionbeam
