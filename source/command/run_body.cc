@@ -2,8 +2,10 @@
 #include "command/run_body.h"
 
 #include "analysis/refinement/estimate.h"
+#include "base/interruption.h"
 #include "base/user_error.h"
 #include "results/body_results.h"
+#include "results/file/checkpoint.h"
 #include "results/text.h"
 
 #include <deal.II/base/timer.h>
@@ -38,14 +40,23 @@ class AdaptiveRun {
 public:
   AdaptiveRun(const Scene &scene, const LawLibrary &laws, Results &results)
       : scene(scene), laws(laws), results(results), mesh(build_continuum_mesh<dim>(scene)),
-        body(scene, mesh) {
+        body(scene, mesh), checkpoint(body) {
     results.cost.mesh_seconds = wall.wall_time();
   }
 
   void run();
 
 private:
+  /// On the present mesh.
   Solution<dim> solve(const ContinuumGuess *guess);
+  /// What the meshes before leave to the present one, and the present one.
+  void transfer(Archive &archive);
+  /// Go back to the mesh of the checkpoint, if there is one; solve() goes on from its increment.
+  void resume();
+  /// After an increment: write a checkpoint if it is time, and end if a signal came.
+  void pause(ContinuumSequence<dim> &sequence);
+  /// Of all processes, put together by the first one.
+  void write_checkpoint(ContinuumSequence<dim> &sequence);
   /// Of the cells of the present mesh, and in its row of the table.
   void estimate_errors(const ContinuumSequence<dim> &sequence);
   /// What changes of the quantities are relative to at least: a hundredth of the largest of their
@@ -62,7 +73,11 @@ private:
   const Timer wall;
   const ContinuumMesh<dim> mesh;
   ContinuumBody<dim> body;
+  Checkpoint checkpoint;
+  std::optional<Archive> saved; ///< of the sequence that solve() goes on with
   std::vector<ContinuumLevel> levels;
+  double untouched = 0.;      ///< relative error by cells of the first mesh that are left
+  double seconds_before = 0.; ///< of the runs that were cut
   dealii::Vector<float> estimate;
 };
 
@@ -71,7 +86,10 @@ Solution<dim> AdaptiveRun<dim>::solve(const ContinuumGuess *guess) {
   Solution<dim> solution;
   solution.sequence = std::make_unique<ContinuumSequence<dim>>(body, laws);
   ContinuumSequence<dim> &sequence = *solution.sequence;
-  solution.converged = sequence.run(guess);
+  if (saved)
+    sequence.transfer(*saved);
+  saved.reset();
+  solution.converged = sequence.run(guess, [&]() { pause(sequence); });
   std::vector<ContactRow> last_rows;
   for (const ContinuumState &state : sequence.ends()) {
     last_rows = contact_rows(body, sequence.contacts(), state);
@@ -96,8 +114,53 @@ Solution<dim> AdaptiveRun<dim>::solve(const ContinuumGuess *guess) {
     results.cost.iterations += report.iterations;
     results.cost.factorizations += report.factorizations;
   }
-  level.seconds = wall.wall_time();
+  level.seconds = seconds_before + wall.wall_time();
   return solution;
+}
+
+template <int dim>
+void AdaptiveRun<dim>::transfer(Archive &archive) {
+  double seconds = seconds_before + wall.wall_time();
+  archive(body, levels, untouched, seconds, results.cost.iterations, results.cost.factorizations);
+  if (archive.reads())
+    seconds_before = seconds;
+}
+
+template <int dim>
+void AdaptiveRun<dim>::resume() {
+  std::optional<Archive> all = checkpoint.read();
+  if (!all)
+    return;
+  std::vector<std::string> parts; // by process
+  (*all)(parts);
+  saved.emplace(parts[this_process(body.communicator)]);
+  transfer(*saved);
+}
+
+template <int dim>
+void AdaptiveRun<dim>::write_checkpoint(ContinuumSequence<dim> &sequence) {
+  Archive own;
+  transfer(own);
+  sequence.transfer(own);
+  std::vector<std::string> parts = Utilities::MPI::all_gather(body.communicator, own.bytes());
+  Archive all;
+  all(parts);
+  if (this_process(body.communicator) == 0)
+    checkpoint.write(all);
+}
+
+template <int dim>
+void AdaptiveRun<dim>::pause(ContinuumSequence<dim> &sequence) {
+  // Processes hear of signals and look at their clocks at different moments, but go on together.
+  const int signal = Utilities::MPI::max(interruption::received(), body.communicator);
+  const bool first_is_due = this_process(body.communicator) == 0 && checkpoint.is_due(),
+             is_due = Utilities::MPI::max(static_cast<int>(first_is_due), body.communicator) > 0;
+  if ((is_due || signal != 0) && scene.accuracy == 0.) // else there are many runs
+    write_checkpoint(sequence);
+  if (signal != 0)
+    throw Interrupted(signal, "Interrupted at time " + rounded_number(sequence.time()) +
+                                  " of step " + sequence.reports().back().step + ", on mesh " +
+                                  std::to_string(levels.size() + 1) + ".");
 }
 
 template <int dim>
@@ -167,30 +230,35 @@ void AdaptiveRun<dim>::run() {
         "solver = amg, without mpirun\n  allowed: auto or direct, or with mpirun\n  try:  "
         "   mpirun -np 1 frictionbeam ...");
   body.distribute();
-  Solution<dim> solution = solve(nullptr);
-  levels.push_back(solution.level);
+  if (scene.output.resume)
+    resume();
+  Solution<dim> solution;
+  ContinuumGuess guess;
   double error = std::nan("");
   bool reached = settings.refinement == Refinement::none;
   std::string why;
-  while (solution.converged && !reached) {
+  for (;;) {
+    solution = solve(levels.empty() ? nullptr : &guess);
+    levels.push_back(solution.level);
+    if (levels.size() > 1) {
+      error = std::max(estimated_error(), untouched);
+      // Slip zones end where they will: one small change may be chance.
+      reached = error <= (levels.size() == 2 ? first_share : 1.) * settings.tolerance;
+    }
+    if (!solution.converged || reached)
+      break;
     if (levels.size() > settings.max_refinements)
       why = "Max refinements = " + std::to_string(settings.max_refinements);
     else if (levels.back().unknowns > settings.max_unknowns)
       why = "Max unknowns = " + std::to_string(settings.max_unknowns);
     if (!why.empty())
       break;
-    ContinuumGuess guess = solution.sequence->as_guess();
+    guess = solution.sequence->as_guess();
     estimate_errors(*solution.sequence);
     const double by_all = by_energy * *levels.back().estimate * *levels.back().estimate;
-    const double untouched =
-        by_all * refine(body, estimate,
-                        settings.refinement == Refinement::uniform ? 1. : settings.fraction,
-                        solution.sequence->ends().back(), guess);
-    solution = solve(&guess);
-    levels.push_back(solution.level);
-    error = std::max(estimated_error(), untouched);
-    // Slip zones end where they will: one small change may be chance.
-    reached = error <= (levels.size() == 2 ? first_share : 1.) * settings.tolerance;
+    untouched = by_all * refine(body, estimate,
+                                settings.refinement == Refinement::uniform ? 1. : settings.fraction,
+                                solution.sequence->ends().back(), guess);
   }
   results.status = solution.converged && why.empty()                    ? RunStatus::converged
                    : solution.sequence->reports().back().no_equilibrium ? RunStatus::no_equilibrium

@@ -8,6 +8,7 @@ namespace frictionbeam {
 
 /// Solve the scene's continuum on meshes refined until its quantities are known to the tolerance,
 /// and write everything but summary and report into its output folder. Called by all processes.
+/// Between increments it writes checkpoints. @throws Interrupted if a signal asked for it
 Results run_continuum(const Scene &scene, const LawLibrary &laws);
 
 } // namespace frictionbeam

@@ -196,22 +196,20 @@ Results run_both(const Scene &scene, const LawLibrary &laws) {
 /// Where runs of a scene may leave checkpoints.
 std::vector<std::string> folders_of_runs(const Scene &scene) {
   const std::string &folder = scene.output.directory;
-  std::vector<std::string> folders = {folder, folder + "/line"};
+  std::vector<std::string> folders = {folder, folder + "/line", folder + "/continuum"};
   for (const double multiplier : scene.friction_multipliers)
     folders.push_back(study_folder(folder, multiplier));
   return folders;
 }
 
 bool may_be_resumed(const Scene &scene) {
-  return scene.model == ModelKind::line && scene.accuracy == 0.;
+  return scene.accuracy == 0.; // else there are many runs
 }
 
 void check_resumable(const Scene &scene) {
   if (!may_be_resumed(scene))
-    throw UserError("A run cannot be resumed here.\n  read:    --resume with " +
-                    std::string(scene.accuracy > 0. ? "an Accuracy, which takes many runs"
-                                                    : "a continuum, which has no checkpoints") +
-                    "\n  allowed: --resume with Model = line, without Accuracy\n  try:     the run "
+    throw UserError("A run cannot be resumed here.\n  read:    --resume with an Accuracy, which "
+                    "takes many runs\n  allowed: --resume without Accuracy\n  try:     the run "
                     "without --resume, from its beginning");
 }
 

@@ -59,6 +59,10 @@ struct ContinuumLevel {
   std::optional<double> estimate; ///< relative, of the energy norm, if it was needed
   double seconds = 0.;            ///< since the start
   std::vector<double> quantities;
+
+  void transfer(Archive &archive) {
+    archive(cells, unknowns, contacts, iterations, estimate, seconds, quantities);
+  }
 };
 
 /// Convergence table of the quantities, as HTML, and `convergence.csv`.

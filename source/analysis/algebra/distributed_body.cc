@@ -107,7 +107,6 @@ bool DistributedSystem::solve_by_multigrid(const std::vector<Block> &blocks, con
     if (!(failure.last_residual <= enough * size))
       return false;
   }
-  n_linear_iterations += control.last_step();
   return true;
 }
 

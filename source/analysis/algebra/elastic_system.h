@@ -29,7 +29,7 @@ public:
   virtual bool solve(const std::vector<Block> &blocks, const bool symmetric,
                      const ContinuumVector &b, ContinuumVector &x) = 0;
 
-  unsigned int n_factorizations = 0, n_linear_iterations = 0;
+  unsigned int n_factorizations = 0;
 };
 
 /// Unknowns up to which a factorization is taken where Continuum/Linear solver leaves it open.

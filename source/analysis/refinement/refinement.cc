@@ -110,6 +110,7 @@ void refine_flagged(ContinuumBody<dim> &body, ContinuumGuess &guess) {
   guess.traction.update_ghost_values();
   const std::vector<const ContinuumVector *> fields = {&guess.displacement, &guess.traction};
   ContinuumGuess finer;
+  body.remember_flagged_cells();
   const auto new_mesh = [&]() {
     body.triangulation->execute_coarsening_and_refinement();
     body.distribute_dofs();

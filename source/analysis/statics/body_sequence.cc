@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/body_sequence.h"
 
+#include <algorithm>
+
 namespace frictionbeam {
 
 using namespace dealii;
@@ -34,42 +36,83 @@ ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const 
 }
 
 template <int dim>
-bool ContinuumSequence<dim>::run(const ContinuumGuess *guess) {
-  unknowns = 0.;
-  load_factor = now = 0.;
-  committed = foundation.initial_state();
-  foundation.centre.assign(foundation.size(), LocalVector::Zero());
-  step_ends.clear();
-  step_ends.reserve(body.continuum.steps.size());
-  step_reports.clear();
+void ContinuumSequence<dim>::start(const ContinuumGuess *guess) {
   const auto &steps = body.continuum.steps;
-  if (guess != nullptr && steps.size() == 1 && steps[0].n_increments == 1) {
-    unknowns = guess->displacement;
-    body.constraints.set_zero(unknowns);
-    for (unsigned int i = 0; i < body.nodes.size(); ++i)
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int d = 0; d < dim; ++d)
-          foundation.centre[i][a] +=
-              body.nodes[i].frame[a][d] * guess->traction(body.nodes[i].dofs[d]);
-  }
-  for (unsigned int s = 0; s < steps.size(); ++s) {
-    StepReport report;
-    report.step = steps[s].name;
-    step_reports.push_back(report);
-    const double begin = load_factor, change = (steps[s].factor - begin) / steps[s].n_increments,
-                 duration = 1. / steps[s].n_increments;
-    for (unsigned int i = 0; i < steps[s].n_increments; ++i) {
+  committed = foundation.initial_state();
+  step_ends.reserve(steps.size());
+  if (guess == nullptr || steps.size() > 1 || steps[0].n_increments > 1)
+    return;
+  unknowns = guess->displacement;
+  body.constraints.set_zero(unknowns);
+  for (unsigned int i = 0; i < body.nodes.size(); ++i)
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int d = 0; d < dim; ++d)
+        foundation.centre[i][a] +=
+            body.nodes[i].frame[a][d] * guess->traction(body.nodes[i].dofs[d]);
+}
+
+template <int dim>
+void ContinuumSequence<dim>::start_step() {
+  StepReport report;
+  report.step = body.continuum.steps[position.step].name;
+  step_reports.push_back(report);
+  position.from = load_factor;
+  position.next = 0;
+}
+
+template <int dim>
+bool ContinuumSequence<dim>::run(const ContinuumGuess *guess, const Pause &pause) {
+  const auto &steps = body.continuum.steps;
+  if (!is_resumed)
+    start(guess);
+  for (unsigned int &s = position.step; s < steps.size(); ++s) {
+    if (!is_resumed)
+      start_step();
+    is_resumed = false;
+    const unsigned int n = steps[s].n_increments;
+    const double begin = position.from, change = (steps[s].factor - begin) / n, duration = 1. / n;
+    for (unsigned int &i = position.next; i < n;) {
       if (!advance(begin + i * change, begin + (i + 1) * change, s + i * duration, duration,
                    body.scene.solver.max_halvings)) {
         keep(s, i, load_factor);
         return false;
       }
+      ++i;
       ++step_reports.back().increments;
+      if (pause)
+        pause();
     }
     step_reports.back().converged = true;
-    keep(s, steps[s].n_increments, steps[s].factor);
+    keep(s, n, steps[s].factor);
   }
   return true;
+}
+
+template <int dim>
+void ContinuumSequence<dim>::transfer(Archive &archive) {
+  const auto transfer_own = [&](ContinuumVector &vector) {
+    if (archive.reads())
+      body.reinit(vector);
+    std::vector<double> values(vector.begin(), vector.end());
+    archive(values);
+    if (archive.reads())
+      std::copy(values.begin(), values.end(), vector.begin());
+  };
+  std::size_t n_ends = step_ends.size();
+  archive(position, load_factor, now, committed, foundation, newton, step_reports, n_reported,
+          system->n_factorizations, n_ends);
+  transfer_own(unknowns);
+  if (archive.reads())
+    step_ends.reserve(body.continuum.steps.size()); // which the states to come stay in
+  step_ends.resize(n_ends);
+  for (ContinuumState &state : step_ends) {
+    archive(state.step, state.increment, state.time, state.factor, state.contacts,
+            state.contact_displacement);
+    transfer_own(state.displacement);
+    if (archive.reads())
+      state.displacement.update_ghost_values();
+  }
+  is_resumed = archive.reads();
 }
 
 template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/increment/progress.h"
 #include "analysis/increment/step_report.h"
 #include "analysis/statics/continuum_newton.h"
 
@@ -30,18 +31,33 @@ public:
   ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws);
 
   /// @param guess used if the whole sequence is one increment; may be null
+  /// @param pause called between the increments that the scene declares, and after the last one
   /// @return whether every step converged; if not, ends() closes with the last one in equilibrium
-  bool run(const ContinuumGuess *guess);
+  bool run(const ContinuumGuess *guess, const Pause &pause = {});
+
+  /// Everything of this process that the increments to come depend on, on the same mesh. After
+  /// reading, run() goes on from there, and its numbers are those of a run that was never cut.
+  void transfer(Archive &archive);
 
   const std::vector<ContinuumState> &ends() const { return step_ends; } ///< states at ends of steps
   const std::vector<StepReport> &reports() const { return step_reports; }
   const FoundationContacts &contacts() const { return foundation; }
-  unsigned int linear_iterations() const { return system->n_linear_iterations; }
+  double time() const { return now; } ///< of the last equilibrium, one unit a step
 
   /// The last state as a guess for a finer mesh, both fields ready to be transferred.
   ContinuumGuess as_guess() const;
 
 private:
+  /// How far the sequence is.
+  struct Position {
+    unsigned int step = 0;
+    double from = 0.;      ///< load factor at the start of the step
+    unsigned int next = 0; ///< increment
+  };
+
+  /// At rest, with the guess if the whole sequence is one increment.
+  void start(const ContinuumGuess *guess);
+  void start_step();
   bool advance(const double from, const double to, const double start, const double duration,
                const unsigned int halvings);
   bool increment(const double factor, const double time, const double time_increment);
@@ -60,6 +76,8 @@ private:
   FoundationState committed;
   std::vector<ContinuumState> step_ends;
   std::vector<StepReport> step_reports;
+  Position position;
+  bool is_resumed = false;
 };
 
 /// The points of a body's contact nodes, with the diagonal of its stiffness.

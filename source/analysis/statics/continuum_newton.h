@@ -42,6 +42,9 @@ public:
   /// Add the forces of tractions on the body.
   void add_forces(const std::vector<LocalVector> &stress, ContinuumVector &forces) const;
 
+  /// What it learnt in increments before.
+  void transfer(Archive &archive) { archive(attempts.first_factor); }
+
   /// As ContactNewton::solve_together().
   ContactOutcome solve_together(const unsigned int most_iterations, ContinuumVector &u,
                                 FoundationResponse &response, ContinuumNewtonResult &result);

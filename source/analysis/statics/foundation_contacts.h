@@ -32,6 +32,8 @@ struct FoundationState {
   std::vector<LocalVector> touch;  ///< displacement at which the contact began
   std::vector<ContactStatus> status;
   std::vector<double> dissipated; ///< [J/m2]
+
+  void transfer(Archive &archive) { archive(internal, stress, touch, status, dissipated); }
 };
 
 struct FoundationResponse {
@@ -62,6 +64,9 @@ public:
 
   double stiffness_factor = 1.;    ///< rho over the diagonal stiffness
   std::vector<LocalVector> centre; ///< tractions (-P_c, T_c)
+
+  /// What an increment takes over from the one before; the rest is set by begin().
+  void transfer(Archive &archive) { archive(stiffness_factor, centre); }
 
   /// Evaluate all points at @p displacement.
   void evaluate(const std::vector<LocalVector> &displacement, const FoundationState &committed,

@@ -86,6 +86,25 @@ void ContinuumBody<dim>::distribute() {
 }
 
 template <int dim>
+void ContinuumBody<dim>::remember_flagged_cells() {
+  std::vector<bool> flags;
+  triangulation->save_refine_flags(flags);
+  refinements.emplace_back(flags.begin(), flags.end());
+}
+
+template <int dim>
+void ContinuumBody<dim>::transfer(Archive &archive) {
+  archive(refinements);
+  if (!archive.reads())
+    return;
+  for (const std::vector<char> &flags : refinements) {
+    triangulation->load_refine_flags(std::vector<bool>(flags.begin(), flags.end()));
+    triangulation->execute_coarsening_and_refinement();
+  }
+  distribute();
+}
+
+template <int dim>
 void ContinuumBody<dim>::constrain() {
   constraints.clear();
   constraints.reinit(relevant);

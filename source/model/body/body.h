@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "base/archive.h"
 #include "base/processes.h"
 #include "mesh/body_mesh.h"
 
@@ -56,6 +57,12 @@ public:
   void distribute_dofs();
   void constrain();
 
+  /// To be called before the flagged cells are refined, so that transfer() knows of them.
+  void remember_flagged_cells();
+  /// The mesh, as the flags of this process's cells, one refinement after the other. Reading
+  /// refines the first mesh by them, and distributes: cells and unknowns have the same numbers.
+  void transfer(Archive &archive);
+
   const Scene &scene;
   const ContinuumScene &continuum;
   const ContinuumMesh<dim> &mesh;
@@ -96,7 +103,8 @@ private:
   dealii::FullMatrix<double>
   cell_stiffness(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell) const;
 
-  std::vector<int> surfaces; ///< by boundary id
+  std::vector<int> surfaces;                  ///< by boundary id
+  std::vector<std::vector<char>> refinements; ///< of each, which cells were flagged
 };
 
 } // namespace frictionbeam

@@ -6,6 +6,7 @@
 #include "results/file/summary.h"
 
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -14,7 +15,10 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr const char *first_line = "FrictionBeam checkpoint 1\n";
+/// A file begins with this, the number of its layout, and the end of the line.
+constexpr const char *first_words = "FrictionBeam checkpoint ";
+constexpr const char *advice =
+    "\n  try:     the run without --resume, from its beginning, or another --output-directory";
 
 std::string file_in(const std::string &folder) { return folder + "/checkpoint.bin"; }
 
@@ -39,6 +43,11 @@ public:
       add_number(function(t));
   }
   void add_number(const double number) { add(&number, sizeof(number)); }
+  template <int dim>
+  void add(const dealii::Point<dim> &point) {
+    for (unsigned int d = 0; d < dim; ++d)
+      add_number(point[d]);
+  }
 
   std::string text() const {
     std::ostringstream out;
@@ -69,6 +78,24 @@ std::string hash_of_model(const Model &model) {
     hash.add_numbers(contact.law.parameters());
     hash.add_numbers(contact.B_reduced.reshaped().eval());
     hash.add_number(contact.weight);
+  }
+  return hash.text();
+}
+
+template <int dim>
+std::string hash_of_mesh(const ContinuumMesh<dim> &mesh) {
+  Hash hash;
+  for (const dealii::Point<dim> &vertex : mesh.vertices)
+    hash.add(vertex);
+  for (const dealii::CellData<dim> &cell : mesh.cells)
+    hash.add_numbers(cell.vertices);
+  for (const typename ContinuumMesh<dim>::Face &face : mesh.faces) {
+    hash.add_numbers(face.vertices);
+    hash.add_number(face.part);
+  }
+  for (const auto &[name, point] : mesh.points) {
+    hash.add_numbers(name);
+    hash.add(point);
   }
   return hash.text();
 }
@@ -114,18 +141,29 @@ void transfer(Archive &archive, StepEnvelope &envelope) {
           envelope.largest_frame);
 }
 
-Checkpoint::Checkpoint(const Model &model)
-    : interval(model.scene.output.checkpoint_interval), path(file_in(model.scene.output.directory)),
+Checkpoint::Checkpoint(const Scene &scene, const std::string &hash)
+    : interval(scene.output.checkpoint_interval), path(file_in(scene.output.directory)),
       last(std::chrono::steady_clock::now()) {
   std::string options;
-  for (const std::string &option : model.scene.overrides)
+  for (const std::string &option : scene.overrides)
     if (option.find("Checkpoint interval") == std::string::npos)
       options += option + '\n';
   identity = {{"program", program_version() + ", " + flavour() + ", deal.II " + deal_ii_version()},
-              {"parameter file", model.scene.input},
+              {"parameter file", scene.input},
               {"options --set", options},
-              {"model (its mesh, tables and laws)", hash_of_model(model)}};
+              {"model (its mesh, tables and laws)", hash}};
 }
+
+Checkpoint::Checkpoint(const Model &model) : Checkpoint(model.scene, hash_of_model(model)) {}
+
+template <int dim>
+Checkpoint::Checkpoint(const ContinuumBody<dim> &body)
+    : Checkpoint(body.scene, hash_of_mesh(body.mesh)) {
+  identity.emplace_back("number of processes", std::to_string(n_processes(body.communicator)));
+}
+
+template Checkpoint::Checkpoint(const ContinuumBody<2> &);
+template Checkpoint::Checkpoint(const ContinuumBody<3> &);
 
 bool Checkpoint::is_due() const {
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - last;
@@ -135,22 +173,30 @@ bool Checkpoint::is_due() const {
 void Checkpoint::write(const Archive &archive) {
   Hash hash;
   hash.add_numbers(archive.bytes());
-  std::string content = archive.bytes(), check = hash.text();
+  std::string content = archive.bytes(), sum = hash.text();
   Archive file;
-  file(identity, content, check);
-  replace_file(path, first_line + file.bytes());
+  file(identity, content, sum);
+  replace_file(path, first_words + std::to_string(checkpoint_layout) + '\n' + file.bytes());
   last = std::chrono::steady_clock::now();
+}
+
+void Checkpoint::check(const Identity &found) const {
+  for (unsigned int i = 0; i < identity.size(); ++i)
+    if (i >= found.size() || found[i] != identity[i]) {
+      const std::string there = i < found.size() ? found[i].second : "nothing";
+      const bool is_short = there.size() + identity[i].second.size() < 200;
+      throw UserError(
+          "The checkpoint " + path + " is of another case: its " + identity[i].first +
+          " is not that of this run.\n  read:    " +
+          (is_short ? there + "; this run: " + identity[i].second : "another text") +
+          "\n  allowed: --resume with the program, parameter file and options that wrote it" +
+          advice);
+    }
 }
 
 std::optional<Archive> Checkpoint::read() const {
   if (!std::filesystem::exists(path))
     return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  const std::string bytes = text.str(), start(first_line);
-  const std::string advice =
-      "\n  try:     the run without --resume, from its beginning, or another --output-directory";
   const auto damaged = [&]() {
     return UserError("The checkpoint " + path +
                      " cannot be used.\n  read:    a file that is not "
@@ -158,30 +204,33 @@ std::optional<Archive> Checkpoint::read() const {
                      "it" +
                      advice);
   };
-  if (bytes.compare(0, start.size(), start) != 0)
+  std::ifstream in(path, std::ios::binary);
+  std::string start(std::strlen(first_words), ' '), layout;
+  in.read(start.data(), start.size());
+  if (start != first_words || !std::getline(in, layout) || layout.size() > 9)
     throw damaged();
+  if (layout != std::to_string(checkpoint_layout))
+    throw UserError("The checkpoint " + path +
+                    " was written by another build of the program, with another layout.\n  read:  "
+                    "  layout " +
+                    layout + "\n  allowed: layout " + std::to_string(checkpoint_layout) +
+                    ", which this build reads and writes" + advice +
+                    ", or --resume with the build that wrote it");
+  std::stringstream text;
+  text << in.rdbuf();
   Identity found;
-  std::string content, check;
+  std::string content, sum;
   try {
-    Archive file(bytes.substr(start.size()));
-    file(found, content, check);
+    Archive file(text.str());
+    file(found, content, sum);
   } catch (const dealii::ExceptionBase &) {
     throw damaged();
   }
   Hash hash;
   hash.add_numbers(content);
-  if (hash.text() != check || found.size() != identity.size())
+  if (hash.text() != sum)
     throw damaged();
-  for (unsigned int i = 0; i < identity.size(); ++i)
-    if (found[i] != identity[i]) {
-      const bool is_short = found[i].second.size() + identity[i].second.size() < 200;
-      throw UserError(
-          "The checkpoint " + path + " is of another case: its " + identity[i].first +
-          " is not that of this run.\n  read:    " +
-          (is_short ? found[i].second + "; this run: " + identity[i].second : "another text") +
-          "\n  allowed: --resume with the program, parameter file and options that wrote it" +
-          advice);
-    }
+  check(found);
   return Archive(content);
 }
 

@@ -172,8 +172,8 @@ void declare_output(ParameterReader &in) {
                   "its solution in the format of FCLIB, into the folder contact_problems.");
   in.declare_number(
       "Checkpoint interval", 60., "s", 0., 1e300,
-      "Of wall time, between two writings of checkpoint.bin, from which a run of a line "
-      "that was killed goes on with the option --resume; 0: at SIGINT and SIGTERM only.");
+      "Of wall time, between two writings of checkpoint.bin, from which a run that was "
+      "killed goes on with the option --resume; 0: at SIGINT and SIGTERM only.");
 }
 
 void parse_output(const ParameterReader &in, Scene &scene) {
