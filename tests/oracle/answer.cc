@@ -116,10 +116,21 @@ void add_envelope(const frictionbeam::Results &results, const frictionbeam::Step
   add("displacement", Kind::displacement, envelope.displacement.largest);
 }
 
+/// Sums of sizes, component by component, depend on the axes, and so do stresses made of them; sums
+/// of squares do not.
+bool adds_sizes(const Scene &scene) {
+  return std::any_of(scene.more.begin(), scene.more.end(), [](const auto &entry) {
+    return entry.first.rfind("Response/", 0) == 0 && entry.second == "absolute";
+  });
+}
+
 /// Stresses and nozzles, by what they use of what is allowed.
-void add_judgements(const frictionbeam::Results &results, const std::string &name,
-                    const Turns of_case, StepAnswer &step) {
-  const Turns turns = of_case == Turns::unknown ? Turns::unknown : Turns::fixed;
+void add_judgements(const Scene &scene, const frictionbeam::Results &results,
+                    const std::string &name, StepAnswer &step) {
+  const Turns of_case = turns_of(scene, name);
+  const bool is_known =
+      of_case == Turns::vector || (of_case == Turns::absolute && !adds_sizes(scene));
+  const Turns turns = is_known ? Turns::fixed : Turns::unknown;
   for (const frictionbeam::StressCase &one : results.stresses)
     if (one.step == name && !one.stress.empty()) {
       Answer::Entry entry{Kind::ratio, Vec(one.stress[one.worst] / one.allowed[one.worst], 0., 0.),
@@ -176,7 +187,7 @@ Answer::Answer(const Scene &scene, const Outcome &program) {
         add_envelope(results, *envelope, step);
     }
     add_reactions(results, frame, turns_of(scene, name), step);
-    add_judgements(results, name, turns_of(scene, name), step);
+    add_judgements(scene, results, name, step);
     if (scene.quantities)
       add_quantities(scene, results, name, step);
   }
