@@ -34,7 +34,7 @@ EventModel::EventModel(const Model &m)
   for (unsigned int u = 0; u < has_mass.size(); ++u)
     if (!has_mass[u] && !is_platen[u])
       massless.push_back(u);
-  factor_mass(model, mass);
+  factor_mass(model.linear.mass(), mass);
   if (massless.empty())
     return;
 

@@ -23,9 +23,13 @@ Vector impulse_of_inertia(const Model &model, const std::vector<double> &before,
       continue;
     if (impulse.size() == 0)
       impulse.setZero(model.space.n_unknowns());
-    impulse += jump * model.linear.inertia(l);
+    impulse += jump * model.cells.inertia(l);
   }
   return impulse;
+}
+
+double kinetic_energy(const Model &model, const LineState &state) {
+  return model.cells.kinetic_energy({state.dofs, state.turns}, state.velocity, state.load_rates);
 }
 
 } // namespace
@@ -38,19 +42,17 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
   state.load_factors = course.factors_after(state.time);
   course.set_rates(state, LoadCourse::Side::after);
   if (const Vector impulse = impulse_of_inertia(model, before.load_rates, state.load_rates);
-      impulse.size() > 0 && model.cells.is_linear()) {
+      impulse.size() > 0) {
     LineFactorization mass;
-    factor_mass(model, mass);
-    const std::vector<bool> has_mass = unknowns_with_mass(model.linear.mass());
+    factor_mass(model.cells.mass(), mass);
+    const std::vector<bool> has_mass = unknowns_with_mass(model.cells.mass());
     Vector change = mass.solve(impulse);
     for (int i = 0; i < change.size(); ++i)
       if (!has_mass[i])
         change[i] = 0.;
     state.velocity += change;
-    account.kinetic = (state.velocity.dot(model.linear.mass() * state.velocity) -
-                       before.velocity.dot(model.linear.mass() * before.velocity)) /
-                      2.;
-    account += account_imposed(model, before, state, 1.); // of it, only the reactions do work
+    account.kinetic = kinetic_energy(model, state) - kinetic_energy(model, before);
+    account.external = account.kinetic; // the reactions' work, and nothing else does any
     account.turnover = std::abs(account.kinetic) + std::abs(account.external);
   }
   integrator.start(state, course);

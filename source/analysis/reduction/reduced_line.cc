@@ -77,8 +77,10 @@ ReducedLine::ReducedLine(const Model &line, const LineParts &parts, const LinePa
   space = std::make_unique<ReducedSpace>(n, terms_of_dofs);
   contacts = std::make_unique<Contacts>(line.contacts, dof_places, unknown_places, n);
   linear = std::make_unique<LinearPart>(make_matrices());
+  cells =
+      std::make_unique<LinearCells>(line.scene, line.mesh, line.discretization, *space, *linear);
   reduced = std::make_unique<Model>(
-      Model{line.scene, line.mesh, line.discretization, *space, *contacts, *linear, line.cells});
+      Model{line.scene, line.mesh, line.discretization, *space, *contacts, *linear, *cells});
 }
 
 void ReducedLine::make_basis(const unsigned int p, const unsigned int n_modes,

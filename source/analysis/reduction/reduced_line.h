@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/reduction/line_parts.h"
+#include "model/cell/linear_cells.h"
 
 namespace frictionbeam {
 
@@ -71,6 +72,7 @@ private:
   std::unique_ptr<const ReducedSpace> space;
   std::unique_ptr<const Contacts> contacts;
   std::unique_ptr<const LinearPart> linear;
+  std::unique_ptr<const LinearCells> cells;
   std::unique_ptr<const Model> reduced;
 };
 

@@ -92,10 +92,11 @@ EnergyAccount NonlinearStatics::account(const LineState &before, const LineState
   for (unsigned int l = 0; l < factors.size(); ++l)
     factors[l] = (factors[l] + before.load_factors[l]) / 2.;
   LineCells::Balance mean;
-  line.evaluate(from, line.halfway(from, to), to, factors, mean);
+  const Vector change = line.change(from, to);
+  line.evaluate({from, line.halfway(from, to), to, change}, factors, mean);
   EnergyAccount account;
   account.external =
-      mean.loads.dot(line.change(from, to)) + mean.free_work +
+      mean.loads.dot(change) + mean.free_work +
       model.contacts.platen_forces().dot(after.unknowns - before.unknowns) +
       (mean.internal - mean.loads).dot(course.imposed(after.time) - course.imposed(before.time));
   account.stored = line.stored_energy(to) - line.stored_energy(from);

@@ -41,7 +41,7 @@ AlphaScheme::AlphaScheme(const Model &model, const Parameters &parameters)
   if (!p.impulses)
     return_mapping = make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
                                              model.linear.stiffness());
-  factor_mass(model, mass);
+  factor_mass(model.linear.mass(), mass);
 }
 
 Vector AlphaScheme::contact_forces(const LineState &state) const {

@@ -6,8 +6,8 @@
 
 namespace frictionbeam {
 
-void factor_mass(const Model &model, LineFactorization &mass) {
-  const SparseMatrix regular = regular_mass(model.linear.mass());
+void factor_mass(const SparseMatrix &M, LineFactorization &mass) {
+  const SparseMatrix regular = regular_mass(M);
   mass.analyze(regular);
   if (!mass.factorize(regular))
     throw UserError("The mass matrix has no inverse.\n  read:    masses and densities that differ "

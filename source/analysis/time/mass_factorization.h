@@ -2,12 +2,12 @@
 #pragma once
 
 #include "analysis/algebra/line_factorization.h"
-#include "model/model.h"
+#include "model/contact/contacts.h"
 
 namespace frictionbeam {
 
 /// Factor the mass matrix, with 1 on the diagonal of unknowns without mass.
 /// @throws UserError if rounding leaves it without an inverse
-void factor_mass(const Model &model, LineFactorization &mass);
+void factor_mass(const SparseMatrix &M, LineFactorization &mass);
 
 } // namespace frictionbeam

@@ -13,7 +13,11 @@ using namespace dealii;
 
 NonlinearMotion::NonlinearMotion(const Model &model)
     : model(model), has_mass(unknowns_with_mass(model.cells.mass())), contacts(model),
-      linearized(model) {}
+      linearized(model), inertia(model.scene.loads.size()) {
+  for (unsigned int l = 0; l < inertia.size(); ++l)
+    if (model.linear.accelerates(l))
+      inertia[l] = model.cells.inertia(l);
+}
 
 std::string NonlinearMotion::name() const {
   return "moreau_jean: midpoint rule with exact momentum in corotational kinematics, rigid contact "
@@ -31,17 +35,16 @@ void NonlinearMotion::evaluate(const LineState &state, Step &step) const {
   step.change += step.imposed;
   step.to = line.stepped(step.from, step.change);
   step.half = line.halfway(step.from, step.to);
-  line.evaluate(step.from, step.half, step.to, step.factors, step.balance);
+  line.evaluate({step.from, step.half, step.to, step.change, h}, step.factors, step.balance);
 
   // The equation of motion divided by h/2.
-  const Vector inertia = line.mass() * (4. / (h * h) * step.moved - 4. / h * state.velocity);
+  const double lost = model.scene.time.mass_damping * h / 2.; // part of the momentum
+  const Vector inertia =
+      line.mass() * (4. * (1. + lost) / (h * h) * step.moved - 4. / h * state.velocity) +
+      2. / h * step.imposed_impulse;
   step.residual = 2. * (step.balance.forces + model.contacts.platen_forces()) - inertia -
                   contacts.elastic_forces(state);
-  step.matrix = step.balance.stiffness + 4. / (h * h) * line.mass();
-  if (model.linear.damping().nonZeros() > 0) {
-    step.residual -= model.linear.damping() * (2. / h * step.moved);
-    step.matrix = step.matrix + 2. / h * model.linear.damping();
-  }
+  step.matrix = step.balance.stiffness + 4. * (1. + lost) / (h * h) * line.mass();
   line.add_rotary(step.from, step.to, step.change, step.velocity, h, step.residual, step.matrix);
   step.largest = std::max(2. * step.balance.largest, inertia.lpNorm<Eigen::Infinity>());
 }
@@ -126,9 +129,28 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
   }
 }
 
-void NonlinearMotion::finish(const LineState &state, const LoadCourse &loads, const double time,
-                             const Step &step, ContactResponse &response, LineState &to,
-                             TimeStep &report) {
+void NonlinearMotion::account(const Step &step, const Vector &velocity_after,
+                              EnergyAccount &account) const {
+  const LineCells &line = model.cells;
+  const double h = step.h, lost = model.scene.time.mass_damping * h / 2.;
+  const Vector before = line.momenta(step.from, step.velocity),
+               after = line.momenta(step.to, velocity_after);
+  const double kinetic = velocity_after.dot(after) / 2., stored = line.stored_energy(step.to);
+  account.stored = stored - line.stored_energy(step.from);
+  account.kinetic = kinetic - step.velocity.dot(before) / 2.;
+  Vector mean_velocity = (step.change - step.imposed) / h + step.imposed_velocity;
+  account.damping = step.balance.damping + lost * mean_velocity.dot(before + after);
+  account.external = step.balance.loads.dot(step.change) + step.balance.free_work +
+                     model.contacts.platen_forces().dot(step.moved) +
+                     (step.balance.internal - step.balance.loads).dot(step.imposed) +
+                     step.imposed_velocity.dot((1. + lost) * after - (1. - lost) * before);
+  account.at_hand = kinetic + stored;
+  account.turnover =
+      std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
+}
+
+void NonlinearMotion::finish(const LineState &state, const Step &step, ContactResponse &response,
+                             LineState &to, TimeStep &report) {
   const LineCells &line = model.cells;
   const double h = step.h;
   to.unknowns = state.unknowns + step.moved;
@@ -140,28 +162,11 @@ void NonlinearMotion::finish(const LineState &state, const LoadCourse &loads, co
   line.set_spins(step.from, step.to, step.change, step.velocity, h, to.velocity);
   to.acceleration = (to.velocity - state.velocity) / h;
   to.auxiliary = to.acceleration;
-  to.time = time;
-  to.load_factors = loads.factors_before(time);
   commit_contacts(response, state, to);
   if (model.contacts.size() > 0)
     contacts.add_histories(state, h, to);
-
-  EnergyAccount &account = report.energy;
-  Vector velocity;
-  model.space.expand(to.velocity, velocity);
-  const double kinetic = line.kinetic_energy(step.to, velocity),
-               stored = line.stored_energy(step.to);
-  account.external = step.balance.loads.dot(step.change) + step.balance.free_work +
-                     model.contacts.platen_forces().dot(step.moved) +
-                     (step.balance.internal - step.balance.loads).dot(step.imposed);
-  account.stored = stored - line.stored_energy(step.from);
-  account.kinetic = kinetic - line.kinetic_energy(step.from, step.velocity);
-  if (model.linear.damping().nonZeros() > 0)
-    account.damping = step.moved.dot(model.linear.damping() * step.moved) / h;
-  account.at_hand = kinetic + stored;
-  account.turnover =
-      std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
-  account += account_contacts(
+  account(step, model.cells.velocities(to.velocity, to.load_rates), report.energy);
+  report.energy += account_contacts(
       model, state, to, model.contacts.size() > 0 ? contacts.work() : std::vector<ContactWork>());
   double jerk = 0.;
   for (int i = 0; i < to.velocity.size(); ++i)
@@ -170,25 +175,44 @@ void NonlinearMotion::finish(const LineState &state, const LoadCourse &loads, co
   report.error = h * h / 12. * jerk;
 }
 
-TimeStep NonlinearMotion::advance(const LineState &from, const LoadCourse &loads, const double time,
-                                  LineState &to) {
+NonlinearMotion::Step NonlinearMotion::begin(const LineState &from, const LoadCourse &loads,
+                                             const LineState &to) const {
   Step step;
-  step.h = time - from.time;
+  step.h = to.time - from.time;
   step.from = {from.dofs, from.turns};
   step.moved = step.h * from.velocity;
-  step.imposed = loads.imposed(time) - loads.imposed(from.time);
-  step.factors = loads.factors_before(time);
+  step.imposed = loads.imposed(to.time) - loads.imposed(from.time);
+  step.factors = to.load_factors;
   const std::vector<double> before = loads.factors_after(from.time);
   for (unsigned int l = 0; l < step.factors.size(); ++l)
     step.factors[l] = (step.factors[l] + before[l]) / 2.;
-  model.space.expand(from.velocity, step.velocity);
+  step.velocity = model.cells.velocities(from.velocity, from.load_rates);
+  step.imposed_velocity.setZero(model.space.n_dofs());
+  step.imposed_impulse.setZero(model.space.n_unknowns());
+  const double lost = model.scene.time.mass_damping * step.h / 2.;
+  for (unsigned int l = 0; l < to.load_rates.size(); ++l) {
+    if (inertia[l].size() == 0)
+      continue;
+    for (const auto &[dof, value] : model.linear.imposed(l))
+      step.imposed_velocity[dof] += (from.load_rates[l] + to.load_rates[l]) / 2. * value;
+    step.imposed_impulse -=
+        ((1. + lost) * to.load_rates[l] - (1. - lost) * from.load_rates[l]) * inertia[l];
+  }
+  return step;
+}
 
+TimeStep NonlinearMotion::advance(const LineState &from, const LoadCourse &loads, const double time,
+                                  LineState &to) {
+  to = from;
+  to.time = time;
+  to.load_factors = loads.factors_before(time);
+  loads.set_rates(to, LoadCourse::Side::before);
+  Step step = begin(from, loads, to);
   TimeStep report;
   ContactResponse response;
-  to = from;
   report.result = solve(from, loads, time, step, response);
   if (report.result.converged)
-    finish(from, loads, time, step, response, to, report);
+    finish(from, step, response, to, report);
   return report;
 }
 

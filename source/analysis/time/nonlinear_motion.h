@@ -8,12 +8,13 @@ namespace frictionbeam {
 
 /**
  * The midpoint rule for any cells, conserving momentum:
- *   M (v1 - v0) = h F + P,   x1 - x0 = h (v0 + v1)/2,
+ *   M (v1 - v0) = h F - a h M (v0 + v1)/2 + P,   x1 - x0 = h (v0 + v1)/2,
  * with the forces F on the pose halfway made from the mean of the cells' forces at both ends (J. C.
  * Simo, N. Tarnow, M. Doblare, IJNME 38 (1995) 1431-1473, doi:10.1002/nme.1620380903). F has no
  * resultant, so that linear and angular momentum are exact, and its work is the change of the
- * stored energy. Of linear cells this is moreau_jean with theta = 1/2, and the contacts are
- * that method's.
+ * stored energy and what viscous forces take. a is Mass damping. Motions that loads impose have the
+ * velocities of their histories, with which their masses go into M (v1 - v0). Of linear cells this
+ * is moreau_jean with theta = 1/2, and the contacts are that method's.
  *
  * A step is solved by Newton's method with the contacts solved on the linearized line.
  */
@@ -36,6 +37,8 @@ private:
     Vector imposed;              ///< change that is imposed
     std::vector<double> factors; ///< mean ones of the loads
     Vector velocity;             ///< of all degrees of freedom, at the start
+    Vector imposed_velocity;     ///< mean of the imposed ones
+    Vector imposed_impulse;      ///< what these take from the unknowns
     double h = 0.;
     LineCells::Balance balance;
     Vector residual;     ///< but for the contacts at the end
@@ -48,13 +51,19 @@ private:
                                      ContactResponse &response);
   EquilibriumResult solve(const LineState &state, const LoadCourse &loads, const double time,
                           Step &step, ContactResponse &response);
-  void finish(const LineState &state, const LoadCourse &loads, const double time, const Step &step,
-              ContactResponse &response, LineState &to, TimeStep &report);
+  /// What the step is given: motions and loads from @p from to the time of @p
+  /// to, whose rates are set.
+  Step begin(const LineState &from, const LoadCourse &loads, const LineState &to) const;
+  /// The step's account but for the contacts.
+  void account(const Step &step, const Vector &velocity_after, EnergyAccount &account) const;
+  void finish(const LineState &state, const Step &step, ContactResponse &response, LineState &to,
+              TimeStep &report);
 
   const Model &model;
   const std::vector<bool> has_mass;
   ImpulseContacts contacts;
   LinearizedSolver linearized;
+  std::vector<Vector> inertia; ///< LineCells::inertia() of each load that has any
 };
 
 } // namespace frictionbeam

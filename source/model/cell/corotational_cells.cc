@@ -97,6 +97,8 @@ CorotationalCells::CorotationalCells(const Scene &scene, const LineMesh &mesh,
   }
   if (linear.mass().rows() > 0)
     add_mass();
+  if (linear.mass().rows() > 0 && scene.time.modal_damping != 0.)
+    find_damped_modes();
 }
 
 bool CorotationalCells::turns(const unsigned int vertex) const {
@@ -190,10 +192,11 @@ Vector12 CorotationalCells::on_line(const Cell &cell, const Matrix3d &axes,
   return result;
 }
 
-void CorotationalCells::answer(const unsigned int index, const Pose &from, const Pose &half,
-                               const Pose &to, const std::vector<double> &factors,
-                               CellAnswer &answer) const {
+void CorotationalCells::answer(const unsigned int index, const Step &step,
+                               const std::vector<double> &factors, CellAnswer &answer) const {
+  const Pose &from = step.from, &half = step.half, &to = step.to;
   const bool is_step = &from != &to;
+  const double viscous = step.duration > 0. ? scene.time.stiffness_damping / step.duration : 0.;
   const Cell &cell = cells[index];
   const CorotationalBeam &beam = cell.beam;
   const CorotationalBeam::Deformed before = beam.deform(ends(cell, from)),
@@ -202,7 +205,10 @@ void CorotationalCells::answer(const unsigned int index, const Pose &from, const
   Vector7 free;
   answer.dofs = cell.dofs;
   answer.loads = on_line(cell, mean.axes, factors, free);
+  const Vector7 deformed = after.d - before.d;
   Vector7 s = beam.stiffness() * (before.d + after.d) / 2. - free;
+  if (viscous != 0.)
+    s += viscous * (beam.stiffness() * deformed);
   const CorotationalBeam::Matrix7_12 B = beam.derivative(mean, (before.length + after.length) / 2.);
   CorotationalBeam::Matrix7_12 B_after = B;
   if (is_step) {
@@ -221,8 +227,10 @@ void CorotationalCells::answer(const unsigned int index, const Pose &from, const
     s += energy_correction(beam, B * change, before.d, after.d, angle, s);
   }
   answer.internal = B.transpose() * s;
-  answer.stiffness = B.transpose() * beam.stiffness() * B_after + beam.geometric_stiffness(mean, s);
-  answer.free_work = free.dot(after.d - before.d);
+  answer.stiffness = B.transpose() * ((1. + 2. * viscous) * beam.stiffness()) * B_after +
+                     beam.geometric_stiffness(mean, s);
+  answer.free_work = free.dot(deformed);
+  answer.damping = viscous * deformed.dot(beam.stiffness() * deformed);
 }
 
 Motion CorotationalCells::nodal_load(const unsigned int load, const unsigned int vertex,
@@ -260,6 +268,11 @@ LineCells::CellState CorotationalCells::state_of(const unsigned int index, const
                           to_eigen(Vector3(discretization.vertices()[cell.vertices[0]])),
                           part(pose.dofs, cell.vertices[0], 0), state.motions.head<3>()};
   return state;
+}
+
+Matrix3d CorotationalCells::turn_of(const unsigned int cell, const Pose &pose) const {
+  const CorotationalBeam &beam = cells[cell].beam;
+  return beam.deform(ends(cells[cell], pose)).axes * beam.axes_at_rest().transpose();
 }
 
 double CorotationalCells::unbent(const Pose &pose) const {

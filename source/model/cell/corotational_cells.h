@@ -43,6 +43,7 @@ public:
 
   CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
                      const std::vector<double> &factors) const override;
+  Eigen::Matrix3d turn_of(const unsigned int cell, const Pose &pose) const override;
   /// Without rotary inertia.
   Matrix12 mass_of(const unsigned int cell, PipeElement &element) const override;
   Motion nodal_load(const unsigned int load, const unsigned int vertex,
@@ -64,8 +65,9 @@ private:
     double mass = 0.; ///< [kg]
   };
   /// By the forces halfway, corrected along the change of the deformations.
-  void answer(const unsigned int cell, const Pose &from, const Pose &half, const Pose &to,
-              const std::vector<double> &factors, CellAnswer &answer) const override;
+  void answer(const unsigned int cell, const Step &step, const std::vector<double> &factors,
+              CellAnswer &answer) const override;
+  void add_modal_damping(const Step &step, Balance &balance) const override;
   double stored_in(const unsigned int cell, const Pose &pose) const override;
   CorotationalBeam::Ends ends(const Cell &cell, const Pose &pose) const;
   Eigen::Map<const Eigen::Quaterniond> turn(const Pose &pose, const unsigned int vertex) const {
@@ -75,10 +77,17 @@ private:
   Vector12 on_line(const Cell &cell, const Eigen::Matrix3d &axes,
                    const std::vector<double> &factors, CorotationalBeam::Vector7 &free) const;
   void add_mass();
+  /// Modes of the line at rest, as forces on the cells' deformations.
+  void find_damped_modes();
 
   std::vector<Cell> cells; ///< as the pipe cells of the discretization
   SparseMatrix M;
   std::vector<Eigen::Matrix3d> vertex_inertia; ///< at rest, in global axes [kg m2]
+  /// Of Modal damping: forces of each mode on the deformations of cells, seven
+  /// rows each, and on springs, six each; and damping 2 zeta / w^3 of the mode.
+  /// Without entries if there is none.
+  Eigen::MatrixXd mode_forces;
+  Vector mode_damping;
 };
 
 } // namespace frictionbeam

@@ -31,6 +31,7 @@ void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vecto
                                    const Vector &spin_before, const double step, Vector &forces,
                                    SparseMatrix &matrix) const {
   Vector on_dofs = Vector::Zero(space.n_dofs());
+  const double lost = scene.time.mass_damping * step / 2.; // part of the momentum
   for (unsigned int v = 0; v < n_vertices; ++v) {
     if (!turns(v) || vertex_inertia[v].isZero(0.))
       continue;
@@ -40,8 +41,8 @@ void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vecto
     const Vector3d momentum_before = before * (vertex_inertia[v] * (before.transpose() * spin)),
                    momentum = after * (vertex_inertia[v] *
                                        (before.transpose() * (2. / step * vector - spin)));
-    add_part(-2. / step * (momentum - momentum_before), v, 3, on_dofs);
-    const Matrix3d derivative = 2. / step *
+    add_part(-2. / step * ((1. + lost) * momentum - (1. - lost) * momentum_before), v, 3, on_dofs);
+    const Matrix3d derivative = 2. / step * (1. + lost) *
                                 (2. / step * after * vertex_inertia[v] * before.transpose() -
                                  skew(momentum) * cayley_spin(vector));
     std::vector<types::global_dof_index> dofs;

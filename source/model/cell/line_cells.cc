@@ -48,16 +48,16 @@ void LineCells::add_part(const Vector3d &value, const unsigned int vertex, const
       dofs[dof] += value[d];
 }
 
-void LineCells::evaluate(const Pose &from, const Pose &half, const Pose &to,
-                         const std::vector<double> &factors, Balance &balance) const {
+void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
+                         Balance &balance) const {
   balance.loads = balance.internal = Vector::Zero(space.n_dofs());
   balance.stiffness = linear.stiffness(); // its pattern
   std::fill(balance.stiffness.valuePtr(),
             balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
-  balance.largest = balance.free_work = 0.;
+  balance.largest = balance.free_work = balance.damping = 0.;
   CellAnswer of_cell;
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
-    answer(i, from, half, to, factors, of_cell);
+    answer(i, step, factors, of_cell);
     add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
     for (unsigned int j = 0; j < 12; ++j) {
       balance.internal[of_cell.dofs[j]] += of_cell.internal[j];
@@ -66,36 +66,53 @@ void LineCells::evaluate(const Pose &from, const Pose &half, const Pose &to,
     balance.largest = std::max({balance.largest, of_cell.internal.lpNorm<Eigen::Infinity>(),
                                 of_cell.loads.lpNorm<Eigen::Infinity>()});
     balance.free_work += of_cell.free_work;
+    balance.damping += of_cell.damping;
   }
-  add_springs(from, to, balance);
-  add_nodal_loads(half, factors, balance);
+  add_springs(step, balance);
+  if (step.duration > 0.)
+    add_modal_damping(step, balance);
+  add_nodal_loads(step.half, factors, balance);
   balance.forces = space.restrict_forces(balance.loads - balance.internal);
 }
 
-void LineCells::add_springs(const Pose &from, const Pose &to, Balance &balance) const {
-  const VertexDofs &vertex_dofs = discretization.vertex_dofs();
+void LineCells::add_springs(const Step &step, Balance &balance) const {
   for (const Spring &spring : scene.springs) {
     const unsigned int vertex = mesh.points.at(spring.point);
-    balance.loads[vertex_dofs.index(vertex, 2)] += spring.preload;
-    for (unsigned int c = 0; c < 6; ++c) {
-      if (spring.stiffness[c] == 0.)
-        continue;
-      std::vector<types::global_dof_index> dofs = {vertex_dofs.index(vertex, c)};
-      if (!spring.other.empty())
-        dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
-      Eigen::Matrix2d local;
-      local << 1., -1., -1., 1.;
-      local *= spring.stiffness[c];
-      Eigen::Vector2d u = Eigen::Vector2d::Zero();
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        u[i] = (from.dofs[dofs[i]] + to.dofs[dofs[i]]) / 2.;
-      const Eigen::Vector2d force = local * u;
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        balance.internal[dofs[i]] += force[i];
-      balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
-      add_local(local, dofs, balance.stiffness);
-    }
+    balance.loads[discretization.vertex_dofs().index(vertex, 2)] += spring.preload;
+    for (unsigned int c = 0; c < 6; ++c)
+      if (spring.stiffness[c] != 0. || (spring.damping[c] != 0. && step.duration > 0.))
+        add_spring(spring, c, step, balance);
   }
+}
+
+void LineCells::add_spring(const Spring &spring, const unsigned int c, const Step &step,
+                           Balance &balance) const {
+  const VertexDofs &vertex_dofs = discretization.vertex_dofs();
+  std::vector<types::global_dof_index> dofs = {vertex_dofs.index(mesh.points.at(spring.point), c)};
+  if (!spring.other.empty())
+    dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
+  const double k = spring.stiffness[c],
+               viscous =
+                   step.duration > 0.
+                       ? (scene.time.stiffness_damping * k + spring.damping[c]) / step.duration
+                       : 0.;
+  Eigen::Matrix2d unit;
+  unit << 1., -1., -1., 1.;
+  const Eigen::Matrix2d local = k * unit;
+  Eigen::Vector2d u = Eigen::Vector2d::Zero(), change = Eigen::Vector2d::Zero();
+  for (unsigned int i = 0; i < dofs.size(); ++i) {
+    u[i] = (step.from.dofs[dofs[i]] + step.to.dofs[dofs[i]]) / 2.;
+    change[i] = step.change[dofs[i]];
+  }
+  Eigen::Vector2d force = local * u;
+  if (viscous != 0.) {
+    force += viscous * (unit * change);
+    balance.damping += viscous * change.dot(unit * change);
+  }
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    balance.internal[dofs[i]] += force[i];
+  balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
+  add_local((k + 2. * viscous) * unit, dofs, balance.stiffness);
 }
 
 Motion LineCells::nodal_load(const unsigned int load, const unsigned int vertex,
@@ -132,6 +149,12 @@ void LineCells::add_nodal_loads(const Pose &half, const std::vector<double> &fac
   }
 }
 
+double LineCells::extension(const Spring &spring, const unsigned int c, const Vector &dofs) const {
+  const VertexDofs &at = discretization.vertex_dofs();
+  const double own = dofs[at.index(mesh.points.at(spring.point), c)];
+  return spring.other.empty() ? own : own - dofs[at.index(mesh.points.at(spring.other), c)];
+}
+
 double LineCells::stored_energy(const Pose &pose) const {
   double energy = 0.;
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i)
@@ -139,17 +162,26 @@ double LineCells::stored_energy(const Pose &pose) const {
   for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c)
       if (spring.stiffness[c] != 0.) {
-        const auto motion = [&](const std::string &point) {
-          return pose.dofs[discretization.vertex_dofs().index(mesh.points.at(point), c)];
-        };
-        const double u = motion(spring.point) - (spring.other.empty() ? 0. : motion(spring.other));
+        const double u = extension(spring, c, pose.dofs);
         energy += spring.stiffness[c] * u * u / 2.;
       }
   return energy;
 }
 
-double LineCells::kinetic_energy(const Pose &pose, const Vector &velocity) const {
-  return velocity.dot(momenta(pose, velocity)) / 2.;
+Vector LineCells::velocities(const Vector &velocity, const std::vector<double> &rates) const {
+  Vector result;
+  space.expand(velocity, result);
+  for (unsigned int l = 0; l < rates.size(); ++l)
+    if (rates[l] != 0.)
+      for (const auto &[dof, value] : linear.imposed(l))
+        result[dof] += rates[l] * value;
+  return result;
+}
+
+double LineCells::kinetic_energy(const Pose &pose, const Vector &velocity,
+                                 const std::vector<double> &rates) const {
+  const Vector all = velocities(velocity, rates);
+  return all.dot(momenta(pose, all)) / 2.;
 }
 
 Motion LineCells::momentum(const Pose &pose, const Vector &velocity) const {
@@ -164,6 +196,13 @@ Motion LineCells::momentum(const Pose &pose, const Vector &velocity) const {
   }
   return {linear_sum[0],  linear_sum[1],  linear_sum[2],
           angular_sum[0], angular_sum[1], angular_sum[2]};
+}
+
+Vector LineCells::inertia(const unsigned int load) const {
+  Vector motion = Vector::Zero(space.n_dofs());
+  for (const auto &[dof, value] : linear.imposed(load))
+    motion[dof] += value;
+  return -space.restrict_forces(momenta(at_rest(), motion));
 }
 
 CellLoad LineCells::load_on(const PipeCell &cell, const Profile &profile, const Vector3 &chord,

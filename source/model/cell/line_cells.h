@@ -63,17 +63,25 @@ public:
     SparseMatrix stiffness; ///< less their derivative
     double largest = 0.;    ///< force or moment of a cell or load on a vertex
     double free_work = 0.;  ///< of free strains from the first to the last pose [J]
+    double damping = 0.;    ///< lost to viscous forces, which are internal ones [J]
+  };
+  /// A motion from one pose to another.
+  struct Step {
+    const Pose &from, &half, &to;
+    const Vector &change; ///< of all degrees of freedom, turns as Cayley vectors
+    double duration = 0.; ///< [s]; 0: of a static increment, without viscous forces
   };
   /**
    * Forces at a pose, or those of a time step: the mean of the cells' forces at both its ends,
    * acting on the pose halfway, so that their work is the change of the stored energy. Their
-   * resultant is zero. The stiffness is then twice the derivative by the step's change.
+   * resultant is zero. The stiffness is then twice the derivative by the step's change. Viscous
+   * forces of a step are those of dashpots, of Stiffness damping by the rates of strains, so that
+   * nothing rigid is damped, and of Modal damping.
    * @param factors of the loads, mean ones of a step
    */
-  void evaluate(const Pose &from, const Pose &half, const Pose &to,
-                const std::vector<double> &factors, Balance &balance) const;
+  void evaluate(const Step &step, const std::vector<double> &factors, Balance &balance) const;
   void evaluate(const Pose &at, const std::vector<double> &factors, Balance &balance) const {
-    evaluate(at, at, at, factors, balance);
+    evaluate({at, at, at, at.dofs}, factors, balance);
   }
   /// Elastic energy of pipes and springs [J].
   double stored_energy(const Pose &pose) const;
@@ -82,10 +90,11 @@ public:
   /// in statics.
   virtual const SparseMatrix &mass() const = 0;
   /**
-   * Inertia that is not constant, over a step.
+   * Inertia that is not constant, over a step, with its Mass damping.
    * @param change Cayley vectors among all degrees of freedom
    * @param spin_before angular velocities among them [rad/s]
-   * @param forces -= 2/h times the change of angular momentum, on the unknowns
+   * @param forces -= 2/h times the change of angular momentum and what damping takes of it, on the
+   * unknowns
    * @param matrix += its derivative by the change
    */
   virtual void add_rotary(const Pose &from, const Pose &to, const Vector &change,
@@ -96,10 +105,17 @@ public:
                          const Vector &spin_before, const double step, Vector &velocity) const = 0;
   /// Momenta that belong to velocities, of all degrees of freedom.
   virtual Vector momenta(const Pose &pose, const Vector &velocity) const = 0;
-  /// Kinetic energy [J] of velocities of all degrees of freedom.
-  double kinetic_energy(const Pose &pose, const Vector &velocity) const;
+  /// Velocities of all degrees of freedom from those of the unknowns and the rates of the loads'
+  /// factors, which impose motions; without rates those stand still.
+  Vector velocities(const Vector &velocity, const std::vector<double> &rates) const;
+  /// Kinetic energy of the same [J].
+  virtual double kinetic_energy(const Pose &pose, const Vector &velocity,
+                                const std::vector<double> &rates) const;
   /// Linear (3) and angular momentum about the origin (3).
   Motion momentum(const Pose &pose, const Vector &velocity) const;
+  /// Forces on the unknowns per second derivative in time of the factor of a
+  /// load that imposes motions: inertia -M_ub u_b.
+  virtual Vector inertia(const unsigned int load) const;
 
   /// What results are made of: a cell with the forces on its ends.
   struct CellState {
@@ -110,6 +126,8 @@ public:
   /// @param element that speaks of this cell
   virtual CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
                              const std::vector<double> &factors) const = 0;
+  /// Turn of a cell's frame from rest.
+  virtual Eigen::Matrix3d turn_of(const unsigned int cell, const Pose &pose) const = 0;
   /// Consistent mass of a cell, as inertia puts it on restraints.
   virtual Matrix12 mass_of(const unsigned int cell, PipeElement &element) const = 0;
   /// A load's force and moment on a vertex, turned with it if it follows.
@@ -127,13 +145,16 @@ protected:
     std::vector<dealii::types::global_dof_index> dofs;
     Vector12 internal, loads;
     Matrix12 stiffness;
-    double free_work = 0.;
+    double free_work = 0., damping = 0.;
   };
-  virtual void answer(const unsigned int cell, const Pose &from, const Pose &half, const Pose &to,
-                      const std::vector<double> &factors, CellAnswer &answer) const = 0;
+  virtual void answer(const unsigned int cell, const Step &step, const std::vector<double> &factors,
+                      CellAnswer &answer) const = 0;
+  /// Viscous forces that tie cells together.
+  virtual void add_modal_damping(const Step &, Balance &) const {}
   /// Elastic energy of a pipe cell [J].
   virtual double stored_in(const unsigned int cell, const Pose &pose) const = 0;
 
+  double extension(const Spring &spring, const unsigned int c, const Vector &dofs) const;
   Eigen::Vector3d part(const Vector &dofs, const unsigned int vertex,
                        const unsigned int first) const;
   void add_part(const Eigen::Vector3d &value, const unsigned int vertex, const unsigned int first,
@@ -151,7 +172,10 @@ protected:
   std::vector<double> point_mass; ///< of each vertex [kg]
 
 private:
-  void add_springs(const Pose &from, const Pose &to, Balance &balance) const;
+  void add_springs(const Step &step, Balance &balance) const;
+  /// Elastic and viscous force of a spring or dashpot in one direction.
+  void add_spring(const Spring &spring, const unsigned int c, const Step &step,
+                  Balance &balance) const;
   void add_nodal_loads(const Pose &half, const std::vector<double> &factors,
                        Balance &balance) const;
 };

@@ -40,7 +40,7 @@ FixedEndForces fixed_end_forces(const PipeElement &element, const CellLoad &load
 
 } // namespace
 
-void LinearCells::answer(const unsigned int index, const Pose &from, const Pose &, const Pose &to,
+void LinearCells::answer(const unsigned int index, const Step &step,
                          const std::vector<double> &factors, CellAnswer &answer) const {
   const auto cell = discretization.pipe_cell(index);
   PipeElement element(discretization);
@@ -48,13 +48,17 @@ void LinearCells::answer(const unsigned int index, const Pose &from, const Pose 
   const FixedEndForces forces =
       fixed_end_forces(element, load_on(discretization.pipe_cells()[index], element.profile(),
                                         cell->vertex(1) - cell->vertex(0), factors));
-  const Vector12 before = ends_of(index, from.dofs), after = ends_of(index, to.dofs);
+  const Vector12 before = ends_of(index, step.from.dofs), after = ends_of(index, step.to.dofs),
+                 change = after - before;
+  const Matrix12 stiffness = element.stiffness();
+  const double viscous = step.duration > 0. ? scene.time.stiffness_damping / step.duration : 0.;
   answer.dofs.resize(12);
   cell->get_dof_indices(answer.dofs);
-  answer.stiffness = element.stiffness();
-  answer.internal = answer.stiffness * (before + after) / 2. - forces.free;
+  answer.stiffness = (1. + 2. * viscous) * stiffness;
+  answer.internal = stiffness * ((before + after) / 2. + viscous * change) - forces.free;
   answer.loads = forces.line;
-  answer.free_work = forces.free.dot(after - before);
+  answer.free_work = forces.free.dot(change);
+  answer.damping = viscous * change.dot(stiffness * change);
 }
 
 double LinearCells::stored_in(const unsigned int cell, const Pose &pose) const {

@@ -5,7 +5,9 @@
 
 namespace frictionbeam {
 
-/// Cells in small displacements, straight or arcs, with joints: PipeElement where it is at rest.
+/// Cells in small displacements, straight or arcs, with joints: PipeElement where it is at rest. Of
+/// a line on other unknowns than its own (ReducedLine) they answer for the whole alone: mass(),
+/// inertia(), kinetic_energy().
 class LinearCells final : public LineCells {
 public:
   using LineCells::LineCells;
@@ -28,14 +30,22 @@ public:
   void set_spins(const Pose &, const Pose &, const Vector &, const Vector &, const double,
                  Vector &) const override {}
   Vector momenta(const Pose &pose, const Vector &velocity) const override;
+  double kinetic_energy(const Pose &, const Vector &velocity,
+                        const std::vector<double> &rates) const override {
+    return velocity.dot(linear.mass() * velocity) / 2. + linear.kinetic_by_imposed(rates, velocity);
+  }
+  Vector inertia(const unsigned int load) const override { return linear.inertia(load); }
 
   CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
                      const std::vector<double> &factors) const override;
+  Eigen::Matrix3d turn_of(const unsigned int, const Pose &) const override {
+    return Eigen::Matrix3d::Identity();
+  }
   Matrix12 mass_of(const unsigned int cell, PipeElement &element) const override;
 
 private:
-  void answer(const unsigned int cell, const Pose &from, const Pose &half, const Pose &to,
-              const std::vector<double> &factors, CellAnswer &answer) const override;
+  void answer(const unsigned int cell, const Step &step, const std::vector<double> &factors,
+              CellAnswer &answer) const override;
   double stored_in(const unsigned int cell, const Pose &pose) const override;
   /// Motions of a cell's ends, or whatever else belongs to its degrees of freedom.
   Vector12 ends_of(const unsigned int cell, const Vector &dofs) const;

@@ -14,7 +14,7 @@ constexpr int most_unknowns = 600;
 constexpr double rigid = 1e-10; ///< of the largest eigenvalue
 } // namespace
 
-SparseMatrix modal_damping(const SparseMatrix &K, const SparseMatrix &M, const double ratio) {
+Modes modes_to_damp(const SparseMatrix &K, const SparseMatrix &M) {
   if (K.rows() > most_unknowns)
     throw UserError("'Modal damping' is for lines of at most " + std::to_string(most_unknowns) +
                     " unknowns, and this one has " + std::to_string(K.rows()) +
@@ -25,16 +25,25 @@ SparseMatrix modal_damping(const SparseMatrix &K, const SparseMatrix &M, const d
           "'Modal damping' needs mass at every point that can move. Give points without "
           "mass a Mass, hold them, or use 'Mass damping' and 'Stiffness damping'.");
   if (K.rows() == 0) // all is held
-    return K;
-  const Eigen::MatrixXd mass(M);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(K), mass);
+    return {};
+  const Eigen::MatrixXd stiffness(K), mass(M);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass);
   const Vector &squares = modes.eigenvalues();
-  const Eigen::MatrixXd shapes = mass * modes.eigenvectors();
-  const double largest = squares.size() > 0 ? squares.maxCoeff() : 0.;
-  Vector factors(squares.size());
+  const double largest = squares.maxCoeff();
+  Modes result{modes.eigenvectors(), Vector::Zero(squares.size())};
   for (int i = 0; i < squares.size(); ++i)
-    factors[i] = squares[i] > rigid * largest ? 2. * ratio * std::sqrt(squares[i]) : 0.;
-  const Eigen::MatrixXd damping = shapes * factors.asDiagonal() * shapes.transpose();
+    if (squares[i] > rigid * largest)
+      result.frequencies[i] = std::sqrt(squares[i]);
+  return result;
+}
+
+SparseMatrix modal_damping(const SparseMatrix &K, const SparseMatrix &M, const double ratio) {
+  const Modes modes = modes_to_damp(K, M);
+  if (modes.frequencies.size() == 0)
+    return K;
+  const Eigen::MatrixXd shapes = Eigen::MatrixXd(M) * modes.shapes;
+  const Eigen::MatrixXd damping =
+      shapes * (2. * ratio * modes.frequencies).asDiagonal() * shapes.transpose();
   return damping.sparseView();
 }
 

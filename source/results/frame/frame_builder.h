@@ -51,6 +51,7 @@ public:
 private:
   /// A pipe cell at a restraint, or at a node that a load moves.
   struct HeldCell {
+    unsigned int index = 0;
     std::array<unsigned int, 2> vertices{};
     std::vector<dealii::types::global_dof_index> dofs;
     PipeElement::Matrix12 stiffness, mass;

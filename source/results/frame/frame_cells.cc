@@ -15,12 +15,12 @@ Eigen::Vector3d to_eigen(const Vector3 &v) { return {v[0], v[1], v[2]}; }
 
 std::array<double, 7> FrameBuilder::momentum_and_energy(const LineState &state) const {
   const Pose pose{state.dofs, state.turns};
-  Vector velocity;
-  model.space.expand(state.velocity, velocity);
-  const Motion momentum = model.cells.momentum(pose, velocity);
+  const Motion momentum =
+      model.cells.momentum(pose, model.cells.velocities(state.velocity, state.load_rates));
   std::array<double, 7> result{};
   std::copy(momentum.begin(), momentum.end(), result.begin());
-  result[6] = model.cells.kinetic_energy(pose, velocity) + model.cells.stored_energy(pose);
+  result[6] = model.cells.kinetic_energy(pose, state.velocity, state.load_rates) +
+              model.cells.stored_energy(pose);
   return result;
 }
 

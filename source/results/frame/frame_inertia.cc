@@ -8,6 +8,21 @@ namespace frictionbeam {
 
 using namespace dealii;
 
+namespace {
+
+/// Forces of a cell's stiffness, given at rest, in a frame that has turned.
+PipeElement::Vector12 turned(const Eigen::Matrix3d &turn, const PipeElement::Matrix12 &stiffness,
+                             PipeElement::Vector12 motions) {
+  for (int block = 0; block < 4; ++block)
+    motions.segment<3>(3 * block) = (turn.transpose() * motions.segment<3>(3 * block)).eval();
+  PipeElement::Vector12 forces = stiffness * motions;
+  for (int block = 0; block < 4; ++block)
+    forces.segment<3>(3 * block) = (turn * forces.segment<3>(3 * block)).eval();
+  return forces;
+}
+
+} // namespace
+
 void FrameBuilder::find_cells_at_restraints() {
   is_held.assign(model.discretization.n_line_vertices(), false);
   for (const auto &sites : model.mesh.restraints)
@@ -22,6 +37,7 @@ void FrameBuilder::find_cells_at_restraints() {
     if (!is_held[cell->vertex_index(0)] && !is_held[cell->vertex_index(1)])
       continue;
     HeldCell held;
+    held.index = i;
     held.vertices = {{cell->vertex_index(0), cell->vertex_index(1)}};
     held.dofs.resize(12);
     cell->get_dof_indices(held.dofs);
@@ -116,8 +132,10 @@ void FrameBuilder::add_inertia(const LineState &state) {
     for (unsigned int c = 0; c < 12; ++c)
       std::tie(v[c], a[c]) = rates(cell.dofs[c]);
     PipeElement::Vector12 forces = cell.mass * (a + time.mass_damping * v);
-    if (time.stiffness_damping != 0. && model.cells.is_linear())
-      forces += time.stiffness_damping * (cell.stiffness * v);
+    if (time.stiffness_damping != 0.)
+      forces +=
+          time.stiffness_damping *
+          turned(model.cells.turn_of(cell.index, {state.dofs, state.turns}), cell.stiffness, v);
     for (const unsigned int end : {0u, 1u})
       for (unsigned int c = 0; c < 6; ++c)
         add(cell.vertices[end], c, forces[6 * end + c]);

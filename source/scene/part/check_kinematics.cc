@@ -29,8 +29,6 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
     refuse(time.reduction.modes != ReductionSettings::Modes::all, "Modes",
            "Modes = all in section Time");
     refuse(time.theta != 0.5, "Theta above 0.5", "Theta = 0.5 in section Time");
-    refuse(time.mass_damping != 0. || time.stiffness_damping != 0. || time.modal_damping != 0.,
-           "Rayleigh or modal damping", "Damping of springs");
     refuse(any(scene.loads,
                [](const Load &load) {
                  return load.kind == Load::Kind::displacement &&
