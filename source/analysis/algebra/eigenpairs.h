@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "base/archive.h"
 #include "model/unknowns/reduced_space.h"
 
 #include <Eigen/SparseCholesky>
@@ -14,6 +15,8 @@ namespace frictionbeam {
 struct Eigenpair {
   double value = 0.; ///< square of the circular frequency [1/s2]
   Vector vector;
+
+  void transfer(Archive &archive) { archive(value, vector); }
 };
 
 /**

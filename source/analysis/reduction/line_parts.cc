@@ -161,6 +161,11 @@ void LineParts::find_modes(LinePart &part, const double eigenvalue) {
     find_more_modes(part);
 }
 
+void LineParts::transfer(Archive &archive) {
+  for (LinePart &part : list)
+    archive(part.modes, part.has_all_modes);
+}
+
 LineParts::Choice LineParts::below(const double eigenvalue) {
   Choice choice;
   for (LinePart &part : list) {

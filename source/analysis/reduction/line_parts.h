@@ -55,10 +55,15 @@ public:
     unsigned int n = 0;
     double highest = 0.,
            next = 0.; ///< w^2 of the last one taken and of the first left out; 0: none
+
+    void transfer(Archive &archive) { archive(n_of_part, n, highest, next); }
   };
   Choice lowest(const unsigned int n);
   /// Likewise all modes below @p eigenvalue.
   Choice below(const double eigenvalue);
+
+  /// The modes that were found, whose last digits depend on what was asked for before.
+  void transfer(Archive &archive);
 
 private:
   void keep(const Model &model);

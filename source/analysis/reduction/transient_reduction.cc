@@ -68,8 +68,8 @@ MotionDifference difference(const MotionRecord &coarse, const MotionRecord &fine
   return result;
 }
 
-TransientReduction::TransientReduction(const Model &model)
-    : model(model), settings(model.scene.time.reduction) {}
+TransientReduction::TransientReduction(const Model &model, const PieceObserver &observer)
+    : model(model), settings(model.scene.time.reduction), of_pieces(observer) {}
 
 std::vector<bool> TransientReduction::acting(const TransientStep &start) const {
   std::vector<bool> result;
@@ -80,6 +80,7 @@ std::vector<bool> TransientReduction::acting(const TransientStep &start) const {
 
 bool TransientReduction::prepare(const TransientStep &start, const LineState &state,
                                  ReductionAccount &account) {
+  march.reset();
   line.reset();
   if (!parts)
     parts = std::make_unique<LineParts>(model);
@@ -89,11 +90,11 @@ bool TransientReduction::prepare(const TransientStep &start, const LineState &st
     account.remark = "not reduced: all unknowns are those of contact nodes";
     return false;
   }
-  const LineParts::Choice choice = settings.modes == ReductionSettings::Modes::number
-                                       ? parts->lowest(settings.n_modes)
-                                       : choose(start, state, account);
+  choice = settings.modes == ReductionSettings::Modes::number ? parts->lowest(settings.n_modes)
+                                                              : choose(start, state, account);
   if (!account.remark.empty())
     return false;
+  begun = state;
   line = std::make_unique<ReducedLine>(model, *parts, choice, state, acting(start));
   account.is_reduced = true;
   account.n_reduced = line->model().space.n_unknowns();
@@ -111,26 +112,26 @@ LineParts::Choice TransientReduction::choose(const TransientStep &start, const L
   if (model.contacts.size() == 0 && model.scene.monitors.empty())
     throw UserError("Time/Modes = auto has nothing to judge by: there is no contact and no "
                     "monitored point. Name points in Monitors, or set Modes to a number.");
-  LineParts::Choice choice =
+  LineParts::Choice coarser =
       parts->below(parts->lowest(std::max(first_modes, account.n_kept)).highest);
-  if (choice.n + account.n_kept > worth_while * account.n_line) {
+  if (coarser.n + account.n_kept > worth_while * account.n_line) {
     account.remark = "not reduced: the line has too few unknowns for it to be worth while";
-    return choice;
+    return coarser;
   }
   account.trials.emplace_back();
-  MotionRecord record = try_out(start, state, choice, account.trials.back());
+  MotionRecord record = try_out(start, state, coarser, account.trials.back());
   double last = -1.; // difference before; negative: not known
-  for (double bound = choice.highest;;) {
-    if (choice.next == 0.) { // all modes there are
+  for (double bound = coarser.highest;;) {
+    if (coarser.next == 0.) { // all modes there are
       account.estimate = 0.;
-      return choice;
+      return coarser;
     }
-    bound = std::max(next_eigenvalue * bound, choice.next);
+    bound = std::max(next_eigenvalue * bound, coarser.next);
     const LineParts::Choice finer = parts->below(bound);
     if (finer.n + account.n_kept > worth_while * account.n_line) {
-      account.remark = "not reduced: with " + std::to_string(choice.n) +
+      account.remark = "not reduced: with " + std::to_string(coarser.n) +
                        " modes the error is not small enough, and with more it is not worth while";
-      return choice;
+      return coarser;
     }
     account.trials.emplace_back();
     ReductionAccount::Trial &trial = account.trials.back();
@@ -150,7 +151,7 @@ LineParts::Choice TransientReduction::choose(const TransientStep &start, const L
       }
     } else
       last = -1.;
-    choice = finer;
+    coarser = finer;
     record = std::move(finer_record);
   }
 }
@@ -184,36 +185,69 @@ MotionRecord TransientReduction::try_out(const TransientStep &start, const LineS
   return record;
 }
 
-bool TransientReduction::run(const TransientStep &start, const LoadCourse &course, LineState &state,
-                             StepReport &report, const Observers &observers) {
-  Assert(line, dealii::ExcMessage("The step is not prepared."));
-  const auto expand = [&](const LineState &now, const bool everything, LineState &to) {
-    line->expand(now, everything, to);
-    if (!everything)
-      return;
-    model.space.expand(to.unknowns, to.dofs);
-    to.dofs += course.imposed(now.time);
-  };
-  LineState within;
-  const PieceObserver of_pieces = [&](const MotionPiece &piece) {
-    within = state;
-    const auto state_at = [&](const double time) -> const LineState & {
-      expand(piece.state_at(time), true, within);
-      return within;
+void TransientReduction::expand(const LineState &now, const bool everything, LineState &to) const {
+  line->expand(now, everything, to);
+  if (!everything)
+    return;
+  model.space.expand(to.unknowns, to.dofs);
+  to.dofs += course->imposed(now.time);
+}
+
+void TransientReduction::begin_march() {
+  PieceObserver of_reduced_pieces;
+  if (of_pieces)
+    of_reduced_pieces = [this](const MotionPiece &piece) {
+      within = *whole;
+      const auto state_at = [&](const double time) -> const LineState & {
+        expand(piece.state_at(time), true, within);
+        return within;
+      };
+      of_pieces({piece.begin, piece.end, state_at});
     };
-    observers.of_pieces({piece.begin, piece.end, state_at});
-  };
-  TimeMarch march(line->model(), observers.of_pieces ? of_pieces : PieceObserver());
-  LineState reduced = line->reduce(state);
-  const bool done = march.run(
-      start, reduced, report, {[&](const Progress &progress, const LineState &now) {
-        expand(now, !observers.needs_line || observers.needs_line(progress, now.time), state);
-        observers.of_instants(progress, state);
-      }});
+  march = std::make_unique<TimeMarch>(line->model(), of_reduced_pieces);
+}
+
+bool TransientReduction::run(const TransientStep &start, const LoadCourse &course_of_step,
+                             LineState &state, StepReport &report, const Observers &observers,
+                             const bool resumed) {
+  Assert(line, dealii::ExcMessage("The step is not prepared."));
+  course = &course_of_step;
+  whole = &state;
+  if (!resumed) {
+    begin_march();
+    reduced = line->reduce(state);
+  }
+  const bool done = march->run(
+      start, reduced, report,
+      {[&](const Progress &progress, const LineState &now) {
+         expand(now, !observers.needs_line || observers.needs_line(progress, now.time), state);
+         observers.of_instants(progress, state);
+       },
+       {},
+       observers.pause},
+      resumed);
   expand(reduced, true, state);
   state.auxiliary = Vector::Zero(model.space.n_unknowns());
-  name = march.integrator_name();
+  name = march->integrator_name();
+  march.reset();
   return done;
+}
+
+void TransientReduction::transfer(const TransientStep &start, Archive &archive) {
+  bool is_cut = parts != nullptr, is_within = is_within_step();
+  archive(name, is_cut, is_within);
+  if (archive.reads() && is_cut)
+    parts = std::make_unique<LineParts>(model);
+  if (is_cut)
+    archive(*parts);
+  if (!is_within)
+    return;
+  archive(choice, begun, reduced);
+  if (archive.reads()) {
+    line = std::make_unique<ReducedLine>(model, *parts, choice, begun, acting(start));
+    begin_march();
+  }
+  archive(*march);
 }
 
 } // namespace frictionbeam

@@ -43,14 +43,15 @@ MotionDifference difference(const MotionRecord &coarse, const MotionRecord &fine
  */
 class TransientReduction {
 public:
-  explicit TransientReduction(const Model &model);
+  /// @param observer of smooth pieces, of integrators that have them
+  TransientReduction(const Model &model, const PieceObserver &observer);
 
   /// Those who look at the line while it moves.
   struct Observers {
     const Observer &of_instants;
     /// Whether that one looks at more than contacts and monitored points.
     const NeedsLine &needs_line;
-    const PieceObserver &of_pieces;
+    const Pause &pause; ///< between two instants
   };
 
   /// Decide how many modes the step needs. @return whether it is worth while to reduce it
@@ -60,9 +61,16 @@ public:
    * Run the step as prepared.
    * @param course of the loads in this step, on the line
    * @param state in: at the start; out: at the end, or the last good one
+   * @param resumed to go on within the step at which transfer() has been called
    */
   bool run(const TransientStep &start, const LoadCourse &course, LineState &state,
-           StepReport &report, const Observers &observers);
+           StepReport &report, const Observers &observers, const bool resumed);
+
+  /// Whether a step is begun and not at its end.
+  bool is_within_step() const { return march != nullptr; }
+  /// What the steps to come depend on, and the one at hand.
+  /// @param start of the step at hand
+  void transfer(const TransientStep &start, Archive &archive);
 
   const std::string &integrator_name() const { return name; }
 
@@ -72,12 +80,24 @@ private:
   MotionRecord try_out(const TransientStep &start, const LineState &state,
                        const LineParts::Choice &modes, ReductionAccount::Trial &trial) const;
   std::vector<bool> acting(const TransientStep &start) const;
+  void begin_march();
+  /// The line's state from the reduced one.
+  void expand(const LineState &now, const bool everything, LineState &to) const;
 
   const Model &model;
   const ReductionSettings &settings;
   std::unique_ptr<LineParts> parts;
-  std::unique_ptr<ReducedLine> line; ///< of the step at hand
+  const PieceObserver of_pieces;
   std::string name;
+
+  // of the step at hand
+  LineParts::Choice choice;
+  LineState begun; ///< the line as it began
+  std::unique_ptr<ReducedLine> line;
+  std::unique_ptr<TimeMarch> march; ///< null before the step begins, and at its end
+  LineState reduced, within;
+  const LoadCourse *course = nullptr;
+  const LineState *whole = nullptr; ///< the line's, as it was last looked at
 };
 
 } // namespace frictionbeam

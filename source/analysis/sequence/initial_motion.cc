@@ -81,10 +81,7 @@ void LoadSequence::press_at_start() {
                            (by != Integrator::newmark && by != Integrator::generalized_alpha);
   if (!first.transient || !by_impulses)
     return;
-  Factors target(model.scene.loads.size(), 0.);
-  for (const auto &[load, factor] : first.loads)
-    target[load] += factor;
-  course.begin_step(0, declared, target, 0., first.ramp);
+  course.begin_step(0, declared, target_of(first), 0., first.ramp);
   LineState before = current, after;
   before.load_factors = course.factors_after(0.);
   course.set_rates(before, LoadCourse::Side::after);

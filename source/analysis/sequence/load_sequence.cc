@@ -21,6 +21,13 @@ LoadSequence::LoadSequence(const Model &model)
 
 LoadSequence::~LoadSequence() = default;
 
+LoadSequence::Factors LoadSequence::target_of(const LoadStep &step) const {
+  Factors target(model.scene.loads.size(), 0.);
+  for (const auto &[load, factor] : step.loads)
+    target[load] += factor;
+  return target;
+}
+
 std::string LoadSequence::integrator_name() const {
   return march ? march->integrator_name() : reduction ? reduction->integrator_name() : "";
 }
@@ -79,17 +86,15 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
       position.start = current.time;
       position.next = 0;
     }
-    Factors target(model.scene.loads.size(), 0.);
-    for (const auto &[load, factor] : declared_step.loads)
-      target[load] += factor;
+    const Factors target = target_of(declared_step);
     const auto steps = model.scene.steps.begin();
     if (declared_step.transient && !is_resumed &&
         std::none_of(steps, steps + position.step,
                      [](const LoadStep &step) { return step.transient; }))
       set_initial_motion(false);
-    // A step within which the run was cut was not reduced.
-    const bool reduced =
-        model.scene.time.reduction.modes != ReductionSettings::Modes::all && !is_resumed;
+    const bool reduced = is_resumed
+                             ? reduction && reduction->is_within_step()
+                             : model.scene.time.reduction.modes != ReductionSettings::Modes::all;
     step_reports.back().converged = !declared_step.transient ? run_static(target, observer)
                                     : reduced                ? run_reduced(target, observer)
                                                              : run_transient(target, observer);
@@ -100,15 +105,21 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
 }
 
 void LoadSequence::transfer(Archive &archive) {
-  bool has_moved = march != nullptr;
+  bool has_moved = march != nullptr, has_reduced = reduction != nullptr;
   if (!resolution)
     resolution = std::make_unique<FollowResolution>(model);
   archive(position, declared, current, step_reports, force_so_far, in_equilibrium, *statics,
-          *resolution, has_moved);
+          *resolution, has_moved, has_reduced);
   if (archive.reads() && has_moved)
     march = std::make_unique<TimeMarch>(model, piece_observer);
   if (has_moved)
     archive(*march);
+  if (archive.reads() && has_reduced)
+    reduction = std::make_unique<TransientReduction>(model, piece_observer);
+  if (has_reduced)
+    reduction->transfer(
+        {position.step, position.from, target_of(model.scene.steps[position.step]), position.start},
+        archive);
   if (archive.reads())
     is_resumed = true;
 }
@@ -129,17 +140,21 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
 
 bool LoadSequence::run_reduced(const Factors &target, const Observer &observer) {
   if (!reduction)
-    reduction = std::make_unique<TransientReduction>(model);
+    reduction = std::make_unique<TransientReduction>(model, piece_observer);
   StepReport &report = step_reports.back();
-  report.reduction.emplace();
   const TransientStep start{position.step, position.from, target, position.start};
-  if (!reduction->prepare(start, current, *report.reduction))
-    return run_transient(target, observer);
+  const bool resumed = is_resumed;
+  if (!resumed) {
+    report.reduction.emplace();
+    if (!reduction->prepare(start, current, *report.reduction))
+      return run_transient(target, observer);
+  }
+  is_resumed = false;
   course.begin_step(position.step, position.from, target, position.start,
                     model.scene.steps[position.step].ramp);
   in_equilibrium = false;
   const bool done = reduction->run(start, course, current, report,
-                                   {observer, observer_needs_line, piece_observer});
+                                   {observer, observer_needs_line, between_increments}, resumed);
   declared = course.declared(current.time);
   return done;
 }

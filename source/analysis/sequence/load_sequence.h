@@ -58,6 +58,8 @@ private:
   };
 
   void initialize();
+  /// Factors of the loads at a step's end, without their histories.
+  Factors target_of(const LoadStep &step) const;
   bool run_static(const Factors &target, const Observer &observer);
   bool run_transient(const Factors &target, const Observer &observer);
   bool run_reduced(const Factors &target, const Observer &observer);
