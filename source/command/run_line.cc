@@ -39,9 +39,12 @@ class ProgressLine {
 public:
   explicit ProgressLine(const Scene &scene)
       : scene(scene), on_terminal(!scene.output.quiet && isatty(STDERR_FILENO)) {}
-  ~ProgressLine() {
+  ~ProgressLine() { clear(); }
+
+  void clear() {
     if (shown)
       std::cerr << "\r\033[K";
+    shown = false;
   }
 
   void show(const Progress &progress) {
@@ -133,119 +136,138 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
   }
 }
 
-} // namespace
-
-Results solve_scene(const Scene &scene, const LawLibrary &laws) {
-  const dealii::Timer wall;
-  Results results;
-  results.units = scene.units;
-  dealii::Timer timer;
-  LineMesh mesh = build_line_mesh(scene);
-  results.remarks = mesh.remarks;
-  results.cost.mesh_seconds = timer.wall_time();
-
-  timer.restart();
-  const LineModel line(scene, std::move(mesh), laws);
-  const Model &model = line.model();
-  if (!has_transient_step(scene))
-    for (const std::string &warning : check_mechanisms(model))
-      results.remarks.push_back(warning);
+void remark_on_laws(const Model &model, Results &results) {
   std::set<std::string> without_threshold;
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
     if (!model.contacts[i].law.has_closed_form())
       without_threshold.insert(model.contacts[i].law.name());
-  if (scene.solver.is_exact())
+  if (model.scene.solver.is_exact())
     for (const std::string &law : without_threshold)
       results.remarks.push_back("The law '" + law +
                                 "' has no threshold in closed form: the exact "
                                 "method evaluates it as it is, by Newton's method.");
-  add_remarks_on_model(model, results);
-  LoadSequence sequence(model);
-  results.cost.setup_seconds = timer.wall_time();
+}
 
+/// Runs a sequence, and has all look on that gather results and write files while it goes.
+class LineRun {
+public:
+  LineRun(const Model &model, LoadSequence &sequence, Results &results);
+
+  /// From the beginning, or from the checkpoint. @return whether every step converged
+  bool run();
+  /// What the states that were seen give together: modes and combinations, stresses, quantities,
+  /// files.
+  void conclude(const bool converged);
+
+private:
+  void transfer(Archive &archive);
+  void observe(const Progress &progress, const LineState &state);
+  /// Between increments: write a checkpoint if it is time, and end if a signal came.
+  void pause();
+  bool needs_line(const Progress &progress, const double time);
+
+  const Model &model;
+  const Scene &scene;
+  LoadSequence &sequence;
+  Results &results;
   std::unique_ptr<CsvWriter> csv;
   std::unique_ptr<VtuWriter> vtu;
-  Collector collector(model, results, [&](const Frame &frame) {
-    const Frame shown = scene.units.is_si() ? frame : in_units(scene.units, frame);
-    csv->append(shown);
-    if (vtu)
-      vtu->append(shown);
-  });
-  Envelope envelope(model, results);
-  bool line_is_known = true; // of a reduced line, not at every instant
-  Checkpoint checkpoint(model);
+  std::unique_ptr<ContactProblemWriter> contact_problems;
+  Collector collector;
+  Envelope envelope;
+  Checkpoint checkpoint;
+  std::optional<LineState> modal_state; ///< at the end of the step that modes start from
+  bool line_is_known = true;            ///< of a reduced line, not at every instant
+  ProgressLine progress_line;
+  dealii::Timer output_timer;
+};
+
+LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
+    : model(model), scene(model.scene), sequence(sequence), results(results),
+      collector(model, results,
+                [this](const Frame &frame) {
+                  const Frame shown = scene.units.is_si() ? frame : in_units(scene.units, frame);
+                  csv->append(shown);
+                  if (vtu)
+                    vtu->append(shown);
+                }),
+      envelope(model, results), checkpoint(model), progress_line(scene) {
+  output_timer.reset();
   std::optional<Archive> saved;
   if (scene.output.resume)
     saved = checkpoint.read();
   csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory, saved.has_value());
   if (scene.output.vtu)
     vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
-  std::unique_ptr<ContactProblemWriter> contact_problems;
   if (scene.output.contact_problems)
     contact_problems = std::make_unique<ContactProblemWriter>(model, results, saved.has_value());
-
-  timer.restart();
-  dealii::Timer output_timer;
-  output_timer.reset();
-  bool converged;
-  std::optional<LineState> modal_state; // at the end of the step that modes start from
-  const auto transfer_all = [&](Archive &archive) {
-    archive(sequence, collector, envelope, *csv, modal_state);
-    if (vtu)
-      archive(*vtu);
-    if (contact_problems)
-      archive(*contact_problems);
-  };
   if (collector.wants_pieces())
-    sequence.watch([&](const MotionPiece &piece) { collector.observe_piece(piece); });
+    sequence.watch([this](const MotionPiece &piece) { collector.observe_piece(piece); });
   if (saved)
-    transfer_all(*saved);
-  {
-    ProgressLine progress_line(scene);
-    converged = sequence.run(
-        [&](const Progress &progress, const LineState &state) {
-          output_timer.start();
-          interruption::end_if_overdue();
-          progress_line.show(progress);
-          collector.observe(progress.step, progress.increment, progress.n_increments, state);
-          envelope.observe(progress.step, progress.increment, progress.n_increments, state,
-                           line_is_known);
-          line_is_known = true;
-          if (progress.increment == progress.n_increments &&
-              wants_modes_after(scene, progress.step))
-            modal_state = state;
-          output_timer.stop();
-        },
-        [&](const Progress &progress, const LineState &state) {
-          output_timer.start();
-          if (contact_problems)
-            contact_problems->observe(progress, state);
-          output_timer.stop();
-        },
-        [&]() {
-          const int signal = interruption::received();
-          if (!checkpoint.is_due() && signal == 0)
-            return;
-          output_timer.start();
-          if (scene.accuracy == 0.) { // else there are many runs, which are not resumed
-            Archive archive;
-            transfer_all(archive);
-            checkpoint.write(archive);
-          }
-          output_timer.stop();
-          if (signal != 0)
-            throw Interrupted(signal, "Interrupted at time " +
-                                          rounded_number(sequence.state().time) + " s of step " +
-                                          sequence.reports().back().step + ".");
-        },
-        [&](const Progress &progress, const double time) {
-          line_is_known =
-              envelope.needs_line(progress.step) ||
-              collector.needs_line(progress.step, progress.increment, progress.n_increments, time);
-          return line_is_known;
-        });
-  }
+    transfer(*saved);
+}
+
+void LineRun::transfer(Archive &archive) {
+  archive(sequence, collector, envelope, *csv, modal_state);
+  if (vtu)
+    archive(*vtu);
+  if (contact_problems)
+    archive(*contact_problems);
+}
+
+bool LineRun::run() {
+  const dealii::Timer timer;
+  const bool converged = sequence.run(
+      [this](const Progress &progress, const LineState &state) { observe(progress, state); },
+      [this](const Progress &progress, const LineState &state) {
+        output_timer.start();
+        if (contact_problems)
+          contact_problems->observe(progress, state);
+        output_timer.stop();
+      },
+      [this]() { pause(); },
+      [this](const Progress &progress, const double time) { return needs_line(progress, time); });
+  progress_line.clear();
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
+  return converged;
+}
+
+void LineRun::observe(const Progress &progress, const LineState &state) {
+  output_timer.start();
+  interruption::end_if_overdue();
+  progress_line.show(progress);
+  collector.observe(progress.step, progress.increment, progress.n_increments, state);
+  envelope.observe(progress.step, progress.increment, progress.n_increments, state, line_is_known);
+  line_is_known = true;
+  if (progress.increment == progress.n_increments && wants_modes_after(scene, progress.step))
+    modal_state = state;
+  output_timer.stop();
+}
+
+bool LineRun::needs_line(const Progress &progress, const double time) {
+  line_is_known =
+      envelope.needs_line(progress.step) ||
+      collector.needs_line(progress.step, progress.increment, progress.n_increments, time);
+  return line_is_known;
+}
+
+void LineRun::pause() {
+  const int signal = interruption::received();
+  if (!checkpoint.is_due() && signal == 0)
+    return;
+  output_timer.start();
+  if (scene.accuracy == 0.) { // else there are many runs, which are not resumed
+    Archive archive;
+    transfer(archive);
+    checkpoint.write(archive);
+  }
+  output_timer.stop();
+  if (signal != 0)
+    throw Interrupted(signal, "Interrupted at time " + rounded_number(sequence.state().time) +
+                                  " s of step " + sequence.reports().back().step + ".");
+}
+
+void LineRun::conclude(const bool converged) {
   if (converged)
     add_derived_cases(model, modal_state, collector, results);
   std::map<std::pair<std::string, unsigned int>, double> pressures; // by step and pipe
@@ -264,6 +286,11 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
     vtu->append_modes();
     vtu->finish();
   }
+}
+
+/// How the steps were solved, and at what cost.
+void report_steps(const Scene &scene, const LoadSequence &sequence, const bool converged,
+                  Results &results) {
   results.steps = sequence.reports();
   results.status = converged                                  ? RunStatus::converged
                    : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
@@ -287,6 +314,34 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   for (const StepReport &step : results.steps)
     if (!step.warning.empty() && warnings.insert(step.warning).second)
       results.remarks.push_back(step.warning);
+}
+
+} // namespace
+
+Results solve_scene(const Scene &scene, const LawLibrary &laws) {
+  const dealii::Timer wall;
+  Results results;
+  results.units = scene.units;
+  dealii::Timer timer;
+  LineMesh mesh = build_line_mesh(scene);
+  results.remarks = mesh.remarks;
+  results.cost.mesh_seconds = timer.wall_time();
+
+  timer.restart();
+  const LineModel line(scene, std::move(mesh), laws);
+  const Model &model = line.model();
+  if (!has_transient_step(scene))
+    for (const std::string &warning : check_mechanisms(model))
+      results.remarks.push_back(warning);
+  remark_on_laws(model, results);
+  add_remarks_on_model(model, results);
+  LoadSequence sequence(model);
+  results.cost.setup_seconds = timer.wall_time();
+
+  LineRun run(model, sequence, results);
+  const bool converged = run.run();
+  run.conclude(converged);
+  report_steps(scene, sequence, converged, results);
   results.certify(scene);
   judge_energy(scene, results);
   results.known = how_well_known(scene, results);

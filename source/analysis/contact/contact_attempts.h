@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <string>
 #include <vector>
@@ -13,8 +14,8 @@ enum class ContactOutcome { solved, stalled, slides_away };
 
 /// How much is tried.
 struct AttemptLimits {
-  std::vector<double> factors; ///< c of Newton's method on both, in the order in which it is tried
-  unsigned int most_together;  ///< iterations of each
+  std::array<double, 4> factors; ///< c of Newton's method on both, in the order of the attempts
+  unsigned int most_together;    ///< iterations of each
   unsigned int most_to_finish = 15, most_outer = 60, most_failures = 20; ///< of proximal steps
 };
 
@@ -42,7 +43,7 @@ public:
   template <typename Unknowns, typename Response, typename Result>
   ContactOutcome solve(Unknowns &x, Response &response, Result &result) {
     const auto centre_before = contacts.centre;
-    std::vector<double> list = limits.factors;
+    std::array<double, 4> list = limits.factors;
     std::stable_partition(list.begin(), list.end(),
                           [&](const double c) { return c == first_factor; });
     for (const double c : list) {

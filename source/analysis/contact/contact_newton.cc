@@ -230,10 +230,27 @@ ContactNewton::Outcome ContactNewton::solve_proximal(Vector &x, ContactResponse 
   }
 }
 
+void ContactNewton::eliminate_centre(ContactResponse &response,
+                                     std::vector<Contact::Strains> &step) const {
+  const double epsilon = std::min(1., proximal.stiffness_factor / stiffness_of_direction);
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    if (!proximal.is_exact(i)) {
+      step[i].setZero();
+      continue;
+    }
+    proximal.centre[i][3] = response.stress[i][3]; // torsion has no proximal term
+    const Block D = response.tangent[i];
+    const Eigen::PartialPivLU<Block> M(Block::Identity() -
+                                       (1. - epsilon) * D * proximal.by_centre(i).asDiagonal());
+    response.tangent[i] = M.solve(D);
+    step[i] = M.solve(response.stress[i] - proximal.centre[i]);
+    response.stress[i] = proximal.centre[i] + step[i];
+  }
+}
+
 ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_iterations, Vector &x,
                                                      ContactResponse &response,
                                                      EquilibriumResult &result) {
-  const double epsilon = std::min(1., proximal.stiffness_factor / stiffness_of_direction);
   std::vector<Contact::Strains> step(contacts.size());
   evaluate(x, response);
   double before = energy_together(x, response);
@@ -283,19 +300,7 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
       return Outcome::stalled;
     }
 
-    for (unsigned int i = 0; i < contacts.size(); ++i) {
-      if (!proximal.is_exact(i)) {
-        step[i].setZero();
-        continue;
-      }
-      proximal.centre[i][3] = response.stress[i][3]; // torsion has no proximal term
-      const Block D = response.tangent[i];
-      const Eigen::PartialPivLU<Block> M(Block::Identity() -
-                                         (1. - epsilon) * D * proximal.by_centre(i).asDiagonal());
-      response.tangent[i] = M.solve(D);
-      step[i] = M.solve(response.stress[i] - proximal.centre[i]);
-      response.stress[i] = proximal.centre[i] + step[i];
-    }
+    eliminate_centre(response, step);
     ++result.iterations;
     if (!factor(response, result)) {
       before = std::numeric_limits<double>::max();
@@ -316,9 +321,7 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
       evaluate(x, response);
       return energy_together(x, response);
     };
-    const HalvingResult step_taken = search_by_halving(go, before, 1e-3);
-    stalls = step_taken.length < 0.01 || step_taken.merit > before ? stalls + 1 : 0;
-    before = step_taken.merit;
+    before = take_step_of_both(go, before, stalls);
   }
 }
 

@@ -80,6 +80,9 @@ private:
   using Block = Eigen::Matrix<double, n_support_strains, n_support_strains>;
   /// Add a contact's stiffness, of its strains, to the tangent.
   void add_block(const unsigned int i, const Block &stiffness);
+  /// Add to the stresses and their tangents what the centre as an unknown makes of them, and to
+  /// @p step what the centre moves by itself (doc/theory.md).
+  void eliminate_centre(ContactResponse &response, std::vector<Contact::Strains> &step) const;
   /// Factor S with the contacts' tangents, and a small multiple of the diagonal where that fails.
   bool factor(const ContactResponse &response, EquilibriumResult &result);
   /**

@@ -10,11 +10,20 @@ namespace frictionbeam {
 
 namespace {
 
-const AttemptLimits limits = {{1e-4, 1e-3, 1e-5, 1e-2}, 30};
+constexpr AttemptLimits limits = {{1e-4, 1e-3, 1e-5, 1e-2}, 30};
 constexpr unsigned int most_refinements = 5, most_releases = 2;
 constexpr double in_common_least = 1e-9; // of the larger force of a pair
 constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing is left to correct
+/// In motion, a shorter step helps as well.
 constexpr unsigned int most_restarts = 30, most_restarts_in_motion = 3;
+
+/// A solution within the tolerance, kept while something is tried that may fail.
+struct Accepted {
+  Vector unknowns;
+  ContactResponse response;
+  std::vector<Contact::Strains> centre;
+  double residual;
+};
 
 } // namespace
 
@@ -24,6 +33,26 @@ ExactSolver::ExactSolver(const SolverSettings &settings, const Contacts &contact
       proximal(contacts, stiffness), newton(settings, contacts, line, proximal),
       attempts(newton, proximal, limits), diagonal(stiffness.diagonal()),
       pairs(rigid_pairs(contacts)) {}
+
+ContactOutcome ExactSolver::solve_contacts(const unsigned int most_restarts, Vector &x,
+                                           ContactResponse &response, EquilibriumResult &result) {
+  const Outcome outcome = attempts.solve(x, response, result);
+  if (outcome != Outcome::stalled || newton.gives_up(result))
+    return outcome;
+  const Vector start = Vector::Zero(line.n_kept());
+  return attempts.solve_from_elsewhere(most_restarts, start, x, response, result);
+}
+
+void ExactSolver::explain(const Outcome outcome, EquilibriumResult &result) const {
+  result.no_equilibrium = outcome == Outcome::slides_away;
+  if (result.no_equilibrium)
+    result.remark = "there is no equilibrium: the loads exceed what friction can hold, and the "
+                    "line slides away";
+  else if (newton.rounding_bars()) {
+    result.rounding_bars = true;
+    result.remark = newton.rounding_remark();
+  }
+}
 
 EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,
@@ -38,13 +67,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
   // A line may deflect so far that its stiffness times a rounding error of the unknowns is a force:
   // what rounding takes from them is kept until the increment is judged.
   Vector low = Vector::Zero(unknowns.size());
-  struct Accepted {
-    Vector unknowns;
-    ContactResponse response;
-    std::vector<Contact::Strains> centre;
-    double residual;
-  };
-  std::optional<Accepted> accepted; // by the tolerance, before something is tried that may fail
+  std::optional<Accepted> accepted;
   const bool is_static = problem.increment.length == 0.;
   unsigned int n_releases = 0;
   bool is_corrected = false;
@@ -56,24 +79,13 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                  std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
                  problem.force_so_far, dofs, committed, problem.increment);
     Vector x = Vector::Zero(line.n_kept());
-    Outcome outcome = accepted ? newton.solve_together(limits.most_to_finish, x, response, result)
-                               : attempts.solve(x, response, result);
-    if (outcome == Outcome::stalled && !accepted && !newton.gives_up(result))
-      outcome = attempts.solve_from_elsewhere(
-          problem.increment.length > 0. ? most_restarts_in_motion : most_restarts,
-          Vector(Vector::Zero(line.n_kept())), x, response,
-          result); // in motion, a shorter step helps as well
-    if (outcome != Outcome::solved && accepted)
-      break;
+    const Outcome outcome =
+        accepted ? newton.solve_together(limits.most_to_finish, x, response, result)
+                 : solve_contacts(is_static ? most_restarts : most_restarts_in_motion, x, response,
+                                  result);
     if (outcome != Outcome::solved) {
-      result.no_equilibrium = outcome == Outcome::slides_away;
-      if (result.no_equilibrium)
-        result.remark = "there is no equilibrium: the loads exceed what friction can hold, and the "
-                        "line slides away";
-      else if (newton.rounding_bars()) {
-        result.rounding_bars = true;
-        result.remark = newton.rounding_remark();
-      }
+      if (!accepted)
+        explain(outcome, result);
       break;
     }
     const Vector before = unknowns, change = low + line.expand(x, forces);

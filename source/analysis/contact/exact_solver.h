@@ -33,6 +33,11 @@ public:
 private:
   using Outcome = ContactOutcome;
 
+  /// On the condensed line, from no motion, and where that stalls from elsewhere.
+  Outcome solve_contacts(const unsigned int most_restarts, Vector &x, ContactResponse &response,
+                         EquilibriumResult &result);
+  /// Say why there is no solution.
+  void explain(const Outcome outcome, EquilibriumResult &result) const;
   /// @return whether the contact laws hold; the result says so.
   bool judge(const ContactResponse &response, EquilibriumResult &result) const;
 

@@ -32,4 +32,14 @@ HalvingResult search_by_halving(const Go &go, const double before, const double 
   return {best_length, length == best_length ? best : go(best_length)};
 }
 
+/// A step of Newton's method on motions and contact forces together. @return the merit after it
+/// @param n_stalls counts the steps in a row that hardly moved or gained nothing
+template <typename Go>
+double take_step_of_both(const Go &go, const double before, unsigned int &n_stalls) {
+  constexpr double shortest = 1e-3, hardly_moved = 0.01;
+  const HalvingResult taken = search_by_halving(go, before, shortest);
+  n_stalls = taken.length < hardly_moved || taken.merit > before ? n_stalls + 1 : 0;
+  return taken.merit;
+}
+
 } // namespace frictionbeam

@@ -79,6 +79,8 @@ private:
   /// friction was found
   bool share_start(const unsigned int first, const LoadCourse &loads, const Vector &of_ground,
                    LineState &to);
+  /// Contacts on rigid surfaces with friction that do not slip now, and @p first.
+  std::vector<bool> resting_with(const unsigned int first, const Vector &of_ground) const;
   /// Velocities of all contacts' ground at x, as relative motions.
   Vector ground_velocity(const double x, const double length) const;
   /// Of contacts, line and ground together.

@@ -15,24 +15,77 @@ constexpr double at_rest = 1e-12;             ///< of the fastest velocity so fa
 constexpr double no_acceleration = 1e-9;      ///< of the largest of the parts that it is the sum of
 constexpr double well_below_the_limit = 1e-6; ///< friction that has been relieved
 
+/// The accelerations at which contacts begin to slip, by the friction of all of them.
+struct SharedStart {
+  const TaylorMotion::Beginning &begin;
+  Vector tau; ///< friction, 2 rows a contact [N]
+
+  Eigen::Vector2d friction(const int k) const { return tau.segment<2>(2 * k); }
+  Eigen::Vector2d acceleration(const int k) const {
+    return begin.free.segment<2>(3 * k) + begin.by_friction.middleRows<2>(3 * k) * tau;
+  }
+  double normal_force(const int k) const {
+    return std::max(0., begin.free[3 * k + 2] + begin.by_friction.row(3 * k + 2).dot(tau));
+  }
+  /// Of projected gradients: one over the size of the contact's acceleration by its own friction.
+  double step_length(const int k) const {
+    const Eigen::Matrix2d W = -begin.by_friction.block<2, 2>(3 * k, 2 * k);
+    const double largest = (W + W.transpose()).norm() / 2.;
+    return largest > 0. ? 1. / largest : 0.;
+  }
+  /// Whether the acceleration is more than rounding leaves of the parts that it is the sum of.
+  bool slides(const int k) const {
+    const double parts = begin.free.segment<2>(3 * k).norm() +
+                         begin.by_friction.middleRows<2>(3 * k).norm() * tau.norm();
+    return acceleration(k).norm() > no_acceleration * parts;
+  }
+};
+
+/**
+ * Coulomb's law for the accelerations, contact by contact and again and again until no friction
+ * changes. @param next says a contact's friction by that of the others
+ * @return the largest last change [N]
+ */
+template <typename Next>
+double solve_start(SharedStart &start, const Next &next) {
+  double change = 0.;
+  for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
+    change = 0.;
+    for (int k = 0; 2 * k < start.tau.size(); ++k) {
+      const Eigen::Vector2d friction = next(k);
+      change = std::max(change, (friction - start.friction(k)).norm());
+      start.tau.segment<2>(2 * k) = friction;
+    }
+    if (change <= tolerance * start.tau.lpNorm<Eigen::Infinity>())
+      break;
+  }
+  return change;
+}
+
 } // namespace
 
-bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &loads,
-                                  const Vector &of_ground, LineState &to) {
-  // Of all contacts that rest on rigid surfaces with friction.
+std::vector<bool> EventIntegrator::resting_with(const unsigned int first,
+                                                const Vector &of_ground) const {
   std::vector<bool> rests(states.size(), false);
-  std::vector<EventState> trial = states;
   for (unsigned int i = 0; i < states.size(); ++i) {
     const EventContact &contact = line.contacts[i];
     if (!states[i].is_closed() || !contact.has_friction || !contact.rigid_shear)
       continue;
     const double speed = velocities({i}, of_ground).tail<2>().norm();
     rests[i] = i == first || states[i].status == ContactStatus::stick || speed <= at_rest * fastest;
+  }
+  return rests;
+}
+
+bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &loads,
+                                  const Vector &of_ground, LineState &to) {
+  const std::vector<bool> rests = resting_with(first, of_ground);
+  std::vector<EventState> trial = states;
+  for (unsigned int i = 0; i < states.size(); ++i)
     if (rests[i]) {
       trial[i].status = ContactStatus::slip;
       trial[i].curved = true;
     }
-  }
   motion.state_changed();
   const double until_break = loads.next_break(present + same_instant(present)) - present;
   const TaylorMotion::Beginning begin = motion.begin(
@@ -40,74 +93,49 @@ bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &lo
   motion.state_changed();
 
   const int n = begin.contacts.size();
-  Vector tau = Vector::Zero(2 * n);
-  const auto acceleration = [&](const int k) -> Eigen::Vector2d {
-    return begin.free.segment<2>(3 * k) + begin.by_friction.middleRows<2>(3 * k) * tau;
-  };
+  SharedStart start{begin, Vector::Zero(2 * n)};
+  std::vector<double> step(n);
+  for (int k = 0; k < n; ++k)
+    step[k] = start.step_length(k);
   const auto limit = [&](const int k) { // of one that begins to slip: dynamic friction
     const unsigned int i = begin.contacts[k];
     const FrictionThreshold &law = line.contacts[i].law;
-    const double N = begin.free[3 * k + 2] + begin.by_friction.row(3 * k + 2).dot(tau);
-    return std::max(0., N) * (rests[i] && states[i].status == ContactStatus::stick
-                                  ? law.static_friction
-                                  : law.dynamic_friction);
+    return start.normal_force(k) * (rests[i] && states[i].status == ContactStatus::stick
+                                        ? law.static_friction
+                                        : law.dynamic_friction);
   };
-  Vector step = Vector::Zero(n);
-  for (int k = 0; k < n; ++k) {
-    const Eigen::Matrix2d W = -begin.by_friction.block<2, 2>(3 * k, 2 * k);
-    const double largest = (W + W.transpose()).norm() / 2.;
-    step[k] = largest > 0. ? 1. / largest : 0.;
-  }
-  double change = 0.;
-  for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
-    change = 0.;
-    for (int k = 0; k < n; ++k) {
-      const unsigned int i = begin.contacts[k];
-      Eigen::Vector2d next;
-      if (!line.contacts[i].rigid_shear)
-        next = force[i].tail<2>();
-      else if (!rests[i])
-        next = limit(k) * states[i].direction;
-      else {
-        next = tau.segment<2>(2 * k) + step[k] * acceleration(k);
-        if (const double most = limit(k), size = next.norm(); size > most)
-          next *= most / size;
-      }
-      change = std::max(change, (next - tau.segment<2>(2 * k)).norm());
-      tau.segment<2>(2 * k) = next;
-    }
-    if (change <= tolerance * tau.lpNorm<Eigen::Infinity>())
-      break;
-  }
+  const double change = solve_start(start, [&](const int k) -> Eigen::Vector2d {
+    const unsigned int i = begin.contacts[k];
+    if (!line.contacts[i].rigid_shear)
+      return force[i].tail<2>();
+    if (!rests[i])
+      return limit(k) * states[i].direction;
+    const Eigen::Vector2d next = start.friction(k) + step[k] * start.acceleration(k);
+    const double most = limit(k), size = next.norm();
+    return size > most ? Eigen::Vector2d(next * (most / size)) : next;
+  });
 
-  const auto slides = [&](const int k) {
-    const double parts = begin.free.segment<2>(3 * k).norm() +
-                         begin.by_friction.middleRows<2>(3 * k).norm() * tau.norm();
-    return acceleration(k).norm() > no_acceleration * parts;
-  };
   bool others_slide = false;
   for (int k = 0; k < n; ++k)
     others_slide =
-        others_slide || (begin.contacts[k] != first && rests[begin.contacts[k]] && slides(k));
+        others_slide || (begin.contacts[k] != first && rests[begin.contacts[k]] && start.slides(k));
   for (int k = 0; k < n; ++k) {
     const unsigned int i = begin.contacts[k];
     if (!rests[i])
       continue;
     EventState &state = states[i];
-    const Eigen::Vector2d friction = tau.segment<2>(2 * k);
     const bool is_relieved =
-        others_slide && friction.norm() < (1. - well_below_the_limit) * limit(k);
+        others_slide && start.friction(k).norm() < (1. - well_below_the_limit) * limit(k);
     const ContactStatus before = state.status;
-    state.status = slides(k) || (before == ContactStatus::slip && !is_relieved)
-                       ? ContactStatus::slip
-                       : ContactStatus::stick;
+    const bool slips = start.slides(k) || (before == ContactStatus::slip && !is_relieved);
+    state.status = slips ? ContactStatus::slip : ContactStatus::stick;
     state.curved = false;
-    if (slides(k))
-      state.direction = acceleration(k).normalized();
+    if (start.slides(k))
+      state.direction = start.acceleration(k).normalized();
     if (state.status != before)
       to.events.push_back({present, i, state.status});
   }
-  const bool is_shared = change <= good_enough * tau.lpNorm<Eigen::Infinity>();
+  const bool is_shared = change <= good_enough * start.tau.lpNorm<Eigen::Infinity>();
   n_unshared += is_shared ? 0 : 1;
   return is_shared;
 }

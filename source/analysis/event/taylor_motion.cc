@@ -145,10 +145,46 @@ void TaylorMotion::begin_series(const Vector *const unknowns, const Vector *cons
       q(u, 0) = v(u, 0) = 0.;
 }
 
+Vector TaylorMotion::load_forces(const int k, const double length) const {
+  const LinearPart &linear = model.model.linear;
+  Vector forces = k == 0 ? linear.preload() : Vector(Vector::Zero(model.has_mass.size()));
+  if (k < factors.rows())
+    for (int l = 0; l < factors.cols(); ++l)
+      if (factors(k, l) != 0.)
+        forces += factors(k, l) * linear.forces(l);
+  for (int l = 0; l < factors.cols(); ++l)
+    if (linear.accelerates(l)) {
+      if (k + 1 < factors.rows() && factors(k + 1, l) != 0.)
+        forces += (k + 1.) / length * factors(k + 1, l) * linear.drag(l);
+      if (k + 2 < factors.rows() && factors(k + 2, l) != 0.)
+        forces += (k + 1.) * (k + 2.) / (length * length) * factors(k + 2, l) * linear.inertia(l);
+    }
+  return forces;
+}
+
+void TaylorMotion::set_known_force(const unsigned int i, const int k, const EventState &state,
+                                   const bool constants, Eigen::Vector3d &known) const {
+  const EventContact &contact = model.contacts[i];
+  if (contact.normal == EventContact::Normal::platen)
+    known[0] = constants ? -contact.contact->platen_force : 0.;
+  else if (contact.normal == EventContact::Normal::elastic)
+    known[0] = contact.normal_stiffness * (g[i](0, k) + (constants ? contact.law.gap : 0.));
+  if (state.status == ContactStatus::slip) {
+    if (!state.curved)
+      known.tail<2>() = -contact.law.dynamic_friction * known[0] * state.direction;
+    else if (k < curve_friction[i].cols())
+      known.tail<2>() = curve_friction[i].col(k);
+  } else if (state.status == ContactStatus::stick && !contact.rigid_shear) {
+    Eigen::Vector2d elastic = g[i].col(k).tail<2>();
+    if (constants)
+      elastic -= state.plastic;
+    known.tail<2>() = contact.shear_stiffness * elastic;
+  }
+}
+
 void TaylorMotion::expand_series(const double length, const std::vector<EventState> &states,
                                  const std::vector<Eigen::Vector3d> *const forces_before) {
   const bool with_loads = forces_before != nullptr;
-  const LinearPart &linear = model.model.linear;
   const int n = model.has_mass.size();
   const auto ground_at = [&](const int i, const int k) {
     return with_loads && k < ground.rows()
@@ -165,19 +201,8 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
       kept[row.contact][row.component] = (*forces_before)[row.contact][row.component];
   for (int k = 0; k <= order; ++k) {
     const bool constants = with_loads && k == 0;
-    Vector forces = constants ? linear.preload() : Vector(Vector::Zero(n));
-    if (with_loads && k < factors.rows())
-      for (int l = 0; l < factors.cols(); ++l)
-        if (factors(k, l) != 0.)
-          forces += factors(k, l) * linear.forces(l);
-    for (int l = 0; l < factors.cols() && with_loads; ++l)
-      if (linear.accelerates(l)) {
-        if (k + 1 < factors.rows() && factors(k + 1, l) != 0.)
-          forces += (k + 1.) / length * factors(k + 1, l) * linear.drag(l);
-        if (k + 2 < factors.rows() && factors(k + 2, l) != 0.)
-          forces += (k + 1.) * (k + 2.) / (length * length) * factors(k + 2, l) * linear.inertia(l);
-      }
-    Vector unknowns = q.col(k);
+    Vector forces = with_loads ? load_forces(k, length) : Vector(Vector::Zero(n)),
+           unknowns = q.col(k);
     forces = model.forces_left(forces, unknowns, v.col(k));
     q.col(k) = unknowns;
     for (unsigned int i = 0; i < states.size(); ++i) {
@@ -187,21 +212,7 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
       if (!state.is_closed())
         continue;
       Eigen::Vector3d known = k == 0 ? kept[i] : Eigen::Vector3d(Eigen::Vector3d::Zero());
-      if (contact.normal == EventContact::Normal::platen)
-        known[0] = constants ? -contact.contact->platen_force : 0.;
-      else if (contact.normal == EventContact::Normal::elastic)
-        known[0] = contact.normal_stiffness * (g[i](0, k) + (constants ? contact.law.gap : 0.));
-      if (state.status == ContactStatus::slip) {
-        if (!state.curved)
-          known.tail<2>() = -contact.law.dynamic_friction * known[0] * state.direction;
-        else if (k < curve_friction[i].cols())
-          known.tail<2>() = curve_friction[i].col(k);
-      } else if (state.status == ContactStatus::stick && !contact.rigid_shear) {
-        Eigen::Vector2d elastic = g[i].col(k).tail<2>();
-        if (constants)
-          elastic -= state.plastic;
-        known.tail<2>() = contact.shear_stiffness * elastic;
-      }
+      set_known_force(i, k, state, constants, known);
       r[i].col(k) = known;
       model.add_contact_force(i, known, forces);
     }

@@ -97,6 +97,12 @@ private:
   /// @param forces of the contacts until then; null: from rest, under the friction of curves alone
   void expand_series(const double length, const std::vector<EventState> &states,
                      const std::vector<Eigen::Vector3d> *const forces);
+  /// Coefficient @p k of the loads' forces, those of the motions that they impose among them.
+  Vector load_forces(const int k, const double length) const;
+  /// Coefficient @p k of what of a closed contact's force its displacement says, or its slip by
+  /// Coulomb's law. @param constants whether it includes what does not change: gap, platen
+  void set_known_force(const unsigned int i, const int k, const EventState &state,
+                       const bool constants, Eigen::Vector3d &known) const;
   /// From rest where @p unknowns is null.
   void begin_series(const Vector *const unknowns, const Vector *const velocity);
   /// Find the friction of contacts that slip along curves, for the series without it.

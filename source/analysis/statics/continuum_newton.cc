@@ -15,7 +15,7 @@ using namespace dealii;
 
 namespace {
 
-const AttemptLimits body_limits = {{1., 0.1, 10., 0.01}, 40, 15, 20, 6};
+constexpr AttemptLimits body_limits = {{1., 0.1, 10., 0.01}, 40, 15, 20, 6};
 constexpr unsigned int most_stalls_of_body = 6, most_proximal_of_body = 15,
                        most_restarts_of_body = 2, most_iterations_of_increment = 500;
 constexpr double stiffness_of_step = 1e6; ///< of rho, where Newton's step wants none
@@ -358,9 +358,7 @@ ContinuumNewton<dim>::solve_together(const unsigned int most_iterations, Continu
       evaluate(u, response);
       return energy_together(response, left);
     };
-    const HalvingResult step_taken = search_by_halving(go, before, 1e-3);
-    stalls = step_taken.length < 0.01 || step_taken.merit > before ? stalls + 1 : 0;
-    before = step_taken.merit;
+    before = take_step_of_both(go, before, stalls);
   }
 }
 

@@ -266,6 +266,43 @@ ContinuumVector ContinuumBody<dim>::traction_forces() const {
 }
 
 template <int dim>
+void ContinuumBody<dim>::add_area(const Vector<double> &local,
+                                  const std::vector<types::global_dof_index> &dofs,
+                                  ContinuumVector &area) const {
+  for (unsigned int k = 0; k < local.size(); ++k) {
+    if (local[k] == 0.)
+      continue;
+    const auto *const entries = constraints.get_constraint_entries(dofs[k]);
+    if (entries == nullptr || entries->empty())
+      area(dofs[k]) += local[k];
+    else
+      for (const auto &[dof, factor] : *entries)
+        area(dof) += factor * local[k];
+  }
+}
+
+namespace {
+
+/// Axes n, t1, t2 of a contact node; t1 is along the first axis that does not lie near n.
+template <int dim>
+std::array<Tensor<1, dim>, dim> axes_along(const Tensor<1, dim> &n) {
+  std::array<Tensor<1, dim>, dim> axes;
+  axes[0] = n;
+  unsigned int axis = 0;
+  while (std::abs(n[axis]) > 0.9)
+    ++axis;
+  Tensor<1, dim> t;
+  t[axis] = 1.;
+  t -= (t * n) * n;
+  axes[1] = t / t.norm();
+  if constexpr (dim == 3)
+    axes[2] = cross_product_3d(n, axes[1]);
+  return axes;
+}
+
+} // namespace
+
+template <int dim>
 void ContinuumBody<dim>::find_contact_nodes() {
   // Area times outward normal at each node, its components on the node's dofs.
   const QGaussLobatto<dim - 1> quadrature(fe.degree + 1);
@@ -310,15 +347,7 @@ void ContinuumBody<dim>::find_contact_nodes() {
               dofs[fe.component_to_system_index(d, fe.system_to_component_index(k).second)];
       }
       if (cell->is_locally_owned())
-        for (unsigned int k = 0; k < local.size(); ++k)
-          if (local[k] != 0.) { // held dofs keep their share, hanging ones pass it on
-            const auto *const entries = constraints.get_constraint_entries(dofs[k]);
-            if (entries == nullptr || entries->empty())
-              areas[surface](dofs[k]) += local[k];
-            else
-              for (const auto &[dof, factor] : *entries)
-                areas[surface](dof) += factor * local[k];
-          }
+        add_area(local, dofs, areas[surface]);
     }
   }
   nodes.clear();
@@ -332,19 +361,11 @@ void ContinuumBody<dim>::find_contact_nodes() {
       node.weight = area.norm();
       if (node.weight == 0.)
         continue; // a hanging node
-      Tensor<1, dim> &n = node.frame[0] = area / node.weight;
-      unsigned int axis = 0; // of t1: the first that does not lie near the normal
-      while (std::abs(n[axis]) > 0.9)
-        ++axis;
-      Tensor<1, dim> t;
-      t[axis] = 1.;
-      t -= (t * n) * n;
-      node.frame[1] = t / t.norm();
-      if constexpr (dim == 3)
-        node.frame[2] = cross_product_3d(n, node.frame[1]);
+      node.frame = axes_along<dim>(area / node.weight);
       bool held = false; // what holds the node along its normal carries its force
       for (unsigned int d = 0; d < dim; ++d)
-        held |= std::abs(n[d]) > no_direction && constraints.is_constrained(node.dofs[d]);
+        held |=
+            std::abs(node.frame[0][d]) > no_direction && constraints.is_constrained(node.dofs[d]);
       if (!held)
         nodes.push_back(node);
     }

@@ -100,6 +100,10 @@ public:
 private:
   void hold(const ContinuumHold &part);
   void find_contact_nodes();
+  /// Add a cell's areas at its dofs: held ones keep their share, hanging ones pass it on.
+  void add_area(const dealii::Vector<double> &local,
+                const std::vector<dealii::types::global_dof_index> &dofs,
+                ContinuumVector &area) const;
   dealii::FullMatrix<double>
   cell_stiffness(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell) const;
 

@@ -60,6 +60,46 @@ std::vector<std::pair<unsigned int, double>> heating_of(const std::vector<unsign
   return result;
 }
 
+/// The matrix B of strains = B u at the middle of the friction element that @p values are of.
+template <typename Cell>
+void set_strains_by_dofs(const Cell &cell, const FEValues<1, 3> &values, Contact &contact) {
+  std::vector<types::global_dof_index> dofs(values.dofs_per_cell);
+  cell->get_dof_indices(dofs);
+  contact.dofs.assign(dofs.begin(), dofs.end());
+  contact.B.resize(n_support_strains, dofs.size());
+  for (unsigned int i = 0; i < dofs.size(); ++i) {
+    const GeneralizedStrain strain = generalized_strain(values, contact.axes, i, 0);
+    for (int e = 0; e < n_support_strains; ++e)
+      contact.B(e, i) = strain[e];
+  }
+}
+
+/// The same matrix on the unknowns, B C of u = C q + imposed motions, and the unknowns that it and
+/// the contact's vertices depend on.
+void set_strains_by_unknowns(const Discretization &discretization, const ReducedSpace &space,
+                             Contact &contact) {
+  for (const unsigned int dof : contact.dofs)
+    for (const auto &term : space.terms(dof))
+      contact.unknowns.push_back(term.unknown);
+  for (const unsigned int vertex : contact.vertices)
+    for (unsigned int c = 0; c < 6; ++c)
+      if (const auto dof = discretization.vertex_dofs().index(vertex, c);
+          dof != numbers::invalid_dof_index)
+        for (const auto &term : space.terms(dof))
+          contact.vertex_unknowns.push_back(term.unknown);
+  std::sort(contact.unknowns.begin(), contact.unknowns.end());
+  contact.unknowns.erase(std::unique(contact.unknowns.begin(), contact.unknowns.end()),
+                         contact.unknowns.end());
+  contact.B_reduced.setZero(n_support_strains, contact.unknowns.size());
+  for (unsigned int i = 0; i < contact.dofs.size(); ++i)
+    for (const auto &term : space.terms(contact.dofs[i])) {
+      const auto place =
+          std::lower_bound(contact.unknowns.begin(), contact.unknowns.end(), term.unknown) -
+          contact.unknowns.begin();
+      contact.B_reduced.col(place) += term.weight * contact.B.col(i);
+    }
+}
+
 } // namespace
 
 Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
@@ -101,50 +141,26 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     contact.state_offset = n_internal;
     n_internal += contact.law.n_internal_variables();
 
-    std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
-    contact.dofs.assign(dofs.begin(), dofs.end());
-    contact.B.resize(n_support_strains, dofs.size());
-    for (unsigned int i = 0; i < dofs.size(); ++i) {
-      const GeneralizedStrain strain = generalized_strain(fe_values, contact.axes, i, 0);
-      for (int e = 0; e < n_support_strains; ++e)
-        contact.B(e, i) = strain[e];
-    }
+    set_strains_by_dofs(cell, fe_values, contact);
     if (!support.ground.empty())
       stand_on_point(support, discretization, contact);
-    for (const unsigned int dof : contact.dofs)
-      for (const auto &term : space.terms(dof))
-        contact.unknowns.push_back(term.unknown);
-    for (const unsigned int vertex : contact.vertices)
-      for (unsigned int c = 0; c < 6; ++c)
-        if (const auto dof = discretization.vertex_dofs().index(vertex, c);
-            dof != numbers::invalid_dof_index)
-          for (const auto &term : space.terms(dof))
-            contact.vertex_unknowns.push_back(term.unknown);
-    std::sort(contact.unknowns.begin(), contact.unknowns.end());
-    contact.unknowns.erase(std::unique(contact.unknowns.begin(), contact.unknowns.end()),
-                           contact.unknowns.end());
-    contact.B_reduced.setZero(n_support_strains, contact.unknowns.size());
-    for (unsigned int i = 0; i < contact.dofs.size(); ++i)
-      for (const auto &term : space.terms(contact.dofs[i])) {
-        const auto place =
-            std::lower_bound(contact.unknowns.begin(), contact.unknowns.end(), term.unknown) -
-            contact.unknowns.begin();
-        contact.B_reduced.col(place) += term.weight * contact.B.col(i);
-      }
-
-    if (contact.platen_force != 0.) {
-      const double position = platen_position(contact, support.name);
-      for (unsigned int d = 0; d < 3; ++d) {
-        const auto dof = discretization.vertex_dofs().index(contact.vertices[1], d);
-        for (const auto &term : space.terms(dof)) {
-          preload[term.unknown] += contact.platen_force * -contact.axes.x[d] * term.weight;
-          if (space.terms(dof).begin() + 1 == space.terms(dof).end() && term.weight == 1.)
-            platen_positions.emplace_back(term.unknown, position * -contact.axes.x[d]);
-        }
-      }
-    }
+    set_strains_by_unknowns(discretization, space, contact);
+    if (contact.platen_force != 0.)
+      add_platen(contact, support.name, discretization, space);
     list.push_back(std::move(contact));
+  }
+}
+
+void Contacts::add_platen(const Contact &contact, const std::string &support,
+                          const Discretization &discretization, const ReducedSpace &space) {
+  const double position = platen_position(contact, support);
+  for (unsigned int d = 0; d < 3; ++d) {
+    const auto dof = discretization.vertex_dofs().index(contact.vertices[1], d);
+    for (const auto &term : space.terms(dof)) {
+      preload[term.unknown] += contact.platen_force * -contact.axes.x[d] * term.weight;
+      if (space.terms(dof).begin() + 1 == space.terms(dof).end() && term.weight == 1.)
+        platen_positions.emplace_back(term.unknown, position * -contact.axes.x[d]);
+    }
   }
 }
 

@@ -84,6 +84,10 @@ public:
   ContactState initial_state(const Vector &all_dofs) const;
 
 private:
+  /// The force of the platen on a support's contact, and the position where it is in equilibrium.
+  void add_platen(const Contact &contact, const std::string &support,
+                  const Discretization &discretization, const ReducedSpace &space);
+
   std::vector<Contact> list;
   unsigned int n_internal = 0;
   std::vector<std::pair<unsigned int, const TimeFunction *>> moving; ///< degrees of freedom

@@ -29,102 +29,106 @@ std::vector<std::size_t> largest_first(const std::vector<double> &weight) {
   return rows;
 }
 
-} // namespace
+/// The largest force of a support over all steps, and what goes with it.
+struct SummaryRow {
+  std::string name, kind, step, when;
+  double force = 0., normal = 0., friction = 0., moment = 0.;
+  double impulse = 0., impact = 0.; ///< over the transient steps, and of one impact [N s]
+  bool is_struck = false;
+};
 
-std::string restraint_summary(const Results &results) {
-  struct Row {
-    std::string name, kind, step, when;
-    double force = 0., normal = 0., friction = 0., moment = 0., impulse = 0., impact = 0.;
-    bool is_struck = false;
-    void set(const double size, const std::string &in_step, const std::string &instant) {
-      force = size;
-      step = in_step;
-      when = instant;
-    }
-  };
-  std::vector<Row> all;
+void set_support(const SupportState &state, SummaryRow &row) {
+  row.normal = state.fn;
+  row.friction = friction_force(state);
+}
+
+/// Take the end of a static step, or the largest of a transient one, where it is larger.
+/// @param i of all supports and then all restraints
+void include_step(const Frame &frame, const StepEnvelope *const envelope, const std::size_t i,
+                  SummaryRow &row) {
+  const bool support = i < frame.supports.size();
+  const std::size_t r = i - frame.supports.size();
+  Extremes force; // of a transient step
+  if (envelope != nullptr)
+    force = support ? envelope->supports[i].force : envelope->restraints[r].force;
+  const double size = force.is_known() ? force.largest
+                      : support        ? size_of(frame.supports[i])
+                                       : size_of(frame.reactions[r]);
+  if (envelope != nullptr && support && envelope->supports[i].n_impacts > 0) {
+    row.is_struck = true;
+    row.impulse += envelope->supports[i].impulse;
+    row.impact = std::max(row.impact, envelope->supports[i].impact.largest);
+  }
+  if (size <= row.force && !row.step.empty())
+    return;
+  row.force = size;
+  row.step = frame.name;
+  row.when = force.is_known() ? rounded_number(force.largest_at, 5) : "end";
+  if (support) {
+    set_support(force.is_known() ? envelope->supports[i].at_largest : frame.supports[i], row);
+    return;
+  }
+  const Motion &f = force.is_known() ? envelope->restraints[r].at_largest : frame.reactions[r];
+  row.moment = std::hypot(f[3], f[4], f[5]);
+}
+
+/// Of all supports, the one with the largest force first.
+std::vector<SummaryRow> summary_rows(const Results &results) {
+  std::vector<SummaryRow> all;
   for (const SupportInfo &info : results.supports)
     all.push_back({info.name, info.kind, "", ""});
   for (const RestraintInfo &info : results.restraints)
     all.push_back({info.name, info.kind, "", ""});
-  const auto set_support = [](Row &row, const SupportState &state) {
-    row.normal = state.fn;
-    row.friction = friction_force(state);
-  };
-  const auto set_restraint = [](Row &row, const Motion &f) {
-    row.moment = std::hypot(f[3], f[4], f[5]);
-  };
-  const std::size_t n_supports = results.supports.size();
-  for (const Frame &frame : results.frames) {
-    if (!frame.end_of_step)
-      continue;
-    const StepEnvelope *const envelope = results.envelope_of(frame.step);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      Row &row = all[i];
-      const bool support = i < n_supports;
-      const std::size_t r = i - n_supports;
-      Extremes force; // of a transient step
-      if (envelope != nullptr)
-        force = support ? envelope->supports[i].force : envelope->restraints[r].force;
-      const double size = force.is_known() ? force.largest
-                          : support        ? size_of(frame.supports[i])
-                                           : size_of(frame.reactions[r]);
-      if (envelope != nullptr && support && envelope->supports[i].n_impacts > 0) {
-        row.is_struck = true;
-        row.impulse += envelope->supports[i].impulse;
-        row.impact = std::max(row.impact, envelope->supports[i].impact.largest);
-      }
-      if (size <= row.force && !row.step.empty())
-        continue;
-      row.set(size, frame.name, force.is_known() ? rounded_number(force.largest_at, 5) : "end");
-      if (support)
-        set_support(row, force.is_known() ? envelope->supports[i].at_largest : frame.supports[i]);
-      else
-        set_restraint(row,
-                      force.is_known() ? envelope->restraints[r].at_largest : frame.reactions[r]);
-    }
-  }
+  for (const Frame &frame : results.frames)
+    if (frame.end_of_step)
+      for (std::size_t i = 0; i < all.size(); ++i)
+        include_step(frame, results.envelope_of(frame.step), i, all[i]);
   std::vector<double> weight;
-  for (const Row &row : all)
+  for (const SummaryRow &row : all)
     weight.push_back(row.force);
-  std::vector<std::string> names, kinds, steps, when, notes;
-  std::vector<double> force, normal, friction, moment, impulse, impact;
-  bool any_struck = false;
-  for (const std::size_t i : largest_first(weight)) {
-    names.push_back(all[i].name);
-    kinds.push_back(all[i].kind);
-    steps.push_back(all[i].step);
-    when.push_back(all[i].when);
-    force.push_back(all[i].force);
-    normal.push_back(all[i].normal);
-    friction.push_back(all[i].friction);
-    moment.push_back(all[i].moment);
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    impulse.push_back(all[i].is_struck ? all[i].impulse : none);
-    impact.push_back(all[i].is_struck ? all[i].impact : none);
-    notes.push_back(
-        all[i].is_struck ? "rigid, impact: no peak force; give a stiffness or see impulse" : "");
-    any_struck = any_struck || all[i].is_struck;
-  }
+  std::vector<SummaryRow> rows;
+  for (const std::size_t i : largest_first(weight))
+    rows.push_back(all[i]);
+  return rows;
+}
+
+} // namespace
+
+std::string restraint_summary(const Results &results) {
+  const std::vector<SummaryRow> rows = summary_rows(results);
+  const auto column = [&](const auto &value) {
+    std::vector<decltype(value(rows.front()))> values;
+    for (const SummaryRow &row : rows)
+      values.push_back(value(row));
+    return values;
+  };
+  const double none = std::numeric_limits<double>::quiet_NaN();
   HtmlTable table(results.units);
-  table.text("support", names)
-      .text("kind", kinds)
-      .numbers("largest force", "N", force)
-      .numbers("fn", "N", normal)
-      .numbers("friction", "N", friction)
-      .numbers("moment", "N m", moment)
-      .text("in step", steps);
+  table.text("support", column([](const SummaryRow &row) { return row.name; }))
+      .text("kind", column([](const SummaryRow &row) { return row.kind; }))
+      .numbers("largest force", "N", column([](const SummaryRow &row) { return row.force; }))
+      .numbers("fn", "N", column([](const SummaryRow &row) { return row.normal; }))
+      .numbers("friction", "N", column([](const SummaryRow &row) { return row.friction; }))
+      .numbers("moment", "N m", column([](const SummaryRow &row) { return row.moment; }))
+      .text("in step", column([](const SummaryRow &row) { return row.step; }));
   std::string note = "The largest force of each support over all steps, and the step that it comes "
                      "from; the worst line is the first.";
   if (!results.envelopes.empty()) {
-    table.right("at time [s]", when);
+    table.right("at time [s]", column([](const SummaryRow &row) { return row.when; }));
     note += " Of static steps their ends count, of transient ones every time step; fn, friction "
             "and moment are those of that instant.";
   }
-  if (any_struck) {
-    table.numbers("impulse", "N s", impulse)
-        .numbers("largest impact", "N s", impact)
-        .text("note", notes);
+  if (std::any_of(rows.begin(), rows.end(), [](const SummaryRow &row) { return row.is_struck; })) {
+    const auto if_struck = [&](double SummaryRow::*const value) {
+      return column([&](const SummaryRow &row) { return row.is_struck ? row.*value : none; });
+    };
+    table.numbers("impulse", "N s", if_struck(&SummaryRow::impulse))
+        .numbers("largest impact", "N s", if_struck(&SummaryRow::impact))
+        .text("note", column([](const SummaryRow &row) -> std::string {
+                return row.is_struck
+                           ? "rigid, impact: no peak force; give a stiffness or see impulse"
+                           : "";
+              }));
     note += " The force of a rigid support does not exist at the instant in which it is struck: "
             "the table has its force at all other instants, its impulse over the transient steps "
             "and the largest impulse of one impact. Give it a stiffness for a force.";

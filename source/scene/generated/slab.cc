@@ -102,17 +102,19 @@ void declare_slab(ParameterReader &in) {
   declare_slab_line(in);
 }
 
-void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
+namespace {
+
+/// The slab as a bar of n elements, with a friction element at every node, half of one at either
+/// end.
+void add_bar_on_bed(const ParameterReader &in, const LawLibrary &laws, const SlabLine &line,
+                    Scene &scene) {
   const unsigned int n = in.count("Elements");
   const double length = in.number("Length"), b = in.number("Width"), height = in.number("Height");
-  const double friction = in.number("Friction"), force = in.number("Force");
-  const bool far_end_fixed = in.choice("Far end", far_ends);
+  const double friction = in.number("Friction"), GS = line.shear_rigidity;
   const double h = length / n, normal_force = in.number("Pressure") * b * h;
-  const SlabLine line = read_slab_line(in, h);
-  const double E = line.axial_modulus, GS = line.shear_rigidity, EA = E * b * height;
-
   scene.free_motions = {{true, false, false, false, false, false}};
-  scene.materials = {{"slab", E, in.number("Poisson"), 0., line.squeeze > 0. ? 1. : 0.}};
+  scene.materials = {
+      {"slab", line.axial_modulus, in.number("Poisson"), 0., line.squeeze > 0. ? 1. : 0.}};
   Section section;
   section.name = "slab";
   section.area = b * height;
@@ -125,7 +127,6 @@ void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
   const std::string last = "P" + std::to_string(n);
   pipe.route = {{"P0", Point3(0., 0., 0.)}, {last, Point3(length, 0., 0.)}};
   scene.pipes = {pipe};
-  // A whole element at every node between, half of one at either end.
   FrictionSupport bed = coulomb_support(laws, "bed", friction, GS, GS, normal_force);
   for (unsigned int i = 1; i < n; ++i) {
     scene.points.push_back({"P" + std::to_string(i), Point3(i * h, 0., 0.)});
@@ -137,13 +138,16 @@ void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
   if (n > 1)
     scene.supports.push_back(bed);
   scene.supports.push_back(ends);
-  if (far_end_fixed)
+  if (in.choice("Far end", far_ends))
     scene.restraints.push_back(hold_ux("far_end", last));
+}
 
+/// A push at the end x = 0, there and back in a cycle, the squeeze in every step.
+void add_pushes(const ParameterReader &in, const SlabLine &line, Scene &scene) {
   Load push;
   push.name = "push";
   push.kind = Load::Kind::force;
-  push.at = {{"P0", {{force, 0., 0., 0., 0., 0.}}, {}}};
+  push.at = {{"P0", {{in.number("Force"), 0., 0., 0., 0., 0.}}, {}}};
   scene.loads = {push};
   std::vector<std::pair<unsigned int, double>> squeeze;
   if (line.squeeze > 0.) {
@@ -155,19 +159,32 @@ void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
     loads.emplace_back(0, factor);
     return static_step(name, loads, in.count("Increments"));
   };
-  const bool cycle = in.choice("Sequence", slab_sequences);
   scene.steps = {step("push", 1.)};
-  if (cycle) {
+  if (in.choice("Sequence", slab_sequences)) {
     scene.steps.push_back(step("pull", -1.));
     scene.steps.push_back(step("push_again", 1.));
   }
+}
 
+} // namespace
+
+void build_slab(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
+  const unsigned int n = in.count("Elements");
+  const double length = in.number("Length"), b = in.number("Width"), force = in.number("Force"),
+               h = length / n;
+  const bool far_end_fixed = in.choice("Far end", far_ends),
+             cycle = in.choice("Sequence", slab_sequences);
+  const SlabLine line = read_slab_line(in, h);
+  add_bar_on_bed(in, laws, line, scene);
+  add_pushes(in, line, scene);
   if (scene.model != ModelKind::line)
     build_slab_continuum(in, laws, scene);
 
   // With the squeeze, N + EA eps is the force in bars without it: pushed by F - EA eps, and pulled
   // at the far end by EA eps, which slides there alone if the interface is rigid.
-  const double locked = EA * line.squeeze, bound = friction * normal_force;
+  const double EA = line.axial_modulus * b * in.number("Height"), GS = line.shear_rigidity,
+               locked = EA * line.squeeze,
+               bound = in.number("Friction") * (in.number("Pressure") * b * h);
   const DiscreteSlab slab{n, EA / h, GS, bound, far_end_fixed};
   const bool known = locked == 0. || (GS == 0. && !far_end_fixed && !cycle && force > locked &&
                                       force / bound * h + h <= length);

@@ -23,6 +23,9 @@ void parse_point(const ParameterReader &in, const std::string &name, Scene &scen
 void declare_pipe(ParameterReader &in);
 void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene);
 
+/// Where supports stand: at points, or again and again along a pipe.
+void declare_placement(ParameterReader &in);
+Placement parse_placement(const ParameterReader &in, Scene &scene);
 /// The support's own law brings its parameters along as entries.
 void declare_support(ParameterReader &in, const LawLibrary &laws);
 /// The parameters of every support law, as comments of a parameter file.

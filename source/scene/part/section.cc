@@ -92,10 +92,10 @@ void declare_section(ParameterReader &in) {
   in.declare_number("Insulation density", 0., "kg/m3", 0., 1e300, "With its cladding.");
 }
 
-void parse_section(const ParameterReader &in, const std::string &name, Scene &scene) {
-  Section section;
-  section.name = name;
-  double D = in.number("Outer diameter"), t = in.number("Wall");
+namespace {
+
+/// Outer diameter and wall, as given or of a nominal size [m]; zero where neither is.
+std::pair<double, double> parse_diameter_and_wall(const ParameterReader &in) {
   if (const std::string size = in.text("Size"); !size.empty()) {
     for (const char *entry : {"Outer diameter", "Wall"})
       if (in.given(entry))
@@ -109,40 +109,48 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
               own ? "a size and schedule in the file of Size table" : known_pipe_sizes(size),
               own ? "a row '" + size + ", " + in.text("Schedule") + ", ...' there" : "'NPS 6'",
               "'" + size + "', schedule " + in.text("Schedule"));
-    D = found->outer_diameter;
-    t = found->wall;
-  } else if (in.given("Schedule") || in.given("Size table"))
-    in.fail("Size", "a size beside 'Schedule' or 'Size table'", "'NPS 6'");
-  if (D > 0.) {
-    if (t == 0.)
-      in.fail("Wall", "a number > 0 [m], needed beside 'Outer diameter'",
-              "the wall thickness, or Area and Inertia without 'Outer diameter'");
-    if (t > D / 2.)
-      in.fail("Wall", "at most half the outer diameter, " + to_text(D / 2.) + " m",
-              "metres, not millimetres");
-    for (const char *entry : {"Area", "Inertia", "Torsion constant"})
-      if (in.given(entry))
-        in.fail(entry, "either diameter and wall, or the section's figures",
-                "removing '" + std::string(entry) + "' or 'Outer diameter'");
-    section.outer_radius = D / 2.;
-    section.wall = t;
-    section.area = pi * (D - t) * t;
-    section.inertia = inertia_of_pipe(D, t);
-    section.torsion_constant = 2. * section.inertia;
-  } else {
-    for (const char *entry : {"Area", "Inertia"})
-      if (in.number(entry) == 0.)
-        in.fail(entry, "a number > 0, needed where 'Outer diameter' is not given",
-                "'Outer diameter' and 'Wall', or 'Area' and 'Inertia'");
-    if (in.given("Wall"))
-      in.fail("Wall", "a wall only beside 'Outer diameter'", "'Outer diameter' as well");
-    section.area = in.number("Area");
-    section.inertia = in.number("Inertia");
-    section.torsion_constant = in.number("Torsion constant");
-    if (section.torsion_constant == 0.)
-      section.torsion_constant = 2. * section.inertia;
+    return {found->outer_diameter, found->wall};
   }
+  if (in.given("Schedule") || in.given("Size table"))
+    in.fail("Size", "a size beside 'Schedule' or 'Size table'", "'NPS 6'");
+  return {in.number("Outer diameter"), in.number("Wall")};
+}
 
+/// A hollow circle of outer diameter D and wall t.
+void set_pipe(const ParameterReader &in, const double D, const double t, Section &section) {
+  if (t == 0.)
+    in.fail("Wall", "a number > 0 [m], needed beside 'Outer diameter'",
+            "the wall thickness, or Area and Inertia without 'Outer diameter'");
+  if (t > D / 2.)
+    in.fail("Wall", "at most half the outer diameter, " + to_text(D / 2.) + " m",
+            "metres, not millimetres");
+  for (const char *entry : {"Area", "Inertia", "Torsion constant"})
+    if (in.given(entry))
+      in.fail(entry, "either diameter and wall, or the section's figures",
+              "removing '" + std::string(entry) + "' or 'Outer diameter'");
+  section.outer_radius = D / 2.;
+  section.wall = t;
+  section.area = pi * (D - t) * t;
+  section.inertia = inertia_of_pipe(D, t);
+  section.torsion_constant = 2. * section.inertia;
+}
+
+/// A section of any other shape, by its figures.
+void set_figures(const ParameterReader &in, Section &section) {
+  for (const char *entry : {"Area", "Inertia"})
+    if (in.number(entry) == 0.)
+      in.fail(entry, "a number > 0, needed where 'Outer diameter' is not given",
+              "'Outer diameter' and 'Wall', or 'Area' and 'Inertia'");
+  if (in.given("Wall"))
+    in.fail("Wall", "a wall only beside 'Outer diameter'", "'Outer diameter' as well");
+  section.area = in.number("Area");
+  section.inertia = in.number("Inertia");
+  section.torsion_constant = in.number("Torsion constant");
+  if (section.torsion_constant == 0.)
+    section.torsion_constant = 2. * section.inertia;
+}
+
+void set_shear_area(const ParameterReader &in, const double D, const double t, Section &section) {
   const std::string shear = in.text("Shear area");
   if (shear == "half")
     section.shear_area = section.area / 2.;
@@ -155,6 +163,19 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
     in.fail("Shear area", "half, cowper, none, or a number > 0 [m2]", "half");
   else if (shear != "none")
     section.shear_area *= in.si("m2");
+}
+
+} // namespace
+
+void parse_section(const ParameterReader &in, const std::string &name, Scene &scene) {
+  Section section;
+  section.name = name;
+  const auto [D, t] = parse_diameter_and_wall(in);
+  if (D > 0.)
+    set_pipe(in, D, t, section);
+  else
+    set_figures(in, section);
+  set_shear_area(in, D, t, section);
   section.rotary_inertia = in.flag("Rotary inertia");
   section.insulation = in.number("Insulation");
   section.corrosion = in.number("Corrosion allowance");

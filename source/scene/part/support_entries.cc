@@ -95,16 +95,7 @@ std::array<bool, 6> parse_motions(const ParameterReader &in, const std::string &
 void declare_support(ParameterReader &in, const LawLibrary &laws) {
   const std::string kind = in.raw("Kind", "rest");
   in.declare_choice("Kind", Form::element, kinds, ""); // the first such: rest
-  in.declare_text("At", "", "names of points, separated by commas", "Where the support stands.");
-  in.declare_text("Pipe", "", "name of a pipe", "Repeated along this pipe, instead of At.");
-  in.declare_number("Every", 0., "m", 0., 1e300,
-                    "Distance along the pipe; the first one at this distance from From, none at "
-                    "From and To themselves.");
-  in.declare_text("From", "", "name of a point of that pipe", "Empty: its first point.");
-  in.declare_text("To", "", "name of a point of that pipe", "Empty: its last point.");
-  in.declare_flag("Continuous", false,
-                  "A bed from From to To instead of Every; the law's rigidities and Normal force "
-                  "are then per metre of pipe.");
+  declare_placement(in);
   in.declare_text("Fixed", kind == "restraint" ? "ux, uy, uz" : "ux, uy, uz, rx, ry, rz",
                   "motions out of ux, uy, uz, rx, ry, rz", "Of anchor and restraint, global axes.");
   in.declare_text("Law", default_law(kind), join(laws.names(LawKind::support)),
@@ -156,50 +147,6 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
 
 namespace {
 
-Placement parse_placement(const ParameterReader &in, Scene &scene) {
-  Placement placement;
-  placement.points = in.list("At");
-  placement.pipe = in.text("Pipe");
-  if (placement.points.empty() == placement.pipe.empty())
-    in.fail_section(placement.pipe.empty() ? "neither 'At' nor 'Pipe'" : "both 'At' and 'Pipe'",
-                    "either At, or Pipe with Every, or Pipe with Continuous = true",
-                    "set At = <name of a point>");
-  for (const std::string &point : placement.points) {
-    check_point(in, "At", point, scene);
-    if (std::count(placement.points.begin(), placement.points.end(), point) > 1)
-      in.fail("At", "every point once", "removing one '" + point + "'");
-  }
-  placement.every = in.number("Every");
-  placement.continuous = in.flag("Continuous");
-  placement.from = in.text("From");
-  placement.to = in.text("To");
-  if (placement.pipe.empty()) {
-    for (const char *entry : {"Every", "From", "To", "Continuous"})
-      if (in.given(entry))
-        in.fail(entry, "this entry beside 'Pipe' only", "Pipe = <name of a pipe> instead of At");
-    return placement;
-  }
-  const Pipe &pipe = scene.pipes[in.find("Pipe", placement.pipe, names(scene.pipes), "pipe")];
-  if ((placement.every > 0.) == placement.continuous)
-    in.fail_section(placement.continuous ? "both 'Every' and 'Continuous'"
-                                         : "'Pipe' without 'Every' and 'Continuous'",
-                    "Pipe with Every = <distance in m>, or Pipe with Continuous = true",
-                    "set Every = 6");
-  for (const char *entry : {"From", "To"})
-    if (const std::string point = in.text(entry); !point.empty()) {
-      check_point(in, entry, point, scene);
-      const bool on_pipe = std::any_of(pipe.route.begin(), pipe.route.end(),
-                                       [&](const RoutePoint &p) { return p.name == point; }) ||
-                           pipe.route.empty() || [&] {
-                             const std::vector<std::string> free = names(scene.points);
-                             return std::count(free.begin(), free.end(), point) > 0;
-                           }();
-      if (!on_pipe)
-        in.fail(entry, "a point of pipe '" + pipe.name + "'", "a point of its route");
-    }
-  return placement;
-}
-
 /// Unit normal of rest and friction supports; zero for one that stands on a point, the way to which
 /// is its normal unless another one is given.
 Direction parse_normal(const ParameterReader &in) {
@@ -242,31 +189,27 @@ void check_closed_form(const ParameterReader &in, const LawDescription &law,
             "another law, or mend this one until frictionbeam-check-law says that it conforms");
 }
 
-} // namespace
-
-void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
-                   Scene &scene) {
+Restraint parse_restraint(const ParameterReader &in, const std::string &name,
+                          const Placement &placement, const std::vector<std::string> &law_entries) {
   const std::string kind = in.text("Kind");
-  const Placement placement = parse_placement(in, scene);
-  const LawDescription &law = laws.find(in.text("Law"));
-  const std::vector<std::string> own_entries = law_entries(law);
+  refuse(in, element_entries, kind,
+         "a friction element's entries for guide, line stop, rest and "
+         "friction");
+  refuse(in, law_entries, kind, "a law's entries for guide, line stop, rest and friction");
+  refuse(in, {"Pad"}, kind, "a pad under rest, guide, stop and friction");
+  Restraint restraint;
+  restraint.name = name;
+  restraint.kind = kind;
+  restraint.placement = placement;
+  restraint.fixed = parse_motions(in, "Fixed");
+  if (std::count(restraint.fixed.begin(), restraint.fixed.end(), true) == 0)
+    in.fail("Fixed", "at least one of " + join(motions), "'ux, uy, uz'");
+  return restraint;
+}
 
-  if (is_restraint(kind)) {
-    refuse(in, element_entries, kind,
-           "a friction element's entries for guide, line stop, rest and "
-           "friction");
-    refuse(in, own_entries, kind, "a law's entries for guide, line stop, rest and friction");
-    refuse(in, {"Pad"}, kind, "a pad under rest, guide, stop and friction");
-    Restraint restraint;
-    restraint.name = name;
-    restraint.kind = kind;
-    restraint.placement = placement;
-    restraint.fixed = parse_motions(in, "Fixed");
-    if (std::count(restraint.fixed.begin(), restraint.fixed.end(), true) == 0)
-      in.fail("Fixed", "at least one of " + join(motions), "'ux, uy, uz'");
-    scene.restraints.push_back(restraint);
-    return;
-  }
+/// Entries that are there for the friction elements of other kinds only.
+void refuse_entries_of_others(const ParameterReader &in, const LawDescription &law) {
+  const std::string kind = in.text("Kind");
   refuse(in, {"Fixed"}, kind, "Fixed for anchor and restraint");
   if (kind == "guide" || kind == "line stop")
     refuse(in, {"Normal"}, kind, "Normal for stop, rest, friction and snubber");
@@ -281,32 +224,15 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
       in.fail("Law", "the law 'snubber' with Kind = snubber",
               "Kind = friction, which takes any law");
   }
+}
 
-  FrictionSupport support;
-  support.name = name;
-  support.kind = kind;
-  support.placement = placement;
-  support.law = law.name;
-  for (const std::string &entry : own_entries)
-    support.parameters.push_back(in.number(entry));
-  check_closed_form(in, law, support.parameters);
-  support.length = in.number("Length");
-  bool has_stiffness = false;
-  for (int i = 0; i < law.n_parameters; ++i)
-    has_stiffness = has_stiffness ||
-                    (std::string(law.parameters[i].name).find("rigidity") != std::string::npos &&
-                     support.parameters[i] > 0.);
-  if (has_stiffness && !in.given("Length") && in.text("Ground").empty() && !scene.units.is_si())
-    scene.remarks.push_back("Support " + name + ": its Length is not given and is 1 m, " +
-                            to_text(1. / scene.units.factor("m")) + " " + scene.units.name("m") +
-                            ". Its stiffness is the rigidity over that.");
-  support.rotations = in.choice("Rotations", rotations);
-  support.torsion = in.flag("Torsion");
-  support.normal_force = in.number("Normal force");
+/// What a support stands on: the ground, which may move, or a point of another pipe.
+void parse_ground(const ParameterReader &in, Scene &scene, FrictionSupport &support) {
   support.ground = in.text("Ground");
-  if (!support.ground.empty() && !in.given("Length"))
+  const bool on_pipe = !support.ground.empty();
+  if (on_pipe && !in.given("Length"))
     support.length = 0.;
-  if (!support.ground.empty()) {
+  if (on_pipe) {
     check_point(in, "Ground", support.ground, scene);
     const auto &points = support.placement.points;
     if (std::count(points.begin(), points.end(), support.ground) > 0)
@@ -315,53 +241,112 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
       in.fail("Normal force", "either a platen with a normal force or a ground that is a pipe",
               "removing 'Ground' or 'Normal force'");
   }
-  support.restitution = in.number("Restitution");
-  if (const std::string motion = in.text("Ground motion"); !motion.empty()) {
-    const std::vector<std::string> courses = split(motion, ';');
-    if (courses.size() != 3)
-      in.fail("Ground motion", "three courses in time, x; y; z", "'0.1*t; 0; 0'");
-    for (unsigned int d = 0; d < 3; ++d) {
-      TimeFunction &one = support.ground_motion[d];
-      one = parse_time_function(in, "Ground motion", courses[d], in.si("m"));
-      one.clock = in.choice("Ground motion time", clocks);
-    }
-    if (!support.ground.empty())
-      in.fail("Ground motion", "either a ground that moves or one that is a pipe",
-              "removing 'Ground'");
-  }
-  if (!is_pair(kind)) {
-    support.normal = parse_normal(in);
-    scene.supports.push_back(support);
+  const std::string motion = in.text("Ground motion");
+  if (motion.empty())
     return;
+  const std::vector<std::string> courses = split(motion, ';');
+  if (courses.size() != 3)
+    in.fail("Ground motion", "three courses in time, x; y; z", "'0.1*t; 0; 0'");
+  for (unsigned int d = 0; d < 3; ++d) {
+    TimeFunction &one = support.ground_motion[d];
+    one = parse_time_function(in, "Ground motion", courses[d], in.si("m"));
+    one.clock = in.choice("Ground motion time", clocks);
   }
+  if (on_pipe)
+    in.fail("Ground motion", "either a ground that moves or one that is a pipe",
+            "removing 'Ground'");
+}
 
-  // A guide or stop without gap, friction and a stiffness of its own holds exactly.
-  if (kind == "stop")
-    support.normal = parse_normal(in);
-  else
-    support.normal.kind = kind == "guide" ? Direction::Kind::across : Direction::Kind::along;
+/// A stiffness is a rigidity over a length, and one metre is a strange length in other units.
+void remark_on_length(const ParameterReader &in, const LawDescription &law,
+                      const FrictionSupport &support, Scene &scene) {
+  bool has_stiffness = false;
+  for (int i = 0; i < law.n_parameters; ++i)
+    has_stiffness = has_stiffness ||
+                    (std::string(law.parameters[i].name).find("rigidity") != std::string::npos &&
+                     support.parameters[i] > 0.);
+  if (has_stiffness && !in.given("Length") && in.text("Ground").empty() && !scene.units.is_si())
+    scene.remarks.push_back("Support " + support.name + ": its Length is not given and is 1 m, " +
+                            to_text(1. / scene.units.factor("m")) + " " + scene.units.name("m") +
+                            ". Its stiffness is the rigidity over that.");
+}
+
+/// A support on a friction element (doc/theory.md), but for its normal.
+FrictionSupport parse_friction_support(const ParameterReader &in, const std::string &name,
+                                       const Placement &placement, const LawDescription &law,
+                                       Scene &scene) {
+  FrictionSupport support;
+  support.name = name;
+  support.kind = in.text("Kind");
+  support.placement = placement;
+  support.law = law.name;
+  for (const std::string &entry : law_entries(law))
+    support.parameters.push_back(in.number(entry));
+  check_closed_form(in, law, support.parameters);
+  support.length = in.number("Length");
+  remark_on_length(in, law, support, scene);
+  support.rotations = in.choice("Rotations", rotations);
+  support.torsion = in.flag("Torsion");
+  support.normal_force = in.number("Normal force");
+  support.restitution = in.number("Restitution");
+  parse_ground(in, scene, support);
+  return support;
+}
+
+/// Whether a guide or stop has no gap, no friction and no stiffness of its own: it holds exactly.
+bool holds_exactly(const ParameterReader &in, const LawDescription &law,
+                   const FrictionSupport &support) {
   bool exact = law.name == std::string("coulomb") && support.ground.empty() &&
                !in.given("Length") && !in.flag("Torsion") && !support.ground_moves() &&
                !in.given("Restitution");
-  for (unsigned int i = 0; i < own_entries.size(); ++i)
-    if (own_entries[i] == "Gap" || own_entries[i] == "Friction coefficient")
+  const std::vector<std::string> entries = law_entries(law);
+  for (unsigned int i = 0; i < entries.size(); ++i)
+    if (entries[i] == "Gap" || entries[i] == "Friction coefficient")
       exact = exact && support.parameters[i] == 0.;
     else
-      exact = exact && !in.given(own_entries[i]);
-  if (exact) {
+      exact = exact && !in.given(entries[i]);
+  return exact;
+}
+
+/// The two halves of a guide or stop, on either side of the pipe.
+void add_pair(FrictionSupport support, Scene &scene) {
+  const std::string name = support.name;
+  support.name = name + ".plus";
+  scene.supports.push_back(support);
+  support.name = name + ".minus";
+  support.normal.sign = -1.;
+  scene.supports.push_back(support);
+}
+
+} // namespace
+
+void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
+                   Scene &scene) {
+  const std::string kind = in.text("Kind");
+  const Placement placement = parse_placement(in, scene);
+  const LawDescription &law = laws.find(in.text("Law"));
+  if (is_restraint(kind)) {
+    scene.restraints.push_back(parse_restraint(in, name, placement, law_entries(law)));
+    return;
+  }
+  refuse_entries_of_others(in, law);
+  FrictionSupport support = parse_friction_support(in, name, placement, law, scene);
+  if (kind == "guide" || kind == "line stop")
+    support.normal.kind = kind == "guide" ? Direction::Kind::across : Direction::Kind::along;
+  else
+    support.normal = parse_normal(in);
+  if (!is_pair(kind))
+    scene.supports.push_back(support);
+  else if (!holds_exactly(in, law, support))
+    add_pair(support, scene);
+  else {
     Restraint restraint;
     restraint.name = name;
     restraint.kind = kind;
     restraint.placement = placement;
     restraint.translations.push_back(support.normal);
     scene.restraints.push_back(restraint);
-    return;
   }
-  support.name = name + ".plus";
-  scene.supports.push_back(support);
-  support.name = name + ".minus";
-  support.normal.sign = -1.;
-  scene.supports.push_back(support);
 }
 
 void print_laws(std::ostream &out, const LawLibrary &laws) {
