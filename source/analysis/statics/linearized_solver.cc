@@ -53,13 +53,8 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
   return result;
 }
 
-namespace {
-
-/// Forces on the unknowns that rounding of the pose makes: what they change by when every motion is
-/// moved by some of its last digits.
-double measured_rounding(const Model &model, const Pose &pose, const std::vector<double> &factors) {
+Pose with_other_digits(const Model &model, const Pose &pose) {
   constexpr double digits = 4. * std::numeric_limits<double>::epsilon();
-  const LineCells &line = model.cells;
   Vector nudge = Vector::Zero(pose.dofs.size());
   std::minstd_rand random; // always the same sequence
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
@@ -67,16 +62,11 @@ double measured_rounding(const Model &model, const Pose &pose, const std::vector
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);
           dof != numbers::invalid_dof_index)
         nudge[dof] = (random() % 2 == 0 ? digits : -digits) * (c < 3 ? pose.dofs[dof] : 1.);
-  LineCells::Balance here, beside;
-  line.evaluate(pose, factors, here);
-  line.evaluate(line.moved(pose, nudge), factors, beside);
-  return (beside.forces - here.forces).lpNorm<Eigen::Infinity>();
+  return model.cells.moved(pose, nudge);
 }
 
-} // namespace
-
 bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
-                 const double largest, const Pose &pose, const std::vector<double> &factors) {
+                 const double largest, const Pose &pose, const std::function<double()> &measure) {
   // A solution that runs away has rounding errors of any size: they excuse nothing then.
   constexpr double most_rounding = 2e-7;
   double moved = 0.;
@@ -88,7 +78,7 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
   if (size <=
       std::max(model.scene.solver.tolerance * largest, std::min(rounding, most_excused * largest)))
     return true;
-  return size <= most_rounding * largest && size <= measured_rounding(model, pose, factors);
+  return size <= most_rounding * largest && size <= measure();
 }
 
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response) {

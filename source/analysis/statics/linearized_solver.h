@@ -7,6 +7,8 @@
 #include "model/line_state.h"
 #include "model/model.h"
 
+#include <functional>
+
 namespace frictionbeam {
 
 /// Symmetric part of a matrix of symmetric pattern.
@@ -34,11 +36,15 @@ private:
   bool analyzed = false;
 };
 
+/// A pose whose motions have other last digits: what rounding makes of them.
+Pose with_other_digits(const Model &model, const Pose &pose);
+
 /// Whether residual forces of a pose count as zero: below the tolerance times the largest force,
 /// below the rounding error of the stiffness times the motion, up to 1e-8 of the largest force, or
-/// below what rounding of the pose makes of the line's forces, which is measured.
+/// below what rounding of the pose makes of the line's forces.
+/// @param measure of that; asked if nothing else excuses the residual
 bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
-                 const double largest, const Pose &pose, const std::vector<double> &factors);
+                 const double largest, const Pose &pose, const std::function<double()> &measure);
 
 /// Largest force of the contacts on the line.
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response);

@@ -42,7 +42,12 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       largest = std::max(largest, largest_contact_force(model.contacts, response));
       const double size = (forces - of_contacts).lpNorm<Eigen::Infinity>();
       result.residual = largest > 0. ? size / largest : size;
-      if (is_balanced(model, balance.stiffness, size, largest, pose, increment.factors)) {
+      const auto rounding = [&]() {
+        LineCells::Balance beside;
+        line.evaluate(with_other_digits(model, pose), increment.factors, beside);
+        return (beside.forces - balance.forces).lpNorm<Eigen::Infinity>();
+      };
+      if (is_balanced(model, balance.stiffness, size, largest, pose, rounding)) {
         result.converged = true;
         to.unknowns = from.unknowns + moved;
         set_pose(model, pose, to);

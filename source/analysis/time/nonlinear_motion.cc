@@ -49,6 +49,14 @@ void NonlinearMotion::evaluate(const LineState &state, Step &step) const {
   step.largest = std::max(2. * step.balance.largest, inertia.lpNorm<Eigen::Infinity>());
 }
 
+double NonlinearMotion::rounding_of(const Step &step) const {
+  const Pose to = with_other_digits(model, step.to);
+  LineCells::Balance beside;
+  model.cells.evaluate({step.from, model.cells.halfway(step.from, to), to, step.change, step.h},
+                       step.factors, beside);
+  return 2. * (beside.forces - step.balance.forces).lpNorm<Eigen::Infinity>();
+}
+
 EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, const LoadCourse &loads,
                                                     const double time, Step &step, Vector &change,
                                                     ContactResponse &response) {
@@ -97,8 +105,8 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
                    largest =
                        std::max(step.largest, largest_contact_force(model.contacts, response));
       result.residual = largest > 0. ? size / largest : size;
-      // The residual has twice the mean of the forces at both ends.
-      result.converged = is_balanced(model, step.matrix, size, largest, step.to, step.factors);
+      result.converged = is_balanced(model, step.matrix, size, largest, step.to,
+                                     [&]() { return rounding_of(step); });
       if (result.converged)
         return result;
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces

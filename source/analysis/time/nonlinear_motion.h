@@ -46,6 +46,8 @@ private:
     double largest = 0.;
   };
   void evaluate(const LineState &state, Step &step) const;
+  /// What rounding of the pose at its end makes of the residual.
+  double rounding_of(const Step &step) const;
   EquilibriumResult solve_linearized(const LineState &state, const LoadCourse &loads,
                                      const double time, Step &step, Vector &change,
                                      ContactResponse &response);
