@@ -115,8 +115,8 @@ private:
   Vector loads; ///< g
   double largest_load = 0., force_so_far = 0.;
   double force_left = 0., rounding = 0., largest_force = 0.; ///< as last judged [N]
-  std::optional<double> barring; ///< rounding that bars the way [N]
-  unsigned int n_hopeless = 0;   ///< stalls beside rounding that is larger than may be left
+  std::optional<double> barring;                             ///< rounding that bars the way [N]
+  unsigned int n_hopeless = 0; ///< stalls beside rounding that is larger than may be left
   std::vector<Contact::Strains> start_strain;
   double start_displacement = 0., largest_displacement = 0.;
   const ContactState *committed = nullptr;
