@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "command/compare_command.h"
 
+#include "base/csv_row.h"
 #include "base/numbers.h"
 #include "base/user_error.h"
 #include "results/text.h"
@@ -24,20 +25,6 @@ struct Table {
   std::map<std::string, std::pair<std::string, std::vector<double>>> rows; ///< key: status, numbers
 };
 
-/// Fields of a row; one in quotes may have commas.
-std::vector<std::string> fields(const std::string &line) {
-  std::vector<std::string> result(1);
-  bool quoted = false;
-  for (const char c : line)
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  return result;
-}
-
 /// @param n_keys fields that say what a row is about; @param status whether a word follows them
 Table read_table(const std::string &path, const unsigned int n_keys, const bool status) {
   std::ifstream in(path);
@@ -46,12 +33,12 @@ Table read_table(const std::string &path, const unsigned int n_keys, const bool 
   if (!in || !std::getline(in, line))
     return table;
   const unsigned int n_texts = n_keys + (status ? 1 : 0);
-  const std::vector<std::string> header = fields(line);
+  const std::vector<std::string> header = csv_fields(line);
   table.columns.assign(header.begin() + std::min<std::size_t>(n_texts, header.size()),
                        header.end());
   std::map<std::string, unsigned int> seen; // a node may stand twice, with either side
   while (std::getline(in, line)) {
-    const std::vector<std::string> row = fields(line);
+    const std::vector<std::string> row = csv_fields(line);
     if (row.size() != header.size())
       continue;
     std::string key;

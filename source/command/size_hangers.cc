@@ -53,16 +53,14 @@ void solve(const Scene &scene, const LawLibrary &laws, const std::string &what, 
   ask(builder, sequence.state());
 }
 
-} // namespace
+std::string in_words(const Scene &scene, const double value, const std::string &unit) {
+  return rounded_number(value / scene.units.factor(unit), 4) + " " + scene.units.name(unit);
+}
 
-Scene with_sized_hangers(Scene scene, const LawLibrary &laws) {
-  const auto by_weight = open_springs(scene, &Hanger::weight_step),
-             by_heat = open_springs(scene, &Hanger::hot_step);
-  const auto number = [&](const double value, const std::string &unit) {
-    return rounded_number(value / scene.units.factor(unit), 4) + " " + scene.units.name(unit);
-  };
+using SpringsByStep = decltype(open_springs(std::declval<const Scene &>(), &Hanger::weight_step));
 
-  // What rigid supports in their places carry.
+/// Make the springs' preloads what rigid supports in their places carry.
+void find_hot_loads(const SpringsByStep &by_weight, const LawLibrary &laws, Scene &scene) {
   Scene held = scene;
   for (const auto &[step, open] : by_weight)
     for (const unsigned int s : open) {
@@ -86,12 +84,16 @@ Scene with_sized_hangers(Scene scene, const LawLibrary &laws) {
           });
     for (const unsigned int s : open)
       if (scene.springs[s].preload <= 0.)
-        throw UserError(
-            "Hanger " + scene.springs[s].name + " would have to push the line down by " +
-            number(-scene.springs[s].preload, "N") + ". Remove it, or give its Cold load.");
+        throw UserError("Hanger " + scene.springs[s].name +
+                        " would have to push the line down by " +
+                        in_words(scene, -scene.springs[s].preload, "N") +
+                        ". Remove it, or give its Cold load.");
   }
+}
 
-  // How far they travel.
+/// How far the springs' points rise with these forces in their places [m], by spring.
+std::vector<double> find_travels(const SpringsByStep &by_heat, const LawLibrary &laws,
+                                 const Scene &scene) {
   std::vector<double> travel(scene.springs.size(), 0.);
   for (const auto &[step, springs] : by_heat) {
     const std::vector<unsigned int> &open = springs;
@@ -101,29 +103,44 @@ Scene with_sized_hangers(Scene scene, const LawLibrary &laws) {
               travel[s] = builder.motion(state, scene.springs[s].point)[2];
           });
   }
+  return travel;
+}
+
+/// Choose stiffness and cold load of a spring that has its hot load, and say so.
+void size_spring(const Hanger &hanger, const double travel, Spring &spring, Scene &scene) {
+  const double hot = spring.preload, sizing_travel = hanger.largest_variation * least_travel;
+  const bool travels_less = !hanger.constant && std::abs(travel) < sizing_travel;
+  if (!hanger.constant) {
+    spring.stiffness[2] =
+        travels_less ? hot / least_travel : hanger.largest_variation * hot / std::abs(travel);
+    spring.preload = hot + spring.stiffness[2] * travel;
+  }
+  const auto number = [&](const double value, const std::string &unit) {
+    return in_words(scene, value, unit);
+  };
+  scene.remarks.push_back(
+      "Hanger " + spring.name + " was sized: hot load " + number(hot, "N") +
+      (hanger.constant ? ""
+                       : ", cold load " + number(spring.preload, "N") + ", stiffness " +
+                             number(spring.stiffness[2], "N/m")) +
+      ", travel " + number(travel, "m") +
+      (travels_less
+           ? ". For so little it was sized as for " + number(sizing_travel, "m") +
+                 ", which is its hot load over " + number(least_travel, "m") + " for a stiffness."
+           : "."));
+}
+
+} // namespace
+
+Scene with_sized_hangers(Scene scene, const LawLibrary &laws) {
+  const SpringsByStep by_weight = open_springs(scene, &Hanger::weight_step),
+                      by_heat = open_springs(scene, &Hanger::hot_step);
+  find_hot_loads(by_weight, laws, scene);
+  const std::vector<double> travel = find_travels(by_heat, laws, scene);
   for (const Hanger &hanger : scene.hangers)
-    for (const unsigned int s : hanger.springs) {
-      if (hanger.cold_load > 0.)
-        continue;
-      Spring &spring = scene.springs[s];
-      const double hot = spring.preload, sizing_travel = hanger.largest_variation * least_travel;
-      const bool travels_less = !hanger.constant && std::abs(travel[s]) < sizing_travel;
-      if (!hanger.constant) {
-        spring.stiffness[2] = travels_less ? hot / least_travel
-                                           : hanger.largest_variation * hot / std::abs(travel[s]);
-        spring.preload = hot + spring.stiffness[2] * travel[s];
-      }
-      scene.remarks.push_back(
-          "Hanger " + spring.name + " was sized: hot load " + number(hot, "N") +
-          (hanger.constant ? ""
-                           : ", cold load " + number(spring.preload, "N") + ", stiffness " +
-                                 number(spring.stiffness[2], "N/m")) +
-          ", travel " + number(travel[s], "m") +
-          (travels_less ? ". For so little it was sized as for " + number(sizing_travel, "m") +
-                              ", which is its hot load over " + number(least_travel, "m") +
-                              " for a stiffness."
-                        : "."));
-    }
+    for (const unsigned int s : hanger.springs)
+      if (hanger.cold_load == 0.)
+        size_spring(hanger, travel[s], scene.springs[s], scene);
   return scene;
 }
 

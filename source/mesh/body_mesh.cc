@@ -67,27 +67,52 @@ std::vector<std::size_t> element_nodes(const int dim, const int entity, const in
   return result;
 }
 
+/// Takes the mesh that gmsh has, with the names of its parts.
 template <int dim>
-void take_mesh(ContinuumMesh<dim> &mesh) {
+class MeshOfGmsh {
+public:
+  explicit MeshOfGmsh(ContinuumMesh<dim> &mesh);
+  void take_cells();
+  void take_faces();  ///< of physical groups that have a name
+  void take_points(); ///< likewise
+
+private:
+  Point<dim> position(const std::size_t tag) const;
+  /// The face with these vertices, of the part that was named last.
+  void add_face(const std::size_t *const tags);
+
+  static constexpr unsigned int n_vertices = 1 << dim, n_face_vertices = 1 << (dim - 1);
+  ContinuumMesh<dim> &mesh;
+  std::vector<double> x;                                    ///< of all nodes, 3 each
+  std::unordered_map<std::size_t, std::size_t> place;       ///< of a node's tag in x
+  std::unordered_map<std::size_t, unsigned int> vertex;     ///< of the mesh, by tag
+  std::map<std::vector<unsigned int>, std::string> part_of; ///< a face's vertices
+};
+
+template <int dim>
+MeshOfGmsh<dim>::MeshOfGmsh(ContinuumMesh<dim> &mesh) : mesh(mesh) {
   std::vector<std::size_t> tags;
-  std::vector<double> x, unused;
+  std::vector<double> unused;
   gmsh::model::mesh::getNodes(tags, x, unused, -1, -1, false, false);
-  std::unordered_map<std::size_t, std::size_t> place;
   for (std::size_t i = 0; i < tags.size(); ++i)
     place[tags[i]] = i;
-  const auto position = [&](const std::size_t tag) {
-    Point<dim> p;
-    if (dim == 2 && std::abs(x[3 * place.at(tag) + 2]) > 1e-9)
-      throw UserError("The mesh has nodes off the plane z = 0. Draw a plane body in that plane, or "
-                      "set Continuum/Dimension = 3.");
-    for (unsigned int d = 0; d < dim; ++d)
-      p[d] = x[3 * place.at(tag) + d];
-    return p;
-  };
+}
 
-  constexpr unsigned int n_vertices = 1 << dim, n_face_vertices = 1 << (dim - 1);
+template <int dim>
+Point<dim> MeshOfGmsh<dim>::position(const std::size_t tag) const {
+  constexpr double in_the_plane = 1e-9; // [m]
+  Point<dim> p;
+  if (dim == 2 && std::abs(x[3 * place.at(tag) + 2]) > in_the_plane)
+    throw UserError("The mesh has nodes off the plane z = 0. Draw a plane body in that plane, or "
+                    "set Continuum/Dimension = 3.");
+  for (unsigned int d = 0; d < dim; ++d)
+    p[d] = x[3 * place.at(tag) + d];
+  return p;
+}
+
+template <int dim>
+void MeshOfGmsh<dim>::take_cells() {
   constexpr std::array<unsigned int, 8> order = {{0, 1, 3, 2, 4, 5, 7, 6}}; // of gmsh's vertices
-  std::unordered_map<std::size_t, unsigned int> vertex;
   const auto cells = element_nodes(dim, -1, dim == 2 ? 3 : 5, dim == 2 ? "surfaces" : "volumes");
   for (std::size_t i = 0; i < cells.size(); i += n_vertices) {
     CellData<dim> cell(n_vertices);
@@ -101,8 +126,27 @@ void take_mesh(ContinuumMesh<dim> &mesh) {
   }
   if (mesh.cells.empty())
     throw UserError("The mesh has no cells of dimension " + std::to_string(dim) + ".");
+}
 
-  std::map<std::vector<unsigned int>, std::string> part_of;
+template <int dim>
+void MeshOfGmsh<dim>::add_face(const std::size_t *const tags) {
+  const std::string &name = mesh.parts.back();
+  typename ContinuumMesh<dim>::Face face;
+  face.part = mesh.parts.size();
+  for (unsigned int v = 0; v < n_face_vertices; ++v) {
+    if (vertex.count(tags[v]) == 0)
+      throw UserError("The part '" + name + "' of the mesh is not on its cells.");
+    face.vertices.push_back(vertex.at(tags[v]));
+  }
+  std::sort(face.vertices.begin(), face.vertices.end());
+  if (const auto found = part_of.emplace(face.vertices, name).first; found->second != name)
+    throw UserError("The mesh has faces that belong to the parts '" + found->second + "' and '" +
+                    name + "' both. Give each face of the boundary one physical group.");
+  mesh.faces.push_back(face);
+}
+
+template <int dim>
+void MeshOfGmsh<dim>::take_faces() {
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, dim - 1);
   for (const auto &[d, group] : groups) {
@@ -115,23 +159,15 @@ void take_mesh(ContinuumMesh<dim> &mesh) {
     gmsh::model::getEntitiesForPhysicalGroup(d, group, entities);
     for (const int entity : entities) {
       const auto faces = element_nodes(d, entity, dim == 2 ? 1 : 3, "boundary");
-      for (std::size_t i = 0; i < faces.size(); i += n_face_vertices) {
-        typename ContinuumMesh<dim>::Face face;
-        face.part = mesh.parts.size();
-        for (unsigned int v = 0; v < n_face_vertices; ++v) {
-          if (vertex.count(faces[i + v]) == 0)
-            throw UserError("The part '" + name + "' of the mesh is not on its cells.");
-          face.vertices.push_back(vertex.at(faces[i + v]));
-        }
-        std::sort(face.vertices.begin(), face.vertices.end());
-        if (const auto found = part_of.emplace(face.vertices, name).first; found->second != name)
-          throw UserError("The mesh has faces that belong to the parts '" + found->second +
-                          "' and '" + name +
-                          "' both. Give each face of the boundary one physical group.");
-        mesh.faces.push_back(face);
-      }
+      for (std::size_t i = 0; i < faces.size(); i += n_face_vertices)
+        add_face(&faces[i]);
     }
   }
+}
+
+template <int dim>
+void MeshOfGmsh<dim>::take_points() {
+  gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, 0);
   for (const auto &[d, group] : groups) {
     std::string name;
@@ -170,7 +206,10 @@ ContinuumMesh<dim> build_continuum_mesh(const Scene &scene) {
     const GmshSession session;
     by_gmsh(scene.mesh.file, [&]() {
       open_own_mesh(scene, dim);
-      take_mesh(mesh);
+      MeshOfGmsh<dim> found(mesh);
+      found.take_cells();
+      found.take_faces();
+      found.take_points();
     });
     GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
     GridTools::consistently_order_cells(mesh.cells);

@@ -232,6 +232,45 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
   parts::check_hangers(in, scene);
 }
 
+void read_units(ParameterReader &in, Scene &scene) {
+  if (const auto units = UnitSystem::parse(in.text("Units")))
+    scene.units = *units;
+  else
+    in.fail("Units",
+            "si, or a length and a force, and a mass, a stress and a temperature if they "
+            "are not those that follow: " +
+                UnitSystem::known_words(),
+            "'in lb psi F'");
+  in.set_units(scene.units);
+}
+
+/// What of the scene's parts goes together, and what is asked of them.
+void check_whole(ParameterReader &in, Scene &scene) {
+  in.enter("");
+  parts::check_model(in, scene);
+  parts::parse_monitors(in, scene);
+  parts::check_kinematics(in, scene);
+  parts::remark_on_free_motions(scene);
+  parts::check_histories(scene);
+  parts::check_size(in, scene);
+  in.enter("");
+  check_unique_names(in, scene);
+}
+
+void read_quantities(ParameterReader &in, Scene &scene) {
+  in.enter("Exact");
+  parts::declare_exact(in);
+  in.take();
+  parts::parse_exact(in, scene);
+  in.enter("Quantities");
+  parts::declare_quantities(in);
+  in.take();
+  if (parts::has_line(scene))
+    parts::parse_quantities(in, scene);
+  if (scene.continuum && scene.model != ModelKind::line)
+    parts::parse_continuum_quantities(in, scene);
+}
+
 } // namespace
 
 Scene read_scene(const std::string &file, const std::vector<std::string> &overrides,
@@ -260,15 +299,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     if (!section.heading.empty())
       scene.origins.emplace_back(section.heading, section.origin);
   in.enter("");
-  if (const auto units = UnitSystem::parse(in.text("Units")))
-    scene.units = *units;
-  else
-    in.fail("Units",
-            "si, or a length and a force, and a mass, a stress and a temperature if they "
-            "are not those that follow: " +
-                UnitSystem::known_words(),
-            "'in lb psi F'");
-  in.set_units(scene.units);
+  read_units(in, scene);
   load_laws(in, laws);
   parts::parse_global(in, scene);
   scene.installation_temperature = in.number("Installation temperature");
@@ -286,26 +317,8 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     kind.build(in, laws, scene);
   } else
     read_parts(in, laws, scene.installation_temperature, scene);
-  in.enter("");
-  parts::check_model(in, scene);
-  parts::parse_monitors(in, scene);
-  parts::check_kinematics(in, scene);
-  parts::remark_on_free_motions(scene);
-  parts::check_histories(scene);
-  parts::check_size(in, scene);
-  in.enter("");
-  check_unique_names(in, scene);
-  in.enter("Exact");
-  parts::declare_exact(in);
-  in.take();
-  parts::parse_exact(in, scene);
-  in.enter("Quantities");
-  parts::declare_quantities(in);
-  in.take();
-  if (parts::has_line(scene))
-    parts::parse_quantities(in, scene);
-  if (scene.continuum && scene.model != ModelKind::line)
-    parts::parse_continuum_quantities(in, scene);
+  check_whole(in, scene);
+  read_quantities(in, scene);
   find_corners(scene);
   return scene;
 }

@@ -5,6 +5,7 @@
 //   check_chart PROGRAM FOLDER_OF_LISTS
 #include "../cases/run_program.h"
 #include "../check.h"
+#include "base/csv_row.h"
 
 #include <cmath>
 #include <iostream>
@@ -15,29 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using Row = std::map<std::string, std::string>;
 
-/// Cells of a line of CSV.
-std::vector<std::string> cells(const std::string &line) {
-  std::vector<std::string> result(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  }
-  return result;
-}
-
 std::vector<Row> read_csv(const fs::path &path) {
   std::istringstream lines(program::text_of(path));
   std::string line;
   std::getline(lines, line);
-  const std::vector<std::string> names = cells(line);
+  const std::vector<std::string> names = frictionbeam::csv_fields(line);
   std::vector<Row> rows;
   while (std::getline(lines, line)) {
-    const std::vector<std::string> values = cells(line);
+    const std::vector<std::string> values = frictionbeam::csv_fields(line);
     rows.emplace_back();
     for (std::size_t i = 0; i < names.size() && i < values.size(); ++i)
       rows.back()[names[i]] = values[i];

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The law coulomb with friction that falls with temperature, f (1 - 0.002 (T - 20 degC)), and
 // without a closed form, which could not know the temperature.
-#define frictionbeam_law frictionbeam_cold_law
-#include "../../plugin/law_coulomb.cc"
-#undef frictionbeam_law
+#include "../coulomb_by_another_name.h"
 
 namespace {
 
@@ -24,14 +22,4 @@ constexpr WarmCoulomb warm_law;
 } // namespace
 
 extern "C" __attribute__((visibility("default")))
-const frictionbeam::LawDescription frictionbeam_law = {frictionbeam::law_interface_version,
-                                                       frictionbeam::LawKind::support,
-                                                       frictionbeam::n_support_strains,
-                                                       n_states,
-                                                       false,
-                                                       "warm",
-                                                       "a law of the tests",
-                                                       n_parameters,
-                                                       parameters,
-                                                       &warm_law,
-                                                       nullptr};
+const frictionbeam::LawDescription frictionbeam_law = coulomb_called("warm", &warm_law, nullptr);

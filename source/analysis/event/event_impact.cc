@@ -134,6 +134,34 @@ double EventIntegrator::restitution(const unsigned int i, const double speed) {
   return is_geometric && left <= shortest_rest * output_step ? 0. : e;
 }
 
+void EventIntegrator::strike(const std::vector<unsigned int> &contacts, LocalContactProblem problem,
+                             const Vector &of_ground, EnergyAccount &energy, LineState &to) {
+  constexpr double tolerance = 1e-12;
+  const unsigned int n = contacts.size();
+  const Eigen::MatrixXd columns = response_to_impulses(contacts);
+  Eigen::MatrixXd W(3 * n, 3 * n); // Delassus operator
+  for (unsigned int k = 0; k < n; ++k)
+    for (unsigned int c = 0; c < 3 * n; ++c)
+      W.block<3, 1>(3 * k, c) = line.contacts[contacts[k]].displacement(columns.col(c));
+  W = ((W + W.transpose()) / 2.).eval();
+  for (unsigned int k = 0; k < n; ++k)
+    for (int d = 0; d < 3; ++d)
+      if (!line.contacts[contacts[k]].moves[d]) { // such a direction takes no part
+        W.row(3 * k + d).setZero();
+        W.col(3 * k + d).setZero();
+        W(3 * k + d, 3 * k + d) = 1.;
+        problem.q[3 * k + d] = 0.;
+      }
+  Vector impulses = Vector::Zero(3 * n);
+  if (n == 1 && problem.friction[0] == 0.)
+    impulses[0] = std::max(0., -problem.q[0] / W(0, 0));
+  else {
+    problem.W = W.sparseView();
+    impulses = solve_local_contact(problem, tolerance).reactions;
+  }
+  act(contacts, impulses, columns, of_ground, energy, to);
+}
+
 void EventIntegrator::impact(const std::vector<unsigned int> &striking, const Vector &of_ground,
                              EnergyAccount &energy, LineState &to) {
   const auto strikes = [&](const unsigned int j) {
@@ -163,28 +191,7 @@ void EventIntegrator::impact(const std::vector<unsigned int> &striking, const Ve
     problem.q[3 * k] -= e * std::max(speed, 0.);
   }
   if (approach > at_rest * fastest) {
-    const Eigen::MatrixXd columns = response_to_impulses(taking_part);
-    Eigen::MatrixXd W(3 * n, 3 * n);
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int c = 0; c < 3 * n; ++c)
-        W.block<3, 1>(3 * k, c) = line.contacts[taking_part[k]].displacement(columns.col(c));
-    W = ((W + W.transpose()) / 2.).eval();
-    for (unsigned int k = 0; k < n; ++k)
-      for (int d = 0; d < 3; ++d)
-        if (!line.contacts[taking_part[k]].moves[d]) { // such a direction takes no part
-          W.row(3 * k + d).setZero();
-          W.col(3 * k + d).setZero();
-          W(3 * k + d, 3 * k + d) = 1.;
-          problem.q[3 * k + d] = 0.;
-        }
-    Vector impulses = Vector::Zero(3 * n);
-    if (n == 1 && problem.friction[0] == 0.)
-      impulses[0] = std::max(0., -problem.q[0] / W(0, 0));
-    else {
-      problem.W = W.sparseView();
-      impulses = solve_local_contact(problem, 1e-12).reactions;
-    }
-    act(taking_part, impulses, columns, of_ground, energy, to);
+    strike(taking_part, std::move(problem), of_ground, energy, to);
     u = velocities(taking_part, of_ground);
   }
   for (unsigned int k = 0; k < n; ++k) {

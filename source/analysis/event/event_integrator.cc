@@ -229,23 +229,9 @@ void EventIntegrator::change(const Event &event, const double x, const double le
     state.status = ContactStatus::open;
     force[i].setZero();
     break;
-  case Kind::slipping: {
-    const Eigen::Vector2d T = force[i].tail<2>(), u = rate(i).tail<2>();
-    const double f = contact.law.dynamic_friction, N = -force[i][0];
-    const bool has_force = T.norm() > 1e-9 * contact.law.static_friction * std::abs(N) && N > 0.;
-    state.curved = false;
-    state.direction = has_force       ? T / T.norm()
-                      : u.norm() > 0. ? u / u.norm()
-                                      : Eigen::Vector2d(1., 0.);
-    const double stored = stored_energy();
-    force[i].tail<2>() = f * N * state.direction;
-    energy.stored += stored_energy() - stored;
-    energy.dissipated += stored - stored_energy(); // where the dynamic coefficient is lower
-    to.contacts.dissipated[i] += stored - stored_energy();
-    state.status = ContactStatus::slip;
-    state.at_limit = false;
+  case Kind::slipping:
+    begin_slip(i, rate(i).tail<2>(), to, energy);
     break;
-  }
   default:
     state.status = ContactStatus::stick;
     state.curved = false;
@@ -275,6 +261,33 @@ double EventIntegrator::compute_motion(const LoadCourse &loads, const double lon
   return motion_length;
 }
 
+double EventIntegrator::next_motion(const LoadCourse &loads, const double longest, LineState &to,
+                                    EnergyAccount &energy) {
+  double length = compute_motion(loads, longest);
+  if (ground_may_jump) {
+    ground_may_jump = false;
+    if (meet_imposed_jump(length, energy))
+      length = compute_motion(loads, longest);
+    if (meet_ground(length, energy, to))
+      length = compute_motion(loads, longest);
+  }
+  if (!goes_straight_on && find_curves())
+    length = compute_motion(loads, longest);
+  return length;
+}
+
+TimeStep EventIntegrator::hand_over_after(const TimeStep &step, const LoadCourse &loads,
+                                          const double time, LineState &to) {
+  write(loads, to);
+  const LineState middle = to;
+  TimeStep rest =
+      hand_over(middle, loads, std::min(time, present + part_handed_over * output_step), to);
+  rest.handed_over = true;
+  rest.energy += step.energy;
+  rest.result.iterations += step.result.iterations;
+  return rest;
+}
+
 TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads, const double time,
                                   LineState &to) {
   TimeStep step;
@@ -299,16 +312,7 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
     const bool breaks = next_break <= time + same_instant(time);
     const double goal = breaks && next_break < time - same_instant(time) ? next_break : time,
                  longest = goal - present;
-    double length = compute_motion(loads, longest);
-    if (ground_may_jump) {
-      ground_may_jump = false;
-      if (meet_imposed_jump(length, step.energy))
-        length = compute_motion(loads, longest);
-      if (meet_ground(length, step.energy, to))
-        length = compute_motion(loads, longest);
-    }
-    if (!goes_straight_on && find_curves())
-      length = compute_motion(loads, longest);
+    const double length = next_motion(loads, longest, to, step.energy);
     n_unresolved = goes_straight_on ? n_unresolved + 1 : 0;
     const double valid =
         goes_straight_on ? std::min(1., part_straight_on * output_step / length) : 1.;
@@ -320,14 +324,7 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
     if (unresolved || (event.x <= 1. && ++at_once > 20 + 10 * states.size())) {
       reason = unresolved ? "slip along a curve is not resolved" : "states change without end";
       n_unresolved = 0;
-      write(loads, to);
-      LineState middle = to;
-      TimeStep rest =
-          hand_over(middle, loads, std::min(time, present + part_handed_over * output_step), to);
-      rest.handed_over = true;
-      rest.energy += step.energy;
-      rest.result.iterations += step.result.iterations;
-      return rest;
+      return hand_over_after(step, loads, time, to);
     }
     const double x = std::min(event.x, valid);
     if (x > 0.) {

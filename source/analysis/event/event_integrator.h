@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/contact_problem/local_contact_problem.h"
 #include "analysis/event/taylor_motion.h"
 #include "analysis/time/moreau_jean.h"
 
@@ -63,6 +64,10 @@ private:
   /// Rate of a contact's slip, elastic part left out.
   Polynomial slip_rate(const unsigned int i) const;
   double compute_motion(const LoadCourse &loads, const double longest);
+  /// The same after what happens at the present: jumps of the ground, slip that turns.
+  /// @return the length of the piece [s]
+  double next_motion(const LoadCourse &loads, const double longest, LineState &to,
+                     EnergyAccount &energy);
   /// Take over the motion up to x, and account for it.
   void go(const LoadCourse &loads, const double x, const double length, LineState &to,
           EnergyAccount &energy);
@@ -74,6 +79,9 @@ private:
   void turn_slip(const double x, const double length);
   void change(const Event &event, const double x, const double length, LineState &to,
               EnergyAccount &energy);
+  /// A contact begins to slip, along its friction or, where there is none, the way it moves.
+  void begin_slip(const unsigned int i, const Eigen::Vector2d &rate, LineState &to,
+                  EnergyAccount &energy);
   /// A contact on a rigid surface begins to slip: find which others do, which do not, and where
   /// to, from Coulomb's law for the accelerations of all that are at rest. @return whether their
   /// friction was found
@@ -120,8 +128,15 @@ private:
   double work_of_dampers(const double x, const double length) const;
   double stored_energy() const;
   double kinetic_energy() const;
+  /// Have MoreauJean go on in small steps.
   TimeStep hand_over(const LineState &from, const LoadCourse &loads, const double time,
                      LineState &to);
+  /// The same for a part of the output's step that begins now, after @p step.
+  TimeStep hand_over_after(const TimeStep &step, const LoadCourse &loads, const double time,
+                           LineState &to);
+  /// Impulses of contacts that strike as one problem, which has their friction and q.
+  void strike(const std::vector<unsigned int> &contacts, LocalContactProblem problem,
+              const Vector &of_ground, EnergyAccount &energy, LineState &to);
 
   const Model &model;
   EventModel line;

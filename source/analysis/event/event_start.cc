@@ -64,6 +64,27 @@ double solve_start(SharedStart &start, const Next &next) {
 
 } // namespace
 
+void EventIntegrator::begin_slip(const unsigned int i, const Eigen::Vector2d &rate, LineState &to,
+                                 EnergyAccount &energy) {
+  constexpr double no_force = 1e-9; // of the limit
+  const EventContact &contact = line.contacts[i];
+  EventState &state = states[i];
+  const Eigen::Vector2d T = force[i].tail<2>();
+  const double f = contact.law.dynamic_friction, N = -force[i][0];
+  const bool has_force = T.norm() > no_force * contact.law.static_friction * std::abs(N) && N > 0.;
+  state.curved = false;
+  state.direction = has_force          ? T / T.norm()
+                    : rate.norm() > 0. ? rate / rate.norm()
+                                       : Eigen::Vector2d(1., 0.);
+  const double stored = stored_energy();
+  force[i].tail<2>() = f * N * state.direction;
+  energy.stored += stored_energy() - stored;
+  energy.dissipated += stored - stored_energy(); // where the dynamic coefficient is lower
+  to.contacts.dissipated[i] += stored - stored_energy();
+  state.status = ContactStatus::slip;
+  state.at_limit = false;
+}
+
 std::vector<bool> EventIntegrator::resting_with(const unsigned int first,
                                                 const Vector &of_ground) const {
   std::vector<bool> rests(states.size(), false);

@@ -2,6 +2,7 @@
 #include "results/frame/smooth_courses.h"
 
 #include "analysis/increment/contact_watch.h"
+#include "base/numbers.h"
 #include "results/quantity/collector.h"
 #include "results/quantity/impact_forces.h"
 
@@ -11,6 +12,9 @@
 namespace frictionbeam {
 
 namespace {
+
+/// Instants closer than this part of their time are one, where their step is not known.
+constexpr double same_instant_of_time = same_instant_of_step;
 
 /// Straight line between two instants.
 double between(const double t0, const double x0, const double t1, const double x1, const double t) {
@@ -22,7 +26,7 @@ double between(const double t0, const double x0, const double t1, const double x
 void Collector::find_change(const Quantity &quantity, const LineState &state,
                             const bool ends_static, Pending &change) const {
   // What a static step has become at its end belongs to it, and not to what begins there.
-  if (ends_static && state.time <= quantity.from * (1. + 1e-9))
+  if (ends_static && state.time <= quantity.from * (1. + same_instant_of_time))
     return;
   const auto wanted = static_cast<ContactStatus>(quantity.kind().component);
   for (const ContactEvent &event : state.events) {
@@ -39,7 +43,8 @@ void Collector::follow(const Quantity &quantity, const LineState &state, Pending
   using Over = Quantity::Over;
   if (course.since > quantity.to)
     return;
-  const double rounding = 1e-9 * std::abs(state.time), value = evaluate(quantity, state);
+  const double rounding = same_instant_of_time * std::abs(state.time),
+               value = evaluate(quantity, state);
   const double before = course.previous, since = course.since;
   course.previous = value;
   course.since = state.time;

@@ -171,11 +171,10 @@ Group history_charts(const History &history, const bool transient,
   return group;
 }
 
-} // namespace
-
-ReportCharts make_report_charts(const Scene &scene, const Results &results,
-                                const std::vector<const Frame *> &frames) {
-  std::array<Largest, 2> largest; // of forces, of moments
+/// Largest force and moment within the pipes, of frames and envelopes.
+std::array<double, 2> largest_section_forces(const Results &results,
+                                             const std::vector<const Frame *> &frames) {
+  std::array<Largest, 2> largest;
   for (const Frame *frame : frames)
     for (const Station &station : frame->line)
       for (unsigned int c = 0; c < 6; ++c)
@@ -184,25 +183,35 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
     for (const auto *const values : {&envelope.least, &envelope.largest})
       for (std::size_t k = 0; k < values->size(); ++k)
         largest[k % 6 / 3]((*values)[k]);
-  const std::array<double, 2> largest_of_all{{largest[0].value(), largest[1].value()}};
+  return {{largest[0].value(), largest[1].value()}};
+}
 
-  std::vector<Group> groups;
-  const auto pipes = pipes_to_show(scene, frames, largest_of_all);
-  for (const unsigned int pipe : pipes)
-    groups.push_back(pipe_charts(scene, results, frames, pipe, largest_of_all));
-  const std::size_t n_pipe_groups = groups.size();
-  const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
-                                     [](const LoadStep &step) { return step.transient; });
-  std::array<Largest, 2> largest_motion; // translation, rotation
+/// Largest translation and rotation of monitored points.
+std::array<double, 2> largest_motions(const Results &results) {
+  std::array<Largest, 2> largest;
   for (const History &history : results.histories)
     for (const Motion &motion : history.displacement)
       for (unsigned int c = 0; c < 6; ++c)
-        largest_motion[c / 3](motion[c]);
+        largest[c / 3](motion[c]);
+  return {{largest[0].value(), largest[1].value()}};
+}
+
+} // namespace
+
+ReportCharts make_report_charts(const Scene &scene, const Results &results,
+                                const std::vector<const Frame *> &frames) {
+  const std::array<double, 2> largest = largest_section_forces(results, frames),
+                              largest_motion = largest_motions(results);
+  std::vector<Group> groups;
+  const auto pipes = pipes_to_show(scene, frames, largest);
+  for (const unsigned int pipe : pipes)
+    groups.push_back(pipe_charts(scene, results, frames, pipe, largest));
+  const std::size_t n_pipe_groups = groups.size();
+  const bool transient = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                     [](const LoadStep &step) { return step.transient; });
   for (const History &history : results.histories)
     if (history.time.size() > 1 && groups.size() < n_pipe_groups + n_points_at_most)
-      groups.push_back(history_charts(history, transient,
-                                      {{largest_motion[0].value(), largest_motion[1].value()}},
-                                      scene.units));
+      groups.push_back(history_charts(history, transient, largest_motion, scene.units));
 
   std::vector<Plot> plots;
   for (const Group &group : groups)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The law coulomb under another name and with a closed form that is not its own: by LIAR five times
 // the friction, by WILD a place in the state that does not exist.
-#define frictionbeam_law frictionbeam_honest_law
-#include "../../../plugin/law_coulomb.cc"
-#undef frictionbeam_law
+#include "../../coulomb_by_another_name.h"
 
 namespace {
 
@@ -20,14 +18,5 @@ void other_threshold(const double *p, FrictionThreshold &t) {
 } // namespace
 
 extern "C" __attribute__((visibility("default")))
-const frictionbeam::LawDescription frictionbeam_law = {frictionbeam::law_interface_version,
-                                                       frictionbeam::LawKind::support,
-                                                       frictionbeam::n_support_strains,
-                                                       n_states,
-                                                       false,
-                                                       "other",
-                                                       "a law of the tests",
-                                                       n_parameters,
-                                                       parameters,
-                                                       &law,
-                                                       &other_threshold};
+const frictionbeam::LawDescription frictionbeam_law =
+    coulomb_called("other", &law, &other_threshold);
