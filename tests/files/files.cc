@@ -155,6 +155,21 @@ void check_signals() {
   }
 }
 
+/// What a file includes is part of the case that a checkpoint is of.
+void check_included() {
+  Place place;
+  place.write("part.prm", long_run);
+  const fs::path file = place.write("whole.prm", "include part.prm\n");
+  Child child = place.start(file);
+  const fs::path history = place.results / "unfinished" / "history_B.csv";
+  wait_until([&] { return fs::exists(history) && fs::file_size(history) > 10000; });
+  child.send(SIGTERM);
+  CHECK(child.wait() == 143);
+  place.write("part.prm", long_run + "subsection Solver\n  set Tolerance = 1e-9\nend\n");
+  CHECK(place.run(file, {"--resume"}) == 1);
+  CHECK(contains(place.output, "is of another case: its parameter file"));
+}
+
 void check_full_disk() {
   Place place;
   const fs::path file = place.write("small.prm", bar);
@@ -206,6 +221,7 @@ int main(int argc, char **argv) {
   check_replacement();
   check_lock();
   check_signals();
+  check_included();
   check_full_disk();
   return check::report();
 }

@@ -146,7 +146,9 @@ void ParameterFile::set(Section &section, Entry entry) {
   section.entries.push_back(entry);
 }
 
-void ParameterFile::read(const std::string &file, const unsigned int depth) {
+namespace {
+
+std::string text_of(const std::string &file) {
   std::ifstream in(file);
   std::ostringstream text;
   if (!std::filesystem::is_directory(file))
@@ -156,10 +158,30 @@ void ParameterFile::read(const std::string &file, const unsigned int depth) {
                     "  allowed: the path of a text file, from the folder the program runs in\n"
                     "  try:     ls " +
                     std::filesystem::absolute(file).parent_path().string());
-  if (depth == 0)
-    content = text.str();
+  return text.str();
+}
 
-  const std::string bytes = text.str();
+/// A line without its comment, and the lines that it goes on with after a '\\' at its end.
+/// @param number of the line, counted on
+std::string statement_of(std::string line, std::istream &lines, unsigned int &number) {
+  std::string statement = tidy(line.substr(0, line.find('#')));
+  while (!statement.empty() && statement.back() == '\\') {
+    statement.pop_back();
+    if (!std::getline(lines, line))
+      break;
+    ++number;
+    statement = tidy(statement + " " + tidy(line.substr(0, line.find('#'))));
+  }
+  return statement;
+}
+
+} // namespace
+
+void ParameterFile::read(const std::string &file, const unsigned int depth) {
+  const std::string bytes = text_of(file);
+  if (depth > 0) // behind the text of the file that includes it
+    content += "\n# " + std::filesystem::path(file).filename().string() + ":\n";
+  content += bytes;
   std::istringstream lines(bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? bytes.substr(3) : bytes);
   std::string line;
   unsigned int number = 0;
@@ -169,14 +191,7 @@ void ParameterFile::read(const std::string &file, const unsigned int depth) {
   while (std::getline(lines, line)) {
     ++number;
     const std::string origin = file + ":" + std::to_string(number);
-    std::string statement = tidy(line.substr(0, line.find('#')));
-    while (!statement.empty() && statement.back() == '\\') {
-      statement.pop_back();
-      if (!std::getline(lines, line))
-        break;
-      ++number;
-      statement = tidy(statement + " " + tidy(line.substr(0, line.find('#'))));
-    }
+    const std::string statement = statement_of(line, lines, number);
     if (statement.empty())
       continue;
 
