@@ -16,7 +16,6 @@ namespace frictionbeam {
 namespace {
 
 constexpr unsigned int most_proximal = 15, most_stalls = 4;
-constexpr unsigned int most_hopeless = 15; ///< stalls beside rounding that no solution could have
 constexpr double stiffness_of_direction = 1e6;
 /// Part of the largest force up to which rounding may be left to the refinement on the whole line.
 constexpr double most_rounding = 1e-2;
@@ -69,8 +68,7 @@ void ContactNewton::begin(const Vector &forces, const double largest, const doub
   loads = line.condense(forces);
   largest_load = largest;
   force_so_far = so_far;
-  barring.reset();
-  n_hopeless = 0;
+  is_barred = false;
   committed = &state;
   increment = of_time;
   start_displacement = dofs.size() > 0 ? dofs.lpNorm<Eigen::Infinity>() : 0.;
@@ -114,7 +112,7 @@ bool ContactNewton::balanced(const Vector &forces, const Vector &x, const Contac
 }
 
 std::string ContactNewton::rounding_remark() const {
-  return too_much_rounding(*barring, largest_force) + ": the line is too stiff for its loads";
+  return too_much_rounding(force_left, largest_force) + ": the line is too stiff for its loads";
 }
 
 double ContactNewton::energy(const Vector &forces) const {
@@ -293,16 +291,12 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
     if (holds)
       solved = {x, proximal.centre, before};
     if (last) {
-      if (force_left > rounding || natural_map > settings.contact_tolerance) {
-        // Where rounding alone exceeds what may be left, more of the same finds nothing.
-        if (rounding > most_rounding * largest_force && ++n_hopeless == most_hopeless)
-          barring = rounding;
+      if (force_left > rounding || natural_map > settings.contact_tolerance)
         return Outcome::stalled;
-      }
       // As good as rounding lets it be: what is left is solved for once more, on the whole line.
       if (force_left <= most_rounding * largest_force)
         return Outcome::solved;
-      barring = force_left;
+      is_barred = true;
       return Outcome::stalled;
     }
 

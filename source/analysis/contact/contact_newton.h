@@ -6,8 +6,6 @@
 #include "analysis/contact/contact_attempts.h"
 #include "analysis/contact/equilibrium.h"
 
-#include <optional>
-
 namespace frictionbeam {
 
 /**
@@ -47,13 +45,13 @@ public:
 
   /// Whether solve_together() stalled at a solution of the contact laws because of rounding, which
   /// is too large beside the forces to be excused.
-  bool rounding_bars() const { return barring.has_value(); }
+  bool rounding_bars() const { return is_barred; }
   std::string rounding_remark() const;
 
   void take_forces_as_centre(const ContactResponse &response) { proximal.centre = response.stress; }
   /// Whether no further attempt is worth its iterations.
   bool gives_up(const EquilibriumResult &result) const {
-    return rounding_bars() || result.iterations >= most_iterations;
+    return is_barred || result.iterations >= most_iterations;
   }
   double agreed(const double number) const { return number; } ///< of one process
   unsigned int most_iterations = 0;                           ///< of the present problem
@@ -115,8 +113,7 @@ private:
   Vector loads; ///< g
   double largest_load = 0., force_so_far = 0.;
   double force_left = 0., rounding = 0., largest_force = 0.; ///< as last judged [N]
-  std::optional<double> barring;                             ///< rounding that bars the way [N]
-  unsigned int n_hopeless = 0; ///< stalls beside rounding that is larger than may be left
+  bool is_barred = false;
   std::vector<Contact::Strains> start_strain;
   double start_displacement = 0., largest_displacement = 0.;
   const ContactState *committed = nullptr;
