@@ -61,6 +61,12 @@ private:
 void compare(const std::string &what, const Results &a, const Results &b, const double tolerance,
              const double tolerance_of_kick, const bool sections = true) {
   CHECK(a.status == b.status);
+  if (a.status != b.status) {
+    for (const Results *results : {&a, &b})
+      for (const StepReport &step : results->steps)
+        std::cerr << what << ": step " << step.step << ": " << step.remark << '\n';
+    return;
+  }
   const auto group = [](const QuantityResult &q) {
     const auto last = q.name.rfind('_');
     return q.unit + (q.unit == "Hz" ? "" : q.name.substr(last)) +

@@ -38,6 +38,7 @@ EventModel::EventModel(const Model &m)
   if (massless.empty())
     return;
 
+  check_dashpots_have_mass(model, "Time/Integrator = event");
   if (damped && model.scene.time.stiffness_damping > 0.)
     throw UserError("Time/Integrator = event: points without mass cannot have stiffness damping. "
                     "Give them mass, set 'Stiffness damping' to 0, or take another integrator.");

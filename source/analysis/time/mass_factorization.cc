@@ -18,4 +18,22 @@ void factor_mass(const SparseMatrix &M, LineFactorization &mass) {
                     "moreau_jean, which inverts no mass");
 }
 
+void check_dashpots_have_mass(const Model &model, const std::string &reader) {
+  const Vector mass = model.linear.mass().diagonal();
+  for (const Spring &spring : model.scene.springs)
+    for (const std::string &point : {spring.point, spring.other})
+      for (unsigned int c = 0; c < 6 && !point.empty(); ++c) {
+        const auto dof = model.discretization.vertex_dofs().index(model.mesh.points.at(point), c);
+        if (spring.damping[c] == 0. || dof == dealii::numbers::invalid_dof_index)
+          continue;
+        for (const auto &term : model.space.terms(dof))
+          if (mass[term.unknown] == 0.)
+            throw UserError("Spring " + spring.name + " damps point " + point +
+                            ", which has no mass.\n  read:    " + reader +
+                            ", which lets such points follow without a velocity of their own\n"
+                            "  allowed: dashpots between points with mass\n  try:     a small "
+                            "Mass at the point, or Time/Integrator = moreau_jean with Modes = all");
+      }
+}
+
 } // namespace frictionbeam

@@ -2,12 +2,17 @@
 #pragma once
 
 #include "analysis/algebra/line_factorization.h"
-#include "model/contact/contacts.h"
+#include "model/model.h"
 
 namespace frictionbeam {
 
 /// Factor the mass matrix, with 1 on the diagonal of unknowns without mass.
 /// @throws UserError if rounding leaves it without an inverse
 void factor_mass(const SparseMatrix &M, LineFactorization &mass);
+
+/// What condenses unknowns without mass has no place for dashpots on them, which need a velocity.
+/// @param reader entry that condenses, for the message
+/// @throws UserError that names the dashpot
+void check_dashpots_have_mass(const Model &model, const std::string &reader);
 
 } // namespace frictionbeam

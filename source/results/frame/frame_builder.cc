@@ -87,6 +87,10 @@ Motion FrameBuilder::velocity(const LineState &state, const std::string &point) 
     if (dof != numbers::invalid_dof_index)
       for (const auto &term : model.space.terms(dof))
         result[c] += term.weight * state.velocity[term.unknown];
+    for (unsigned int l = 0; l < state.load_rates.size(); ++l)
+      for (const auto &[imposed, value] : model.linear.imposed(l))
+        if (imposed == dof)
+          result[c] += state.load_rates[l] * value;
   }
   return result;
 }
@@ -108,6 +112,17 @@ Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) 
     force[c] *= -spring.stiffness[c];
   if (state.with_preload)
     force[2] += spring.preload;
+  if (state.velocity.size() == 0)
+    return force;
+  Motion rate = velocity(state, spring.point);
+  if (!spring.other.empty()) {
+    const Motion other = velocity(state, spring.other);
+    for (unsigned int c = 0; c < 6; ++c)
+      rate[c] -= other[c];
+  }
+  for (unsigned int c = 0; c < 6; ++c)
+    force[c] -=
+        (spring.damping[c] + model.scene.time.stiffness_damping * spring.stiffness[c]) * rate[c];
   return force;
 }
 

@@ -8,21 +8,6 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-namespace {
-
-/// Forces of a cell's stiffness, given at rest, in a frame that has turned.
-PipeElement::Vector12 turned(const Eigen::Matrix3d &turn, const PipeElement::Matrix12 &stiffness,
-                             PipeElement::Vector12 motions) {
-  for (int block = 0; block < 4; ++block)
-    motions.segment<3>(3 * block) = (turn.transpose() * motions.segment<3>(3 * block)).eval();
-  PipeElement::Vector12 forces = stiffness * motions;
-  for (int block = 0; block < 4; ++block)
-    forces.segment<3>(3 * block) = (turn * forces.segment<3>(3 * block)).eval();
-  return forces;
-}
-
-} // namespace
-
 void FrameBuilder::find_cells_at_restraints() {
   is_held.assign(model.discretization.n_line_vertices(), false);
   for (const auto &sites : model.mesh.restraints)
@@ -132,10 +117,10 @@ void FrameBuilder::add_inertia(const LineState &state) {
     for (unsigned int c = 0; c < 12; ++c)
       std::tie(v[c], a[c]) = rates(cell.dofs[c]);
     PipeElement::Vector12 forces = cell.mass * (a + time.mass_damping * v);
-    if (time.stiffness_damping != 0.)
-      forces +=
-          time.stiffness_damping *
-          turned(model.cells.turn_of(cell.index, {state.dofs, state.turns}), cell.stiffness, v);
+    // Velocities at a step's end stretch a cell that turns, which times its stiffness would be a
+    // force where there is none: of turning cells the share of damping is left out.
+    if (time.stiffness_damping != 0. && model.cells.is_linear())
+      forces += time.stiffness_damping * (cell.stiffness * v);
     for (const unsigned int end : {0u, 1u})
       for (unsigned int c = 0; c < 6; ++c)
         add(cell.vertices[end], c, forces[6 * end + c]);
@@ -149,20 +134,6 @@ void FrameBuilder::add_inertia(const LineState &state) {
         const auto [velocity, acceleration] = rates(dof);
         add(vertex, d, mass.mass * (acceleration + time.mass_damping * velocity));
       }
-  for (const Spring &spring : model.scene.springs)
-    for (unsigned int c = 0; c < 6; ++c) {
-      const double damping = spring.damping[c] + time.stiffness_damping * spring.stiffness[c];
-      if (damping == 0.)
-        continue;
-      const unsigned int one = model.mesh.points.at(spring.point);
-      double rate = rates(at.index(one, c)).first;
-      if (!spring.other.empty()) {
-        const unsigned int other = model.mesh.points.at(spring.other);
-        rate -= rates(at.index(other, c)).first;
-        add(other, c, -damping * rate);
-      }
-      add(one, c, damping * rate);
-    }
 }
 
 } // namespace frictionbeam

@@ -22,10 +22,12 @@ bool is_in_inches(const double unit) {
   return std::abs(unit - 0.0254) < 1e-9 || std::abs(unit - 0.3048) < 1e-9;
 }
 
-/// Second moment of area of a hollow circle, A (D^2 + d^2)/16: right for walls of any thinness.
+/// Second moment of area of a hollow circle; of a wall so thin that fourth powers cancel, by
+/// A (D^2 + d^2)/16.
 double inertia_of_pipe(const double D, const double wall) {
   const double d = D - 2. * wall;
-  return pi * (D - wall) * wall * (D * D + d * d) / 16.;
+  return wall < 1e-6 * D ? pi * (D - wall) * wall * (D * D + d * d) / 16.
+                         : pi / 64. * (D * D * D * D - d * d * d * d);
 }
 
 } // namespace
