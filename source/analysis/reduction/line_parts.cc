@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/reduction/line_parts.h"
 
+#include "analysis/time/mass_factorization.h"
 #include "base/user_error.h"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ Vector LinePart::inner(const Vector &unknowns) const {
 }
 
 LineParts::LineParts(const Model &model) {
+  check_dashpots_have_mass(model, "Time/Modes");
   keep(model);
   find_parts(model);
   for (LinePart &part : list)

@@ -2,7 +2,6 @@
 #include "analysis/reduction/reduced_line.h"
 
 #include "analysis/reduction/static_shapes.h"
-#include "analysis/time/mass_factorization.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +62,6 @@ std::set<unsigned int> vertices_of_reactions(const Model &model) {
 ReducedLine::ReducedLine(const Model &line, const LineParts &parts, const LineParts::Choice &modes,
                          const LineState &start, const std::vector<bool> &loads)
     : line(line), parts(parts), bases(parts.size()) {
-  check_dashpots_have_mass(line, "Time/Modes");
   for (unsigned int p = 0; p < parts.size(); ++p)
     make_basis(p, modes.n_of_part[p], start, loads);
   make_places();
