@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -78,6 +79,27 @@ TimeFunction from_file(const ParameterReader &in, const std::string &entry,
   return from_table(in, entry, table);
 }
 
+/// What deal.II writes to the standard error of a formula that it cannot read, before it throws.
+class HeldBack {
+public:
+  HeldBack() : before(std::cerr.rdbuf(text.rdbuf())) {}
+  ~HeldBack() { std::cerr.rdbuf(before); }
+  HeldBack(const HeldBack &) = delete;
+
+  /// muParser's message, in parentheses; empty where it has none.
+  std::string reason() const {
+    const std::string all = text.str(), head = "Message:  <";
+    const std::size_t begin = all.find(head), end = all.find(">\n", begin);
+    if (begin == std::string::npos || end == std::string::npos)
+      return "";
+    return " (" + all.substr(begin + head.size(), end - begin - head.size()) + ')';
+  }
+
+private:
+  std::ostringstream text;
+  std::streambuf *before;
+};
+
 } // namespace
 
 double TimeFunction::operator()(const double time) const {
@@ -129,11 +151,13 @@ TimeFunction parse_time_function(const ParameterReader &in, const std::string &e
     function = from_table(in, entry, table);
   } else {
     const auto parser = std::make_shared<dealii::FunctionParser<1>>(1);
+    const HeldBack said;
     try {
       parser->initialize("t", text, {{"pi", 3.14159265358979323846}});
       parser->value(dealii::Point<1>(0.));
     } catch (const dealii::ExceptionBase &) {
-      in.fail(entry, time_function_form, "a formula such as '0.1*sin(2*pi*5*t)'", "'" + text + "'");
+      in.fail(entry, time_function_form, "a formula such as '0.1*sin(2*pi*5*t)'",
+              "'" + text + "'" + said.reason());
     }
     function.course = [parser](const double time) { return parser->value(dealii::Point<1>(time)); };
   }

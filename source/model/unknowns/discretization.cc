@@ -104,7 +104,8 @@ std::pair<FE_FrictionBeam::Rotations, bool> element_option(const FrictionSupport
 constexpr double rigid_part = 1000.;
 
 /// About the axis [kg m]. A twist without inertia in a skew pipe would be a motion that no single
-/// unknown names, and rounding its only mass: where the metal has no density, all mass stands for it.
+/// unknown names, and rounding its only mass: where the metal has no density, all mass stands for
+/// it.
 double twist_inertia(const Profile &profile, const Section &section) {
   const double density = profile.material.density;
   return 2. * section.inertia * (density > 0. ? density : profile.mass / section.area);
@@ -262,13 +263,12 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
         id = known.try_emplace({p, meshed.bend_radius[i]}, id).first->second;
       if (id == sections.size()) {
         const Section section = section_of(scene, pipe, meshed, i);
-        sections.push_back(
-            make_profile(pipe, section, scene.materials[pipe.material], meshed.bend_radius[i],
-                         is_arc ? std::optional<Point3>(arc->second) : std::nullopt, law));
-        if (pipe.total_mass) {
-          sections[id].mass = *pipe.total_mass / meshed.s.back() + section.added_mass;
-          sections[id].twist_inertia = twist_inertia(sections[id], section);
-        }
+        Material material = scene.materials[pipe.material];
+        if (pipe.total_mass)
+          material.density = *pipe.total_mass / (meshed.s.back() * section.area);
+        sections.push_back(make_profile(pipe, section, material, meshed.bend_radius[i],
+                                        is_arc ? std::optional<Point3>(arc->second) : std::nullopt,
+                                        law));
       }
       cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, id});
       fe_index.push_back(is_arc ? 1 : 0);

@@ -87,6 +87,9 @@ std::array<bool, 6> parse_motions(const ParameterReader &in, const std::string &
     if (i == 6)
       in.fail(entry, "motions out of " + join(motions) + ", separated by commas",
               "one of these in place of '" + name + "'");
+    if (result[i])
+      in.fail(entry, "each motion once",
+              "leaving the second " + name + " out, or what it was meant for");
     result[i] = true;
   }
   return result;
