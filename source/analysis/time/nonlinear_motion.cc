@@ -71,6 +71,7 @@ EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, cons
   EquilibriumProblem problem{symmetric, step.residual, step.to.dofs};
   problem.increment = {time, h, model.contacts.temperatures(loads.factors_before(time))};
   problem.largest_force = step.largest;
+  problem.force_so_far = step.momentum;
   change.setZero(step.moved.size());
   EquilibriumResult result = contacts.solve(
       problem, state, problem.imposed - loads.imposed(time) + loads.imposed(state.time),
@@ -104,9 +105,11 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
       const double size = left.lpNorm<Eigen::Infinity>(),
                    largest =
                        std::max(step.largest, largest_contact_force(model.contacts, response));
-      result.residual = largest > 0. ? size / largest : size;
-      result.converged = is_balanced(model, step.matrix, size, largest, step.to,
-                                     [&]() { return rounding_of(step); });
+      const double scale = std::max(largest, step.momentum);
+      result.residual = scale > 0. ? size / scale : size;
+      result.converged = is_balanced(
+          model, step.matrix, size, largest, step.to, [&]() { return rounding_of(step); },
+          step.momentum);
       if (result.converged)
         return result;
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
@@ -189,6 +192,7 @@ NonlinearMotion::Step NonlinearMotion::begin(const LineState &from, const LoadCo
   step.h = to.time - from.time;
   step.from = {from.dofs, from.turns};
   step.moved = step.h * from.velocity;
+  step.momentum = 2. / step.h * (model.cells.mass() * from.velocity).lpNorm<Eigen::Infinity>();
   step.imposed = loads.imposed(to.time) - loads.imposed(from.time);
   step.factors = to.load_factors;
   const std::vector<double> before = loads.factors_after(from.time);

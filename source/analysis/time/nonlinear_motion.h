@@ -41,9 +41,10 @@ private:
     Vector imposed_impulse;      ///< what these take from the unknowns
     double h = 0.;
     LineCells::Balance balance;
-    Vector residual;     ///< but for the contacts at the end
-    SparseMatrix matrix; ///< less its derivative by `moved`
-    double largest = 0.;
+    Vector residual;      ///< but for the contacts at the end
+    SparseMatrix matrix;  ///< less its derivative by `moved`
+    double largest = 0.;  ///< force [N]
+    double momentum = 0.; ///< at its beginning, over half the step [N]
   };
   void evaluate(const LineState &state, Step &step) const;
   /// What rounding of the pose at its end makes of the residual.

@@ -88,10 +88,11 @@ CorotationalCells::CorotationalCells(const Scene &scene, const LineMesh &mesh,
         cell.loads.push_back({l, free_forces(cell.beam, element, load), to_eigen(load.line_force)});
     }
     const double length = element.arc() ? element.arc()->length() : chord.norm();
-    for (const unsigned int v : cell.vertices) {
-      vertex_inertia[v] += length / 2. * profile.rotary_inertia *
-                           (Matrix3d::Identity() + axes.col(0) * axes.col(0).transpose());
-    }
+    const Matrix3d about_axis = axes.col(0) * axes.col(0).transpose();
+    for (const unsigned int v : cell.vertices)
+      vertex_inertia[v] += length / 2. *
+                           (profile.rotary_inertia * (Matrix3d::Identity() - about_axis) +
+                            profile.twist_inertia * about_axis);
     cell.mass = length * profile.mass;
     cells.push_back(std::move(cell));
   }
