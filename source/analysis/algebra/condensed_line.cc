@@ -37,7 +37,7 @@ void CondensedLine::find_parts(const SparseMatrix &stiffness) {
   for (int first = 0; first < stiffness.rows(); ++first) {
     if (place_of[first] >= 0 || reached[first])
       continue;
-    Part part;
+    Part &part = parts.emplace_back();
     part.inside = {first};
     reached[first] = true;
     for (std::size_t i = 0; i < part.inside.size(); ++i)
@@ -51,7 +51,6 @@ void CondensedLine::find_parts(const SparseMatrix &stiffness) {
     std::sort(part.inside.begin(), part.inside.end());
     std::sort(part.border.begin(), part.border.end());
     part.border.erase(std::unique(part.border.begin(), part.border.end()), part.border.end());
-    parts.push_back(std::move(part));
   }
 }
 
@@ -78,7 +77,10 @@ void CondensedLine::condense_part(const SparseMatrix &stiffness, Part &part,
   part.to_border = to_border.sparseView();
   if (is_dense) {
     part.dense.compute(dense);
-    part.influence = part.dense.solve(to_border);
+    if (n_border > 0)
+      part.influence = part.dense.solve(to_border);
+    else
+      part.influence.resize(n, 0);
   } else {
     SparseMatrix matrix(n, n);
     matrix.setFromTriplets(inner.begin(), inner.end());

@@ -52,7 +52,7 @@ private:
                      std::vector<Eigen::Triplet<double>> &entries);
 
   std::vector<int> kept, place_of, place_inside;
-  std::vector<Part> parts;
+  std::deque<Part> parts; ///< which never move: Eigen's LDLT is not whole before it has factored
   SparseMatrix S;
 };
 
