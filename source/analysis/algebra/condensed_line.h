@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <deque>
+
 namespace frictionbeam {
 
 /**
