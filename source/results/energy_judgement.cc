@@ -45,9 +45,30 @@ double energy_of_rounding(const Results &results) {
   return rounding * force * (size > 0. ? size : 1.);
 }
 
+namespace {
+/// Whether motions in a transient step are more than rounding of the displacements there.
+bool moves(const StepEnvelope &step) {
+  constexpr double rounding = 1e-9;
+  const auto range = [](const Extremes &values) {
+    return values.is_known() ? values.largest - values.least : 0.;
+  };
+  double size = std::abs(step.displacement.extreme()), motion = range(step.displacement);
+  for (const std::array<Extremes, 6> &point : step.points)
+    for (const Extremes &component : point) {
+      size = std::max(size, std::abs(component.extreme()));
+      motion = std::max(motion, range(component));
+    }
+  return motion > rounding * size;
+}
+} // namespace
+
 void remark_on_gains(Results &results) {
   const double rounding = energy_of_rounding(results);
-  for (StepReport &step : results.steps) {
+  for (unsigned int i = 0; i < results.steps.size(); ++i) {
+    StepReport &step = results.steps[i];
+    const StepEnvelope *const envelope = results.envelope_of(i);
+    if (!envelope || !moves(*envelope))
+      continue;
     const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
     // Where nothing moves, rounding is large beside the energy in motion.
     if (!(step.energy.at_hand >

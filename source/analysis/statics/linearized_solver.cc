@@ -67,7 +67,7 @@ Pose with_other_digits(const Model &model, const Pose &pose) {
 
 bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
                  const double largest, const Pose &pose, const std::function<double()> &measure,
-                 const double momentum) {
+                 const double scale) {
   // A solution that runs away has rounding errors of any size: they excuse nothing then.
   constexpr double most_rounding = 2e-7;
   double moved = 0.;
@@ -76,11 +76,10 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
       moved = std::max(moved, std::abs(pose.dofs[model.discretization.vertex_dofs().index(v, d)]));
   const double rounding = 8. * std::numeric_limits<double>::epsilon() *
                           stiffness.diagonal().lpNorm<Eigen::Infinity>() * moved;
-  const double scale = std::max(largest, momentum);
-  if (size <=
-      std::max(model.scene.solver.tolerance * largest, std::min(rounding, most_excused * scale)))
+  if (size <= std::max(model.scene.solver.tolerance * largest,
+                       std::min(rounding, most_excused * std::max(largest, scale))))
     return true;
-  return size <= most_rounding * scale && size <= measure();
+  return size <= most_rounding * std::max(largest, scale) && size <= measure();
 }
 
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response) {

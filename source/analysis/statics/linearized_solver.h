@@ -43,11 +43,11 @@ Pose with_other_digits(const Model &model, const Pose &pose);
 /// below the rounding error of the stiffness times the motion, up to 1e-8 of the largest force, or
 /// below what rounding of the pose makes of the line's forces.
 /// @param measure of that; asked if nothing else excuses the residual
-/// @param momentum over the step [N]: what rounding may excuse is a part of this where it is larger
-/// than all forces, as in free flight
+/// @param scale [N] of what goes without forces: free strains that the line follows, the momentum
+/// in free flight. What rounding may excuse is a part of it where it is larger than all forces
 bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
                  const double largest, const Pose &pose, const std::function<double()> &measure,
-                 const double momentum = 0.);
+                 const double scale);
 
 /// Largest force of the contacts on the line.
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response);

@@ -41,13 +41,14 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       model.contacts.add_forces(response, of_contacts);
       largest = std::max(largest, largest_contact_force(model.contacts, response));
       const double size = (forces - of_contacts).lpNorm<Eigen::Infinity>();
-      result.residual = largest > 0. ? size / largest : size;
+      const double scale = std::max(largest, balance.free);
+      result.residual = scale > 0. ? size / scale : size;
       const auto rounding = [&]() {
         LineCells::Balance beside;
         line.evaluate(with_other_digits(model, pose), increment.factors, beside);
         return (beside.forces - balance.forces).lpNorm<Eigen::Infinity>();
       };
-      if (is_balanced(model, balance.stiffness, size, largest, pose, rounding)) {
+      if (is_balanced(model, balance.stiffness, size, largest, pose, rounding, balance.free)) {
         result.converged = true;
         to.unknowns = from.unknowns + moved;
         set_pose(model, pose, to);
@@ -61,6 +62,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     EquilibriumProblem problem{balance.stiffness, forces, pose.dofs};
     problem.increment = {increment.time, 0., model.contacts.temperatures(increment.factors)};
     problem.largest_force = largest;
+    problem.force_so_far = std::max(increment.force_so_far, balance.free);
     const EquilibriumResult inner = linearized.solve(problem, from.contacts, change, response);
     ++result.iterations;
     result.factorizations += inner.factorizations;

@@ -71,7 +71,7 @@ EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, cons
   EquilibriumProblem problem{symmetric, step.residual, step.to.dofs};
   problem.increment = {time, h, model.contacts.temperatures(loads.factors_before(time))};
   problem.largest_force = step.largest;
-  problem.force_so_far = step.momentum;
+  problem.force_so_far = std::max(step.momentum, 2. * step.balance.free);
   change.setZero(step.moved.size());
   EquilibriumResult result = contacts.solve(
       problem, state, problem.imposed - loads.imposed(time) + loads.imposed(state.time),
@@ -105,11 +105,10 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
       const double size = left.lpNorm<Eigen::Infinity>(),
                    largest =
                        std::max(step.largest, largest_contact_force(model.contacts, response));
-      const double scale = std::max(largest, step.momentum);
+      const double scale = std::max({largest, step.momentum, 2. * step.balance.free});
       result.residual = scale > 0. ? size / scale : size;
       result.converged = is_balanced(
-          model, step.matrix, size, largest, step.to, [&]() { return rounding_of(step); },
-          step.momentum);
+          model, step.matrix, size, largest, step.to, [&]() { return rounding_of(step); }, scale);
       if (result.converged)
         return result;
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces

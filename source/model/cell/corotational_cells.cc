@@ -228,6 +228,7 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
     s += energy_correction(beam, B * change, before.d, after.d, angle, s);
   }
   answer.internal = B.transpose() * s;
+  answer.free = B.transpose() * free;
   answer.stiffness = B.transpose() * ((1. + 2. * viscous) * beam.stiffness()) * B_after +
                      beam.geometric_stiffness(mean, s);
   answer.free_work = free.dot(deformed);

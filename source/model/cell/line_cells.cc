@@ -54,7 +54,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
   balance.stiffness = linear.stiffness(); // its pattern
   std::fill(balance.stiffness.valuePtr(),
             balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
-  balance.largest = balance.free_work = balance.damping = 0.;
+  balance.largest = balance.free = balance.free_work = balance.damping = 0.;
   CellAnswer of_cell;
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     answer(i, step, factors, of_cell);
@@ -65,6 +65,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
     }
     balance.largest = std::max({balance.largest, of_cell.internal.lpNorm<Eigen::Infinity>(),
                                 of_cell.loads.lpNorm<Eigen::Infinity>()});
+    balance.free = std::max(balance.free, of_cell.free.lpNorm<Eigen::Infinity>());
     balance.free_work += of_cell.free_work;
     balance.damping += of_cell.damping;
   }

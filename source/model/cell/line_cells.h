@@ -62,6 +62,7 @@ public:
     Vector forces;          ///< loads less internal, on the unknowns
     SparseMatrix stiffness; ///< less their derivative
     double largest = 0.;    ///< force or moment of a cell or load on a vertex
+    double free = 0.;       ///< the same of free strains, which a line may follow without any force
     double free_work = 0.;  ///< of free strains from the first to the last pose [J]
     double damping = 0.;    ///< lost to viscous forces, which are internal ones [J]
   };
@@ -143,7 +144,7 @@ protected:
   /// A cell's share of a Balance.
   struct CellAnswer {
     std::vector<dealii::types::global_dof_index> dofs;
-    Vector12 internal, loads;
+    Vector12 internal, loads, free; ///< the last: forces that free strains would need, held
     Matrix12 stiffness;
     double free_work = 0., damping = 0.;
   };

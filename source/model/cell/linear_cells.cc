@@ -57,6 +57,7 @@ void LinearCells::answer(const unsigned int index, const Step &step,
   answer.stiffness = (1. + 2. * viscous) * stiffness;
   answer.internal = stiffness * ((before + after) / 2. + viscous * change) - forces.free;
   answer.loads = forces.line;
+  answer.free = forces.free;
   answer.free_work = forces.free.dot(change);
   answer.damping = viscous * change.dot(stiffness * change);
 }
