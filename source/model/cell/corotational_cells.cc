@@ -272,11 +272,6 @@ LineCells::CellState CorotationalCells::state_of(const unsigned int index, const
   return state;
 }
 
-Matrix3d CorotationalCells::turn_of(const unsigned int cell, const Pose &pose) const {
-  const CorotationalBeam &beam = cells[cell].beam;
-  return beam.deform(ends(cells[cell], pose)).axes * beam.axes_at_rest().transpose();
-}
-
 double CorotationalCells::unbent(const Pose &pose) const {
   double unbent = 0.;
   for (const Cell &cell : cells) {

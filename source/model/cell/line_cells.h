@@ -127,8 +127,6 @@ public:
   /// @param element that speaks of this cell
   virtual CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
                              const std::vector<double> &factors) const = 0;
-  /// Turn of a cell's frame from rest.
-  virtual Eigen::Matrix3d turn_of(const unsigned int cell, const Pose &pose) const = 0;
   /// Consistent mass of a cell, as inertia puts it on restraints.
   virtual Matrix12 mass_of(const unsigned int cell, PipeElement &element) const = 0;
   /// A load's force and moment on a vertex, turned with it if it follows.

@@ -38,9 +38,6 @@ public:
 
   CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
                      const std::vector<double> &factors) const override;
-  Eigen::Matrix3d turn_of(const unsigned int, const Pose &) const override {
-    return Eigen::Matrix3d::Identity();
-  }
   Matrix12 mass_of(const unsigned int cell, PipeElement &element) const override;
 
 private:
