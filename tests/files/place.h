@@ -3,6 +3,7 @@
 
 #include "../cases/run_program.h"
 #include "../check.h"
+#include "../small_bar.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -16,22 +17,7 @@ namespace files {
 
 inline std::string frictionbeam; ///< the program
 
-inline const std::string bar = R"(
-set Monitors = B
-subsection Material steel
-end
-subsection Section round
-  set Outer diameter = 0.1
-  set Wall = 0.005
-end
-subsection Pipe bar
-  set Route = A 0 0 0; B 4 0 0
-end
-subsection Support anchor
-  set Kind = anchor
-  set At = A
-end
-subsection Load pull
+inline const std::string bar = "\nset Monitors = B" + small_bar + R"(subsection Load pull
   set Kind = force
   set Forces = B 0 0 -100
 end

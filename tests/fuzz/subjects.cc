@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "subjects.h"
 
+#include "../small_bar.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -51,22 +53,8 @@ std::string changed_bytes(const std::string &bytes, Random &random) {
 /// What is refused at once takes little, and has less to tell [ms].
 constexpr std::uint64_t least_cost = 20, cost_of_broken = 200;
 
-const char *const law_scene = R"(
-set Law libraries = LIBRARY
-subsection Material steel
-end
-subsection Section round
-  set Outer diameter = 0.1
-  set Wall = 0.005
-end
-subsection Pipe bar
-  set Route = A 0 0 0; B 4 0 0
-end
-subsection Support anchor
-  set Kind = anchor
-  set At = A
-end
-subsection Support pad
+const std::string law_scene =
+    "\nset Law libraries = LIBRARY" + small_bar + R"(subsection Support pad
   set Kind = rest
   set At = B
   set Law = fuzz
