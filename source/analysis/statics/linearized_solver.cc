@@ -53,6 +53,21 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
   return result;
 }
 
+bool iterate(const unsigned int most, const std::function<EquilibriumResult()> &solve_linearized,
+             EquilibriumResult &result) {
+  if (result.iterations == most) {
+    result.remark = "no convergence in " + std::to_string(most) + " iterations";
+    return false;
+  }
+  const EquilibriumResult inner = solve_linearized();
+  ++result.iterations;
+  result.factorizations += inner.factorizations;
+  result.check = inner.check;
+  if (!inner.converged)
+    result.remark = inner.remark;
+  return inner.converged;
+}
+
 Pose with_other_digits(const Model &model, const Pose &pose) {
   constexpr double digits = 4. * std::numeric_limits<double>::epsilon();
   Vector nudge = Vector::Zero(pose.dofs.size());

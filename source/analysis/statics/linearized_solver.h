@@ -36,6 +36,12 @@ private:
   bool analyzed = false;
 };
 
+/// One more iteration of Newton's method around the contacts, unless @p most have been made: solves
+/// the line linearized at its pose and adds to @p result what that took.
+/// @return whether it was solved; if not, the result's remark says why
+bool iterate(const unsigned int most, const std::function<EquilibriumResult()> &solve_linearized,
+             EquilibriumResult &result);
+
 /// A pose whose motions have other last digits: what rounding makes of them.
 Pose with_other_digits(const Model &model, const Pose &pose);
 

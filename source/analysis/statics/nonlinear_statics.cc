@@ -11,77 +11,96 @@ namespace frictionbeam {
 using namespace dealii;
 
 namespace {
-constexpr double largest_turn = 0.5; // of a vertex in one iteration [rad]
+
+constexpr double most_turn = 0.5; // of a vertex in one iteration [rad]
+
+/// Of a vertex, among changes of all degrees of freedom [rad].
+double largest_turn(const Discretization &discretization, const Vector &dofs) {
+  double turn = 0.;
+  for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v)
+    for (unsigned int c = 3; c < 6; ++c)
+      if (const auto dof = discretization.vertex_dofs().index(v, c);
+          dof != numbers::invalid_dof_index)
+        turn = std::max(turn, std::abs(dofs[dof]));
+  return turn;
+}
+
+} // namespace
+
+NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
+                                                   const StaticIncrement &increment) const {
+  const Pose pose{from.dofs, from.turns};
+  LineCells::Balance balance;
+  model.cells.evaluate(pose, from.load_factors, balance);
+  const double largest_before =
+      std::max(increment.least_force, balance.largest); // a line may lose all its forces
+  const Vector imposed =
+      increment.course.imposed(increment.time) - increment.course.imposed(from.time);
+  return {model.cells.moved(pose, imposed), Vector::Zero(from.unknowns.size()), increment.factors,
+          largest_before};
+}
+
+void NonlinearStatics::evaluate(Approach &at) const {
+  model.cells.evaluate(at.pose, at.factors, at.balance);
+  at.forces = at.balance.forces + model.contacts.platen_forces();
+  at.largest = std::max(at.largest_before, at.balance.largest);
+}
+
+bool NonlinearStatics::is_solved(Approach &at, const ContactResponse &response,
+                                 EquilibriumResult &result) const {
+  Vector of_contacts = Vector::Zero(at.forces.size());
+  model.contacts.add_forces(response, of_contacts);
+  at.largest = std::max(at.largest, largest_contact_force(model.contacts, response));
+  const double size = (at.forces - of_contacts).lpNorm<Eigen::Infinity>();
+  const double scale = std::max(at.largest, at.balance.free);
+  result.residual = scale > 0. ? size / scale : size;
+  const auto rounding = [&]() {
+    LineCells::Balance beside;
+    model.cells.evaluate(with_other_digits(model, at.pose), at.factors, beside);
+    return (beside.forces - at.balance.forces).lpNorm<Eigen::Infinity>();
+  };
+  return is_balanced(model, at.balance.stiffness, size, at.largest, at.pose, rounding, scale);
+}
+
+bool NonlinearStatics::move(const Vector &change, Approach &at) const {
+  Vector dofs;
+  model.space.expand(change, dofs);
+  const double turn = largest_turn(model.discretization, dofs);
+  const double part = turn > most_turn ? most_turn / turn : 1.;
+  at.moved += part * change;
+  at.pose = model.cells.moved(at.pose, part * dofs);
+  return part == 1.;
 }
 
 EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticIncrement &increment,
                                           LineState &to, ContactResponse &response) {
-  const LineCells &line = model.cells;
-  const SolverSettings &settings = model.scene.solver;
-  LineCells::Balance balance;
-  line.evaluate({from.dofs, from.turns}, from.load_factors, balance);
-  const double largest_before =
-      std::max(increment.least_force, balance.largest); // a line may lose all its forces
-  Pose pose = line.moved({from.dofs, from.turns}, increment.course.imposed(increment.time) -
-                                                      increment.course.imposed(from.time));
+  Approach at = begin(from, increment);
   EquilibriumResult result;
-  Vector change, dofs, moved = Vector::Zero(from.unknowns.size());
+  Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
   for (;;) {
     interruption::end_if_overdue();
-    line.evaluate(pose, increment.factors, balance);
-    const Vector forces = balance.forces + model.contacts.platen_forces();
-    if (!forces.allFinite()) {
+    evaluate(at);
+    if (!at.forces.allFinite()) {
       result.remark = "the iteration diverges";
       return result;
     }
-    double largest = std::max(largest_before, balance.largest);
-    if (judged) {
-      Vector of_contacts = Vector::Zero(forces.size());
-      model.contacts.add_forces(response, of_contacts);
-      largest = std::max(largest, largest_contact_force(model.contacts, response));
-      const double size = (forces - of_contacts).lpNorm<Eigen::Infinity>();
-      const double scale = std::max(largest, balance.free);
-      result.residual = scale > 0. ? size / scale : size;
-      const auto rounding = [&]() {
-        LineCells::Balance beside;
-        line.evaluate(with_other_digits(model, pose), increment.factors, beside);
-        return (beside.forces - balance.forces).lpNorm<Eigen::Infinity>();
-      };
-      if (is_balanced(model, balance.stiffness, size, largest, pose, rounding, balance.free)) {
-        result.converged = true;
-        to.unknowns = from.unknowns + moved;
-        set_pose(model, pose, to);
-        return result;
-      }
-    }
-    if (result.iterations == settings.max_iterations) {
-      result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
+    if (judged && is_solved(at, response, result)) {
+      result.converged = true;
+      to.unknowns = from.unknowns + at.moved;
+      set_pose(model, at.pose, to);
       return result;
     }
-    EquilibriumProblem problem{balance.stiffness, forces, pose.dofs};
-    problem.increment = {increment.time, 0., model.contacts.temperatures(increment.factors)};
-    problem.largest_force = largest;
-    problem.force_so_far = std::max(increment.force_so_far, balance.free);
-    const EquilibriumResult inner = linearized.solve(problem, from.contacts, change, response);
-    ++result.iterations;
-    result.factorizations += inner.factorizations;
-    result.check = inner.check;
-    if (!inner.converged) {
-      result.remark = inner.remark;
+    const auto solve_at_pose = [&]() {
+      EquilibriumProblem problem{at.balance.stiffness, at.forces, at.pose.dofs};
+      problem.increment = {increment.time, 0., model.contacts.temperatures(increment.factors)};
+      problem.largest_force = at.largest;
+      problem.force_so_far = std::max(increment.force_so_far, at.balance.free);
+      return linearized.solve(problem, from.contacts, change, response);
+    };
+    if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result))
       return result;
-    }
-    model.space.expand(change, dofs);
-    double turn = 0.;
-    for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
-      for (unsigned int c = 3; c < 6; ++c)
-        if (const auto dof = model.discretization.vertex_dofs().index(v, c);
-            dof != numbers::invalid_dof_index)
-          turn = std::max(turn, std::abs(dofs[dof]));
-    const double part = turn > largest_turn ? largest_turn / turn : 1.;
-    judged = part == 1.;
-    moved += part * change;
-    pose = line.moved(pose, part * dofs);
+    judged = move(change, at);
   }
 }
 

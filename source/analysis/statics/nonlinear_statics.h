@@ -9,7 +9,8 @@ namespace frictionbeam {
 /**
  * Static increments of any cells: Newton's method on the line, in each of whose iterations the
  * contacts are solved on the linearized line. It has converged when the forces of the line itself
- * balance those of the contacts, which obey their laws at that very pose.
+ * balance those of the contacts, which obey their laws at that very pose (doc/theory.md, "Large
+ * displacements").
  */
 class NonlinearStatics final : public Statics {
 public:
@@ -30,6 +31,24 @@ public:
   void transfer(Archive &) override {} // every increment begins anew
 
 private:
+  /// An increment on its way to its solution.
+  struct Approach {
+    Pose pose;
+    Vector moved; ///< unknowns since the increment began
+    const std::vector<double> &factors;
+    double largest_before; ///< force on the unknowns as the increment begins
+    double largest = 0.;   ///< at the pose
+    LineCells::Balance balance;
+    Vector forces; ///< left at the pose, but for the contacts
+  };
+  Approach begin(const LineState &from, const StaticIncrement &increment) const;
+  void evaluate(Approach &at) const;
+  /// Whether the contacts' forces at this pose balance the line's; how well goes into the result.
+  bool is_solved(Approach &at, const ContactResponse &response, EquilibriumResult &result) const;
+  /// Go on by the change of the unknowns, or by a part of it if vertices would turn too far.
+  /// @return whether by all of it
+  bool move(const Vector &change, Approach &at) const;
+
   const Model &model;
   LinearizedSolver linearized;
 };

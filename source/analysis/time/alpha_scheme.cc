@@ -108,96 +108,119 @@ void AlphaScheme::transfer(Archive &archive) {
     return_mapping->transfer(archive);
 }
 
-TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, const double time,
-                              LineState &to) {
-  const double h = time - from.time, beta = p.beta, gamma = p.gamma;
-  set_step(h);
-  const SparseMatrix &M = model.linear.mass(), &C = model.linear.damping();
-  if (at_end.time == from.time)
-    at_start = at_end;
+AlphaScheme::Step AlphaScheme::begin(const LineState &from, const LoadCourse &loads,
+                                     const double time) {
+  Step step;
+  const double h = step.h = time - from.time;
   const Vector &a0 = from.auxiliary, &A0 = p.impulses ? at_start.free : from.acceleration;
-  Vector q = from.unknowns + h * from.velocity + h * h * (0.5 - beta) * a0;
+  step.motion = from.unknowns + h * from.velocity + h * h * (0.5 - p.beta) * a0;
   if (p.impulses)
-    q += h * h * (0.5 - beta / gamma) * at_start.lasting;
-  const Vector v = from.velocity + h * (1. - gamma) * a0,
-               rest = (p.alpha_m * a0 - p.alpha_f * A0) / (1. - p.alpha_f);
-  const LoadCourse::Factors factors = loads.factors_before(time);
-  Vector forces_before = loads.forces(loads.factors_after(from.time)),
-         forces = loads.forces(factors);
-  loads.add_inertia(from.time, forces_before, LoadCourse::Side::after);
-  loads.add_inertia(time, forces, LoadCourse::Side::before);
-  Vector moved; // a1
-  const Vector stiff_before = stiff(from.unknowns), momentum_before = momentum(from.velocity);
+    step.motion += h * h * (0.5 - p.beta / p.gamma) * at_start.lasting;
+  step.velocity = from.velocity + h * (1. - p.gamma) * a0;
+  step.rest = (p.alpha_m * a0 - p.alpha_f * A0) / (1. - p.alpha_f);
+  step.factors = loads.factors_before(time);
+  step.forces_before = loads.forces(loads.factors_after(from.time));
+  step.forces = loads.forces(step.factors);
+  loads.add_inertia(from.time, step.forces_before, LoadCourse::Side::after);
+  loads.add_inertia(time, step.forces, LoadCourse::Side::before);
+  step.stiff_before = stiff(from.unknowns);
+  step.momentum_before = momentum(from.velocity);
+  return step;
+}
+
+double AlphaScheme::size_of(const Step &step, const LineState &from) const {
   // Return mapping does not keep what rounding takes from the unknowns.
   const Vector &rounded = p.impulses ? stiffness_diagonal : diagonal;
-  const double size = size_of_forces(std::max(largest(forces), largest(stiff_before)),
-                                     largest(rounded.cwiseProduct(from.unknowns)) +
-                                         largest(momentum_before) * ratio / (beta * h),
-                                     model.scene.solver.tolerance);
-  EquilibriumProblem problem{effective, Vector::Constant(1, size), loads.imposed(time)};
-  problem.unbalanced = [&](const Vector &unknowns, const Vector &low) -> Vector {
-    moved = (unknowns - q) / (beta * h * h);
-    if (low.size() > 0)
-      moved += low / (beta * h * h);
-    Vector left = forces - stiff(unknowns) - M * Vector(ratio * moved + rest);
-    if (C.nonZeros() > 0)
-      left -= C * Vector(v + gamma * h * moved);
-    return left;
-  };
-  problem.increment = {time, h, model.contacts.temperatures(factors)};
+  return size_of_forces(std::max(largest(step.forces), largest(step.stiff_before)),
+                        largest(rounded.cwiseProduct(from.unknowns)) +
+                            largest(step.momentum_before) * ratio / (p.beta * step.h),
+                        model.scene.solver.tolerance);
+}
 
-  TimeStep step;
-  ContactResponse response;
-  to.unknowns = from.unknowns;
-  take_over_contacts(from, to);
-  if (p.impulses) {
-    const double reach = h * beta / gamma;
-    step.result =
-        contacts.solve(problem, from, loads.imposed(from.time),
-                       {q - reach * v, reach, gamma / ratio, loads.may_jump(from.time, time)},
-                       to.unknowns, response);
-  } else
-    step.result = return_mapping->solve(problem, from.contacts, to.unknowns, response);
-  if (!step.result.converged)
-    return step;
+Vector AlphaScheme::unbalanced(Step &step, const Vector &unknowns, const Vector &low) {
+  const SparseMatrix &M = model.linear.mass(), &C = model.linear.damping();
+  const double h = step.h;
+  step.moved = (unknowns - step.motion) / (p.beta * h * h);
+  if (low.size() > 0)
+    step.moved += low / (p.beta * h * h);
+  Vector left = step.forces - stiff(unknowns) - M * Vector(ratio * step.moved + step.rest);
+  if (C.nonZeros() > 0)
+    left -= C * Vector(step.velocity + p.gamma * h * step.moved);
+  return left;
+}
 
-  to.velocity = v + gamma * h * moved;
-  to.auxiliary = moved;
-  double jump = 0.;
+EquilibriumResult AlphaScheme::solve(EquilibriumProblem &problem, const Step &step,
+                                     const LineState &from, const LoadCourse &loads, LineState &to,
+                                     ContactResponse &response) {
+  if (!p.impulses)
+    return return_mapping->solve(problem, from.contacts, to.unknowns, response);
+  const double reach = step.h * p.beta / p.gamma, end = problem.increment.time;
+  return contacts.solve(
+      problem, from, loads.imposed(from.time),
+      {step.motion - reach * step.velocity, reach, p.gamma / ratio, loads.may_jump(from.time, end)},
+      to.unknowns, response);
+}
+
+void AlphaScheme::finish_motion(const Step &step, const LineState &from, LineState &to) {
+  to.velocity = step.velocity + p.gamma * step.h * step.moved;
+  to.auxiliary = step.moved;
   if (p.impulses) {
-    at_end.time = time;
-    at_end.by_contacts = mass.solve(contacts.impulses()) / h;
-    ++step.result.back_substitutions;
-    to.auxiliary -= at_end.by_contacts / gamma;
-    jump = h * h / 2. * largest(at_end.by_contacts - at_start.by_contacts);
+    at_end.time = to.time;
+    at_end.by_contacts = mass.solve(contacts.impulses()) / step.h;
+    to.auxiliary -= at_end.by_contacts / p.gamma;
   }
-  to.acceleration = ratio * to.auxiliary + rest;
+  to.acceleration = ratio * to.auxiliary + step.rest;
   if (p.impulses) {
     at_end.free = to.acceleration;
     to.acceleration += at_end.by_contacts;
-    at_end.lasting = (at_end.by_contacts - (1. - gamma) * at_start.lasting) / gamma;
+    at_end.lasting = (at_end.by_contacts - (1. - p.gamma) * at_start.lasting) / p.gamma;
   }
   for (int i = 0; i < to.unknowns.size(); ++i)
     if (!has_mass[i]) {
-      to.velocity[i] = (to.unknowns[i] - from.unknowns[i]) / h;
+      to.velocity[i] = (to.unknowns[i] - from.unknowns[i]) / step.h;
       to.acceleration[i] = to.auxiliary[i] = 0.;
     }
-  model.space.expand(to.unknowns, to.dofs);
-  to.dofs += problem.imposed;
-  to.time = time;
-  to.load_factors = factors;
-  loads.set_rates(to, LoadCourse::Side::before);
+}
+
+TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, const double time,
+                              LineState &to) {
+  set_step(time - from.time);
+  if (at_end.time == from.time)
+    at_start = at_end;
+  Step step = begin(from, loads, time);
+  EquilibriumProblem problem{effective, Vector::Constant(1, size_of(step, from)),
+                             loads.imposed(time)};
+  problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
+    return unbalanced(step, unknowns, low);
+  };
+  problem.increment = {time, step.h, model.contacts.temperatures(step.factors)};
+
+  TimeStep report;
+  ContactResponse response;
+  to.unknowns = from.unknowns;
+  take_over_contacts(from, to);
+  report.result = solve(problem, step, from, loads, to, response);
+  if (!report.result.converged)
+    return report;
+
+  arrive(model, loads, time, step.factors, problem.imposed, to);
+  finish_motion(step, from, to);
   commit_contacts(response, from, to);
-  if (p.impulses)
-    contacts.add_histories(from, h, to);
-  else
+  double jump = 0.; // of the displacements, by impulses
+  if (p.impulses) {
+    ++report.result.back_substitutions; // in finish_motion()
+    jump = step.h * step.h / 2. * largest(at_end.by_contacts - at_start.by_contacts);
+    contacts.add_histories(from, step.h, to);
+  } else
     add_histories(model.contacts, from, to);
-  step.energy = account_motion(
-      model, from, to, {stiff_before, stiff(to.unknowns), momentum_before, momentum(to.velocity)},
-      forces_before, forces, p.impulses ? contacts.work() : std::vector<ContactWork>());
+  report.energy = account_motion(
+      model, from, to,
+      {step.stiff_before, stiff(to.unknowns), step.momentum_before, momentum(to.velocity)},
+      step.forces_before, step.forces, p.impulses ? contacts.work() : std::vector<ContactWork>());
   if (to.auxiliary.size() > 0)
-    step.error = h * h / 12. * (to.auxiliary - a0).lpNorm<Eigen::Infinity>() + jump;
-  return step;
+    report.error =
+        step.h * step.h / 12. * (to.auxiliary - from.auxiliary).lpNorm<Eigen::Infinity>() + jump;
+  return report;
 }
 
 } // namespace frictionbeam

@@ -25,7 +25,8 @@ namespace frictionbeam {
  *   h^2 (1/2 - beta/gamma) M^-1 d0 as well,   gamma d1 + (1 - gamma) d0 = P/h,
  * d the share of the contact forces in the accelerations, as if they had been in the equation of
  * motion. Without `impulses`, all contacts are friction elements of finite stiffness with their
- * return mapping. Either way elements of finite stiffness are followed to second order.
+ * return mapping. Either way elements of finite stiffness are followed to second order. All of it
+ * stands in doc/dynamics.md, "The alpha schemes" and "Rigid contact on velocities".
  */
 class AlphaScheme final : public TimeIntegrator {
 public:
@@ -50,8 +51,30 @@ public:
   std::string warning() const override;
 
 private:
+  /// A step on its way to its solution.
+  struct Step {
+    double h = 0.;                ///< its length [s]
+    Vector motion, velocity;      ///< q1 and v1 but for a1
+    Vector rest;                  ///< A1 but for ratio a1
+    LoadCourse::Factors factors;  ///< of the loads at its end
+    Vector forces_before, forces; ///< of loads, at its start and its end
+    Vector stiff_before, momentum_before;
+    Vector moved; ///< a1, with impulses that of the motion which they are part of
+  };
+
   void set_step(const double step);
   Vector contact_forces(const LineState &state) const;
+  Step begin(const LineState &from, const LoadCourse &loads, const double time);
+  /// What residuals of the step are measured by [N].
+  double size_of(const Step &step, const LineState &from) const;
+  /// What the equation of motion leaves at the end of the step but for the contacts' forces.
+  /// @param low what rounding took from the unknowns; may be empty
+  Vector unbalanced(Step &step, const Vector &unknowns, const Vector &low);
+  /// Find the motion and the contacts' forces at the end of the step.
+  EquilibriumResult solve(EquilibriumProblem &problem, const Step &step, const LineState &from,
+                          const LoadCourse &loads, LineState &to, ContactResponse &response);
+  /// Velocities and accelerations at the end of the step.
+  void finish_motion(const Step &step, const LineState &from, LineState &to);
 
   const Model &model;
   const Parameters p;
@@ -63,11 +86,12 @@ private:
   SparseMatrix effective; ///< K + gamma/(beta h) C + ratio/(beta h^2) M
   Vector diagonal;        ///< of it
   double effective_step = 0.;
-  /// What a state has besides, with impulses: A without the rigid contacts' forces, M^-1 P/h of the
-  /// step that ended there, M^-1 d.
+  /// What a state has besides, with impulses.
   struct Parts {
     double time = std::numeric_limits<double>::quiet_NaN(); ///< of the state
-    Vector free, by_contacts, lasting;
+    Vector free;        ///< A without the rigid contacts' forces
+    Vector by_contacts; ///< M^-1 P/h of the step that ended there
+    Vector lasting;     ///< M^-1 d
     void transfer(Archive &archive) { archive(time, free, by_contacts, lasting); }
   };
   Parts at_start, at_end;          ///< of the last step

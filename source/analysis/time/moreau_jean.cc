@@ -46,83 +46,99 @@ void MoreauJean::transfer(Archive &archive) {
   contacts.transfer(archive);
 }
 
-TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, const double time,
-                             LineState &to) {
-  const double h = time - from.time, part = (1. - theta) / theta;
-  const SparseMatrix &C = model.linear.damping();
-  const bool damped = C.nonZeros() > 0;
-  set_step(h);
-  if (const LoadCourse::Factors factors = loads.factors_after(from.time);
-      last_time != from.time || factors != last_factors) {
+const Vector &MoreauJean::forces_after(const LoadCourse &loads, const double time) {
+  const LoadCourse::Factors factors = loads.factors_after(time);
+  if (last_time != time || factors != last_factors) {
     last_factors = factors;
     last_forces = loads.forces(factors);
-    loads.add_inertia(from.time, last_forces, LoadCourse::Side::after);
+    loads.add_inertia(time, last_forces, LoadCourse::Side::after);
   }
-  const Vector forces_before = last_forces;
+  return last_forces;
+}
+
+MoreauJean::Step MoreauJean::begin(const LineState &from, const LoadCourse &loads,
+                                   const double time) {
+  Step step;
+  step.h = time - from.time;
+  step.forces_before = forces_after(loads, from.time);
   last_factors = loads.factors_before(time);
   last_forces = loads.forces(last_factors);
   loads.add_inertia(time, last_forces, LoadCourse::Side::before);
   last_time = time;
-  const Vector &forces = last_forces;
-  const Vector &q0 = from.unknowns, &v0 = from.velocity;
-  const Vector stiff_before = stiff(q0), momentum_before = momentum(v0);
-  // The equation of motion divided by theta h.
-  const Vector known =
-      forces + part * (forces_before - stiff_before - contacts.elastic_forces(from));
-  Vector velocity_after;
-  const double size = size_of_forces(std::max(largest(known), largest(stiff_before)),
-                                     largest(stiffness_diagonal.cwiseProduct(q0)) +
-                                         largest(momentum_before) / (h * theta * theta),
-                                     model.scene.solver.tolerance);
-  EquilibriumProblem problem{effective, Vector::Constant(1, size), loads.imposed(time)};
-  problem.unbalanced = [&](const Vector &unknowns, const Vector &low) -> Vector {
-    if (unknowns == q0 && low.isZero(0.)) {
-      velocity_after = (1. - 1. / theta) * v0;
-      for (const int i : massless)
-        velocity_after[i] = 0.;
-      return known - stiff_before + momentum_before / (h * theta * theta);
-    }
-    Vector motion = unknowns - q0;
-    if (low.size() > 0)
-      motion += low;
-    velocity_after = (1. - 1. / theta) * v0 + motion / (h * theta);
-    for (const int i : massless)
-      velocity_after[i] = motion[i] / h;
-    Vector left =
-        known - stiff(unknowns) - (momentum(velocity_after) - momentum_before) / (h * theta);
-    if (damped)
-      left -= C * motion / (h * theta);
-    return left;
-  };
-  problem.increment = {time, h, model.contacts.temperatures(last_factors)};
-
-  TimeStep step;
-  ContactResponse response;
-  to.unknowns = q0;
-  take_over_contacts(from, to);
-  step.result = contacts.solve(problem, from, loads.imposed(from.time),
-                               {from.unknowns + h * (1. - theta) * from.velocity, h * theta, theta,
-                                loads.may_jump(from.time, time)},
-                               to.unknowns, response);
-  if (!step.result.converged)
-    return step;
-
-  to.velocity = velocity_after;
-  to.acceleration = (to.velocity - from.velocity) / h;
-  to.auxiliary = to.acceleration;
-  model.space.expand(to.unknowns, to.dofs);
-  to.dofs += problem.imposed;
-  to.time = time;
-  to.load_factors = last_factors;
-  loads.set_rates(to, LoadCourse::Side::before);
-  commit_contacts(response, from, to);
-  contacts.add_histories(from, h, to);
-  step.energy = account_motion(
-      model, from, to, {stiff_before, stiff(to.unknowns), momentum_before, momentum(to.velocity)},
-      forces_before, forces, contacts.work());
-  if (q0.size() > 0)
-    step.error = h * h / 12. * (to.auxiliary - from.auxiliary).lpNorm<Eigen::Infinity>();
+  step.forces = last_forces;
+  step.stiff_before = stiff(from.unknowns);
+  step.momentum_before = momentum(from.velocity);
+  const double part = (1. - theta) / theta;
+  step.known =
+      step.forces + part * (step.forces_before - step.stiff_before - contacts.elastic_forces(from));
   return step;
+}
+
+double MoreauJean::size_of(const Step &step, const LineState &from) const {
+  return size_of_forces(std::max(largest(step.known), largest(step.stiff_before)),
+                        largest(stiffness_diagonal.cwiseProduct(from.unknowns)) +
+                            largest(step.momentum_before) / (step.h * theta * theta),
+                        model.scene.solver.tolerance);
+}
+
+Vector MoreauJean::unbalanced(Step &step, const LineState &from, const Vector &unknowns,
+                              const Vector &low) {
+  const double h = step.h;
+  step.velocity_after = (1. - 1. / theta) * from.velocity;
+  if (unknowns == from.unknowns && low.isZero(0.)) { // the first guess, without a product
+    for (const int i : massless)
+      step.velocity_after[i] = 0.;
+    return step.known - step.stiff_before + step.momentum_before / (h * theta * theta);
+  }
+  Vector motion = unknowns - from.unknowns;
+  if (low.size() > 0)
+    motion += low;
+  step.velocity_after += motion / (h * theta);
+  for (const int i : massless)
+    step.velocity_after[i] = motion[i] / h;
+  Vector left = step.known - stiff(unknowns) -
+                (momentum(step.velocity_after) - step.momentum_before) / (h * theta);
+  if (const SparseMatrix &C = model.linear.damping(); C.nonZeros() > 0)
+    left -= C * motion / (h * theta);
+  return left;
+}
+
+TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, const double time,
+                             LineState &to) {
+  set_step(time - from.time);
+  Step step = begin(from, loads, time);
+  EquilibriumProblem problem{effective, Vector::Constant(1, size_of(step, from)),
+                             loads.imposed(time)};
+  problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
+    return unbalanced(step, from, unknowns, low);
+  };
+  problem.increment = {time, step.h, model.contacts.temperatures(last_factors)};
+
+  TimeStep report;
+  ContactResponse response;
+  to.unknowns = from.unknowns;
+  take_over_contacts(from, to);
+  report.result = contacts.solve(problem, from, loads.imposed(from.time),
+                                 {from.unknowns + step.h * (1. - theta) * from.velocity,
+                                  step.h * theta, theta, loads.may_jump(from.time, time)},
+                                 to.unknowns, response);
+  if (!report.result.converged)
+    return report;
+
+  arrive(model, loads, time, last_factors, problem.imposed, to);
+  to.velocity = step.velocity_after;
+  to.acceleration = (to.velocity - from.velocity) / step.h;
+  to.auxiliary = to.acceleration;
+  commit_contacts(response, from, to);
+  contacts.add_histories(from, step.h, to);
+  report.energy = account_motion(
+      model, from, to,
+      {step.stiff_before, stiff(to.unknowns), step.momentum_before, momentum(to.velocity)},
+      step.forces_before, step.forces, contacts.work());
+  if (from.unknowns.size() > 0)
+    report.error =
+        step.h * step.h / 12. * (to.auxiliary - from.auxiliary).lpNorm<Eigen::Infinity>();
+  return report;
 }
 
 } // namespace frictionbeam

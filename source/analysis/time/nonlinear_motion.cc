@@ -81,12 +81,32 @@ EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, cons
   return result;
 }
 
+Vector NonlinearMotion::unbalanced(const Step &step, const ContactResponse &response) const {
+  Vector left = step.residual;
+  if (model.contacts.size() > 0) {
+    Vector of_contacts = Vector::Zero(left.size());
+    model.contacts.add_forces(response, of_contacts);
+    // Of the impulses the response has the mean over the step, a half.
+    left -= of_contacts - contacts.impulses() / step.h;
+  }
+  return left;
+}
+
+bool NonlinearMotion::is_solved(const Step &step, const Vector &left,
+                                const ContactResponse &response, EquilibriumResult &result) const {
+  const double size = left.lpNorm<Eigen::Infinity>(),
+               largest = std::max(step.largest, largest_contact_force(model.contacts, response));
+  const double scale = std::max({largest, step.momentum, 2. * step.balance.free});
+  result.residual = scale > 0. ? size / scale : size;
+  return is_balanced(
+      model, step.matrix, size, largest, step.to, [&]() { return rounding_of(step); }, scale);
+}
+
 EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCourse &loads,
                                          const double time, Step &step, ContactResponse &response) {
-  const SolverSettings &settings = model.scene.solver;
   EquilibriumResult result;
   Vector change;
-  bool judged = false;
+  bool judged = false; // whether the contacts' forces are those at the pose
   for (;;) {
     interruption::end_if_overdue();
     evaluate(state, step);
@@ -95,20 +115,8 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
       return result;
     }
     if (judged) {
-      Vector left = step.residual;
-      if (model.contacts.size() > 0) {
-        Vector of_contacts = Vector::Zero(left.size());
-        model.contacts.add_forces(response, of_contacts);
-        // Of the impulses the response has the mean over the step, a half.
-        left -= of_contacts - contacts.impulses() / step.h;
-      }
-      const double size = left.lpNorm<Eigen::Infinity>(),
-                   largest =
-                       std::max(step.largest, largest_contact_force(model.contacts, response));
-      const double scale = std::max({largest, step.momentum, 2. * step.balance.free});
-      result.residual = scale > 0. ? size / scale : size;
-      result.converged = is_balanced(
-          model, step.matrix, size, largest, step.to, [&]() { return rounding_of(step); }, scale);
+      const Vector left = unbalanced(step, response);
+      result.converged = is_solved(step, left, response, result);
       if (result.converged)
         return result;
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
@@ -122,18 +130,11 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
           continue;
       }
     }
-    if (result.iterations == settings.max_iterations) {
-      result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
+    const auto solve_at_pose = [&]() {
+      return solve_linearized(state, loads, time, step, change, response);
+    };
+    if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result))
       return result;
-    }
-    const EquilibriumResult inner = solve_linearized(state, loads, time, step, change, response);
-    ++result.iterations;
-    result.factorizations += inner.factorizations;
-    result.check = inner.check;
-    if (!inner.converged) {
-      result.remark = inner.remark;
-      return result;
-    }
     step.moved += change;
     judged = true;
   }

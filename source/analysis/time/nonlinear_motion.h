@@ -52,6 +52,11 @@ private:
   EquilibriumResult solve_linearized(const LineState &state, const LoadCourse &loads,
                                      const double time, Step &step, Vector &change,
                                      ContactResponse &response);
+  /// The residual with the forces and impulses of the contacts.
+  Vector unbalanced(const Step &step, const ContactResponse &response) const;
+  /// Whether that, @p left, counts as zero; its size goes into the result.
+  bool is_solved(const Step &step, const Vector &left, const ContactResponse &response,
+                 EquilibriumResult &result) const;
   EquilibriumResult solve(const LineState &state, const LoadCourse &loads, const double time,
                           Step &step, ContactResponse &response);
   /// What the step is given: motions and loads from @p from to the time of @p

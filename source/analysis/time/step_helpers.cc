@@ -20,6 +20,15 @@ SparseMatrix regular_mass(const SparseMatrix &mass) {
   return result;
 }
 
+void arrive(const Model &model, const LoadCourse &loads, const double time,
+            const LoadCourse::Factors &factors, const Vector &imposed, LineState &to) {
+  model.space.expand(to.unknowns, to.dofs);
+  to.dofs += imposed;
+  to.time = time;
+  to.load_factors = factors;
+  loads.set_rates(to, LoadCourse::Side::before);
+}
+
 void commit_contacts(ContactResponse &response, const LineState &before, LineState &after) {
   std::swap(after.contacts, response.state);
   after.contact_stress = response.stress;

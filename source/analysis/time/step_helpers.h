@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "model/line_state.h"
+#include "analysis/increment/load_course.h"
 
 namespace frictionbeam {
 
@@ -10,6 +10,11 @@ std::vector<bool> unknowns_with_mass(const SparseMatrix &mass);
 
 /// The mass matrix, regular: 1 on the diagonal where there is no mass.
 SparseMatrix regular_mass(const SparseMatrix &mass);
+
+/// Set what a state has at the end of a step, at @p time, beside its unknowns and their rates: all
+/// degrees of freedom, the loads' factors before any jump there and their derivatives.
+void arrive(const Model &model, const LoadCourse &loads, const double time,
+            const LoadCourse::Factors &factors, const Vector &imposed, LineState &to);
 
 /// Take over what a solve found out about the contacts.
 void commit_contacts(ContactResponse &response, const LineState &before, LineState &after);
