@@ -22,31 +22,32 @@ constexpr unsigned int most_failures = 200; ///< of time steps from one instant 
 } // namespace
 
 TimeMarch::TimeMarch(const Model &model, const PieceObserver &observer)
-    : model(model), integrator(make_time_integrator(model, observer)), course(model) {}
+    : model(model), integrator(make_time_integrator(model, observer)) {}
 
 void TimeMarch::transfer(Archive &archive) {
   archive(instant, n_increments, time_step, last_error, *integrator);
 }
 
-bool TimeMarch::run(const TransientStep &step, LineState &line_state, StepReport &step_report,
-                    const Watchers &watching, const bool resumed) {
+bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
+                    LineState &line_state, StepReport &step_report, const Watchers &watching,
+                    const bool resumed) {
   const LoadStep &declared = model.scene.steps[step.step];
+  course = &course_of_step;
   state = &line_state;
   report = &step_report;
   watchers = &watching;
   step_number = step.step;
   longest_step = frictionbeam::time_step(model);
   const double start = step.start, end = start + declared.duration;
-  course.begin_step(step.step, step.from, step.target, start, declared.ramp);
   const std::vector<double> times = integrator->is_exact()
                                         ? instants_of_output(model, start, end, longest_step)
-                                        : instants_of_steps(course, start, end, longest_step);
+                                        : instants_of_steps(*course, start, end, longest_step);
   if (!resumed) {
     instant = n_increments = 0;
-    state->load_factors = course.factors_after(start);
-    course.set_rates(*state, LoadCourse::Side::after);
+    state->load_factors = course->factors_after(start);
+    course->set_rates(*state, LoadCourse::Side::after);
     state->events.clear(); // those of a static increment are no impacts
-    integrator->start(*state, course);
+    integrator->start(*state, *course);
     time_step = longest_step;
     jump_met = start;
   }
@@ -114,10 +115,10 @@ bool TimeMarch::is_shortest(const double step) const {
 bool TimeMarch::take_time_step(const double time) {
   if (!integrator->is_exact() && jump_met != state->time) {
     jump_met = state->time;
-    if (course.jumps(state->time))
-      report->energy += meet_jump(model, course, *integrator, *state);
+    if (course->jumps(state->time))
+      report->energy += meet_jump(model, *course, *integrator, *state);
   }
-  const TimeStep step = integrator->advance(*state, course, time, next);
+  const TimeStep step = integrator->advance(*state, *course, time, next);
   last_error = not_solved;
   if (!add_result(step.result, *report))
     return false;

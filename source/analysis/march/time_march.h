@@ -37,11 +37,13 @@ public:
   /// piece is observed
   explicit TimeMarch(const Model &model, const PieceObserver &observer = {});
 
+  /// Go through a step of the sequence.
+  /// @param course of the loads in this step
   /// @param state in: at the start; out: at the end, or the last good one
   /// @param resumed to go on within the step at which transfer() has been called
   /// @return whether the end was reached; if not, the report says why
-  bool run(const TransientStep &step, LineState &state, StepReport &report,
-           const Watchers &watchers, const bool resumed = false);
+  bool run(const TransientStep &step, const LoadCourse &course, LineState &state,
+           StepReport &report, const Watchers &watchers, const bool resumed = false);
 
   std::string integrator_name() const { return integrator->name(); }
   /// What the time steps to come depend on, besides the line's state.
@@ -57,13 +59,13 @@ private:
 
   const Model &model;
   const std::unique_ptr<TimeIntegrator> integrator;
-  LoadCourse course;
   std::size_t instant = 0;       ///< that the march goes to, of those of the step
   unsigned int n_increments = 0; ///< of the step so far
   double time_step = 0.;         ///< at present [s]
   double last_error = 0.;        ///< of the last time step [m]
 
   // of the step at hand
+  const LoadCourse *course = nullptr;
   LineState *state = nullptr;
   StepReport *report = nullptr;
   const Watchers *watchers = nullptr;

@@ -40,6 +40,14 @@ Vector select(const Vector &motions, const bool rotations) {
   return result;
 }
 
+/// The loads in a step, on a line that is reduced.
+LoadCourse course_of(const TransientStep &start, const Model &reduced) {
+  LoadCourse course(reduced);
+  course.begin_step(start.step, start.from, start.target, start.start,
+                    reduced.scene.steps[start.step].ramp);
+  return course;
+}
+
 } // namespace
 
 MotionDifference difference(const MotionRecord &coarse, const MotionRecord &fine) {
@@ -180,7 +188,7 @@ MotionRecord TransientReduction::try_out(const TransientStep &start, const LineS
   trial.n_modes = modes.n;
   LineState reduced = attempt.reduce(state);
   StepReport of_trial;
-  trial.converged = march.run(start, reduced, of_trial, {take});
+  trial.converged = march.run(start, course_of(start, attempt.model()), reduced, of_trial, {take});
   trial.seconds = timer.wall_time();
   return record;
 }
@@ -218,7 +226,7 @@ bool TransientReduction::run(const TransientStep &start, const LoadCourse &cours
     reduced = line->reduce(state);
   }
   const bool done = march->run(
-      start, reduced, report,
+      start, course_of(start, line->model()), reduced, report,
       {[&](const Progress &progress, const LineState &now) {
          expand(now, !observers.needs_line || observers.needs_line(progress, now.time), state);
          observers.of_instants(progress, state);

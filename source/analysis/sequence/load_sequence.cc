@@ -87,6 +87,8 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
       position.next = 0;
     }
     const Factors target = target_of(declared_step);
+    course.begin_step(position.step, position.from, target, position.start,
+                      declared_step.transient ? declared_step.ramp : declared_step.duration);
     const auto steps = model.scene.steps.begin();
     if (declared_step.transient && !is_resumed &&
         std::none_of(steps, steps + position.step,
@@ -129,10 +131,8 @@ bool LoadSequence::run_transient(const Factors &target, const Observer &observer
     march = std::make_unique<TimeMarch>(model, piece_observer);
   const bool resumed = is_resumed;
   is_resumed = in_equilibrium = false;
-  course.begin_step(position.step, position.from, target, position.start,
-                    model.scene.steps[position.step].ramp);
   const bool done = march->run(
-      {position.step, position.from, target, position.start}, current, step_reports.back(),
+      {position.step, position.from, target, position.start}, course, current, step_reports.back(),
       {observer, each_increment, between_increments, resolution.get()}, resumed);
   declared = course.declared(current.time);
   return done;
@@ -149,10 +149,7 @@ bool LoadSequence::run_reduced(const Factors &target, const Observer &observer) 
     if (!reduction->prepare(start, current, *report.reduction))
       return run_transient(target, observer);
   }
-  is_resumed = false;
-  course.begin_step(position.step, position.from, target, position.start,
-                    model.scene.steps[position.step].ramp);
-  in_equilibrium = false;
+  is_resumed = in_equilibrium = false;
   const bool done = reduction->run(start, course, current, report,
                                    {observer, observer_needs_line, between_increments}, resumed);
   declared = course.declared(current.time);

@@ -53,7 +53,6 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     current.load_accelerations.clear();
   }
   is_resumed = false;
-  course.begin_step(step, from, target, start, declared_step.duration);
   measure_forces(course.forces(current.load_factors));
   for (std::size_t &i = position.next; i < declared_step.n_increments;) {
     ++i;
