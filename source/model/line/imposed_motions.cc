@@ -11,6 +11,37 @@ namespace frictionbeam {
 
 using namespace dealii;
 
+namespace {
+
+/// The smallest motion of a vertex that has the values of @p given, in one load, and respects all
+/// that is held there.
+Eigen::VectorXd smallest_motion(const Load::AtPoint &given, const std::string &load,
+                                const unsigned int vertex, const ReducedSpace &space) {
+  Eigen::MatrixXd rows(0, 6);
+  Eigen::VectorXd values(0);
+  for (const auto &held : space.held()) {
+    if (held.vertex != vertex)
+      continue;
+    const Eigen::Index n = rows.rows();
+    rows.conservativeResize(n + 1, 6);
+    values.conservativeResize(n + 1);
+    values[n] = 0.; // what is held along an axis moves with it, either way it points
+    for (unsigned int c = 0; c < 6; ++c) {
+      rows(n, c) = held.direction[c];
+      if (given.given[c] && std::abs(std::abs(held.direction[c]) - 1.) < no_component)
+        values[n] = held.direction[c] * given.value[c];
+    }
+  }
+  const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
+  if ((rows * motion - values).norm() > 1e-9 * values.norm())
+    throw UserError("Load " + load + ": the motion imposed at point '" + given.point +
+                    "' contradicts a restraint there. Impose it only in directions "
+                    "that are free otherwise.");
+  return motion;
+}
+
+} // namespace
+
 void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
                                       const Discretization &discretization,
                                       const ReducedSpace &space, const bool with_mass) {
@@ -19,46 +50,38 @@ void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
       continue;
     for (const Load::AtPoint &at : scene.loads[l].at) {
       const unsigned int vertex = mesh.points.at(at.point);
-      // The smallest motion of the vertex that has the given values and respects all that is held.
-      Eigen::MatrixXd rows(0, 6);
-      Eigen::VectorXd values(0);
-      const auto append = [&](const Tensor<1, 6> &direction, const double value) {
-        rows.conservativeResize(rows.rows() + 1, 6);
-        values.conservativeResize(values.size() + 1);
-        for (unsigned int c = 0; c < 6; ++c)
-          rows(rows.rows() - 1, c) = direction[c];
-        values[values.size() - 1] = value;
-      };
-      for (const auto &held : space.held()) {
-        if (held.vertex != vertex)
-          continue;
-        double value = 0.; // what is held along an axis moves with it, either way it points
-        for (unsigned int c = 0; c < 6; ++c)
-          if (at.given[c] && std::abs(std::abs(held.direction[c]) - 1.) < no_component)
-            value = held.direction[c] * at.value[c];
-        append(held.direction, value);
-      }
-      const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
-      if ((rows * motion - values).norm() > 1e-9 * values.norm())
-        throw UserError("Load " + scene.loads[l].name + ": the motion imposed at point '" +
-                        at.point +
-                        "' contradicts a restraint there. Impose it only in directions "
-                        "that are free otherwise.");
+      const Eigen::VectorXd motion = smallest_motion(at, scene.loads[l].name, vertex, space);
       for (unsigned int c = 0; c < 6; ++c) {
         const auto dof = discretization.vertex_dofs().index(vertex, c);
-        if (motion[c] != 0. && dof != numbers::invalid_dof_index) {
+        if (motion[c] != 0. && dof != numbers::invalid_dof_index)
           imposed_motions[l].emplace_back(dof, motion[c]);
-          imposed_at[dof].emplace_back(l, motion[c]);
-        }
       }
     }
   }
+  sort_imposed_motions();
   const unsigned int n = imposed_at.empty() ? 0 : scene.loads.size();
   products.stiffness = products.mass = products.damping = Eigen::MatrixXd::Zero(n, n);
   if (with_mass)
     for (unsigned int l = 0; l < n; ++l)
       if (!imposed_motions[l].empty())
         load_inertia[l] = load_drag[l] = Vector::Zero(space.n_unknowns());
+}
+
+void LinearPart::sort_imposed_motions() {
+  for (unsigned int l = 0; l < imposed_motions.size(); ++l)
+    for (const auto &[dof, value] : imposed_motions[l])
+      imposed_at[dof].emplace_back(l, value);
+}
+
+double LinearPart::rate(const types::global_dof_index dof, const ReducedSpace &space,
+                        const Vector &unknowns, const std::vector<double> &factors) const {
+  double result = 0.;
+  if (const auto imposed = imposed_at.find(dof); imposed != imposed_at.end() && !factors.empty())
+    for (const auto &[load, value] : imposed->second)
+      result += factors[load] * value;
+  for (const auto &term : space.terms(dof))
+    result += term.weight * unknowns[term.unknown];
+  return result;
 }
 
 void LinearPart::add_imposed(const Eigen::MatrixXd &local,

@@ -152,7 +152,9 @@ LinearPart::LinearPart(Matrices matrices)
       spring_preload(std::move(matrices.preload)), load_forces(std::move(matrices.forces)),
       load_inertia(std::move(matrices.inertia)), load_drag(std::move(matrices.drag)),
       imposed_motions(std::move(matrices.imposed)), products(std::move(matrices.products)),
-      nodal_loads(load_forces.size()) {}
+      nodal_loads(load_forces.size()) {
+  sort_imposed_motions();
+}
 
 void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
                               const Discretization &discretization, const ReducedSpace &space) {

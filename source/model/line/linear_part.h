@@ -54,6 +54,10 @@ public:
   const std::vector<std::pair<unsigned int, double>> &imposed(const unsigned int l) const {
     return imposed_motions[l];
   }
+  /// Rate of a degree of freedom, from those of the unknowns and of the loads' factors, where loads
+  /// that impose motions have any.
+  double rate(const dealii::types::global_dof_index dof, const ReducedSpace &space,
+              const Vector &unknowns, const std::vector<double> &factors) const;
   const Products &imposed_products() const { return products; }
   /// What stored energy has besides q^T K q / 2, at factors x of the loads: -sum x_l f_l . q +
   /// x^T b^T K b x / 2 over the loads that impose motions.
@@ -67,6 +71,7 @@ private:
   void find_imposed_motions(const Scene &scene, const LineMesh &mesh,
                             const Discretization &discretization, const ReducedSpace &space,
                             const bool with_mass);
+  void sort_imposed_motions();
   /// What a matrix on a few degrees of freedom is to motions that loads impose there: @p forces on
   /// the unknowns and products.
   void add_imposed(const Eigen::MatrixXd &local,

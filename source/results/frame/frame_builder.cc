@@ -26,6 +26,25 @@ Vector3 vector_at(const PipeElement::Vector12 &values, const unsigned int first)
   return Vector3({values[first], values[first + 1], values[first + 2]});
 }
 
+/// Motion inside a straight clamped cell under its own load, which the shape functions leave out
+/// (w_p in doc/theory.md, "The pipe").
+/// @param line_force on the cell [N/m] @param x from its beginning [m] @param rest to its end [m]
+Tensor<1, 6> clamped_motion(const Profile &profile, const Vector3 &axis, const Vector3 &line_force,
+                            const double x, const double rest) {
+  const Vector3 across = line_force - (line_force * axis) * axis;
+  Vector3 bubble = x * rest / (2. * profile.EA) * (line_force - across);
+  bubble += x * x * rest * rest / (24. * profile.EI) * across;
+  if (profile.GA > 0.)
+    bubble += x * rest / (2. * profile.GA) * across;
+  const Vector3 turn = cross_product_3d(axis, x * rest * (rest - x) / (12. * profile.EI) * across);
+  Tensor<1, 6> result;
+  for (unsigned int d = 0; d < 3; ++d) {
+    result[d] = bubble[d];
+    result[3 + d] = turn[d];
+  }
+  return result;
+}
+
 } // namespace
 
 FrameBuilder::FrameBuilder(const Model &model, const bool both_sides)
@@ -85,12 +104,7 @@ Motion FrameBuilder::velocity(const LineState &state, const std::string &point) 
   for (unsigned int c = 0; c < 6; ++c) {
     const auto dof = model.discretization.vertex_dofs().index(model.mesh.points.at(point), c);
     if (dof != numbers::invalid_dof_index)
-      for (const auto &term : model.space.terms(dof))
-        result[c] += term.weight * state.velocity[term.unknown];
-    for (unsigned int l = 0; l < state.load_rates.size(); ++l)
-      for (const auto &[imposed, value] : model.linear.imposed(l))
-        if (imposed == dof)
-          result[c] += state.load_rates[l] * value;
+      result[c] = model.linear.rate(dof, model.space, state.velocity, state.load_rates);
   }
   return result;
 }
@@ -102,24 +116,24 @@ Vector3 FrameBuilder::support_force(const LineState &state, const unsigned int i
 }
 
 Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) const {
-  Motion force = motion(state, spring.point);
-  if (!spring.other.empty()) {
-    const Motion other = motion(state, spring.other);
-    for (unsigned int c = 0; c < 6; ++c)
-      force[c] -= other[c];
-  }
+  /// Of the first point against the second, or against the ground.
+  const auto relative = [&](const auto &of_point) {
+    Motion result = of_point(spring.point);
+    if (!spring.other.empty()) {
+      const Motion other = of_point(spring.other);
+      for (unsigned int c = 0; c < 6; ++c)
+        result[c] -= other[c];
+    }
+    return result;
+  };
+  Motion force = relative([&](const std::string &point) { return motion(state, point); });
   for (unsigned int c = 0; c < 6; ++c)
     force[c] *= -spring.stiffness[c];
   if (state.with_preload)
     force[2] += spring.preload;
   if (state.velocity.size() == 0)
     return force;
-  Motion rate = velocity(state, spring.point);
-  if (!spring.other.empty()) {
-    const Motion other = velocity(state, spring.other);
-    for (unsigned int c = 0; c < 6; ++c)
-      rate[c] -= other[c];
-  }
+  const Motion rate = relative([&](const std::string &point) { return velocity(state, point); });
   for (unsigned int c = 0; c < 6; ++c)
     force[c] -=
         (spring.damping[c] + model.scene.time.stiffness_damping * spring.stiffness[c]) * rate[c];
@@ -201,9 +215,8 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
     return stations_of_arc(pipe_cell, ends, u, load);
   const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
   const auto cell = model.discretization.pipe_cell(index);
-  const Profile &profile = element.profile();
   // From here on in the direction of the route: section force F and moment M act on the face that
-  // looks forward, with F' = -q, M' = -x cross F.
+  // looks forward, with F' = -q, M' = -x cross F (doc/theory.md, "The pipe").
   const unsigned int start = pipe_cell.reversed ? 6 : 0;
   const Point3 begin = cell->vertex(pipe_cell.reversed ? 1 : 0);
   const Vector3 axis = cell->vertex(pipe_cell.reversed ? 0 : 1) - begin;
@@ -233,25 +246,17 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
   std::vector<Station> stations = {at_node(0., start)};
   station_values.reinit(cell);
   const unsigned int n = model.scene.output.stations;
-  const Vector3 across = load.line_force - (load.line_force * axes.x) * axes.x;
   for (unsigned int i = 0; i < n; ++i) {
-    const double x = length * (i + 1) / (n + 1), rest = length - x;
+    const double x = length * (i + 1) / (n + 1);
     Station result = station(x);
     const unsigned int q = pipe_cell.reversed ? n - 1 - i : i;
     for (unsigned int j = 0; j < 12; ++j)
       for (unsigned int c = 0; c < 6; ++c)
         result.displacement[c] += u[j] * station_values.shape_value_component(j, q, c);
-    // Deflection of the clamped cell under its own load, which the shape functions leave out.
-    Vector3 bubble = x * rest / (2. * profile.EA) * (load.line_force - across);
-    bubble += x * x * rest * rest / (24. * profile.EI) * across;
-    if (profile.GA > 0.)
-      bubble += x * rest / (2. * profile.GA) * across;
-    const Vector3 turn =
-        cross_product_3d(axes.x, x * rest * (rest - x) / (12. * profile.EI) * across);
-    for (unsigned int d = 0; d < 3; ++d) {
-      result.displacement[d] += bubble[d];
-      result.displacement[3 + d] += turn[d];
-    }
+    const Tensor<1, 6> clamped =
+        clamped_motion(element.profile(), axes.x, load.line_force, x, length - x);
+    for (unsigned int c = 0; c < 6; ++c)
+      result.displacement[c] += clamped[c];
     stations.push_back(result);
   }
   stations.push_back(at_node(length, 6 - start));

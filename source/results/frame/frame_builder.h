@@ -31,7 +31,7 @@ public:
   /// Motion of a named point in global axes.
   Motion motion(const LineState &state, const std::string &point) const;
 
-  /// Velocity of a named point in global axes, that of imposed motions left out.
+  /// Velocity of a named point in global axes, also of one that loads move.
   Motion velocity(const LineState &state, const std::string &point) const;
 
   /// State of friction element @p i.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/frame_builder.h"
 
-#include <map>
-#include <tuple>
-
 namespace frictionbeam {
 
 using namespace dealii;
@@ -91,21 +88,11 @@ void FrameBuilder::add_inertia(const LineState &state) {
       state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
   if (at_rest)
     return;
-  std::map<types::global_dof_index, std::pair<double, double>> imposed; // velocity, acceleration
-  for (unsigned int l = 0; l < state.load_rates.size(); ++l)
-    for (const auto &[dof, value] : model.linear.imposed(l)) {
-      imposed[dof].first += state.load_rates[l] * value;
-      imposed[dof].second += state.load_accelerations[l] * value;
-    }
-  const auto rates = [&](const types::global_dof_index dof) {
-    const auto given = imposed.find(dof);
-    std::pair<double, double> result =
-        given == imposed.end() ? std::pair<double, double>() : given->second;
-    for (const auto &term : model.space.terms(dof)) {
-      result.first += term.weight * state.velocity[term.unknown];
-      result.second += term.weight * state.acceleration[term.unknown];
-    }
-    return result;
+  const auto velocity_of = [&](const types::global_dof_index dof) {
+    return model.linear.rate(dof, model.space, state.velocity, state.load_rates);
+  };
+  const auto acceleration_of = [&](const types::global_dof_index dof) {
+    return model.linear.rate(dof, model.space, state.acceleration, state.load_accelerations);
   };
   const auto add = [&](const unsigned int vertex, const unsigned int c, const double force) {
     if (is_held[vertex])
@@ -114,8 +101,10 @@ void FrameBuilder::add_inertia(const LineState &state) {
   const TimeSettings &time = model.scene.time;
   for (const HeldCell &cell : held_cells) {
     PipeElement::Vector12 v, a;
-    for (unsigned int c = 0; c < 12; ++c)
-      std::tie(v[c], a[c]) = rates(cell.dofs[c]);
+    for (unsigned int c = 0; c < 12; ++c) {
+      v[c] = velocity_of(cell.dofs[c]);
+      a[c] = acceleration_of(cell.dofs[c]);
+    }
     PipeElement::Vector12 forces = cell.mass * (a + time.mass_damping * v);
     // Velocities at a step's end stretch a cell that turns, which times its stiffness would be a
     // force where there is none: of turning cells the share of damping is left out.
@@ -131,8 +120,7 @@ void FrameBuilder::add_inertia(const LineState &state) {
       for (unsigned int d = 0; d < 3; ++d) {
         const unsigned int vertex = model.mesh.points.at(point);
         const auto dof = at.index(vertex, d);
-        const auto [velocity, acceleration] = rates(dof);
-        add(vertex, d, mass.mass * (acceleration + time.mass_damping * velocity));
+        add(vertex, d, mass.mass * (acceleration_of(dof) + time.mass_damping * velocity_of(dof)));
       }
 }
 

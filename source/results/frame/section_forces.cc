@@ -108,13 +108,17 @@ SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned 
   }
   kind.sum.setZero();
   kind.spacing = chord.norm() / (per_cell - 1);
-  if (!is_arc)
-    return kind;
-  const ArcBeam &arc = *element.arc();
+  if (is_arc)
+    kind.arc_stations = stations_of(*element.arc(), pipe_cell.reversed);
+  return kind;
+}
+
+std::vector<SectionForces::Matrix6x9> SectionForces::stations_of(const ArcBeam &arc,
+                                                                 const bool reversed) const {
+  std::vector<Matrix6x9> stations;
   for (unsigned int i = 0; i < per_cell; ++i) {
     const double part = static_cast<double>(i) / (per_cell - 1),
-                 psi = arc.angle() * (pipe_cell.reversed ? 1. - part : part),
-                 side = pipe_cell.reversed ? -1. : 1.;
+                 psi = arc.angle() * (reversed ? 1. - part : part), side = reversed ? -1. : 1.;
     const LocalAxes there(side * arc.tangent(psi));
     Matrix6x9 station;
     for (unsigned int j = 0; j < 9; ++j) {
@@ -124,9 +128,9 @@ SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned 
       station.col(j) << F * there.x, F * there.y, F * there.z, M * there.x, M * there.y,
           M * there.z;
     }
-    kind.arc_stations.push_back(side * station);
+    stations.push_back(side * station);
   }
-  return kind;
+  return stations;
 }
 
 void SectionForces::sum_loads(const std::vector<double> &factors) {
@@ -143,7 +147,7 @@ const double *SectionForces::forces_of(const Kind &kind, const Vector9 &start) {
       Eigen::Map<Eigen::Matrix<double, 6, 1>>(buffer.data() + 6 * i) = kind.arc_stations[i] * start;
     return buffer.data();
   }
-  // F' = -q, M' = -x cross F
+  // F' = -q, M' = -x cross F (doc/theory.md, "The pipe")
   const double qx = start[6], qy = start[7], qz = start[8];
   for (unsigned int i = 0; i < per_cell; ++i) {
     const double x = i * kind.spacing, half = x * x / 2.;

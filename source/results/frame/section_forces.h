@@ -62,6 +62,9 @@ private:
   };
 
   Kind make_kind(const Model &model, const unsigned int index) const;
+  /// Forces at each station of an arc, in its own axes, of unit ones at the start.
+  /// @param reversed whether the route goes against the deal.II cell
+  std::vector<Matrix6x9> stations_of(const ArcBeam &arc, const bool reversed) const;
   void sum_loads(const std::vector<double> &factors);
   static Vector9 start_of(const Kind &kind, const Cell &cell, const Vector &dofs) {
     Vector9 start = kind.sum;
