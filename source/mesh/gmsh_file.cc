@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/gmsh_file.h"
-#include "mesh/own_mesh.h"
-
 #include "mesh/gmsh_session.h"
+#include "mesh/gmsh_vertices.h"
+#include "mesh/own_mesh.h"
 
 #include "base/user_error.h"
 
@@ -74,76 +74,76 @@ std::vector<std::size_t> chain(const std::vector<Edge> &edges, const std::string
   return nodes;
 }
 
+/// The straight cells of a physical curve.
+/// @param pipe that has its name
+std::vector<Edge> edges_of(const int curve, const std::string &pipe, const std::string &file) {
+  std::vector<int> entities;
+  gmsh::model::getEntitiesForPhysicalGroup(1, curve, entities);
+  std::vector<Edge> edges;
+  for (const int entity : entities) {
+    std::vector<int> types;
+    std::vector<std::vector<std::size_t>> elements, nodes;
+    gmsh::model::mesh::getElements(types, elements, nodes, 1, entity);
+    for (unsigned int t = 0; t < types.size(); ++t) {
+      if (types[t] != 1)
+        throw UserError("The file '" + file + "' has curved cells on '" + pipe +
+                        "'. Mesh it with elements of order 1.");
+      for (std::size_t i = 0; i < nodes[t].size(); i += 2)
+        edges.push_back({nodes[t][i], nodes[t][i + 1]});
+    }
+  }
+  if (edges.empty())
+    throw UserError("The physical curve '" + pipe + "' of '" + file + "' has no cells.");
+  return edges;
+}
+
+/// Put the names on vertices: of physical points, and of points that the scene places.
+void name_points(const Scene &scene, GmshVertices &vertex_of, LineMesh &mesh) {
+  for (const auto &[name, group] : physical_groups(0)) {
+    std::vector<std::size_t> nodes;
+    std::vector<double> coordinates;
+    gmsh::model::mesh::getNodesForPhysicalGroup(0, group, nodes, coordinates);
+    if (nodes.size() != 1 || !vertex_of.has(nodes[0]))
+      throw UserError("The physical point '" + name + "' of '" + scene.mesh.file +
+                      "' is no node of a pipe. Split the curve there, so that the point is the end "
+                      "of a curve.");
+    mesh.points[name] = vertex_of(nodes[0]);
+  }
+  for (const NamedPoint &point : scene.points)
+    for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
+      if (mesh.vertices[v].distance(point.position) <= 1e-6)
+        mesh.points[point.name] = v;
+}
+
 } // namespace
 
 LineMesh mesh_file(const Scene &scene) {
   const std::string &file = scene.mesh.file;
   const GmshSession session;
   open_own_mesh(scene, 1);
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates, unused;
-  gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
-  std::unordered_map<std::size_t, std::size_t> place;
-  for (std::size_t i = 0; i < tags.size(); ++i)
-    place[tags[i]] = i;
-
   LineMesh mesh;
-  std::unordered_map<std::size_t, unsigned int> vertex;
+  GmshVertices vertex_of(scene.units.factor("m"),
+                         mesh.vertices); // the file is in the input's units
   const auto curves = physical_groups(1);
   for (const Pipe &pipe : scene.pipes) {
     const auto curve = curves.find(pipe.name);
     if (curve == curves.end())
       throw UserError("The file '" + file + "' has no physical curve called '" + pipe.name +
                       "', as one of the pipes is. It has: " + list(curves) + ".");
-    std::vector<int> entities;
-    gmsh::model::getEntitiesForPhysicalGroup(1, curve->second, entities);
-    std::vector<Edge> edges;
-    for (const int entity : entities) {
-      std::vector<int> types;
-      std::vector<std::vector<std::size_t>> elements, nodes;
-      gmsh::model::mesh::getElements(types, elements, nodes, 1, entity);
-      for (unsigned int t = 0; t < types.size(); ++t) {
-        if (types[t] != 1)
-          throw UserError("The file '" + file + "' has curved cells on '" + pipe.name +
-                          "'. Mesh it with elements of order 1.");
-        for (std::size_t i = 0; i < nodes[t].size(); i += 2)
-          edges.push_back({nodes[t][i], nodes[t][i + 1]});
-      }
-    }
-    if (edges.empty())
-      throw UserError("The physical curve '" + pipe.name + "' of '" + file + "' has no cells.");
     MeshedPipe meshed;
-    for (const std::size_t tag : chain(edges, pipe.name, file)) {
-      const auto [entry, is_new] = vertex.try_emplace(tag, mesh.vertices.size());
-      if (is_new) {
-        const double *const x = &coordinates[3 * place.at(tag)];
-        const double unit = scene.units.factor("m"); // the file is in the units of the input
-        mesh.vertices.emplace_back(unit * x[0], unit * x[1], unit * x[2]);
-      }
-      const Point3 &here = mesh.vertices[entry->second];
+    for (const std::size_t tag : chain(edges_of(curve->second, pipe.name, file), pipe.name, file)) {
+      const unsigned int vertex = vertex_of(tag);
+      const Point3 &here = mesh.vertices[vertex];
       meshed.s.push_back(meshed.s.empty()
                              ? 0.
                              : meshed.s.back() +
                                    here.distance(mesh.vertices[meshed.vertices.back()]));
-      meshed.vertices.push_back(entry->second);
+      meshed.vertices.push_back(vertex);
     }
     meshed.bend_radius.assign(meshed.vertices.size() - 1, pipe.bend_radius);
     mesh.pipes.push_back(meshed);
   }
-
-  for (const auto &[name, group] : physical_groups(0)) {
-    std::vector<std::size_t> nodes;
-    gmsh::model::mesh::getNodesForPhysicalGroup(0, group, nodes, coordinates);
-    if (nodes.size() != 1 || vertex.count(nodes[0]) == 0)
-      throw UserError("The physical point '" + name + "' of '" + file +
-                      "' is no node of a pipe. Split the curve there, so that the point is the end "
-                      "of a curve.");
-    mesh.points[name] = vertex.at(nodes[0]);
-  }
-  for (const NamedPoint &point : scene.points)
-    for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
-      if (mesh.vertices[v].distance(point.position) <= 1e-6)
-        mesh.points[point.name] = v;
+  name_points(scene, vertex_of, mesh);
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 #include "mesh/gmsh_routes.h"
 
 #include "mesh/gmsh_session.h"
+#include "mesh/gmsh_vertices.h"
 #include "mesh/pipe_junctions.h"
 
 #include "base/user_error.h"
@@ -221,37 +222,7 @@ void mesh_curves(const std::vector<PipePath> &paths, const PipeJunctions &juncti
   gmsh::model::mesh::generate(1);
 }
 
-/// Takes gmsh's nodes for vertices, in the order in which pipes reach them.
-class Vertices {
-public:
-  explicit Vertices(std::vector<Point3> &vertices) : vertices(vertices) {
-    std::vector<std::size_t> tags;
-    std::vector<double> unused;
-    gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
-    place.reserve(tags.size());
-    for (std::size_t i = 0; i < tags.size(); ++i)
-      place[tags[i]] = i;
-    number.resize(tags.size(), numbers::invalid_unsigned_int); // a bend's centre stays without
-  }
-
-  unsigned int operator()(const std::size_t tag) {
-    const std::size_t i = place.at(tag);
-    if (number[i] == numbers::invalid_unsigned_int) {
-      number[i] = vertices.size();
-      const double *const x = &coordinates[3 * i];
-      vertices.emplace_back(x[0], x[1], x[2]);
-    }
-    return number[i];
-  }
-
-private:
-  std::vector<Point3> &vertices;
-  std::vector<double> coordinates;
-  std::unordered_map<std::size_t, std::size_t> place;
-  std::vector<unsigned int> number;
-};
-
-void append_cells(const Piece &piece, Vertices &vertex_of, MeshedPipe &pipe) {
+void append_cells(const Piece &piece, GmshVertices &vertex_of, MeshedPipe &pipe) {
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> elements, nodes;
   gmsh::model::mesh::getElements(types, elements, nodes, 1, piece.curve);
@@ -326,7 +297,7 @@ LineMesh mesh_routes(const Scene &scene) {
   mesh_curves(paths, junctions, pieces);
   LineMesh mesh;
   mesh.pipes.resize(paths.size());
-  Vertices vertex_of(mesh.vertices);
+  GmshVertices vertex_of(1., mesh.vertices);
   for (unsigned int p = 0; p < paths.size(); ++p)
     for (const Piece &piece : pieces[p])
       append_cells(piece, vertex_of, mesh.pipes[p]);

@@ -25,14 +25,48 @@ Vector3 PipePath::Segment::tangent(const double s) const {
   return std::cos(angle) * first_tangent + std::sin(angle) * inward;
 }
 
+namespace {
+
+constexpr double no_angle = 1e-9; ///< of a corner that is none [rad]
+
+/// Point @p i of a pipe's route, for messages.
+std::string where(const Pipe &pipe, const unsigned int i) {
+  const RoutePoint &point = pipe.route[i];
+  return "point " +
+         (point.name.empty() ? "number " + std::to_string(i + 1) : "'" + point.name + "'") +
+         " of the route of pipe '" + pipe.name + "'";
+}
+
+/// The corner at point @p i, which has a bend: its tangents are R tan(angle/2) long.
+/// @param leg that leads there @param units of messages
+PipePath::Corner corner_at(const Pipe &pipe, const unsigned int i, const Vector3 &leg,
+                           const UnitSystem &units) {
+  const double radius = pipe.route[i].bend_radius, length = leg.norm();
+  PipePath::Corner corner;
+  corner.next = pipe.route[i + 1].position - pipe.route[i].position;
+  const double next_length = corner.next.norm();
+  if (next_length == 0.)
+    throw UserError("The " + where(pipe, i + 1) + " lies on the point before it.");
+  corner.next /= next_length;
+  corner.angle = std::acos(std::clamp(leg / length * corner.next, -1., 1.));
+  if (corner.angle > numbers::PI - 1e-6)
+    throw UserError("The route turns back on itself at " + where(pipe, i) +
+                    ": a bend needs an angle below 180 degrees. Use two corners.");
+  corner.cut = radius * std::tan(corner.angle / 2.);
+  if (corner.cut > length * (1. + same_place) || corner.cut > next_length * (1. + same_place)) {
+    const auto text = [&](const double value) { return in_units(units, value, "m"); };
+    throw UserError("The bend of radius " + text(radius) + " at " + where(pipe, i) + " takes " +
+                    text(corner.cut) + " of each leg, and what is left of the legs is " +
+                    text(length) + " and " + text(next_length) +
+                    ". Give a smaller radius or longer legs.");
+  }
+  return corner;
+}
+
+} // namespace
+
 PipePath::PipePath(const Pipe &pipe, const UnitSystem &units) {
   const auto &route = pipe.route;
-  const auto where = [&](const unsigned int i) {
-    return "point " +
-           (route[i].name.empty() ? "number " + std::to_string(i + 1) : "'" + route[i].name + "'") +
-           " of the route of pipe '" + pipe.name + "'";
-  };
-
   Point3 begin = route.front().position;
   places.push_back({route.front().name, 0.});
   for (unsigned int i = 1; i < route.size(); ++i) {
@@ -43,58 +77,47 @@ PipePath::PipePath(const Pipe &pipe, const UnitSystem &units) {
       continue;
     }
     if (leg.norm() == 0.)
-      throw UserError("The " + where(i) +
+      throw UserError("The " + where(pipe, i) +
                       " lies where the run before it begins, so the run has no "
                       "length. Remove one of the two points or give a smaller bend radius.");
-    const Vector3 t = leg / leg.norm();
-    double cut = 0.; // of the leg, by the bend at its end
-    Vector3 next;
-    double angle = 0.;
-    if (route[i].bend_radius > 0. && i + 1 < route.size()) {
-      next = route[i + 1].position - route[i].position;
-      if (next.norm() == 0.)
-        throw UserError("The " + where(i + 1) + " lies on the point before it.");
-      next /= next.norm();
-      angle = std::acos(std::clamp(t * next, -1., 1.));
-      if (angle > numbers::PI - 1e-6)
-        throw UserError("The route turns back on itself at " + where(i) +
-                        ": a bend needs an angle below 180 degrees. Use two corners.");
-      cut = route[i].bend_radius * std::tan(angle / 2.);
-      const double next_length = (route[i + 1].position - route[i].position).norm();
-      if (cut > leg.norm() * (1. + same_place) || cut > next_length * (1. + same_place)) {
-        const auto length = [&](const double value) { return in_units(units, value, "m"); };
-        throw UserError("The bend of radius " + length(route[i].bend_radius) + " at " + where(i) +
-                        " takes " + length(cut) + " of each leg, and what is left of the legs is " +
-                        length(leg.norm()) + " and " + length(next_length) +
-                        ". Give a smaller radius or longer legs.");
-      }
-    }
-    if (leg.norm() - cut > same_place * leg.norm()) {
-      Segment straight;
-      straight.length = leg.norm() - cut;
-      straight.begin = begin;
-      straight.end = begin + straight.length * t;
-      straight.first_tangent = t;
-      append(straight);
-    }
-    begin = route[i].position;
-    if (angle > 1e-9) {
-      Segment bend;
-      bend.radius = route[i].bend_radius;
-      bend.length = bend.radius * angle;
-      bend.begin = route[i].position - cut * t;
-      bend.end = begin = route[i].position + cut * next;
-      bend.first_tangent = t;
-      bend.inward = next - (next * t) * t;
-      bend.inward /= bend.inward.norm();
-      bend.centre = bend.begin + bend.radius * bend.inward;
-      append(bend);
-    }
-    if (angle <= 1e-9)
+    const Vector3 tangent = leg / leg.norm();
+    Corner corner;
+    if (route[i].bend_radius > 0. && i + 1 < route.size())
+      corner = corner_at(pipe, i, leg, units);
+    if (leg.norm() - corner.cut > same_place * leg.norm())
+      append_run(begin, tangent, leg.norm() - corner.cut);
+    if (corner.angle > no_angle) {
+      append_bend(corner, route[i], tangent);
+      begin = parts.back().end;
+      if (!route[i].name.empty())
+        places.push_back({route[i].name, total_length - parts.back().length / 2.});
+    } else {
+      begin = route[i].position;
       places.push_back({route[i].name, total_length});
-    else if (!route[i].name.empty())
-      places.push_back({route[i].name, total_length - parts.back().length / 2.});
+    }
   }
+}
+
+void PipePath::append_run(const Point3 &begin, const Vector3 &tangent, const double length) {
+  Segment straight;
+  straight.length = length;
+  straight.begin = begin;
+  straight.end = begin + length * tangent;
+  straight.first_tangent = tangent;
+  append(straight);
+}
+
+void PipePath::append_bend(const Corner &corner, const RoutePoint &at, const Vector3 &tangent) {
+  Segment bend;
+  bend.radius = at.bend_radius;
+  bend.length = bend.radius * corner.angle;
+  bend.begin = at.position - corner.cut * tangent;
+  bend.end = at.position + corner.cut * corner.next;
+  bend.first_tangent = tangent;
+  bend.inward = corner.next - (corner.next * tangent) * tangent;
+  bend.inward /= bend.inward.norm();
+  bend.centre = bend.begin + bend.radius * bend.inward;
+  append(bend);
 }
 
 void PipePath::append(Segment segment) {

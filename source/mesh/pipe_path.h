@@ -20,6 +20,13 @@ public:
     Vector3 tangent(const double s) const;
   };
 
+  /// What a bend takes of the legs that it joins.
+  struct Corner {
+    double cut = 0.;   ///< of either leg [m]
+    double angle = 0.; ///< between them [rad]; 0: no bend
+    Vector3 next;      ///< unit, along the second
+  };
+
   /// @param units of messages
   /// @throws UserError if a bend does not fit between its neighbours or the route turns back.
   PipePath(const Pipe &pipe, const UnitSystem &units);
@@ -44,6 +51,9 @@ public:
 private:
   const Segment &segment_at(const double s) const;
   void append(Segment segment);
+  /// The straight part of a leg along unit vector @p tangent.
+  void append_run(const Point3 &begin, const Vector3 &tangent, const double length);
+  void append_bend(const Corner &corner, const RoutePoint &at, const Vector3 &tangent);
 
   std::vector<Segment> parts;
   std::vector<RoutePlace> places;

@@ -300,20 +300,27 @@ std::array<Tensor<1, dim>, dim> axes_along(const Tensor<1, dim> &n) {
   return axes;
 }
 
+/// The point of a face's quadrature that is nearest to @p place.
+template <int dim>
+unsigned int nearest_point(const Point<dim> &place, const FEFaceValues<dim> &values) {
+  unsigned int nearest = 0;
+  for (const unsigned int q : values.quadrature_point_indices())
+    if (place.distance(values.quadrature_point(q)) <
+        place.distance(values.quadrature_point(nearest)))
+      nearest = q;
+  return nearest;
+}
+
 } // namespace
 
 template <int dim>
-void ContinuumBody<dim>::find_contact_nodes() {
-  // Area times outward normal at each node, its components on the node's dofs.
+void ContinuumBody<dim>::add_faces(std::vector<ContactArea> &areas) const {
+  // The formula's points are the face's nodes (doc/continuum.md, "Friction at nodes").
   const QGaussLobatto<dim - 1> quadrature(fe.degree + 1);
   FEFaceValues<dim> values(fe, quadrature,
                            update_quadrature_points | update_normal_vectors | update_JxW_values);
   const std::vector<Point<dim>> &unit_points = fe.get_unit_support_points();
   const auto &mapping = values.get_mapping();
-  std::vector<ContinuumVector> areas(continuum.contacts.size());
-  for (ContinuumVector &area : areas)
-    reinit(area);
-  std::vector<std::map<types::global_dof_index, ContinuumContactNode<dim>>> found(areas.size());
   Vector<double> local(fe.n_dofs_per_cell());
   std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
   for (const auto &cell : dof_handler.active_cell_iterators()) {
@@ -331,15 +338,11 @@ void ContinuumBody<dim>::find_contact_nodes() {
         const unsigned int k = fe.face_to_cell_index(i, f),
                            component = fe.system_to_component_index(k).first;
         const Point<dim> place = mapping.transform_unit_to_real_cell(cell, unit_points[k]);
-        unsigned int nearest = 0;
-        for (const unsigned int q : values.quadrature_point_indices())
-          if (place.distance(values.quadrature_point(q)) <
-              place.distance(values.quadrature_point(nearest)))
-            nearest = q;
-        local[k] = values.JxW(nearest) * thickness() * values.normal_vector(nearest)[component];
+        const unsigned int q = nearest_point(place, values);
+        local[k] = values.JxW(q) * thickness() * values.normal_vector(q)[component];
         if (component > 0 || !owned.is_element(dofs[k]))
           continue;
-        ContinuumContactNode<dim> &node = found[surface][dofs[k]];
+        ContinuumContactNode<dim> &node = areas[surface].nodes[dofs[k]];
         node.position = place;
         node.surface = surface;
         for (unsigned int d = 0; d < dim; ++d)
@@ -347,21 +350,29 @@ void ContinuumBody<dim>::find_contact_nodes() {
               dofs[fe.component_to_system_index(d, fe.system_to_component_index(k).second)];
       }
       if (cell->is_locally_owned())
-        add_area(local, dofs, areas[surface]);
+        add_area(local, dofs, areas[surface].normals);
     }
   }
+}
+
+template <int dim>
+void ContinuumBody<dim>::find_contact_nodes() {
+  std::vector<ContactArea> areas(continuum.contacts.size());
+  for (ContactArea &area : areas)
+    reinit(area.normals);
+  add_faces(areas);
   nodes.clear();
-  for (unsigned int s = 0; s < areas.size(); ++s) {
-    areas[s].compress(VectorOperation::add);
+  for (ContactArea &area : areas) {
+    area.normals.compress(VectorOperation::add);
     const unsigned int begin = nodes.size();
-    for (auto &[first_dof, node] : found[s]) {
-      Tensor<1, dim> area;
+    for (auto &[first_dof, node] : area.nodes) {
+      Tensor<1, dim> normal;
       for (unsigned int d = 0; d < dim; ++d)
-        area[d] = areas[s](node.dofs[d]);
-      node.weight = area.norm();
+        normal[d] = area.normals(node.dofs[d]);
+      node.weight = normal.norm();
       if (node.weight == 0.)
         continue; // a hanging node
-      node.frame = axes_along<dim>(area / node.weight);
+      node.frame = axes_along<dim>(normal / node.weight);
       bool held = false; // what holds the node along its normal carries its force
       for (unsigned int d = 0; d < dim; ++d)
         held |=

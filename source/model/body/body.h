@@ -13,6 +13,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <functional>
+#include <map>
 #include <memory>
 
 namespace frictionbeam {
@@ -99,7 +100,13 @@ public:
 
 private:
   void hold(const ContinuumHold &part);
+  /// What the faces of a surface with friction tell of its nodes.
+  struct ContactArea {
+    ContinuumVector normals; ///< area times outward normal of each node, on its dofs
+    std::map<dealii::types::global_dof_index, ContinuumContactNode<dim>> nodes; ///< by first dof
+  };
   void find_contact_nodes();
+  void add_faces(std::vector<ContactArea> &areas) const;
   /// Add a cell's areas at its dofs: held ones keep their share, hanging ones pass it on.
   void add_area(const dealii::Vector<double> &local,
                 const std::vector<dealii::types::global_dof_index> &dofs,

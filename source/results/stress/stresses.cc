@@ -139,6 +139,66 @@ bool take_envelope(const Results &results, const Frame &frame, const std::string
   return false;
 }
 
+/// Sustained or occasional stresses at the end of a step, of a transient one the largest; none if
+/// the step was not reached.
+/// @param pressure in a pipe during a step [Pa]
+std::optional<StressCase>
+case_of_loads(const StressEvaluation &evaluation, const std::string &step, const bool occasional,
+              const std::function<double(const std::string &, const unsigned int)> &pressure) {
+  const Frame *const frame = evaluation.frame_of(step);
+  if (frame == nullptr)
+    return {};
+  const StressCode &code = *evaluation.code;
+  StressCase result;
+  result.name = result.step = step;
+  result.kind = occasional ? "occasional" : "sustained";
+  result.frame = *frame;
+  const bool is_known = take_envelope(evaluation.results, *frame, "", result);
+  const StressOfCase stress_of(evaluation, *frame);
+  for (unsigned int i = 0; i < frame->line.size(); ++i) {
+    const Station &station = frame->line[i];
+    const StressPoint point = evaluation.point(station);
+    if (!is_known)
+      result.stress.push_back(
+          stress_of(i, point, pressure(step, station.pipe), &StressCode::sustained, nullptr));
+    result.allowed.push_back(occasional ? code.allowed_occasional(point, evaluation.scene.stress)
+                                        : code.allowed_sustained(point));
+  }
+  return result;
+}
+
+/// The expansion range from one step to another; none if either was not reached.
+/// @param cases of which the first @p n_sustained are sustained, whose largest stress at a station
+/// counts for what the range may be there
+std::optional<StressCase> case_of_expansion(const StressEvaluation &evaluation,
+                                            const std::string &from, const std::string &to,
+                                            const std::vector<StressCase> &cases,
+                                            const std::size_t n_sustained) {
+  const Frame *const before = evaluation.frame_of(from), *const after = evaluation.frame_of(to);
+  if (before == nullptr || after == nullptr)
+    return {};
+  AssertDimension(before->line.size(), after->line.size());
+  StressCase result;
+  result.name = from + " to " + to;
+  result.step = to;
+  result.kind = "expansion";
+  result.frame = *after;
+  const bool is_known = take_envelope(evaluation.results, *after, from, result);
+  const StressOfCase stress_of(evaluation, *after);
+  for (unsigned int i = 0; i < after->line.size(); ++i) {
+    const StressPoint point = evaluation.point(after->line[i]);
+    double sustained = 0.;
+    for (std::size_t s = 0; s < n_sustained; ++s)
+      sustained = std::max(sustained, cases[s].stress[i]);
+    if (!is_known)
+      result.stress.push_back(
+          stress_of(i, point, 0., &StressCode::expansion_range, &before->line[i].force));
+    result.allowed.push_back(
+        evaluation.code->allowed_range(point, evaluation.scene.stress, sustained));
+  }
+  return result;
+}
+
 } // namespace
 
 std::vector<StressCase>
@@ -148,63 +208,21 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
   if (scene.stress.code.empty())
     return cases;
   const StressEvaluation evaluation(scene, mesh, results);
-  const StressCode &code = *evaluation.code;
-  const auto add = [&](const std::string &step, const bool occasional) {
-    const Frame *const frame = evaluation.frame_of(step);
-    if (frame == nullptr)
+  const auto add = [&](std::optional<StressCase> one) {
+    if (!one)
       return;
-    StressCase result;
-    result.name = result.step = step;
-    result.kind = occasional ? "occasional" : "sustained";
-    result.frame = *frame;
-    const bool is_known = take_envelope(results, *frame, "", result);
-    const StressOfCase stress_of(evaluation, *frame);
-    for (unsigned int i = 0; i < frame->line.size(); ++i) {
-      const Station &station = frame->line[i];
-      const StressPoint point = evaluation.point(station);
-      if (!is_known)
-        result.stress.push_back(
-            stress_of(i, point, pressure(step, station.pipe), &StressCode::sustained, nullptr));
-      result.allowed.push_back(occasional ? code.allowed_occasional(point, scene.stress)
-                                          : code.allowed_sustained(point));
-    }
-    find_worst(result);
-    cases.push_back(std::move(result));
+    one->code = evaluation.code->name();
+    find_worst(*one);
+    add_factors(evaluation, *one);
+    cases.push_back(std::move(*one));
   };
   for (const std::string &step : scene.stress.sustained)
-    add(step, false);
+    add(case_of_loads(evaluation, step, false, pressure));
   const std::size_t n_sustained = cases.size();
   for (const std::string &step : scene.stress.occasional)
-    add(step, true);
-  for (const auto &[from, to] : scene.stress.expansion) {
-    const Frame *const before = evaluation.frame_of(from), *const after = evaluation.frame_of(to);
-    if (before == nullptr || after == nullptr)
-      continue;
-    AssertDimension(before->line.size(), after->line.size());
-    StressCase result;
-    result.name = from + " to " + to;
-    result.step = to;
-    result.kind = "expansion";
-    result.frame = *after;
-    const bool is_known = take_envelope(results, *after, from, result);
-    const StressOfCase stress_of(evaluation, *after);
-    for (unsigned int i = 0; i < after->line.size(); ++i) {
-      const StressPoint point = evaluation.point(after->line[i]);
-      double sustained = 0.;
-      for (std::size_t s = 0; s < n_sustained; ++s)
-        sustained = std::max(sustained, cases[s].stress[i]);
-      if (!is_known)
-        result.stress.push_back(
-            stress_of(i, point, 0., &StressCode::expansion_range, &before->line[i].force));
-      result.allowed.push_back(code.allowed_range(point, scene.stress, sustained));
-    }
-    find_worst(result);
-    cases.push_back(std::move(result));
-  }
-  for (StressCase &result : cases) {
-    result.code = code.name();
-    add_factors(evaluation, result);
-  }
+    add(case_of_loads(evaluation, step, true, pressure));
+  for (const auto &[from, to] : scene.stress.expansion)
+    add(case_of_expansion(evaluation, from, to, cases, n_sustained));
   return cases;
 }
 

@@ -48,10 +48,41 @@ std::vector<std::string> pairs_of(const std::vector<FrictionSupport> &supports) 
   return pairs;
 }
 
-void check_where(const ParameterReader &in, const Quantity &quantity, Scene &scene) {
+/// A point of the line, or what holds it: a support, also one that is a pair, a restraint, a
+/// spring.
+void check_holder(const ParameterReader &in, const Quantity &quantity, Scene &scene) {
+  const std::vector<std::string> holders = names(scene.supports) + pairs_of(scene.supports) +
+                                           names(scene.restraints) + names(scene.springs);
+  if (contains(holders, quantity.where) || is_repeated(quantity.where, holders))
+    return;
+  if (!scene.mesh.file.empty())
+    check_point(in, quantity.name, quantity.where, scene);
+  else
+    in.find(quantity.name, quantity.where, point_names(scene) + holders,
+            "point, support or spring");
+}
+
+/// A friction support. Those that are a pair answer for work and wear only.
+void check_support(const ParameterReader &in, const Quantity &quantity, const Scene &scene) {
   const std::vector<std::string> supports = names(scene.supports), pairs = pairs_of(scene.supports);
-  const std::vector<std::string> holders =
-      supports + pairs + names(scene.restraints) + names(scene.springs);
+  const std::string &what = quantity.what, &where = quantity.where;
+  const bool is_one = contains(pairs, where), is_pair = is_one || is_repeated(where, pairs);
+  if (is_pair && (what == "work" || what == "wear"))
+    return;
+  const auto number = is_one ? where.size() : where.rfind('.');
+  if (is_pair)
+    in.fail(quantity.name,
+            "work, wear and fx to mz at a support whose two halves, .plus and .minus, are friction "
+            "elements of their own; " +
+                what + " of either half",
+            "'" + what + " at " + where.substr(0, number) + ".plus" + where.substr(number) +
+                "', or 'fx at " + where + "'",
+            "'" + what + " at " + where + "'");
+  if (!is_repeated(where, supports))
+    in.find(quantity.name, where, supports, "friction support");
+}
+
+void check_where(const ParameterReader &in, const Quantity &quantity, Scene &scene) {
   const std::string &what = quantity.what, &where = quantity.where, &entry = quantity.name;
   switch (quantity.kind().of) {
   case Of::motion:
@@ -60,36 +91,17 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
     check_point(in, entry, where, scene);
     return;
   case Of::holder:
-    if (contains(holders, where) || is_repeated(where, holders))
-      return;
-    if (!scene.mesh.file.empty())
-      check_point(in, entry, where, scene);
-    else
-      in.find(entry, where, point_names(scene) + holders, "point, support or spring");
+    check_holder(in, quantity, scene);
     return;
   case Of::support:
-  case Of::change: {
-    const bool is_one = contains(pairs, where), is_pair = is_one || is_repeated(where, pairs);
-    if (is_pair && (what == "work" || what == "wear"))
-      return;
-    const auto number = is_one ? where.size() : where.rfind('.');
-    if (is_pair)
-      in.fail(
-          entry,
-          "work, wear and fx to mz at a support whose two halves, .plus and .minus, are friction "
-          "elements of their own; " +
-              what + " of either half",
-          "'" + what + " at " + where.substr(0, number) + ".plus" + where.substr(number) +
-              "', or 'fx at " + where + "'",
-          "'" + what + " at " + where + "'");
-    if (!is_repeated(where, supports))
-      in.find(entry, where, supports, "friction support");
+  case Of::change:
+    check_support(in, quantity, scene);
     return;
-  }
   case Of::supports:
     if (!where.empty() && quantity.kind().measure == QuantityKind::Measure::place)
       in.fail(entry, what + " of all friction supports", "no place");
-    if (!where.empty() && !is_repeated(where, supports))
+    if (const auto supports = names(scene.supports);
+        !where.empty() && !is_repeated(where, supports))
       in.find(entry, where, supports, "friction support");
     return;
   case Of::mode:
@@ -163,37 +175,43 @@ bool is_of_continuum(const Scene &scene, const std::string &name) {
                      [&](const ContinuumQuantity &one) { return one.name == name; });
 }
 
-/// `[over] [|]what[|] [at where][, step NAME][, time T][, from T][, to T]`
+/// `[over] [|]what[|] [at where]`, in words
+void parse_subject(const ParameterReader &in, std::vector<std::string> words,
+                   const std::string &piece, Quantity &quantity) {
+  const auto interval = find_word(intervals, words[0]);
+  if (interval != std::end(intervals) && words.size() > 1) {
+    quantity.over = interval->value;
+    words.erase(words.begin());
+  }
+  std::string what = words[0];
+  quantity.absolute = what.size() > 2 && what.front() == '|' && what.back() == '|';
+  if (quantity.absolute)
+    what = what.substr(1, what.size() - 2);
+  quantity.what = what;
+  in.find(quantity.name, what, words_of_kinds(quantity.over == Over::time_of), "quantity");
+  using Side = Quantity::Side;
+  if (words.size() == 3 && words[1] == "at")
+    quantity.where = words[2];
+  else if (words.size() == 3 && quantity.is(Of::section) &&
+           (words[1] == "before" || words[1] == "after")) {
+    quantity.where = words[2];
+    quantity.side = words[1] == "before" ? Side::before : Side::after;
+  } else if (words.size() == 2 && quantity.is(Of::mode))
+    quantity.where = words[1];
+  else if (words.size() != 1)
+    fail_form(in, quantity.name, piece);
+}
+
+/// The subject, then `[, step NAME][, pipe NAME][, time T][, from T][, to T]`
 void parse_definition(const ParameterReader &in, const std::string &text, const Scene &scene,
                       Quantity &quantity) {
   for (const std::string &piece : split(text, ',')) {
-    std::vector<std::string> words = split(piece, ' ');
+    const std::vector<std::string> words = split(piece, ' ');
     if (words.empty())
       fail_form(in, quantity.name, text);
-    if (quantity.what.empty()) {
-      const auto interval = find_word(intervals, words[0]);
-      if (interval != std::end(intervals) && words.size() > 1) {
-        quantity.over = interval->value;
-        words.erase(words.begin());
-      }
-      std::string what = words[0];
-      quantity.absolute = what.size() > 2 && what.front() == '|' && what.back() == '|';
-      if (quantity.absolute)
-        what = what.substr(1, what.size() - 2);
-      quantity.what = what;
-      in.find(quantity.name, what, words_of_kinds(quantity.over == Over::time_of), "quantity");
-      using Side = Quantity::Side;
-      if (words.size() == 3 && words[1] == "at")
-        quantity.where = words[2];
-      else if (words.size() == 3 && quantity.is(Of::section) &&
-               (words[1] == "before" || words[1] == "after")) {
-        quantity.where = words[2];
-        quantity.side = words[1] == "before" ? Side::before : Side::after;
-      } else if (words.size() == 2 && quantity.is(Of::mode))
-        quantity.where = words[1];
-      else if (words.size() != 1)
-        fail_form(in, quantity.name, piece);
-    } else if (words.size() == 2 && words[0] == "step") {
+    if (quantity.what.empty())
+      parse_subject(in, words, piece, quantity);
+    else if (words.size() == 2 && words[0] == "step") {
       quantity.step = words[1];
       in.find(quantity.name, words[1], case_names(scene), "step");
     } else if (words.size() == 2 && words[0] == "pipe" && quantity.is(Of::section)) {
@@ -206,6 +224,26 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
       (words[0] == "from" ? quantity.from : quantity.to) = number_of(in, quantity.name, words[1]);
     else
       fail_form(in, quantity.name, piece);
+  }
+}
+
+/// `[scale F][; unit U][; reference R][; source TEXT]`, the pieces from @p first on
+void parse_attributes(const ParameterReader &in, const std::vector<std::string> &pieces,
+                      const unsigned int first, Quantity &quantity) {
+  for (unsigned int i = first; i < pieces.size(); ++i) {
+    const auto blank = pieces[i].find(' ');
+    const std::string key = pieces[i].substr(0, blank),
+                      value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
+    if (key == "scale")
+      quantity.scale = number_of(in, quantity.name, value);
+    else if (key == "reference")
+      quantity.reference = number_of(in, quantity.name, value);
+    else if (key == "unit")
+      quantity.unit = value;
+    else if (key == "source")
+      quantity.source = value;
+    else
+      fail_form(in, quantity.name, pieces[i]);
   }
 }
 
@@ -256,21 +294,7 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
       check_where(in, quantity, scene);
       check_when(in, quantity);
     }
-    for (unsigned int i = is_reference ? 0 : 1; i < pieces.size(); ++i) {
-      const auto blank = pieces[i].find(' ');
-      const std::string key = pieces[i].substr(0, blank),
-                        value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
-      if (key == "scale")
-        quantity.scale = number_of(in, entry.name, value);
-      else if (key == "reference")
-        quantity.reference = number_of(in, entry.name, value);
-      else if (key == "unit")
-        quantity.unit = value;
-      else if (key == "source")
-        quantity.source = value;
-      else
-        fail_form(in, entry.name, pieces[i]);
-    }
+    parse_attributes(in, pieces, is_reference ? 0 : 1, quantity);
     if (quantity.reference && in.scene_changed() && !entry.is_override) {
       quantity.reference.reset();
       dropped.push_back(quantity.name);
