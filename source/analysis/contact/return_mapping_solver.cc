@@ -65,11 +65,9 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
   if (!factor_elastic(problem, residual, unknowns, result))
     return result;
   const unsigned int most = newton ? settings.max_iterations : settings.max_elastic_iterations;
-  const LawTangent wanted = newton ? LawTangent::consistent : LawTangent::none;
-
   unsigned int n_at_rounding = 0; // iterations one after the other in which nothing is gained
   double size_before = std::numeric_limits<double>::max();
-  Vector forces = residual(unknowns, wanted, response);
+  Vector forces = residual(unknowns, newton ? LawTangent::consistent : LawTangent::none, response);
   for (;;) {
     interruption::end_if_overdue();
     const double size = forces.lpNorm<Eigen::Infinity>();
@@ -98,22 +96,30 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
       result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
       return result;
     }
-    ++result.iterations;
-    ++result.back_substitutions;
-    if (newton && result.iterations > 1) {
-      tangent = problem.matrix;
-      contacts.add_tangent(response, tangent);
-      ++result.factorizations;
-      if (!consistent.factorize(tangent)) {
-        result.remark = "the tangent is singular";
-        return result;
-      }
-      search_line(residual, consistent.solve(forces), elastic_diagonal, unknowns, forces, response);
-    } else {
-      unknowns += elastic.solve(forces);
-      forces = residual(unknowns, wanted, response);
-    }
+    if (!improve(problem, residual, forces, unknowns, response, result))
+      return result;
   }
+}
+
+bool ReturnMappingSolver::improve(const EquilibriumProblem &problem, Residual &residual,
+                                  Vector &forces, Vector &unknowns, ContactResponse &response,
+                                  EquilibriumResult &result) {
+  ++result.iterations;
+  ++result.back_substitutions;
+  if (!newton || result.iterations == 1) {
+    unknowns += elastic.solve(forces);
+    forces = residual(unknowns, newton ? LawTangent::consistent : LawTangent::none, response);
+    return true;
+  }
+  tangent = problem.matrix;
+  contacts.add_tangent(response, tangent);
+  ++result.factorizations;
+  if (!consistent.factorize(tangent)) {
+    result.remark = "the tangent is singular";
+    return false;
+  }
+  search_line(residual, consistent.solve(forces), elastic_diagonal, unknowns, forces, response);
+  return true;
 }
 
 } // namespace frictionbeam

@@ -13,6 +13,7 @@ namespace frictionbeam {
  *  - newton: the consistent, unsymmetric tangent with a line search. Each increment starts with the
  *    elastic tangent, since contacts that rest exactly on the threshold make the consistent one
  *    singular at a reversal.
+ * doc/theory.md, "Methods of return mapping".
  */
 class ReturnMappingSolver final : public EquilibriumSolver {
 public:
@@ -27,6 +28,9 @@ public:
 private:
   bool factor_elastic(const EquilibriumProblem &problem, Residual &residual, const Vector &unknowns,
                       EquilibriumResult &result);
+  /// One iteration, from the forces that are left. @return false if the tangent is singular
+  bool improve(const EquilibriumProblem &problem, Residual &residual, Vector &forces,
+               Vector &unknowns, ContactResponse &response, EquilibriumResult &result);
 
   const SolverSettings &settings;
   const bool newton;

@@ -53,6 +53,57 @@ bool is_singular(const SparseMatrix &matrix, const LineFactorization &factors) {
   return !(energy > 1e-14 * sum);
 }
 
+/// Takes contacts into a problem, one by one.
+struct ContactRows {
+  GlobalContactProblem &problem;
+  const unsigned int n_line; ///< unknowns of the line
+  Triplets H = {};
+  std::vector<double> stiffness = {}, deflection = {}; ///< of elements that are not rigid
+
+  /// @param imposed what the degrees of freedom would be at unknowns zero
+  /// @param old_state of the contact's law, before the increment
+  void add(const unsigned int i, const Contact &contact, const double *const old_state,
+           const LineState &after, const Vector &imposed) {
+    const FrictionThreshold &law = contact.law.closed_form();
+    const double l = contact.length, share = contact.share();
+    const bool slips =
+        old_state[law.was_slipping] != 0. || after.contact_status[i] == ContactStatus::slip;
+    problem.friction[i] = slips ? law.dynamic_friction : law.static_friction;
+    const double offset[dimension] = {law.gap, -l * old_state[law.slip_y],
+                                      -l * old_state[law.slip_z]};
+    const double rigidity[dimension] = {law.axial_rigidity, law.shear_rigidity_y,
+                                        law.shear_rigidity_z};
+    const Contact::Strains held = contact.strain(imposed);
+    for (unsigned int c = 0; c < dimension; ++c) {
+      const unsigned int column = dimension * i + c;
+      problem.w[column] = l * held[c] + offset[c];
+      problem.reactions[column] = -share * after.contact_stress[i][c];
+      for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
+        if (const double b = l * contact.B_reduced(c, j); b != 0.)
+          H.emplace_back(contact.unknowns[j], column, b);
+      if (std::isfinite(rigidity[c])) {
+        H.emplace_back(n_line + stiffness.size(), column, 1.);
+        stiffness.push_back(share * rigidity[c] / l);
+        deflection.push_back(problem.reactions[column] / stiffness.back());
+      }
+    }
+  }
+};
+
+/// The line's stiffness, followed by that of elements.
+SparseMatrix with_elements(const SparseMatrix &K, const std::vector<double> &stiffness) {
+  const unsigned int n_line = K.rows(), n_all = n_line + stiffness.size();
+  Triplets entries;
+  for (int row = 0; row < K.outerSize(); ++row)
+    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry)
+      entries.emplace_back(row, entry.col(), entry.value());
+  for (unsigned int e = 0; e < stiffness.size(); ++e)
+    entries.emplace_back(n_line + e, n_line + e, stiffness[e]);
+  SparseMatrix M(n_all, n_all);
+  M.setFromTriplets(entries.begin(), entries.end());
+  return M;
+}
+
 } // namespace
 
 GlobalContactProblem global_contact_problem(const Model &model, const LineState &before,
@@ -66,54 +117,22 @@ GlobalContactProblem global_contact_problem(const Model &model, const LineState 
   result.w.resize(dimension * n);
   result.friction.resize(n);
   result.reactions.resize(dimension * n);
-  Vector imposed; // what the degrees of freedom would be at unknowns zero
+  Vector imposed;
   model.space.expand(after.unknowns, imposed);
   imposed = after.dofs - imposed;
-  Triplets H;
-  std::vector<double> element_stiffness, deflection;
-  for (unsigned int i = 0; i < n; ++i) {
-    const Contact &contact = contacts[i];
-    const FrictionThreshold &law = contact.law.closed_form();
-    const double l = contact.length, share = contact.share();
-    const double *const old_state = before.contacts.internal.data() + contact.state_offset;
-    const bool slips =
-        old_state[law.was_slipping] != 0. || after.contact_status[i] == ContactStatus::slip;
-    result.friction[i] = slips ? law.dynamic_friction : law.static_friction;
-    const double offset[dimension] = {law.gap, -l * old_state[law.slip_y],
-                                      -l * old_state[law.slip_z]};
-    const double rigidity[dimension] = {law.axial_rigidity, law.shear_rigidity_y,
-                                        law.shear_rigidity_z};
-    const Contact::Strains held = contact.strain(imposed);
-    for (unsigned int c = 0; c < dimension; ++c) {
-      const unsigned int column = dimension * i + c;
-      result.w[column] = l * held[c] + offset[c];
-      result.reactions[column] = -share * after.contact_stress[i][c];
-      for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-        if (const double b = l * contact.B_reduced(c, j); b != 0.)
-          H.emplace_back(contact.unknowns[j], column, b);
-      if (std::isfinite(rigidity[c])) {
-        H.emplace_back(n_line + element_stiffness.size(), column, 1.);
-        element_stiffness.push_back(share * rigidity[c] / l);
-        deflection.push_back(result.reactions[column] / element_stiffness.back());
-      }
-    }
-  }
-  const unsigned int n_all = n_line + element_stiffness.size();
+  ContactRows rows{result, n_line};
+  for (unsigned int i = 0; i < n; ++i)
+    rows.add(i, contacts[i], before.contacts.internal.data() + contacts[i].state_offset, after,
+             imposed);
+  result.M = with_elements(model.linear.stiffness(), rows.stiffness);
+  const unsigned int n_all = result.M.rows();
   result.H.resize(n_all, dimension * n);
-  result.H.setFromTriplets(H.begin(), H.end());
-  Triplets M;
-  const SparseMatrix &K = model.linear.stiffness();
-  for (int row = 0; row < K.outerSize(); ++row)
-    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry)
-      M.emplace_back(row, entry.col(), entry.value());
-  for (unsigned int e = 0; e < element_stiffness.size(); ++e)
-    M.emplace_back(n_line + e, n_line + e, element_stiffness[e]);
-  result.M.resize(n_all, n_all);
-  result.M.setFromTriplets(M.begin(), M.end());
+  result.H.setFromTriplets(rows.H.begin(), rows.H.end());
   result.f = Vector::Zero(n_all);
   result.f.head(n_line) = load_forces(model, after);
   result.solution.resize(n_all);
-  result.solution << after.unknowns, Eigen::Map<const Vector>(deflection.data(), deflection.size());
+  result.solution << after.unknowns,
+      Eigen::Map<const Vector>(rows.deflection.data(), rows.deflection.size());
   return result;
 }
 

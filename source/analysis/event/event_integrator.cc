@@ -249,6 +249,15 @@ void EventIntegrator::change(const Event &event, const double x, const double le
   motion.state_changed();
 }
 
+void EventIntegrator::meet(const Event &event, const LoadCourse &loads, const double x,
+                           const double length, LineState &to, TimeStep &step) {
+  change(event, x, length, to, step.energy);
+  if (event.kind == Kind::slipping && line.contacts[event.contact].rigid_shear)
+    step.handed_over =
+        !share_start(event.contact, loads, ground_velocity(x, length), to) || step.handed_over;
+  ++n_events;
+}
+
 double EventIntegrator::compute_motion(const LoadCourse &loads, const double longest) {
   motion_length = motion.compute(loads, present, longest, unknowns, velocity, states, force);
   goes_straight_on = motion_length == 0.;
@@ -338,11 +347,7 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
       }
     }
     if (event.x <= valid) {
-      change(event, x, length, to, step.energy);
-      if (event.kind == Kind::slipping && line.contacts[event.contact].rigid_shear)
-        step.handed_over =
-            !share_start(event.contact, loads, ground_velocity(x, length), to) || step.handed_over;
-      ++n_events;
+      meet(event, loads, x, length, to, step);
       changed = true;
     }
   }

@@ -79,6 +79,9 @@ private:
   void turn_slip(const double x, const double length);
   void change(const Event &event, const double x, const double length, LineState &to,
               EnergyAccount &energy);
+  /// The same, and what begins to slip with a contact that does. Counts it.
+  void meet(const Event &event, const LoadCourse &loads, const double x, const double length,
+            LineState &to, TimeStep &step);
   /// A contact begins to slip, along its friction or, where there is none, the way it moves.
   void begin_slip(const unsigned int i, const Eigen::Vector2d &rate, LineState &to,
                   EnergyAccount &energy);
@@ -87,6 +90,12 @@ private:
   /// friction was found
   bool share_start(const unsigned int first, const LoadCourse &loads, const Vector &of_ground,
                    LineState &to);
+  struct SharedStart;
+  /// The same before friction is found, for those that @p rests says are at rest.
+  SharedStart start_of(const std::vector<bool> &rests, const LoadCourse &loads);
+  /// Have those slip, or not, as the start says.
+  void take_start(const SharedStart &start, const unsigned int first,
+                  const std::vector<bool> &rests, LineState &to);
   /// Contacts on rigid surfaces with friction that do not slip now, and @p first.
   std::vector<bool> resting_with(const unsigned int first, const Vector &of_ground) const;
   /// Velocities of all contacts' ground at x, as relative motions.

@@ -15,10 +15,14 @@ constexpr double at_rest = 1e-12;             ///< of the fastest velocity so fa
 constexpr double no_acceleration = 1e-9;      ///< of the largest of the parts that it is the sum of
 constexpr double well_below_the_limit = 1e-6; ///< friction that has been relieved
 
-/// The accelerations at which contacts begin to slip, by the friction of all of them.
-struct SharedStart {
-  const TaylorMotion::Beginning &begin;
-  Vector tau; ///< friction, 2 rows a contact [N]
+} // namespace
+
+/// The accelerations at which contacts begin to slip, by the friction of all of them: Coulomb's law
+/// for them, tau = proj_{f N}(tau + rho u') (doc/dynamics.md, "From event to event").
+struct EventIntegrator::SharedStart {
+  TaylorMotion::Beginning begin;
+  std::vector<double> coefficient; ///< by which they begin to slip
+  Vector tau;                      ///< friction, 2 rows a contact [N]
 
   Eigen::Vector2d friction(const int k) const { return tau.segment<2>(2 * k); }
   Eigen::Vector2d acceleration(const int k) const {
@@ -27,6 +31,7 @@ struct SharedStart {
   double normal_force(const int k) const {
     return std::max(0., begin.free[3 * k + 2] + begin.by_friction.row(3 * k + 2).dot(tau));
   }
+  double limit(const int k) const { return normal_force(k) * coefficient[k]; }
   /// Of projected gradients: one over the size of the contact's acceleration by its own friction.
   double step_length(const int k) const {
     const Eigen::Matrix2d W = -begin.by_friction.block<2, 2>(3 * k, 2 * k);
@@ -39,30 +44,27 @@ struct SharedStart {
                          begin.by_friction.middleRows<2>(3 * k).norm() * tau.norm();
     return acceleration(k).norm() > no_acceleration * parts;
   }
-};
-
-/**
- * Coulomb's law for the accelerations, contact by contact and again and again until no friction
- * changes. @param next says a contact's friction by that of the others
- * @return the largest last change [N]
- */
-template <typename Next>
-double solve_start(SharedStart &start, const Next &next) {
-  double change = 0.;
-  for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
-    change = 0.;
-    for (int k = 0; 2 * k < start.tau.size(); ++k) {
-      const Eigen::Vector2d friction = next(k);
-      change = std::max(change, (friction - start.friction(k)).norm());
-      start.tau.segment<2>(2 * k) = friction;
+  /**
+   * Solve contact by contact, again and again until no friction changes.
+   * @param next says a contact's friction by that of the others
+   * @return whether it was found
+   */
+  template <typename Next>
+  bool solve(const Next &next) {
+    double change = 0.;
+    for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
+      change = 0.;
+      for (int k = 0; 2 * k < tau.size(); ++k) {
+        const Eigen::Vector2d changed = next(k);
+        change = std::max(change, (changed - friction(k)).norm());
+        tau.segment<2>(2 * k) = changed;
+      }
+      if (change <= tolerance * tau.lpNorm<Eigen::Infinity>())
+        break;
     }
-    if (change <= tolerance * start.tau.lpNorm<Eigen::Infinity>())
-      break;
+    return change <= good_enough * tau.lpNorm<Eigen::Infinity>();
   }
-  return change;
-}
-
-} // namespace
+};
 
 void EventIntegrator::begin_slip(const unsigned int i, const Eigen::Vector2d &rate, LineState &to,
                                  EnergyAccount &energy) {
@@ -98,9 +100,8 @@ std::vector<bool> EventIntegrator::resting_with(const unsigned int first,
   return rests;
 }
 
-bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &loads,
-                                  const Vector &of_ground, LineState &to) {
-  const std::vector<bool> rests = resting_with(first, of_ground);
+EventIntegrator::SharedStart EventIntegrator::start_of(const std::vector<bool> &rests,
+                                                       const LoadCourse &loads) {
   std::vector<EventState> trial = states;
   for (unsigned int i = 0; i < states.size(); ++i)
     if (rests[i]) {
@@ -109,44 +110,33 @@ bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &lo
     }
   motion.state_changed();
   const double until_break = loads.next_break(present + same_instant(present)) - present;
-  const TaylorMotion::Beginning begin = motion.begin(
-      loads, present, std::min(output_step, until_break), unknowns, velocity, trial, force);
+  SharedStart start;
+  start.begin = motion.begin(loads, present, std::min(output_step, until_break), unknowns, velocity,
+                             trial, force);
   motion.state_changed();
-
-  const int n = begin.contacts.size();
-  SharedStart start{begin, Vector::Zero(2 * n)};
-  std::vector<double> step(n);
-  for (int k = 0; k < n; ++k)
-    step[k] = start.step_length(k);
-  const auto limit = [&](const int k) { // of one that begins to slip: dynamic friction
-    const unsigned int i = begin.contacts[k];
+  for (const unsigned int i : start.begin.contacts) {
     const FrictionThreshold &law = line.contacts[i].law;
-    return start.normal_force(k) * (rests[i] && states[i].status == ContactStatus::stick
-                                        ? law.static_friction
-                                        : law.dynamic_friction);
-  };
-  const double change = solve_start(start, [&](const int k) -> Eigen::Vector2d {
-    const unsigned int i = begin.contacts[k];
-    if (!line.contacts[i].rigid_shear)
-      return force[i].tail<2>();
-    if (!rests[i])
-      return limit(k) * states[i].direction;
-    const Eigen::Vector2d next = start.friction(k) + step[k] * start.acceleration(k);
-    const double most = limit(k), size = next.norm();
-    return size > most ? Eigen::Vector2d(next * (most / size)) : next;
-  });
+    start.coefficient.push_back(rests[i] && states[i].status == ContactStatus::stick
+                                    ? law.static_friction
+                                    : law.dynamic_friction);
+  }
+  start.tau = Vector::Zero(2 * start.begin.contacts.size());
+  return start;
+}
 
+void EventIntegrator::take_start(const SharedStart &start, const unsigned int first,
+                                 const std::vector<bool> &rests, LineState &to) {
+  const std::vector<unsigned int> &contacts = start.begin.contacts;
   bool others_slide = false;
-  for (int k = 0; k < n; ++k)
-    others_slide =
-        others_slide || (begin.contacts[k] != first && rests[begin.contacts[k]] && start.slides(k));
-  for (int k = 0; k < n; ++k) {
-    const unsigned int i = begin.contacts[k];
+  for (unsigned int k = 0; k < contacts.size(); ++k)
+    others_slide = others_slide || (contacts[k] != first && rests[contacts[k]] && start.slides(k));
+  for (unsigned int k = 0; k < contacts.size(); ++k) {
+    const unsigned int i = contacts[k];
     if (!rests[i])
       continue;
     EventState &state = states[i];
     const bool is_relieved =
-        others_slide && start.friction(k).norm() < (1. - well_below_the_limit) * limit(k);
+        others_slide && start.friction(k).norm() < (1. - well_below_the_limit) * start.limit(k);
     const ContactStatus before = state.status;
     const bool slips = start.slides(k) || (before == ContactStatus::slip && !is_relieved);
     state.status = slips ? ContactStatus::slip : ContactStatus::stick;
@@ -156,9 +146,28 @@ bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &lo
     if (state.status != before)
       to.events.push_back({present, i, state.status});
   }
-  const bool is_shared = change <= good_enough * start.tau.lpNorm<Eigen::Infinity>();
-  n_unshared += is_shared ? 0 : 1;
-  return is_shared;
+}
+
+bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &loads,
+                                  const Vector &of_ground, LineState &to) {
+  const std::vector<bool> rests = resting_with(first, of_ground);
+  SharedStart start = start_of(rests, loads);
+  std::vector<double> step;
+  for (unsigned int k = 0; k < start.begin.contacts.size(); ++k)
+    step.push_back(start.step_length(k));
+  const bool is_found = start.solve([&](const int k) -> Eigen::Vector2d {
+    const unsigned int i = start.begin.contacts[k];
+    if (!line.contacts[i].rigid_shear)
+      return force[i].tail<2>();
+    if (!rests[i])
+      return start.limit(k) * states[i].direction;
+    const Eigen::Vector2d next = start.friction(k) + step[k] * start.acceleration(k);
+    const double most = start.limit(k), size = next.norm();
+    return size > most ? Eigen::Vector2d(next * (most / size)) : next;
+  });
+  take_start(start, first, rests, to);
+  n_unshared += is_found ? 0 : 1;
+  return is_found;
 }
 
 } // namespace frictionbeam

@@ -64,6 +64,10 @@ void TaylorMotion::make_rows(const std::vector<EventState> &states) {
       columns(contact.unknowns[j], k) = contact.G.col(j).dot(unit);
     accelerations.col(k) = model.accelerate(columns.col(k));
   }
+  make_delassus();
+}
+
+void TaylorMotion::make_delassus() {
   Eigen::MatrixXd W(rows.size(), rows.size());
   for (unsigned int k = 0; k < rows.size(); ++k)
     for (unsigned int l = 0; l < rows.size(); ++l)
@@ -74,9 +78,12 @@ void TaylorMotion::make_rows(const std::vector<EventState> &states) {
     return;
   delassus.setThreshold(dependent);
   delassus.compute(W);
-  if (delassus.rank() == W.rows())
-    return;
-  // What can be held without friction takes none: lambda + N z with the least friction, W N = 0.
+  if (delassus.rank() < W.rows())
+    make_relief(W);
+}
+
+void TaylorMotion::make_relief(const Eigen::MatrixXd &W) {
+  // lambda + N z with the least friction, W N = 0.
   Eigen::FullPivLU<Eigen::MatrixXd> lu(W);
   lu.setThreshold(dependent);
   const Eigen::MatrixXd kernel = lu.kernel();
@@ -217,26 +224,11 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
       model.add_contact_force(i, known, forces);
     }
     Vector acceleration = model.accelerate(forces);
-    if (!rows.empty()) {
-      Vector right(rows.size());
-      for (unsigned int j = 0; j < rows.size(); ++j) {
-        const int i = rows[j].contact, c = rows[j].component;
-        right[j] = model.contacts[i].displacement(acceleration)[c] +
-                   (k + 1.) * (k + 2.) / (length * length) * ground_at(i, k + 2)[c];
-      }
-      Vector multipliers = delassus.solve(right);
-      if (relief.size() > 0)
-        multipliers = (relief * multipliers).eval();
-      acceleration -= accelerations * multipliers;
-      for (unsigned int j = 0; j < rows.size(); ++j) {
-        const EventState &state = states[rows[j].contact];
-        Eigen::MatrixXd &force = r[rows[j].contact];
-        force(rows[j].component, k) += multipliers[j];
-        if (rows[j].component == 0 && state.status == ContactStatus::slip && !state.curved)
-          force.col(k).tail<2>() -= model.contacts[rows[j].contact].law.dynamic_friction *
-                                    multipliers[j] * state.direction;
-      }
-    }
+    Vector prescribed(rows.size()); // e'' of the rows
+    for (unsigned int j = 0; j < rows.size(); ++j)
+      prescribed[j] = (k + 1.) * (k + 2.) / (length * length) *
+                      ground_at(rows[j].contact, k + 2)[rows[j].component];
+    constrain(k, states, prescribed, acceleration);
     if (k == order)
       break;
     v.col(k + 1) = length / (k + 1.) * acceleration;
@@ -246,6 +238,28 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
     if (!model.has_mass[u])
       for (int k = 0; k < order; ++k)
         v(u, k) = (k + 1.) / length * q(u, k + 1);
+}
+
+void TaylorMotion::constrain(const int k, const std::vector<EventState> &states,
+                             const Vector &prescribed, Vector &acceleration) {
+  if (rows.empty())
+    return;
+  Vector right(rows.size());
+  for (unsigned int j = 0; j < rows.size(); ++j)
+    right[j] = model.contacts[rows[j].contact].displacement(acceleration)[rows[j].component] +
+               prescribed[j];
+  Vector multipliers = delassus.solve(right);
+  if (relief.size() > 0)
+    multipliers = (relief * multipliers).eval();
+  acceleration -= accelerations * multipliers;
+  for (unsigned int j = 0; j < rows.size(); ++j) {
+    const EventState &state = states[rows[j].contact];
+    Eigen::MatrixXd &force = r[rows[j].contact];
+    force(rows[j].component, k) += multipliers[j];
+    if (rows[j].component == 0 && state.status == ContactStatus::slip && !state.curved)
+      force.col(k).tail<2>() -=
+          model.contacts[rows[j].contact].law.dynamic_friction * multipliers[j] * state.direction;
+  }
 }
 
 double TaylorMotion::valid_part() const {

@@ -27,6 +27,7 @@ double same_instant(const double time);
  *
  * Slip along a curve is not linear. Its friction is a polynomial in time over the piece, found by
  * collocation (CurvedSlip), and the motion under that friction is summed up like any other.
+ * doc/dynamics.md, "From event to event", has the equations.
  */
 class TaylorMotion {
 public:
@@ -92,11 +93,20 @@ private:
   /// Make ready for a piece no longer than @p longest. @return the length to try first [s]
   double first_length(const std::vector<EventState> &states, const double longest);
   void make_rows(const std::vector<EventState> &states);
+  /// G M^-1 H^T of the rows, factored.
+  void make_delassus();
+  /// Where constraints are dependent, what can be held without friction takes none.
+  /// @param W whose kernel says what multipliers may change
+  void make_relief(const Eigen::MatrixXd &W);
   bool interpolate_loads(const LoadCourse &loads, const double time, const double length);
   bool interpolate_between(const LoadCourse &loads, const double time, const double length);
   /// @param forces of the contacts until then; null: from rest, under the friction of curves alone
   void expand_series(const double length, const std::vector<EventState> &states,
                      const std::vector<Eigen::Vector3d> *const forces);
+  /// Coefficient @p k of the multipliers, into r, by G q'' + e'' = 0, and what they do to the
+  /// acceleration. @param prescribed e'', by row
+  void constrain(const int k, const std::vector<EventState> &states, const Vector &prescribed,
+                 Vector &acceleration);
   /// Coefficient @p k of the loads' forces, those of the motions that they impose among them.
   Vector load_forces(const int k, const double length) const;
   /// Coefficient @p k of what of a closed contact's force its displacement says, or its slip by

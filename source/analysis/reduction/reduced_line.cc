@@ -57,6 +57,16 @@ std::set<unsigned int> vertices_of_reactions(const Model &model) {
   return result;
 }
 
+/// A matrix of a part on its shapes. @param border rows inside, columns of the border
+MatrixXd project(const MatrixXd &shapes, const Eigen::SparseMatrix<double> &inner,
+                 const MatrixXd &border) {
+  MatrixXd share = shapes.transpose() * (inner * shapes);
+  const MatrixXd across = shapes.transpose() * border;
+  share.leftCols(border.cols()) += across;
+  share.topRows(border.cols()) += across.transpose();
+  return share;
+}
+
 } // namespace
 
 ReducedLine::ReducedLine(const Model &line, const LineParts &parts, const LineParts::Choice &modes,
@@ -94,36 +104,18 @@ void ReducedLine::make_basis(const unsigned int p, const unsigned int n_modes,
     stiffness[j] = part.modes[j].value * mass[j];
   }
   StaticShapes shapes(part, modes, stiffness);
-  const auto respond_to = [&](const Vector &all_forces) {
-    const Vector forces = part.inner(all_forces);
-    if (!forces.isZero(0.))
-      shapes.add(part.factors->solve(forces), part.K, 0.);
-  };
-  for (unsigned int l = 0; l < loads.size(); ++l)
-    if (loads[l]) {
-      respond_to(line.linear.forces(l));
-      if (line.linear.accelerates(l))
-        respond_to(line.linear.inertia(l));
-    }
-  respond_to(line.linear.preload());
-  if (part.has_mass) {
-    const MatrixXd inertia = part.M * part.constraint_modes + part.M_border;
-    for (int b = 0; b < inertia.cols(); ++b)
-      shapes.add(part.factors->solve(inertia.col(b)), part.K, 0.);
-  }
-  const auto beyond_border = [&](const Vector &all) {
+  shapes.add_loads(line.linear, loads);
+  if (part.has_mass)
+    shapes.add_border_inertia();
+  const auto at_border = [&](const Vector &all) {
     Vector border(part.border.size());
     for (unsigned int b = 0; b < part.border.size(); ++b)
       border[b] = all[parts.kept()[part.border[b]]];
-    return Vector(part.inner(all) - part.constraint_modes * border);
+    return border;
   };
-  const auto size = [&](const Vector &all, const Eigen::SparseMatrix<double> &norm) {
-    const Vector x = part.inner(all);
-    return std::sqrt(std::max(0., x.cwiseProduct(x).dot(norm.diagonal())));
-  };
-  shapes.add(beyond_border(start.unknowns), part.K, size(start.unknowns, part.K));
+  shapes.add_state(start.unknowns, at_border(start.unknowns), part.K);
   if (part.has_mass)
-    shapes.add(beyond_border(start.velocity), part.M, size(start.velocity, part.M));
+    shapes.add_state(start.velocity, at_border(start.velocity), part.M);
 
   const MatrixXd others = shapes.orthogonal();
   n_shapes += others.cols();
@@ -287,24 +279,21 @@ LinearPart::Matrices ReducedLine::make_matrices() const {
     share.topLeftCorner(n_border, n_border) = part.constraint_modes.transpose() * part.K_border;
     share.bottomRightCorner(n_own, n_own) = basis.stiffness.asDiagonal();
     K.add(p, share);
-    const auto project = [&](const Eigen::SparseMatrix<double> &inner, const MatrixXd &border) {
-      share = basis.shapes.transpose() * (inner * basis.shapes);
-      const MatrixXd across = basis.shapes.transpose() * border;
-      share.leftCols(n_border) += across;
-      share.topRows(n_border) += across.transpose();
-    };
     if (part.has_mass) {
-      project(part.M, part.M_border);
+      share = project(basis.shapes, part.M, part.M_border);
       share.bottomRightCorner(n_own, n_own) = basis.mass.asDiagonal();
       M.add(p, share);
     }
-    if (damped) {
-      project(part.C, part.C_border);
-      C.add(p, share);
-    }
+    if (damped)
+      C.add(p, project(basis.shapes, part.C, part.C_border));
   }
   LinearPart::Matrices matrices{
       K.matrix(), M.matrix(), C.matrix(), Vector(), {}, {}, {}, {}, line.linear.imposed_products()};
+  add_loads(matrices);
+  return matrices;
+}
+
+void ReducedLine::add_loads(LinearPart::Matrices &matrices) const {
   matrices.preload = reduce_forces(line.linear.preload());
   for (unsigned int l = 0; l < line.scene.loads.size(); ++l) {
     matrices.forces.push_back(reduce_forces(line.linear.forces(l)));
@@ -316,7 +305,6 @@ LinearPart::Matrices ReducedLine::make_matrices() const {
       if (dof_places[dof] >= 0)
         matrices.imposed.back().emplace_back(dof_places[dof], value);
   }
-  return matrices;
 }
 
 LineState ReducedLine::reduce(const LineState &state) const {

@@ -18,7 +18,8 @@ namespace frictionbeam {
  * first, then the kept ones.
  *
  * Its degrees of freedom are those of contacts, of monitored points and at restraints alone; states
- * of contacts are those of the line.
+ * of contacts are those of the line. doc/dynamics.md, "Reduction to contact nodes and modes", says
+ * why.
  */
 class ReducedLine {
 public:
@@ -56,6 +57,7 @@ private:
   void make_places();
   void make_dofs();
   LinearPart::Matrices make_matrices() const;
+  void add_loads(LinearPart::Matrices &matrices) const;
   Vector reduce_forces(const Vector &forces) const;
   /// What an unknown of the line depends on.
   std::vector<ReducedSpace::Term> terms(const int unknown) const;

@@ -30,6 +30,34 @@ void StaticShapes::add(Vector shape, const Eigen::SparseMatrix<double> &norm, co
     shapes.push_back(shape / std::sqrt(shape.dot(part.K * shape)));
 }
 
+void StaticShapes::add_loads(const LinearPart &line, const std::vector<bool> &acts) {
+  const auto respond_to = [&](const Vector &all_forces) {
+    const Vector forces = part.inner(all_forces);
+    if (!forces.isZero(0.))
+      add(part.factors->solve(forces), part.K, 0.);
+  };
+  for (unsigned int l = 0; l < acts.size(); ++l)
+    if (acts[l]) {
+      respond_to(line.forces(l));
+      if (line.accelerates(l))
+        respond_to(line.inertia(l));
+    }
+  respond_to(line.preload());
+}
+
+void StaticShapes::add_border_inertia() {
+  const Eigen::MatrixXd inertia = part.M * part.constraint_modes + part.M_border;
+  for (int b = 0; b < inertia.cols(); ++b)
+    add(part.factors->solve(inertia.col(b)), part.K, 0.);
+}
+
+void StaticShapes::add_state(const Vector &unknowns, const Vector &border,
+                             const Eigen::SparseMatrix<double> &norm) {
+  const Vector x = part.inner(unknowns);
+  const double size = std::sqrt(std::max(0., x.cwiseProduct(x).dot(norm.diagonal())));
+  add(x - part.constraint_modes * border, norm, size);
+}
+
 Eigen::MatrixXd StaticShapes::orthogonal() const {
   Eigen::MatrixXd X(part.inside.size(), shapes.size());
   for (unsigned int j = 0; j < shapes.size(); ++j)

@@ -179,6 +179,19 @@ void check_cells(const std::vector<Point3> &points, const std::vector<LineCell> 
 Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws)
     : dofs(triangulation), points(mesh.vertices), n_own(mesh.vertices.size()) {
   add_profiles(scene, mesh, laws);
+  add_elements(scene);
+  add_supports(scene, mesh);
+  add_carriers(scene, mesh);
+  find_rotations(scene, mesh);
+  check_cells(points, cells);
+  const std::vector<CellOrigin> origins = triangulate(points, cells, triangulation);
+  take_cells(scene, origins);
+  dofs.distribute_dofs(fe);
+  add_joints(scene, mesh);
+  dofs_at_vertex = std::make_unique<const VertexDofs>(dofs);
+}
+
+void Discretization::add_elements(const Scene &scene) {
   std::vector<double> shear_flexibility;
   for (const Profile &profile : sections)
     shear_flexibility.push_back(profile.GA > 0. ? 12. * profile.EI / profile.GA : 0.);
@@ -210,11 +223,9 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
     options.emplace_back(turning_spring ? Rotations::averaged : Rotations::none, turning_spring);
   for (const auto &[rotations, torsion] : options)
     fe.push_back(FE_FrictionBeam(rotations, torsion));
-  add_supports(scene, mesh);
-  add_carriers(scene, mesh);
-  find_rotations(scene, mesh);
-  check_cells(points, cells);
-  const std::vector<CellOrigin> origins = triangulate(points, cells, triangulation);
+}
+
+void Discretization::take_cells(const Scene &scene, const std::vector<CellOrigin> &origins) {
   infos.resize(cells.size());
   cell_level_index.resize(cells.size());
   for (const auto &cell : dofs.active_cell_iterators()) {
@@ -232,9 +243,6 @@ Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const L
       info = {CellKind::carrier, 0};
     cell->set_active_fe_index(fe_index[origin.index]);
   }
-  dofs.distribute_dofs(fe);
-  add_joints(scene, mesh);
-  dofs_at_vertex = std::make_unique<const VertexDofs>(dofs);
 }
 
 Discretization::Cell Discretization::at(const unsigned int author_index) const {

@@ -98,6 +98,10 @@ public:
 
 private:
   Cell at(const unsigned int author_index) const;
+  /// The finite elements of pipes, of supports and of what carries free points.
+  void add_elements(const Scene &scene);
+  /// What the triangulation's cells are, and their elements.
+  void take_cells(const Scene &scene, const std::vector<CellOrigin> &origins);
   void add_profiles(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws);
   void add_supports(const Scene &scene, const LineMesh &mesh);
   void add_joints(const Scene &scene, const LineMesh &mesh);

@@ -194,37 +194,41 @@ std::string quantity_table(const Results &results) {
          html_note("Errors are relative to the reference, or absolute where the reference is 0.");
 }
 
-std::string step_table(const Scene &scene, const Results &results,
-                       const std::vector<const Frame *> &frames) {
+namespace {
+
+/// The rows of the table of steps, column by column.
+struct StepRows {
+  const Scene &scene;
+  const Results &results;
   std::vector<std::string> names, loads, where;
   std::vector<double> displacement, normal, friction, work;
   const std::array<ContactStatus, 4> statuses{
       {ContactStatus::stick, ContactStatus::slip, ContactStatus::open, ContactStatus::closed}};
-  std::array<std::vector<std::string>, 4> counts;
-  bool any_envelope = false;
-  for (const Frame *frame : frames) {
-    const StepEnvelope *const envelope = results.envelope_of(frame->step);
-    if (envelope != nullptr) {
-      any_envelope = true;
-      names.push_back(frame->name + ", largest");
-      loads.push_back(load_list(scene, *frame));
-      where.push_back(place_and_instant(scene, *envelope));
-      displacement.push_back(envelope->displacement.largest);
-      for (auto &count : counts)
-        count.push_back(dash);
-      normal.push_back(envelope->sum_normal.largest);
-      friction.push_back(envelope->sum_friction.largest);
-      work.push_back(std::numeric_limits<double>::quiet_NaN());
-    }
-    names.push_back(frame->name + (envelope != nullptr ? ", end" : "") +
-                    (is_finished(results, *frame) ? "" : " (not finished)"));
-    loads.push_back(load_list(scene, *frame));
-    const auto [place, size] = largest_displacement(scene, *frame);
+  std::array<std::vector<std::string>, 4> counts; ///< of supports, by status
+
+  /// The largest values over all instants of a transient step.
+  void add_largest(const Frame &frame, const StepEnvelope &envelope) {
+    names.push_back(frame.name + ", largest");
+    loads.push_back(load_list(scene, frame));
+    where.push_back(place_and_instant(scene, envelope));
+    displacement.push_back(envelope.displacement.largest);
+    for (auto &count : counts)
+      count.push_back(dash);
+    normal.push_back(envelope.sum_normal.largest);
+    friction.push_back(envelope.sum_friction.largest);
+    work.push_back(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// The end of a step. @param remark behind its name
+  void add_end(const Frame &frame, const std::string &remark) {
+    names.push_back(frame.name + remark);
+    loads.push_back(load_list(scene, frame));
+    const auto [place, size] = largest_displacement(scene, frame);
     where.push_back(place);
     displacement.push_back(size);
     std::array<unsigned int, 4> count{};
     double sum_normal = 0., sum_friction = 0., sum_work = 0.;
-    for (const SupportState &state : frame->supports) {
+    for (const SupportState &state : frame.supports) {
       for (unsigned int s = 0; s < 4; ++s)
         count[s] += state.status == statuses[s] ? 1 : 0;
       sum_normal += state.fn;
@@ -237,19 +241,40 @@ std::string step_table(const Scene &scene, const Results &results,
     friction.push_back(sum_friction);
     work.push_back(sum_work);
   }
-  HtmlTable table(results.units);
-  table.text("step", names)
-      .text("loads", loads)
-      .numbers("displacement", "m", displacement)
-      .text("at", where);
-  for (unsigned int s = 0; s < 4; ++s)
-    if (std::any_of(counts[s].begin(), counts[s].end(),
-                    [](const std::string &count) { return count != "0" && count != dash; }))
-      table.right(status_word(statuses[s]), counts[s]);
-  return table.numbers("\u03a3 fn", "N", normal)
-             .numbers("\u03a3 |ft|", "N", friction)
-             .numbers("work", "J", work)
-             .str() +
+
+  std::string table() const {
+    HtmlTable table(results.units);
+    table.text("step", names)
+        .text("loads", loads)
+        .numbers("displacement", "m", displacement)
+        .text("at", where);
+    for (unsigned int s = 0; s < 4; ++s)
+      if (std::any_of(counts[s].begin(), counts[s].end(),
+                      [](const std::string &count) { return count != "0" && count != dash; }))
+        table.right(status_word(statuses[s]), counts[s]);
+    return table.numbers("\u03a3 fn", "N", normal)
+        .numbers("\u03a3 |ft|", "N", friction)
+        .numbers("work", "J", work)
+        .str();
+  }
+};
+
+} // namespace
+
+std::string step_table(const Scene &scene, const Results &results,
+                       const std::vector<const Frame *> &frames) {
+  StepRows rows{scene, results};
+  bool any_envelope = false;
+  for (const Frame *frame : frames) {
+    const StepEnvelope *const envelope = results.envelope_of(frame->step);
+    if (envelope != nullptr) {
+      any_envelope = true;
+      rows.add_largest(*frame, *envelope);
+    }
+    rows.add_end(*frame, std::string(envelope != nullptr ? ", end" : "") +
+                             (is_finished(results, *frame) ? "" : " (not finished)"));
+  }
+  return rows.table() +
          html_note(
              "At the end of each step: its loads, the largest displacement of the line and where "
              "it is, the number of supports in each state, and sums over the supports of normal "
@@ -312,9 +337,7 @@ std::string known_table(const Results &results) {
              .str();
 }
 
-} // namespace
-
-std::string solver_tables(const Results &results) {
+std::string solved_steps_table(const Results &results) {
   std::vector<std::string> steps, increments, halvings, iterations, factorizations, residuals,
       contact, converged, remarks;
   bool any_contact = false;
@@ -340,33 +363,43 @@ std::string solver_tables(const Results &results) {
       .right("residual", residuals);
   if (any_contact)
     table.right("contact residual", contact);
-  std::string text = table.text("remark", remarks).str();
+  return table.text("remark", remarks).str();
+}
 
+std::string certificate_table(const Results &results) {
   std::vector<std::string> checks, meanings, values;
   for (const Check &check : results.certificate) {
     checks.push_back(check.name);
     meanings.push_back(check.meaning);
     values.push_back(optional_number(check.value, 2) + (check.unit == "-" ? "" : " " + check.unit));
   }
-  const Cost &cost = results.cost;
+  return "<h3>Certificate</h3>\n" +
+         HtmlTable().text("check", checks).text("", meanings).right("worst", values).str();
+}
+
+std::string cost_table(const Cost &cost) {
   const auto seconds = [](const double value) { return rounded_number(value, 3) + " s"; };
-  text += "<div class=\"columns\">\n<div><h3>Certificate</h3>\n" +
-          HtmlTable().text("check", checks).text("", meanings).right("worst", values).str() +
-          energy_table(results) + known_table(results) + "</div>\n<div><h3>Cost</h3>\n" +
-          HtmlTable()
-              .text("time", {"all", "mesh", "setup", "solution"})
-              .right("", {seconds(cost.wall_seconds), seconds(cost.mesh_seconds),
-                          seconds(cost.setup_seconds), seconds(cost.solve_seconds)})
-              .text("size", {"unknowns", "cells", "contacts", "peak memory"})
-              .right("", {std::to_string(cost.unknowns), std::to_string(cost.cells),
-                          std::to_string(cost.contacts),
-                          rounded_number(cost.peak_memory_mb, 3) + " MB"})
-              .text("work", {"steps", "iterations", "factorizations", ""})
-              .right("", {std::to_string(cost.steps), std::to_string(cost.iterations),
-                          std::to_string(cost.factorizations), ""})
-              .str() +
-          "</div>\n</div>\n";
-  return text;
+  return "<h3>Cost</h3>\n" +
+         HtmlTable()
+             .text("time", {"all", "mesh", "setup", "solution"})
+             .right("", {seconds(cost.wall_seconds), seconds(cost.mesh_seconds),
+                         seconds(cost.setup_seconds), seconds(cost.solve_seconds)})
+             .text("size", {"unknowns", "cells", "contacts", "peak memory"})
+             .right("",
+                    {std::to_string(cost.unknowns), std::to_string(cost.cells),
+                     std::to_string(cost.contacts), rounded_number(cost.peak_memory_mb, 3) + " MB"})
+             .text("work", {"steps", "iterations", "factorizations", ""})
+             .right("", {std::to_string(cost.steps), std::to_string(cost.iterations),
+                         std::to_string(cost.factorizations), ""})
+             .str();
+}
+
+} // namespace
+
+std::string solver_tables(const Results &results) {
+  return solved_steps_table(results) + "<div class=\"columns\">\n<div>" +
+         certificate_table(results) + energy_table(results) + known_table(results) +
+         "</div>\n<div>" + cost_table(results.cost) + "</div>\n</div>\n";
 }
 
 } // namespace frictionbeam

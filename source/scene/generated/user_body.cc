@@ -169,6 +169,39 @@ void check_contact_part(const ParameterReader &in, const std::string &entry,
           "'" + quantity.where + "'");
 }
 
+/// `what at where`
+void parse_subject(const ParameterReader &in, const std::string &text, const ContinuumScene &body,
+                   ContinuumQuantity &quantity) {
+  const std::vector<std::string> words = split(text, ' ');
+  const auto kind = find_word(body_quantity_kinds, words[0]);
+  if (kind == std::end(body_quantity_kinds) || words.size() != 3 || words[1] != "at")
+    fail_form(in, quantity.name, text);
+  quantity.kind = kind->value;
+  quantity.where = words[2];
+  quantity.component = kind->component;
+  if (kind->at == BodyQuantityKind::At::x && !to_number(words[2], quantity.x))
+    fail_form(in, quantity.name, text);
+  if (quantity.component >= body.dimension)
+    in.fail(quantity.name, "ux and uy in a plane body", "mean_uy", "'" + words[0] + "'");
+  check_contact_part(in, quantity.name, quantity, body);
+}
+
+/// `reference R` or `source TEXT` @param counts whether the reference does
+void parse_attribute(const ParameterReader &in, const std::string &piece, const bool counts,
+                     ContinuumQuantity &quantity) {
+  const auto blank = piece.find(' ');
+  const std::string key = piece.substr(0, blank),
+                    value = blank == std::string::npos ? "" : piece.substr(blank + 1);
+  double number;
+  if (key == "reference" && to_number(value, number)) {
+    if (counts)
+      quantity.reference = number;
+  } else if (key == "source")
+    quantity.source = value;
+  else
+    fail_form(in, quantity.name, piece);
+}
+
 } // namespace
 
 void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
@@ -184,45 +217,22 @@ void parse_continuum_quantities(const ParameterReader &in, Scene &scene) {
         pieces.empty() ? std::vector<std::string>() : split(pieces[0], ' ');
     if (words.empty())
       fail_form(in, entry.name, entry.value);
-    ContinuumQuantity quantity;
-    quantity.name = entry.name;
     // A quantity of the generated scene is given a reference by its name alone.
     const auto known =
         std::find_if(quantities.begin(), quantities.end(),
                      [&](const ContinuumQuantity &other) { return other.name == entry.name; });
-    const auto kind = find_word(body_quantity_kinds, words[0]);
-    std::size_t first = 1;
     const bool is_reference = known != quantities.end() && words[0] == "reference";
     if (has_line(scene) && !is_reference)
       continue; // a quantity of the line
-    if (is_reference) {
+    ContinuumQuantity quantity;
+    quantity.name = entry.name;
+    if (is_reference)
       quantity = *known;
-      first = 0;
-    } else if (kind == std::end(body_quantity_kinds) || words.size() != 3 || words[1] != "at")
-      fail_form(in, entry.name, pieces[0]);
-    else {
-      quantity.kind = kind->value;
-      quantity.where = words[2];
-      quantity.component = kind->component;
-      if (kind->at == BodyQuantityKind::At::x && !to_number(words[2], quantity.x))
-        fail_form(in, entry.name, pieces[0]);
-      if (quantity.component >= scene.continuum->dimension)
-        in.fail(entry.name, "ux and uy in a plane body", "mean_uy", "'" + words[0] + "'");
-      check_contact_part(in, entry.name, quantity, *scene.continuum);
-    }
-    for (std::size_t i = first; i < pieces.size(); ++i) {
-      const auto blank = pieces[i].find(' ');
-      const std::string key = pieces[i].substr(0, blank),
-                        value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
-      double number;
-      if (key == "reference" && to_number(value, number)) {
-        if (!in.scene_changed() || entry.is_override)
-          quantity.reference = number;
-      } else if (key == "source")
-        quantity.source = value;
-      else
-        fail_form(in, entry.name, pieces[i]);
-    }
+    else
+      parse_subject(in, pieces[0], *scene.continuum, quantity);
+    const bool counts = !in.scene_changed() || entry.is_override; // the reference
+    for (std::size_t i = is_reference ? 0 : 1; i < pieces.size(); ++i)
+      parse_attribute(in, pieces[i], counts, quantity);
     if (quantity.reference && quantity.source.empty())
       quantity.source = in.text("Source");
     if (known != quantities.end())
