@@ -63,9 +63,13 @@ public:
     // Loops may leave no directions or no order for one way to walk and some for another.
     for (unsigned int attempt = 0; attempt < 200; ++attempt) {
       walk(n_vertices, attempt);
-      for (const bool chained : {true, false})
-        if (find_directions(n_vertices, chained) && find_order(n_vertices, chained))
+      for (const bool chained : {true, false}) {
+        if (!find_directions(n_vertices, chained))
+          continue;
+        find_ends(n_vertices);
+        if (find_order(n_vertices, chained))
           return;
+      }
     }
     AssertThrow(false,
                 ExcMessage("The loops of the line meet in such a way that deal.II accepts no "
@@ -218,26 +222,25 @@ private:
     return true;
   }
 
-  /// List the cells in the order of the walk, but at each vertex with attached cells the right one
-  /// first. deal.II follows neighbors from a vertex's first cell to its last and back, and turns
+  int direction(const unsigned int step) const {
+    return sign[parent.size() + steps[step].trail]; // d, behind p of the vertices
+  }
+
+  /// Find which cell is to be listed first at each vertex with attached cells, and which cells are
+  /// turned. deal.II follows neighbors from a vertex's first cell to its last and back, and turns
   /// what it meets there; so one dead end at each vertex, listed last, may keep the author's
   /// direction.
-  bool find_order(const unsigned int n_vertices, const bool chained) {
-    std::vector<unsigned int> first(n_vertices, none), last(n_vertices, none);
-    const auto direction = [&](const unsigned int step) {
-      return sign[n_vertices + steps[step].trail];
-    };
+  void find_ends(const unsigned int n_vertices) {
+    first.assign(n_vertices, none);
+    last.assign(n_vertices, none);
     for (unsigned int v = 0; v < n_vertices; ++v)
       if (parent[v] == none)
         first[v] = continuation[v];
       else if (sign[v] != 0)
         first[v] = direction(parent[v]) == sign[v] ? parent[v] : continuation[v];
-
-    std::vector<unsigned int> step_of(cells.size());
-    std::vector<bool> reversed(steps.size());
+    reversed.assign(steps.size(), false);
     for (unsigned int s = 0; s < steps.size(); ++s) {
       const Step &step = steps[s];
-      step_of[step.cell] = s;
       const bool walked_back = cells[step.cell].vertices[0] != step.from;
       reversed[s] = walked_back == (direction(s) == 1);
       const unsigned int v = incidence.degree(step.from) == 1 ? step.to : step.from;
@@ -247,7 +250,14 @@ private:
         reversed[s] = false;
       }
     }
+  }
 
+  /// List the cells in the order of the walk, but at each vertex the first one first and the last
+  /// one last.
+  bool find_order(const unsigned int n_vertices, const bool chained) {
+    std::vector<unsigned int> step_of(cells.size());
+    for (unsigned int s = 0; s < steps.size(); ++s)
+      step_of[steps[s].cell] = s;
     std::vector<unsigned int> n_waits_for(steps.size(), 0);
     std::vector<bool> begins(steps.size(), !chained);
     for (unsigned int v = 0; v < n_vertices; ++v)
@@ -299,7 +309,9 @@ private:
   std::vector<Trail> trails;                      ///< vertices where attached, or none
   std::vector<unsigned int> parent, continuation; ///< steps to and from a vertex, or none
   std::vector<bool> visited, used;
-  std::vector<int> sign; ///< p of vertices (0: nothing attached), then d of trails
+  std::vector<int> sign;                 ///< p of vertices (0: nothing attached), then d of trails
+  std::vector<unsigned int> first, last; ///< steps to be listed so at a vertex, or none
+  std::vector<bool> reversed;            ///< steps whose cells are turned
 };
 
 } // namespace
