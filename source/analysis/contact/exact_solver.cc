@@ -17,14 +17,6 @@ constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing 
 /// In motion, a shorter step helps as well.
 constexpr unsigned int most_restarts = 30, most_restarts_in_motion = 3;
 
-/// A solution within the tolerance, kept while something is tried that may fail.
-struct Accepted {
-  Vector unknowns;
-  ContactResponse response;
-  std::vector<Contact::Strains> centre;
-  double residual;
-};
-
 } // namespace
 
 ExactSolver::ExactSolver(const SolverSettings &settings, const Contacts &contacts,
@@ -54,76 +46,117 @@ void ExactSolver::explain(const Outcome outcome, EquilibriumResult &result) cons
   }
 }
 
+/// An increment on its way to its solution, pass by pass.
+struct ExactSolver::Increment {
+  /// A solution within the tolerance, kept while something is tried that may fail.
+  struct Accepted {
+    Vector unknowns;
+    ContactResponse response;
+    std::vector<Contact::Strains> centre;
+    double residual;
+  };
+
+  const EquilibriumProblem &problem;
+  const ContactState &committed;
+  Vector &unknowns;
+  ContactResponse &response;
+  EquilibriumResult result = {};
+  /// A line may deflect so far that its stiffness times a rounding error of the unknowns is a
+  /// force: what rounding takes from them is kept until the increment is judged.
+  Vector low = Vector::Zero(unknowns.size());
+  double size = 0., largest = 0.; ///< what is left, and the largest force [N]
+  std::optional<Accepted> accepted = {};
+  unsigned int n_releases = 0;
+  bool is_corrected = false;
+
+  bool is_static() const { return problem.increment.length == 0.; }
+  void accept(const std::vector<Contact::Strains> &centre) {
+    accepted = {unknowns, response, centre, result.residual};
+  }
+};
+
+bool ExactSolver::move(Increment &now) {
+  const EquilibriumProblem &problem = now.problem;
+  Vector dofs;
+  space.expand(now.unknowns, dofs);
+  dofs += problem.imposed;
+  const Vector forces = unbalanced_forces(problem, now.unknowns, now.low);
+  newton.begin(forces,
+               std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
+               problem.force_so_far, dofs, now.committed, problem.increment);
+  Vector x = Vector::Zero(line.n_kept());
+  const Outcome outcome =
+      now.accepted ? newton.solve_together(limits.most_to_finish, x, now.response, now.result)
+                   : solve_contacts(now.is_static() ? most_restarts : most_restarts_in_motion, x,
+                                    now.response, now.result);
+  if (outcome != Outcome::solved) {
+    if (!now.accepted)
+      explain(outcome, now.result);
+    return false;
+  }
+  const Vector before = now.unknowns, change = now.low + line.expand(x, forces);
+  now.result.back_substitutions += 2; // one to condense the loads, one to expand
+  now.unknowns += change;
+  now.low = change - (now.unknowns - before);
+  return true;
+}
+
+bool ExactSolver::is_balanced(Increment &now) const {
+  const Residual residual(now.problem, contacts, space, {});
+  const Vector left = residual.with_stress(now.unknowns, now.low, now.response);
+  now.size = left.lpNorm<Eigen::Infinity>();
+  now.largest = residual.largest_force(now.response);
+  now.result.residual = now.largest > 0. ? now.size / now.largest : now.size;
+  return now.size <= residual.tolerance(settings.tolerance, diagonal, now.unknowns, now.response);
+}
+
+bool ExactSolver::goes_on(Increment &now) {
+  if (proximal.let_slipping_go(now.response)) {
+    now.accepted.reset();
+    return true;
+  }
+  if (now.n_releases < most_releases && presses_pairs(now.response)) {
+    ++now.n_releases;
+    now.accept(proximal.centre);
+    release_pairs(now.response);
+    return true;
+  }
+  // One more correction costs no more than a back substitution where the contacts' states stay,
+  // and takes what rounding of a soft line's stiffness has left.
+  if (!now.is_corrected && now.is_static() &&
+      now.size > nothing_left * settings.tolerance * now.largest) {
+    now.is_corrected = true;
+    now.accept(proximal.centre);
+    return true;
+  }
+  return false;
+}
+
 EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,
                                      ContactResponse &response) {
-  EquilibriumResult result;
   proximal.begin(committed, problem.overrides);
   newton.most_iterations = problem.most_iterations;
-  const Residual residual(problem, contacts, space, {});
   const auto centre_before = proximal.centre;
   const Vector unknowns_before = unknowns;
-  Vector dofs;
-  // A line may deflect so far that its stiffness times a rounding error of the unknowns is a force:
-  // what rounding takes from them is kept until the increment is judged.
-  Vector low = Vector::Zero(unknowns.size());
-  std::optional<Accepted> accepted;
-  const bool is_static = problem.increment.length == 0.;
-  unsigned int n_releases = 0;
-  bool is_corrected = false;
-  for (unsigned int pass = 0; pass <= most_refinements; ++pass) {
-    space.expand(unknowns, dofs);
-    dofs += problem.imposed;
-    const Vector forces = unbalanced_forces(problem, unknowns, low);
-    newton.begin(forces,
-                 std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
-                 problem.force_so_far, dofs, committed, problem.increment);
-    Vector x = Vector::Zero(line.n_kept());
-    const Outcome outcome =
-        accepted ? newton.solve_together(limits.most_to_finish, x, response, result)
-                 : solve_contacts(is_static ? most_restarts : most_restarts_in_motion, x, response,
-                                  result);
-    if (outcome != Outcome::solved) {
-      if (!accepted)
-        explain(outcome, result);
-      break;
+  Increment now{problem, committed, unknowns, response};
+  EquilibriumResult &result = now.result;
+  for (unsigned int pass = 0; pass <= most_refinements && move(now); ++pass) {
+    if (!is_balanced(now)) {
+      result.remark = "rounding errors leave forces unbalanced";
+      continue;
     }
-    const Vector before = unknowns, change = low + line.expand(x, forces);
-    result.back_substitutions += 2; // one to condense the loads, one to expand
-    unknowns += change;
-    low = change - (unknowns - before);
-    const Vector left = residual.with_stress(unknowns, low, response);
-    const double size = left.lpNorm<Eigen::Infinity>(), largest = residual.largest_force(response);
-    result.residual = largest > 0. ? size / largest : size;
-    if (size <= residual.tolerance(settings.tolerance, diagonal, unknowns, response)) {
-      if (proximal.let_slipping_go(response)) {
-        accepted.reset();
-        continue;
-      }
-      if (n_releases < most_releases && presses_pairs(response)) {
-        ++n_releases;
-        accepted = {unknowns, response, proximal.centre, result.residual};
-        release_pairs(response);
-        continue;
-      }
-      // One more correction costs no more than a back substitution where the contacts' states stay,
-      // and takes what rounding of a soft line's stiffness has left.
-      if (!is_corrected && is_static && size > nothing_left * settings.tolerance * largest) {
-        is_corrected = true;
-        accepted = {unknowns, response, proximal.centre, result.residual};
-        continue;
-      }
-      if (judge(response, result))
-        return result;
-      break;
-    }
-    result.remark = "rounding errors leave forces unbalanced";
+    if (goes_on(now))
+      continue;
+    if (judge(response, result))
+      return result;
+    break;
   }
-  if (accepted) { // the correction has not helped
-    unknowns = accepted->unknowns;
-    response = accepted->response;
-    proximal.centre = accepted->centre;
-    result.residual = accepted->residual;
+  if (now.accepted) { // the correction has not helped
+    unknowns = now.accepted->unknowns;
+    response = now.accepted->response;
+    proximal.centre = now.accepted->centre;
+    result.residual = now.accepted->residual;
     if (judge(response, result))
       return result;
   }

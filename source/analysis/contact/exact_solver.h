@@ -12,7 +12,7 @@ namespace frictionbeam {
  * The line is condensed to the nodes of its contacts, and solved there by ContactAttempts. The
  * iteration ends when the contact laws themselves, judged without the proximal term, hold: each
  * contact's natural-map residual on its own scale. Neither a small change from step to step nor the
- * convergence of an inner solve decides.
+ * convergence of an inner solve decides (doc/theory.md, "Exact contact").
  */
 class ExactSolver final : public EquilibriumSolver {
 public:
@@ -36,6 +36,15 @@ private:
   /// On the condensed line, from no motion, and where that stalls from elsewhere.
   Outcome solve_contacts(const unsigned int most_restarts, Vector &x, ContactResponse &response,
                          EquilibriumResult &result);
+  struct Increment;
+  /// Solve the contacts at the present motion of the line, and move it by what that gives.
+  /// @return whether they are solved
+  bool move(Increment &now);
+  /// Whether the forces of the whole line count as balanced.
+  bool is_balanced(Increment &now) const;
+  /// Whether a line in balance is to be solved once more: slip is let go, pairs of stops are
+  /// released, rounding is corrected.
+  bool goes_on(Increment &now);
   /// Say why there is no solution.
   void explain(const Outcome outcome, EquilibriumResult &result) const;
   /// @return whether the contact laws hold; the result says so.
