@@ -43,7 +43,11 @@ private:
   /// r - P(r - R (W r + q + D (r - r_c))); updates the law, and the error: the same with
   /// R = 1/(W_ii + D), whose rounding errors are small, relative to the largest force.
   VectorXd residual(const VectorXd &r);
+  /// Newton's step from the residual F, with the matrix I - B + B R (W + D), B the law's
+  /// derivatives, its rows scaled to size one.
   VectorXd newton_step(const VectorXd &F) const;
+  VectorXd dense_step(const VectorXd &F) const;
+  VectorXd sparse_step(const VectorXd &F) const;
   double merit(const VectorXd &F) const { return F.cwiseProduct(F).cwiseQuotient(stiffness).sum(); }
 
   /// Newton's method from @p r. @return whether it converged.
@@ -78,28 +82,33 @@ VectorXd Solver::residual(const VectorXd &r) {
 }
 
 VectorXd Solver::newton_step(const VectorXd &F) const {
-  // Matrix: I - B + B R (W + D), B the law's derivatives. Rows are scaled to size one.
+  return dense.size() > 0 ? dense_step(F) : sparse_step(F);
+}
+
+VectorXd Solver::dense_step(const VectorXd &F) const {
   const Eigen::Index n = F.size();
-  if (dense.size() > 0) {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
-    VectorXd right = -F;
-    for (unsigned int i = 0; i < problem.n_contacts(); ++i) {
-      const auto rows = Eigen::seqN(d * i, d);
-      const Eigen::MatrixXd B = law.derivative[i].topLeftCorner(d, d);
-      const Eigen::MatrixXd BR = B * weight.segment(d * i, d).asDiagonal();
-      matrix(rows, Eigen::all).noalias() += BR * dense.middleRows(d * i, d);
-      matrix(rows, rows) += BR * compliance.segment(d * i, d).asDiagonal();
-      matrix(rows, rows) -= B;
-    }
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double size = matrix.row(i).lpNorm<Eigen::Infinity>();
-      if (size > 0.) {
-        matrix.row(i) /= size;
-        right[i] /= size;
-      }
-    }
-    return matrix.partialPivLu().solve(right);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
+  VectorXd right = -F;
+  for (unsigned int i = 0; i < problem.n_contacts(); ++i) {
+    const auto rows = Eigen::seqN(d * i, d);
+    const Eigen::MatrixXd B = law.derivative[i].topLeftCorner(d, d);
+    const Eigen::MatrixXd BR = B * weight.segment(d * i, d).asDiagonal();
+    matrix(rows, Eigen::all).noalias() += BR * dense.middleRows(d * i, d);
+    matrix(rows, rows) += BR * compliance.segment(d * i, d).asDiagonal();
+    matrix(rows, rows) -= B;
   }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double size = matrix.row(i).lpNorm<Eigen::Infinity>();
+    if (size > 0.) {
+      matrix.row(i) /= size;
+      right[i] /= size;
+    }
+  }
+  return matrix.partialPivLu().solve(right);
+}
+
+VectorXd Solver::sparse_step(const VectorXd &F) const {
+  const Eigen::Index n = F.size();
   std::vector<Eigen::Triplet<double>> blocks, diagonal;
   for (unsigned int i = 0; i < problem.n_contacts(); ++i)
     for (unsigned int c = 0; c < d; ++c) {

@@ -43,7 +43,7 @@ struct Basis {
   MatrixXd responses; ///< points and places by order
 
   explicit Basis(const bool with_start) : n(n_nodes + with_start) {
-    const dealii::QGauss<1> gauss(n_nodes), fine(n_orders);
+    const dealii::QGauss<1> gauss(n_nodes);
     std::vector<double> places;
     if (with_start)
       places.push_back(0.);
@@ -55,7 +55,12 @@ struct Basis {
     for (int j = 1; j < n_nodes; ++j)
       points.push_back((gauss.point(j - 1)[0] + gauss.point(j)[0]) / 2.);
     points.push_back(1.);
+    make_maps(places);
+    make_values();
+  }
 
+  /// From values at these places to Chebyshev's coefficients, and from these to powers.
+  void make_maps(const std::vector<double> &places) {
     Eigen::RowVectorXd value, derivative;
     MatrixXd vandermonde(n, n);
     for (int b = 0; b < n; ++b) {
@@ -71,7 +76,11 @@ struct Basis {
       for (int p = 0; p <= k; ++p)
         to_powers(p, k) = -2. * to_powers(p, k - 1) - to_powers(p, k - 2) +
                           (p > 0 ? 4. * to_powers(p - 1, k - 1) : 0.);
+  }
 
+  void make_values() {
+    const dealii::QGauss<1> fine(n_orders);
+    Eigen::RowVectorXd value, derivative;
     values.resize(points.size(), n);
     derivatives.resize(points.size(), n);
     std::vector<MatrixXd> by_order(n_orders, MatrixXd::Zero(points.size(), n));
@@ -122,7 +131,8 @@ Vector2d unit(const double angle) { return {std::cos(angle), std::sin(angle)}; }
 Vector2d across(const double angle) { return {-std::sin(angle), std::cos(angle)}; }
 
 /// What the equations say for one piece: w and N of all contacts at all points as linear functions
-/// of the friction at Gauss' points.
+/// of the friction tau = f N s at Gauss' points, where Newton's method solves |s| = 1, s x w = 0
+/// (doc/dynamics.md, "From event to event", slip along a curve).
 class Piece {
 public:
   Piece(const std::vector<CurvedSlip::Contact> &contacts, const CurvedSlip::Responses &responses,

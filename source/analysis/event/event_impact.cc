@@ -162,42 +162,55 @@ void EventIntegrator::strike(const std::vector<unsigned int> &contacts, LocalCon
   act(contacts, impulses, columns, of_ground, energy, to);
 }
 
+/// An impact: the rigid contacts that take part, in the order of their rows in the problem.
+struct EventIntegrator::Impact {
+  std::vector<unsigned int> contacts;
+  std::vector<bool> strikes; ///< they close now; the others were closed
+  std::vector<bool> stays;   ///< it left at this instant, and is back within rounding
+  LocalContactProblem problem;
+  double approach = 0.; ///< the fastest [m/s]
+};
+
+EventIntegrator::Impact EventIntegrator::impact_of(const std::vector<unsigned int> &striking,
+                                                   const Vector &of_ground) {
+  Impact impact;
+  for (unsigned int j = 0; j < states.size(); ++j) {
+    const bool strikes = std::find(striking.begin(), striking.end(), j) != striking.end();
+    if (!strikes &&
+        !(states[j].is_closed() && line.contacts[j].normal == EventContact::Normal::rigid))
+      continue;
+    impact.contacts.push_back(j);
+    impact.strikes.push_back(strikes);
+  }
+  const unsigned int n = impact.contacts.size();
+  const Vector u = velocities(impact.contacts, of_ground);
+  fastest = std::max(fastest, u.lpNorm<Eigen::Infinity>());
+  impact.stays.assign(n, false);
+  impact.problem.q = u;
+  impact.problem.friction.resize(n);
+  for (unsigned int k = 0; k < n; ++k) {
+    const unsigned int j = impact.contacts[k];
+    const EventContact &contact = line.contacts[j];
+    impact.problem.friction[k] = contact.rigid_shear ? contact.law.dynamic_friction : 0.;
+    const double speed = -u[3 * k];
+    impact.approach = std::max(impact.approach, speed);
+    const double e = impact.strikes[k] ? restitution(j, speed) : contact.contact->restitution;
+    impact.stays[k] = impact.strikes[k] && returns_at_once(j, speed);
+    impact.problem.q[3 * k] -= e * std::max(speed, 0.); // 0 <= u_N + e u_N^- perp P_N >= 0
+  }
+  return impact;
+}
+
 void EventIntegrator::impact(const std::vector<unsigned int> &striking, const Vector &of_ground,
                              EnergyAccount &energy, LineState &to) {
-  const auto strikes = [&](const unsigned int j) {
-    return std::find(striking.begin(), striking.end(), j) != striking.end();
-  };
-  std::vector<unsigned int> taking_part;
-  for (unsigned int j = 0; j < states.size(); ++j)
-    if (strikes(j) ||
-        (states[j].is_closed() && line.contacts[j].normal == EventContact::Normal::rigid))
-      taking_part.push_back(j);
-  const unsigned int n = taking_part.size();
-  Vector u = velocities(taking_part, of_ground);
-  fastest = std::max(fastest, u.lpNorm<Eigen::Infinity>());
-  double approach = 0.;
-  std::vector<bool> stays(n, false); // it left at this instant, and is back within rounding
-  LocalContactProblem problem;
-  problem.q = u;
-  problem.friction.resize(n);
-  for (unsigned int k = 0; k < n; ++k) {
-    const EventContact &contact = line.contacts[taking_part[k]];
-    problem.friction[k] = contact.rigid_shear ? contact.law.dynamic_friction : 0.;
-    const double speed = -u[3 * k];
-    approach = std::max(approach, speed);
-    const double e =
-        strikes(taking_part[k]) ? restitution(taking_part[k], speed) : contact.contact->restitution;
-    stays[k] = strikes(taking_part[k]) && returns_at_once(taking_part[k], speed);
-    problem.q[3 * k] -= e * std::max(speed, 0.);
-  }
-  if (approach > at_rest * fastest) {
-    strike(taking_part, std::move(problem), of_ground, energy, to);
-    u = velocities(taking_part, of_ground);
-  }
-  for (unsigned int k = 0; k < n; ++k) {
-    const unsigned int j = taking_part[k];
+  Impact impact = impact_of(striking, of_ground);
+  if (impact.approach > at_rest * fastest)
+    strike(impact.contacts, std::move(impact.problem), of_ground, energy, to);
+  const Vector u = velocities(impact.contacts, of_ground);
+  for (unsigned int k = 0; k < impact.contacts.size(); ++k) {
+    const unsigned int j = impact.contacts[k];
     const EventContact &contact = line.contacts[j];
-    if (!stays[k] && u[3 * k] > std::max(at_rest * fastest, 1e-12 * approach)) {
+    if (!impact.stays[k] && u[3 * k] > std::max(at_rest * fastest, 1e-12 * impact.approach)) {
       states[j].status = ContactStatus::open;
       states[j].offset = displacement[j][0] + contact.law.gap;
       bounces[j].left = present;
@@ -211,11 +224,11 @@ void EventIntegrator::impact(const std::vector<unsigned int> &striking, const Ve
       set_sliding(j, u.segment<2>(3 * k + 1));
     else if (contact.has_friction) {
       states[j].status = ContactStatus::stick;
-      if (strikes(j))
+      if (impact.strikes[k])
         states[j].plastic = displacement[j].tail<2>();
     }
   }
-  if (std::count(stays.begin(), stays.end(), true) > 0)
+  if (std::count(impact.stays.begin(), impact.stays.end(), true) > 0)
     settle(of_ground, energy, to);
 }
 

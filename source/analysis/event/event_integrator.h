@@ -56,6 +56,9 @@ private:
 
   Event next_event() const;
   Event next_event(const unsigned int i) const;
+  /// When friction of a contact that sticks reaches its limit: f N -+ T = 0, in two directions
+  /// (f N)^2 = |T|^2.
+  Event next_slip(const unsigned int i) const;
   /// Find contacts that begin to slip along a curve. @return whether there are any
   bool find_curves();
   /// Whether slip is about to stop, so slow that its direction does not matter.
@@ -111,6 +114,10 @@ private:
   /// Rigid contacts that close now, or as good as now, @p i one of them.
   std::vector<unsigned int> closing_with(const unsigned int i, const double x,
                                          const Vector &of_ground) const;
+  struct Impact;
+  /// What contacts that strike have as one problem with all rigid ones that are closed, by Newton's
+  /// and Coulomb's laws (doc/dynamics.md, "From event to event").
+  Impact impact_of(const std::vector<unsigned int> &striking, const Vector &of_ground);
   /// Contacts strike, with all that are closed.
   void impact(const std::vector<unsigned int> &striking, const Vector &of_ground,
               EnergyAccount &energy, LineState &to);

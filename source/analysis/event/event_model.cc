@@ -35,9 +35,11 @@ EventModel::EventModel(const Model &m)
     if (!has_mass[u] && !is_platen[u])
       massless.push_back(u);
   factor_mass(model.linear.mass(), mass);
-  if (massless.empty())
-    return;
+  if (!massless.empty())
+    condense_massless();
+}
 
+void EventModel::condense_massless() {
   check_dashpots_have_mass(model, "Time/Integrator = event");
   if (damped && model.scene.time.stiffness_damping > 0.)
     throw UserError("Time/Integrator = event: points without mass cannot have stiffness damping. "
@@ -89,6 +91,12 @@ void EventModel::make_contact(const unsigned int i) {
     throw UserError("Time/Integrator = event has equal shear rigidities only. Set 'Shear rigidity "
                     "ratio' of support " +
                     name + " to 1 or take generalized_alpha.");
+  take_unknowns(result);
+}
+
+void EventModel::take_unknowns(EventContact &result) const {
+  const Contact &contact = *result.contact;
+  const double l = contact.length;
   std::vector<int> columns;
   for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
     const int unknown = contact.unknowns[j];
@@ -100,7 +108,8 @@ void EventModel::make_contact(const unsigned int i) {
       result.platen_unknown = unknown;
       result.platen_weight = column[0];
     } else if (column.norm() > 0.)
-      throw UserError("Time/Integrator = event: support " + name +
+      throw UserError("Time/Integrator = event: support " +
+                      model.scene.supports[contact.support].name +
                       " touches a point that can move and has no mass. Give it a Mass, or its "
                       "pipe a density, or take nonsmooth_alpha.");
   }

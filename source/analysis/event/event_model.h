@@ -73,6 +73,10 @@ public:
 
 private:
   void make_contact(const unsigned int i);
+  /// The unknowns that a contact's displacements depend on, and how.
+  void take_unknowns(EventContact &result) const;
+  /// Unknowns without mass follow the others without delay.
+  void condense_massless();
 
   LineFactorization mass, inner;
   std::vector<int> massless; ///< condensed

@@ -54,30 +54,44 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
     return first;
 
   if (state.status == ContactStatus::stick) {
-    const double f = contact.law.static_friction;
-    double rounding = 100. * eps * (f * largest_N + size(r, 1) + size(r, 2));
-    if (!contact.rigid_shear)
-      rounding += eps * contact.shear_stiffness *
-                  (size(g, 1) + size(g, 2) + state.plastic.lpNorm<Eigen::Infinity>());
-    if (state.at_limit)
-      rounding = std::max(rounding, limit_of_statics * f * largest_N);
-    const Polynomial T1 = TaylorMotion::row(r, 1), T2 = TaylorMotion::row(r, 2);
-    const bool only_1 = size(r, 2) <= no_component * size(r, 1),
-               only_2 = size(r, 1) <= no_component * size(r, 2);
-    if (only_1 || only_2) {
-      const Polynomial &T = only_1 ? T1 : T2;
-      look(f * N - T, rounding, Kind::slipping);
-      look(f * N + T, rounding, Kind::slipping);
-    } else {
-      const double scale = f * largest_N + size(r, 1) + size(r, 2);
-      look(f * f * product(N, N) - product(T1, T1) - product(T2, T2), scale * rounding,
-           Kind::slipping);
-    }
-  } else
-    look(slip_rate(i),
-         eps * (std::abs(state.direction[0]) * size(g, 1) +
-                std::abs(state.direction[1]) * size(g, 2)),
-         Kind::sticking);
+    const Event slip = next_slip(i);
+    return slip.x < first.x ? slip : first;
+  }
+  look(slip_rate(i),
+       eps *
+           (std::abs(state.direction[0]) * size(g, 1) + std::abs(state.direction[1]) * size(g, 2)),
+       Kind::sticking);
+  return first;
+}
+
+EventIntegrator::Event EventIntegrator::next_slip(const unsigned int i) const {
+  const EventContact &contact = line.contacts[i];
+  const EventState &state = states[i];
+  const Eigen::MatrixXd &g = motion.g[i], &r = motion.r[i];
+  const double f = contact.law.static_friction, largest_N = size(r, 0);
+  double rounding = 100. * eps * (f * largest_N + size(r, 1) + size(r, 2));
+  if (!contact.rigid_shear)
+    rounding += eps * contact.shear_stiffness *
+                (size(g, 1) + size(g, 2) + state.plastic.lpNorm<Eigen::Infinity>());
+  if (state.at_limit)
+    rounding = std::max(rounding, limit_of_statics * f * largest_N);
+  const Polynomial N = -TaylorMotion::row(r, 0), T1 = TaylorMotion::row(r, 1),
+                   T2 = TaylorMotion::row(r, 2);
+  const bool only_1 = size(r, 2) <= no_component * size(r, 1),
+             only_2 = size(r, 1) <= no_component * size(r, 2);
+  Event first;
+  const auto look = [&](const Polynomial &p, const double noise) {
+    if (const double x = first_root(p, noise); x < first.x)
+      first = {x, i, Kind::slipping};
+  };
+  if (only_1 || only_2) {
+    const Polynomial &T = only_1 ? T1 : T2;
+    look(f * N - T, rounding);
+    look(f * N + T, rounding);
+  } else {
+    const double scale = f * largest_N + size(r, 1) + size(r, 2);
+    look(f * f * product(N, N) - product(T1, T1) - product(T2, T2), scale * rounding);
+  }
   return first;
 }
 

@@ -12,7 +12,7 @@ namespace frictionbeam {
  * h the size,
  *   eta^2 = 1/E [ (h/p)^2 |div sigma|^2 + h/(2p) |[sigma n]|^2 (between cells)
  *               + h/p |sigma n - t|^2 (boundary, components that are not held) ],
- * t the load's traction, or that of friction as its nodes have it.
+ * t the load's traction, or that of friction as its nodes have it (doc/continuum.md, "Refinement").
  */
 template <int dim>
 dealii::Vector<float> estimate_error(const ContinuumBody<dim> &body, const ContinuumState &state,

@@ -37,6 +37,23 @@ double threshold(const ContinuumBody<dim> &body, const dealii::Vector<float> &es
   return 0.;
 }
 
+template <int dim>
+using NodeStatus = std::pair<double, Point<dim>>; ///< status, place
+
+/// Of each node the nearest one of another status, or the number of nodes if there is none: a front
+/// passes between two such.
+template <int dim>
+std::vector<std::size_t> nearest_of_other_status(const std::vector<NodeStatus<dim>> &nodes) {
+  std::vector<std::size_t> nearest(nodes.size(), nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      if (nodes[j].first != nodes[i].first &&
+          (nearest[i] == nodes.size() || nodes[i].second.distance(nodes[j].second) <
+                                             nodes[i].second.distance(nodes[nearest[i]].second)))
+        nearest[i] = j;
+  return nearest;
+}
+
 /// Flag cells on a surface whose nodes are of different status. @return places between nodes of
 /// different status, for all processes
 template <int dim>
@@ -57,22 +74,14 @@ std::vector<Point<dim>> flag_fronts(const ContinuumBody<dim> &body, const Contin
     for (const unsigned int f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary() || body.surface_of(cell->face(f)->boundary_id()) < 0)
         continue;
-      std::vector<std::pair<double, Point<dim>>> nodes; // status, place
+      std::vector<NodeStatus<dim>> nodes;
       for (unsigned int i = 0; i < body.fe.n_dofs_per_face(f); ++i) {
         const unsigned int k = body.fe.face_to_cell_index(i, f);
         if (body.fe.system_to_component_index(k).first == 0 && status(dofs[k]) > 0.)
           nodes.emplace_back(status(dofs[k]),
                              mapping.transform_unit_to_real_cell(cell, unit_points[k]));
       }
-      // Of each node the nearest one of another status; the front passes between two such.
-      std::vector<std::size_t> nearest(nodes.size(), nodes.size());
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        for (std::size_t j = 0; j < nodes.size(); ++j)
-          if (nodes[j].first != nodes[i].first &&
-              (nearest[i] == nodes.size() ||
-               nodes[i].second.distance(nodes[j].second) <
-                   nodes[i].second.distance(nodes[nearest[i]].second)))
-            nearest[i] = j;
+      const std::vector<std::size_t> nearest = nearest_of_other_status(nodes);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         const std::size_t j = nearest[i];
         if (j == nodes.size())

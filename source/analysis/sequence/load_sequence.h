@@ -61,6 +61,9 @@ private:
   /// Factors of the loads at a step's end, without their histories.
   Factors target_of(const LoadStep &step) const;
   bool run_static(const Factors &target, const Observer &observer);
+  /// Go to @p end of an increment that the step declares. Histories are followed to their corners,
+  /// and on both sides of their jumps.
+  bool follow_to(const double end, const bool is_last, const Factors &target);
   bool run_transient(const Factors &target, const Observer &observer);
   bool run_reduced(const Factors &target, const Observer &observer);
   /// Go to the declared factors and time given, in one static increment or in halves of it.

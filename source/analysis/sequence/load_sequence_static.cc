@@ -43,7 +43,6 @@ std::vector<BeyondUniqueness> several_equilibria(const Model &model, const Stati
 bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
   const unsigned int step = position.step;
   const LoadStep &declared_step = model.scene.steps[step];
-  const Factors &from = position.from;
   const double start = position.start;
   if (!is_resumed) {
     current.velocity.setZero();
@@ -59,24 +58,8 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     const double end = i == declared_step.n_increments
                            ? start + declared_step.duration
                            : start + declared_step.duration * i / declared_step.n_increments;
-    bool done = false;
-    while (!done) { // a history is followed to its corners, and on both sides of its jumps
-      iterations_left = most_iterations_of(model.scene.solver);
-      halvings_left = most_halvings;
-      if (course.forces_jump(current.time) && !advance_to_other_side())
-        return false;
-      const double corner = course.next_break(current.time);
-      done = !(corner < end - same_instant_of_step * declared_step.duration);
-      const double time = done ? end : corner, part = (time - start) / declared_step.duration;
-      Factors to = target;
-      if (!done || i < declared_step.n_increments)
-        for (unsigned int l = 0; l < to.size(); ++l)
-          to[l] = from[l] + part * (target[l] - from[l]);
-      iterations_left = most_iterations_of(model.scene.solver);
-      halvings_left = most_halvings;
-      if (!advance(Factors(declared), to, time, 0))
-        return false;
-    }
+    if (!follow_to(end, i == declared_step.n_increments, target))
+      return false;
     observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
     if (between_increments)
       between_increments();
@@ -85,6 +68,29 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     StepReport &report = step_reports.back();
     report.several_equilibria = several_equilibria(model, *statics, current);
     report.undetermined_forces = contacts_with_undetermined_forces(model.contacts, current);
+  }
+  return true;
+}
+
+bool LoadSequence::follow_to(const double end, const bool is_last, const Factors &target) {
+  const double start = position.start, duration = model.scene.steps[position.step].duration;
+  const Factors &from = position.from;
+  for (bool done = false; !done;) {
+    iterations_left = most_iterations_of(model.scene.solver);
+    halvings_left = most_halvings;
+    if (course.forces_jump(current.time) && !advance_to_other_side())
+      return false;
+    const double corner = course.next_break(current.time);
+    done = !(corner < end - same_instant_of_step * duration);
+    const double time = done ? end : corner, part = (time - start) / duration;
+    Factors to = target;
+    if (!done || !is_last)
+      for (unsigned int l = 0; l < to.size(); ++l)
+        to[l] = from[l] + part * (target[l] - from[l]);
+    iterations_left = most_iterations_of(model.scene.solver);
+    halvings_left = most_halvings;
+    if (!advance(Factors(declared), to, time, 0))
+      return false;
   }
   return true;
 }

@@ -98,11 +98,9 @@ bool ImpulseContacts::test_reversals(const LineState &from, const Vector &impose
   return any;
 }
 
-EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const LineState &from,
-                                         const Vector &imposed_before, const Relation &relation,
-                                         Vector &unknowns, ContactResponse &response) {
+void ImpulseContacts::set_laws(const EquilibriumProblem &problem, const LineState &from,
+                               const Relation &relation) {
   const double step = problem.increment.length;
-  set_ground_rates(problem, from, imposed_before, relation.may_jump);
   shifted = from.contacts;
   overrides.gap.assign(kinds.size(), 0.);
   overrides.friction_scale.assign(kinds.size(), 1.);
@@ -132,6 +130,13 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
     if (kind.rigid_normal != kind.rigid_shear)
       overrides.friction_scale[i] = kind.rigid_normal ? relation.share : 1. / relation.share;
   }
+}
+
+EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const LineState &from,
+                                         const Vector &imposed_before, const Relation &relation,
+                                         Vector &unknowns, ContactResponse &response) {
+  set_ground_rates(problem, from, imposed_before, relation.may_jump);
+  set_laws(problem, from, relation);
   problem.overrides = &overrides;
   // Where supports share a force that the line does not tell apart, each keeps what it had.
   std::vector<Contact::Strains> stress(kinds.size());
@@ -149,15 +154,19 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
     result.factorizations += first.factorizations;
     result.back_substitutions += first.back_substitutions;
   }
-  if (!result.converged)
-    return result;
+  if (result.converged)
+    take_impulses(from, relation.share, problem.increment.length, response);
+  return result;
+}
 
-  rigid_impulses = Vector::Zero(unknowns.size());
+void ImpulseContacts::take_impulses(const LineState &from, const double share, const double step,
+                                    ContactResponse &response) {
+  rigid_impulses = Vector::Zero(from.unknowns.size());
   contact_work.assign(kinds.size(), {Contact::Strains::Zero(), Contact::Strains::Zero()});
   for (unsigned int i = 0; i < kinds.size(); ++i) {
     const Contact &contact = model.contacts[i];
     const Kind &kind = kinds[i];
-    const Contact::Strains rigid = relation.share * part(i, response.stress[i], true),
+    const Contact::Strains rigid = share * part(i, response.stress[i], true),
                            elastic = part(i, response.stress[i], false);
     contact.add_to(rigid_impulses, rigid, -step);
     response.stress[i] = rigid + elastic;
@@ -166,7 +175,6 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
       contact_work[i].rigidity << (contact.platen_force != 0. ? infinity : kind.law.axial_rigidity),
           kind.law.shear_rigidity_y, kind.law.shear_rigidity_z, kind.law.torsional_rigidity;
   }
-  return result;
 }
 
 void ImpulseContacts::add_histories(const LineState &from, const double step, LineState &to) const {

@@ -73,6 +73,14 @@ private:
   /// and before it, of the step that ends where this one begins; after a jump, the same.
   void set_ground_rates(const EquilibriumProblem &problem, const LineState &from,
                         const Vector &imposed_before, const bool may_jump);
+  /// The laws of this step on displacements: gap -(H base)_N + reach e u_N^- and slip from
+  /// (H base)_T, both with the ground's motion, of what is rigid and takes part (doc/dynamics.md,
+  /// "Rigid contact on velocities").
+  void set_laws(const EquilibriumProblem &problem, const LineState &from, const Relation &relation);
+  /// Impulses and mean stresses over the step from the stresses r of a solution, which the means
+  /// then replace. @param share of r that acts on average over the step
+  void take_impulses(const LineState &from, const double share, const double step,
+                     ContactResponse &response);
   /// Have contacts that slip against the direction of the step before, which have been at rest in
   /// between, overcome static friction first. @return whether there are any that did not
   bool test_reversals(const LineState &from, const Vector &imposed, const Vector &unknowns);

@@ -16,7 +16,8 @@ namespace frictionbeam {
  * velocities of their histories, with which their masses go into M (v1 - v0). Of linear cells this
  * is moreau_jean with theta = 1/2, and the contacts are that method's.
  *
- * A step is solved by Newton's method with the contacts solved on the linearized line.
+ * A step is solved by Newton's method with the contacts solved on the linearized line
+ * (doc/dynamics.md, "Large displacements").
  */
 class NonlinearMotion final : public TimeIntegrator {
 public:

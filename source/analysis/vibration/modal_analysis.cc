@@ -175,23 +175,21 @@ void ModalAnalysis::normalize() {
   }
 }
 
-Vector ModalAnalysis::support_motion(const unsigned int d,
-                                     const std::vector<std::string> &names) const {
+namespace {
+
+bool contains(const std::vector<std::string> &names, const std::string &name) {
+  return std::count(names.begin(), names.end(), name) > 0;
+}
+
+} // namespace
+
+Vector ModalAnalysis::held_motion(const unsigned int d,
+                                  const std::vector<std::string> &names) const {
   const VertexDofs &at = model.discretization.vertex_dofs();
   Vector dofs = Vector::Zero(model.space.n_dofs());
-  if (names.empty()) {
-    for (unsigned int v = 0; v < model.discretization.vertices().size(); ++v)
-      if (const auto dof = at.index(v, d); dof != numbers::invalid_dof_index)
-        dofs[dof] = 1.;
-    return dofs;
-  }
-
-  const auto moves = [&](const std::string &name) {
-    return std::count(names.begin(), names.end(), name) > 0;
-  };
   // What is held moves along the directions in which it is held.
   for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
-    if (moves(model.scene.restraints[i].name))
+    if (contains(names, model.scene.restraints[i].name))
       for (const Site &site : model.mesh.restraints[i])
         for (const Tensor<1, 6> &held_direction : held_directions(model.scene.restraints[i], site))
           for (unsigned int c = 0; c < 3; ++c)
@@ -199,7 +197,7 @@ Vector ModalAnalysis::support_motion(const unsigned int d,
               dofs[dof] += held_direction[d] * held_direction[c];
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    if (moves(model.scene.supports[contact.support].name) &&
+    if (contains(names, model.scene.supports[contact.support].name) &&
         contact.vertices[1] >= model.discretization.n_line_vertices())
       dofs[at.index(contact.vertices[1], d)] = 1.;
   }
@@ -208,7 +206,20 @@ Vector ModalAnalysis::support_motion(const unsigned int d,
     if (model.space.terms(dof).begin() + 1 == model.space.terms(dof).end() &&
         model.space.terms(dof).begin()->weight == 1.)
       dofs[dof] = 0.;
+  return dofs;
+}
 
+Vector ModalAnalysis::support_motion(const unsigned int d,
+                                     const std::vector<std::string> &names) const {
+  const VertexDofs &at = model.discretization.vertex_dofs();
+  if (names.empty()) { // all of them: the line moves as a whole
+    Vector dofs = Vector::Zero(model.space.n_dofs());
+    for (unsigned int v = 0; v < model.discretization.vertices().size(); ++v)
+      if (const auto dof = at.index(v, d); dof != numbers::invalid_dof_index)
+        dofs[dof] = 1.;
+    return dofs;
+  }
+  const Vector dofs = held_motion(d, names);
   const auto &C = matrices.unknowns_to_dofs();
   Vector forces = -C.transpose() * (matrices.stiffness() * dofs);
   ContactResponse response = held;
@@ -218,7 +229,7 @@ Vector ModalAnalysis::support_motion(const unsigned int d,
   model.contacts.add_forces(response, contact_forces);
   forces -= contact_forces;
   for (const Spring &spring : model.scene.springs)
-    if (moves(spring.name) && spring.other.empty())
+    if (contains(names, spring.name) && spring.other.empty())
       for (const auto &term : model.space.terms(at.index(model.mesh.points.at(spring.point), d)))
         forces[term.unknown] += term.weight * spring.stiffness[d];
   return C * factors.solve(forces) + dofs;

@@ -24,7 +24,8 @@ struct Mode {
  *
  * Large problems go to ARPACK through deal.II, in shift-invert mode; small ones, and those that ask
  * for a large part of all modes, to Eigen's dense solver. Sylvester's law of inertia then counts
- * the eigenvalues below the last one, so that none is missed.
+ * the eigenvalues below the last one, so that none is missed. See doc/theory.md, "Modes and
+ * spectra".
  */
 class ModalAnalysis {
 public:
@@ -54,6 +55,8 @@ public:
 private:
   void hold_contacts(const LineState &state, const bool friction);
   void solve_dense(const unsigned int n);
+  /// Motion of all that is held when the supports of these names move by a unit in direction @p d.
+  Vector held_motion(const unsigned int d, const std::vector<std::string> &names) const;
   bool solve_sparse(const unsigned int n, const unsigned int n_vectors);
   void normalize();
 
