@@ -64,6 +64,8 @@ public:
   SolvedScene run();
 
 private:
+  /// What was chosen, how well the quantities are known and what is not, in words.
+  void add_remarks(const bool model_was_chosen, Results &results) const;
   /// The line, if what it leaves out is estimated to be small enough, with its settings.
   ModelKind choose_model();
   Results run_line();
@@ -324,6 +326,32 @@ Results AccuracyControl::run_continuum() {
   return results;
 }
 
+void AccuracyControl::add_remarks(const bool model_was_chosen, Results &results) const {
+  if (!missed.empty())
+    results.remarks.push_back("Accuracy: " + missed +
+                              " is nearer than the time step can tell, and was not seen.");
+  results.remarks.push_back(
+      account.reached
+          ? "Accuracy: the quantities are estimated to be known to " +
+                rounded_number(account.estimate, 2) + ", " + rounded_number(demanded, 2) +
+                " is demanded; chosen: " +
+                (chosen.empty() ? "nothing, since there is nothing to choose" : describe(chosen)) +
+                "."
+          : "Accuracy: " + rounded_number(demanded, 2) +
+                " is not reached; the estimate, which shall be below that by a factor of " +
+                rounded_number(margin, 2) + ", is " + rounded_number(account.estimate, 2) +
+                " with " + describe(chosen) + ".");
+  if (model_was_chosen)
+    results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +
+                              account.model_reason +
+                              (account.line_error ? " (what the line leaves out is estimated as " +
+                                                        rounded_number(*account.line_error, 2) + ")"
+                                                  : "") +
+                              ".");
+  if (!account.left_out.empty())
+    results.remarks.push_back("Accuracy, left out: " + describe(account.left_out) + ".");
+}
+
 SolvedScene AccuracyControl::run() {
   account.demanded = demanded;
   account.reached = true;
@@ -346,9 +374,6 @@ SolvedScene AccuracyControl::run() {
     if (quantity.of_impact)
       account.left_out.push_back(
           quantity.name + ": the force of an impact on a rigid support has no largest value");
-  if (!missed.empty())
-    results.remarks.push_back("Accuracy: " + missed +
-                              " is nearer than the time step can tell, and was not seen.");
   const Cost last = results.cost;
   results.cost = cost;
   results.cost.unknowns = last.unknowns;
@@ -356,26 +381,7 @@ SolvedScene AccuracyControl::run() {
   results.cost.contacts = last.contacts;
   if (!account.reached && results.status == RunStatus::converged)
     results.status = RunStatus::failed;
-  results.remarks.push_back(
-      account.reached
-          ? "Accuracy: the quantities are estimated to be known to " +
-                rounded_number(account.estimate, 2) + ", " + rounded_number(demanded, 2) +
-                " is demanded; chosen: " +
-                (chosen.empty() ? "nothing, since there is nothing to choose" : describe(chosen)) +
-                "."
-          : "Accuracy: " + rounded_number(demanded, 2) +
-                " is not reached; the estimate, which shall be below that by a factor of " +
-                rounded_number(margin, 2) + ", is " + rounded_number(account.estimate, 2) +
-                " with " + describe(chosen) + ".");
-  if (choose)
-    results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +
-                              account.model_reason +
-                              (account.line_error ? " (what the line leaves out is estimated as " +
-                                                        rounded_number(*account.line_error, 2) + ")"
-                                                  : "") +
-                              ".");
-  if (!account.left_out.empty())
-    results.remarks.push_back("Accuracy, left out: " + describe(account.left_out) + ".");
+  add_remarks(choose, results);
   results.accuracy = account;
   return {std::move(scene), std::move(results)};
 }

@@ -19,6 +19,50 @@ namespace {
 
 constexpr double rounding = 1e-16; ///< where an error of zero is drawn
 
+double y_of(const Measurement &one) { return std::max(one.error, rounding); }
+
+/// The measurements that no other one beats in both time and error, as a broad band.
+Plot::Series front_band(const std::vector<Measurement> &measurements,
+                        const std::vector<std::size_t> &front) {
+  Plot::Series band;
+  band.label = "efficient front";
+  band.colour = "#d8d8d8";
+  band.line_width = 11.;
+  for (const std::size_t i : front) {
+    band.x.push_back(measurements[i].median());
+    band.y.push_back(y_of(measurements[i]));
+  }
+  return band;
+}
+
+/// The measurements of a curve, and those without an answer, above all others.
+/// @param highest error of all
+void add_curve(const ChartList &list, const std::vector<Measurement> &measurements,
+               const std::size_t c, const double highest, Plot &plot) {
+  Plot::Series series, failed;
+  series.label = list.curves[c].label;
+  series.style = Plot::Series::Style::line_points;
+  series.colour = failed.colour = series_colour(c);
+  series.marker = c % 6 + 1;
+  series.point_size = 0.9;
+  series.dashed = c >= 6;
+  failed.label = list.curves[c].label + ": no answer";
+  failed.style = Plot::Series::Style::points;
+  failed.marker = 7;
+  failed.point_size = 0.8;
+  for (const Measurement &one : measurements)
+    if (one.curve == c && one.solved()) {
+      series.x.push_back(one.median());
+      series.y.push_back(y_of(one));
+    } else if (one.curve == c && !one.seconds.empty()) {
+      failed.x.push_back(one.median());
+      failed.y.push_back(3. * highest);
+    }
+  for (const Plot::Series &one : {series, failed})
+    if (!one.x.empty())
+      plot.series.push_back(one);
+}
+
 Plot make_plot(const ChartList &list, const std::vector<Measurement> &measurements) {
   Plot plot;
   plot.title = list.title;
@@ -29,47 +73,14 @@ Plot make_plot(const ChartList &list, const std::vector<Measurement> &measuremen
   plot.key = Plot::Key::right;
   plot.width = 900;
   plot.height = 520;
-  const auto y_of = [](const Measurement &one) { return std::max(one.error, rounding); };
   const std::vector<std::size_t> front = efficient_front(measurements);
-
-  Plot::Series band;
-  band.label = "efficient front";
-  band.colour = "#d8d8d8";
-  band.line_width = 11.;
-  for (const std::size_t i : front) {
-    band.x.push_back(measurements[i].median());
-    band.y.push_back(y_of(measurements[i]));
-  }
-  plot.series.push_back(band);
-
+  plot.series.push_back(front_band(measurements, front));
   double highest = 0.;
   for (const Measurement &one : measurements)
     if (one.solved())
       highest = std::max(highest, y_of(one));
-  for (std::size_t c = 0; c < list.curves.size(); ++c) {
-    Plot::Series series, failed;
-    series.label = list.curves[c].label;
-    series.style = Plot::Series::Style::line_points;
-    series.colour = failed.colour = series_colour(c);
-    series.marker = c % 6 + 1;
-    series.point_size = 0.9;
-    series.dashed = c >= 6;
-    failed.label = list.curves[c].label + ": no answer";
-    failed.style = Plot::Series::Style::points;
-    failed.marker = 7;
-    failed.point_size = 0.8;
-    for (const Measurement &one : measurements)
-      if (one.curve == c && one.solved()) {
-        series.x.push_back(one.median());
-        series.y.push_back(y_of(one));
-      } else if (one.curve == c && !one.seconds.empty()) {
-        failed.x.push_back(one.median());
-        failed.y.push_back(3. * highest);
-      }
-    for (const Plot::Series &one : {series, failed})
-      if (!one.x.empty())
-        plot.series.push_back(one);
-  }
+  for (std::size_t c = 0; c < list.curves.size(); ++c)
+    add_curve(list, measurements, c, highest, plot);
   for (const std::size_t i : front)
     plot.labels.push_back(
         {measurements[i].median(), y_of(measurements[i]), measurements[i].setting});

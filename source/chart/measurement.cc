@@ -219,6 +219,73 @@ References common_references(const ChartList &list) {
   return references;
 }
 
+/// All configurations of a list, run again and again.
+class Rounds {
+public:
+  explicit Rounds(const ChartList &list) : list(list), references(common_references(list)) {
+    for (std::size_t c = 0; c < list.curves.size(); ++c)
+      for (const std::vector<std::string> &values : list.curves[c].values) {
+        measurements.emplace_back();
+        measurements.back().curve = c;
+        for (const std::string &word : values)
+          measurements.back().setting += (measurements.back().setting.empty() ? "" : " ") + word;
+      }
+    process_seconds.resize(measurements.size());
+  }
+
+  void run(const bool is_first) {
+    std::size_t next = 0;
+    for (const Curve &curve : list.curves) {
+      bool too_slow = false;
+      for (const std::vector<std::string> &values : curve.values) {
+        const std::size_t i = next++;
+        double spent = 0.;
+        for (const double time : process_seconds[i])
+          spent += time;
+        if (!measurements[i].solved() || (!is_first && spent > list.time_limit))
+          continue;
+        if (too_slow)
+          measurements[i].problem = "not begun, since the one before was too slow";
+        else
+          too_slow = measure_once(curve, values, i, is_first);
+      }
+    }
+  }
+
+  std::vector<Measurement> result() {
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+      std::sort(measurements[i].seconds.begin(), measurements[i].seconds.end());
+      measurements[i].process_seconds = median_of(process_seconds[i]);
+    }
+    return measurements;
+  }
+
+private:
+  /// @return whether it took too long
+  bool measure_once(const Curve &curve, const std::vector<std::string> &values, const std::size_t i,
+                    const bool is_first) {
+    Measurement &measurement = measurements[i];
+    const Run run = run_curve(list, curve, values);
+    process_seconds[i].push_back(run.process_seconds);
+    measurement.peak_memory_mb = std::max(measurement.peak_memory_mb, run.peak_memory_mb);
+    measurement.problem = run.problem;
+    measurement.seconds.push_back(run.seconds);
+    if (is_first && run.problem.empty())
+      evaluate(list, !curve.command.empty(), run, references, measurement);
+    if (is_first)
+      std::cout << curve.label << ' ' << measurement.setting << ": "
+                << (measurement.solved() ? "error " + std::to_string(measurement.error)
+                                         : measurement.problem)
+                << ", " << run.seconds << " s" << std::endl;
+    return run.timed_out;
+  }
+
+  const ChartList &list;
+  References references;
+  std::vector<Measurement> measurements;
+  std::vector<std::vector<double>> process_seconds; ///< of each, by round
+};
+
 } // namespace
 
 double median_of(std::vector<double> &numbers) {
@@ -235,53 +302,10 @@ double Measurement::median() const {
 }
 
 std::vector<Measurement> measure(const ChartList &list) {
-  References references = common_references(list);
-  std::vector<Measurement> measurements;
-  std::vector<std::vector<double>> process_seconds;
-  for (unsigned int round = 0; round < list.n_runs; ++round) {
-    std::size_t next = 0;
-    for (std::size_t c = 0; c < list.curves.size(); ++c) {
-      const Curve &curve = list.curves[c];
-      bool too_slow = false;
-      for (const std::vector<std::string> &values : curve.values) {
-        if (round == 0) {
-          measurements.emplace_back();
-          measurements.back().curve = c;
-          for (const std::string &word : values)
-            measurements.back().setting += (measurements.back().setting.empty() ? "" : " ") + word;
-          process_seconds.emplace_back();
-        }
-        Measurement &measurement = measurements[next];
-        std::vector<double> &whole = process_seconds[next++];
-        double spent = 0.;
-        for (const double time : whole)
-          spent += time;
-        if (!measurement.solved() || (round > 0 && spent > list.time_limit))
-          continue;
-        if (too_slow) {
-          measurement.problem = "not begun, since the one before was too slow";
-          continue;
-        }
-        const Run run = run_curve(list, curve, values);
-        too_slow = run.timed_out;
-        whole.push_back(run.process_seconds);
-        measurement.peak_memory_mb = std::max(measurement.peak_memory_mb, run.peak_memory_mb);
-        measurement.problem = run.problem;
-        measurement.seconds.push_back(run.seconds);
-        if (round == 0 && run.problem.empty())
-          evaluate(list, !curve.command.empty(), run, references, measurement);
-        if (round == 0)
-          std::cout << curve.label << ' ' << measurement.setting << ": "
-                    << (measurement.solved() ? "error " + std::to_string(measurement.error)
-                                             : measurement.problem)
-                    << ", " << run.seconds << " s" << std::endl;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < measurements.size(); ++i) {
-    std::sort(measurements[i].seconds.begin(), measurements[i].seconds.end());
-    measurements[i].process_seconds = median_of(process_seconds[i]);
-  }
+  Rounds rounds(list);
+  for (unsigned int round = 0; round < list.n_runs; ++round)
+    rounds.run(round == 0);
+  const std::vector<Measurement> measurements = rounds.result();
   if (std::none_of(measurements.begin(), measurements.end(),
                    [](const Measurement &one) { return one.solved(); }))
     throw UserError("No configuration of " + list.name +

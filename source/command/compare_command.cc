@@ -66,6 +66,23 @@ struct Difference {
   double size() const { return std::abs(second - first); }
 };
 
+/// Say by how much a column differs at most. @return whether it does
+bool print_worst(const std::string &column, std::vector<Difference> &list) {
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Difference &x, const Difference &y) { return x.size() > y.size(); });
+  double scale = 0.;
+  for (const Difference &d : list)
+    scale = std::max({scale, std::abs(d.first), std::abs(d.second)});
+  if (list.empty() || list.front().size() <= equal_numbers * scale)
+    return false;
+  const Difference &worst = list.front();
+  std::cout << "  " << column << ": by " << rounded_number(worst.second - worst.first, 4) << " at "
+            << worst.what << " (" << rounded_number(worst.first, 5) << " -> "
+            << rounded_number(worst.second, 5) << "), "
+            << rounded_number(100. * worst.size() / scale, 3) << " % of the largest\n";
+  return true;
+}
+
 /// The largest differences of some columns, and changes of status.
 void compare(const std::string &title, const Table &a, const Table &b,
              const std::vector<std::string> &columns) {
@@ -99,22 +116,8 @@ void compare(const std::string &title, const Table &a, const Table &b,
   if (changed > 0)
     std::cout << "  " << changed << " states changed\n" << states;
   bool any = false;
-  for (const std::string &column : columns) {
-    auto &list = found[column];
-    std::stable_sort(list.begin(), list.end(),
-                     [](const Difference &x, const Difference &y) { return x.size() > y.size(); });
-    double scale = 0.;
-    for (const Difference &d : list)
-      scale = std::max({scale, std::abs(d.first), std::abs(d.second)});
-    if (list.empty() || list.front().size() <= equal_numbers * scale)
-      continue;
-    any = true;
-    const Difference &worst = list.front();
-    std::cout << "  " << column << ": by " << rounded_number(worst.second - worst.first, 4)
-              << " at " << worst.what << " (" << rounded_number(worst.first, 5) << " -> "
-              << rounded_number(worst.second, 5) << "), "
-              << rounded_number(100. * worst.size() / scale, 3) << " % of the largest\n";
-  }
+  for (const std::string &column : columns)
+    any = print_worst(column, found[column]) || any;
   if (!any && changed == 0 && alone == 0)
     std::cout << "  the same\n";
 }

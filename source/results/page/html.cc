@@ -107,6 +107,10 @@ std::vector<std::string> escaped(const std::vector<std::string> &texts) {
 
 } // namespace
 
+std::string optional_number(const std::optional<double> &value, const unsigned int digits) {
+  return value && std::isfinite(*value) ? rounded_number(*value, digits) : dash;
+}
+
 HtmlTable &HtmlTable::text(const std::string &header, const std::vector<std::string> &cells) {
   const bool wrap = std::any_of(cells.begin(), cells.end(),
                                 [](const std::string &cell) { return cell.size() > n_unwrapped; });

@@ -3,11 +3,18 @@
 
 #include "scene/units.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace frictionbeam {
+
+/// What stands where there is no number.
+inline const std::string dash = "\u2013";
+
+/// A number as text, or the dash if there is none or it is not finite.
+std::string optional_number(const std::optional<double> &value, const unsigned int digits);
 
 /// An HTML table, given column by column; all columns have equally many rows.
 class HtmlTable {

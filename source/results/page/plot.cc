@@ -101,18 +101,10 @@ void write_range(const Plot &plot, const char axis, std::ostream &script) {
          << rounded_number(high + margin, 12) << "]\n";
 }
 
-void write_plot(const Plot &plot, const std::string &name, const std::string &file,
-                std::ostream &script) {
-  std::vector<unsigned int> drawn;
-  std::string key;
-  for (unsigned int i = 0; i < plot.series.size(); ++i) {
-    script << "$data" << i << " << END_OF_DATA\n";
-    if (write_data(plot, plot.series[i], script)) {
-      drawn.push_back(i);
-      key += plot.series[i].label;
-    }
-    script << "END_OF_DATA\n";
-  }
+/// Terminal, titles, axes, key and labels.
+/// @param with_key whether any curve has a label
+void write_settings(const Plot &plot, const std::string &name, const std::string &file,
+                    const bool with_key, std::ostream &script) {
   script << "set terminal svg size " << plot.width << ',' << plot.height
          << " dynamic noenhanced font 'sans-serif,11' name '" << name << "' background 'white'\n"
          << "set output " << quoted(file) << '\n'
@@ -127,7 +119,7 @@ void write_plot(const Plot &plot, const std::string &name, const std::string &fi
          << "'\nset format y '" << (plot.log_y ? "1e%T" : "%g") << "'\n";
   write_range(plot, 'x', script);
   write_range(plot, 'y', script);
-  script << (key.empty() ? "unset key\n"
+  script << (!with_key ? "unset key\n"
              : plot.key == Plot::Key::right
                  ? "set key outside right top vertical Left reverse samplen 2 spacing 1.4 "
                    "noenhanced\n"
@@ -137,26 +129,46 @@ void write_plot(const Plot &plot, const std::string &name, const std::string &fi
     script << "set label " << quoted(label.text) << " at " << rounded_number(label.x, 9) << ','
            << rounded_number(label.y, 9)
            << " front offset 0.7,0.6 font 'sans-serif,9' textcolor rgb '#333333' noenhanced\n";
+}
+
+/// How curve @p i is drawn.
+void write_style(const Plot::Series &series, const unsigned int i, std::ostream &script) {
+  const bool line = series.style != Plot::Series::Style::points;
+  const bool points = series.style != Plot::Series::Style::line;
+  script << "$data" << i << " using 1:2 with "
+         << (line ? (points ? "linespoints" : "lines") : "points") << " linecolor rgb '"
+         << (series.colour.empty() ? series_colour(i) : series.colour) << "'";
+  if (line)
+    script << " linewidth " << rounded_number(series.line_width) << " dashtype "
+           << (series.dashed ? "'--'" : "solid");
+  if (points)
+    script << " pointtype "
+           << std::array<int, 7>{{7, 5, 9, 13, 11, 4,
+                                  2}}[(series.marker > 0 ? series.marker - 1 : i % 6) % 7]
+           << " pointsize " << rounded_number(series.point_size);
+  script << ' ' << (series.label.empty() ? "notitle" : "title " + quoted(series.label));
+}
+
+void write_plot(const Plot &plot, const std::string &name, const std::string &file,
+                std::ostream &script) {
+  std::vector<unsigned int> drawn;
+  std::string key;
+  for (unsigned int i = 0; i < plot.series.size(); ++i) {
+    script << "$data" << i << " << END_OF_DATA\n";
+    if (write_data(plot, plot.series[i], script)) {
+      drawn.push_back(i);
+      key += plot.series[i].label;
+    }
+    script << "END_OF_DATA\n";
+  }
+  write_settings(plot, name, file, !key.empty(), script);
   if (drawn.empty()) {
     script << "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\nunset output\n";
     return;
   }
   for (const unsigned int i : drawn) {
-    const auto &series = plot.series[i];
-    const bool line = series.style != Plot::Series::Style::points;
-    const bool points = series.style != Plot::Series::Style::line;
-    script << (i == drawn.front() ? "plot " : ", ") << "$data" << i << " using 1:2 with "
-           << (line ? (points ? "linespoints" : "lines") : "points") << " linecolor rgb '"
-           << (series.colour.empty() ? series_colour(i) : series.colour) << "'";
-    if (line)
-      script << " linewidth " << rounded_number(series.line_width) << " dashtype "
-             << (series.dashed ? "'--'" : "solid");
-    if (points)
-      script << " pointtype "
-             << std::array<int, 7>{{7, 5, 9, 13, 11, 4,
-                                    2}}[(series.marker > 0 ? series.marker - 1 : i % 6) % 7]
-             << " pointsize " << rounded_number(series.point_size);
-    script << ' ' << (series.label.empty() ? "notitle" : "title " + quoted(series.label));
+    script << (i == drawn.front() ? "plot " : ", ");
+    write_style(plot.series[i], i, script);
   }
   script << "\nunset output\n";
 }

@@ -32,6 +32,37 @@ std::string heat(const double part) {
   return text;
 }
 
+/// The names of points of routes, each once; those that come too close to the one before are left
+/// out.
+template <typename Place>
+std::string draw_names(const Scene &scene, const Results &results, const Frame &frame,
+                       const Place &place) {
+  std::string names;
+  Pixel last{-1e9, -1e9};
+  std::set<std::string> unnamed; // corners of routes
+  for (const Pipe &pipe : scene.pipes)
+    for (const RoutePoint &point : pipe.route)
+      unnamed.insert(point.name);
+  for (const Station &station : frame.line)
+    for (const PointInfo &point : results.points)
+      if (point.vertex == station.vertex && unnamed.erase(point.name) > 0) {
+        const Pixel at = place(station);
+        if (std::hypot(at.x - last.x, at.y - last.y) > 24.)
+          names += text_at(at.x + 6., at.y - 6., point.name, "font-size=\"11\" fill=\"#444\"");
+        last = at;
+      }
+  return names;
+}
+
+/// The colours from 0 to the largest value. @param bottom of the line's picture [px]
+std::string draw_key(const double bottom, const std::string &legend) {
+  std::string key;
+  for (unsigned int i = 0; i < 40; ++i)
+    key += "<rect x=\"" + px(margin + 5. * i) + "\" y=\"" + px(bottom + 6.) +
+           "\" width=\"5.2\" height=\"11\" fill=\"" + heat((i + 0.5) / 40.) + "\"/>\n";
+  return key + text_at(margin + 210., bottom + 16., legend);
+}
+
 } // namespace
 
 std::string draw_coloured_line(const Scene &scene, const Results &results, const Frame &frame,
@@ -51,8 +82,7 @@ std::string draw_coloured_line(const Scene &scene, const Results &results, const
   view.fit(margin, above + margin, wide - 2. * margin, most_height);
   const double bottom = above + view.height() + 2. * margin;
 
-  std::string built, coloured, names;
-  Pixel last{-1e9, -1e9}; // stations closer than a pixel are left out
+  std::string built, coloured;
   for (std::size_t i = 1; i < frame.line.size(); ++i) {
     const Station &a = frame.line[i - 1], &b = frame.line[i];
     if (a.pipe != b.pipe || a.position.distance(b.position) == 0.)
@@ -65,23 +95,9 @@ std::string draw_coloured_line(const Scene &scene, const Results &results, const
         stroke(view.place(moved(a)), view.place(moved(b)),
                "stroke=\"" + heat(value) + "\" stroke-width=\"4\" stroke-linecap=\"round\"");
   }
-  std::set<std::string> unnamed; // corners of routes
-  for (const Pipe &pipe : scene.pipes)
-    for (const RoutePoint &point : pipe.route)
-      unnamed.insert(point.name);
-  for (const Station &station : frame.line)
-    for (const PointInfo &point : results.points)
-      if (point.vertex == station.vertex && unnamed.erase(point.name) > 0) {
-        const Pixel at = view.place(moved(station));
-        if (std::hypot(at.x - last.x, at.y - last.y) > 24.)
-          names += text_at(at.x + 6., at.y - 6., point.name, "font-size=\"11\" fill=\"#444\"");
-        last = at;
-      }
-  std::string key;
-  for (unsigned int i = 0; i < 40; ++i)
-    key += "<rect x=\"" + px(margin + 5. * i) + "\" y=\"" + px(bottom + 6.) +
-           "\" width=\"5.2\" height=\"11\" fill=\"" + heat((i + 0.5) / 40.) + "\"/>\n";
-  key += text_at(margin + 210., bottom + 16., what.legend);
+  const std::string names = draw_names(
+      scene, results, frame, [&](const Station &station) { return view.place(moved(station)); });
+  const std::string key = draw_key(bottom, what.legend);
   return svg_picture(wide, bottom + below, what.title, built + coloured + names + key);
 }
 

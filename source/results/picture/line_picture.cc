@@ -65,6 +65,12 @@ private:
   std::string draw_restraints();
   std::string draw_labels();
   std::string draw_legend() const;
+  /// The axes, each of a round length.
+  std::string draw_axes() const;
+  /// What the pipes' colours mean.
+  std::string draw_colours(const double baseline) const;
+  /// What the markers of supports and restraints mean, and how many there are.
+  std::string draw_markers(const double baseline) const;
   void add_label(const std::string &text, const Pixel &at, const std::string &style);
 
   const Scene &scene;
@@ -257,9 +263,12 @@ std::string Picture::draw_labels() {
 }
 
 std::string Picture::draw_legend() const {
-  std::string text = stroke({0., bottom}, {width, bottom}, "stroke=\"#ddd\"");
+  return stroke({0., bottom}, {width, bottom}, "stroke=\"#ddd\"") + draw_axes() +
+         draw_colours(bottom + 28.) + draw_markers(bottom + 64.);
+}
 
-  // the axes, each of a round length
+std::string Picture::draw_axes() const {
+  std::string text;
   const double foreshortening = std::sqrt(2. / 3.);
   const double metre = scene.units.factor("m");
   const double room = 34. / (foreshortening * view.scale() * metre);
@@ -280,38 +289,43 @@ std::string Picture::draw_legend() const {
   text += text_at(origin.x, bottom + legend - 6.,
                   "axes " + rounded_number(length) + " " + scene.units.name("m"),
                   "font-size=\"11\" text-anchor=\"middle\" fill=\"#555\"");
+  return text;
+}
 
-  // pipes
+std::string Picture::draw_colours(const double baseline) const {
   double x = 130.;
-  const double first = bottom + 28., second = bottom + 64.;
-  text += stroke({x, first - 4.}, {x + 26., first - 4.}, "stroke=\"#b4b4b4\" stroke-width=\"2\"");
-  text += text_at(x + 34., first, "as built");
+  std::string text =
+      stroke({x, baseline - 4.}, {x + 26., baseline - 4.}, "stroke=\"#b4b4b4\" stroke-width=\"2\"");
+  text += text_at(x + 34., baseline, "as built");
   const DisplayUnit unit = display_unit(scene.units, "m", largest);
   x = 230.;
   for (unsigned int bin = 0; bin < n_colours; ++bin)
-    text += "<rect x=\"" + px(x + 10. * bin) + "\" y=\"" + px(first - 10.) +
+    text += "<rect x=\"" + px(x + 10. * bin) + "\" y=\"" + px(baseline - 10.) +
             "\" width=\"10.2\" height=\"11\" fill=\"" + colour(bin) + "\"/>\n";
-  text += text_at(x + 10. * n_colours + 8., first,
+  text += text_at(x + 10. * n_colours + 8., baseline,
                   largest == 0.
                       ? "no displacement"
                       : "displacement, 0 to " + rounded_number(unit.factor * largest) + " " +
                             unit.name + ", drawn " + rounded_number(scale) + " times as large");
+  return text;
+}
 
-  // supports and restraints
-  x = 136.;
+std::string Picture::draw_markers(const double baseline) const {
+  std::string text;
+  double x = 136.;
   const auto entry = [&](const std::string &marker, const std::string &label) {
-    text += marker + text_at(x + 12., second, label);
+    text += marker + text_at(x + 12., baseline, label);
     x += 40. + 7. * label.size();
   };
   for (const auto &[status, n] : n_status)
-    entry(status_marker(status, x, second - 4., 5.),
+    entry(status_marker(status, x, baseline - 4., 5.),
           (status == ContactStatus::none ? "no status" : status_word(status)) + " (" +
               std::to_string(n) + ")");
   if (!results.restraints.empty())
-    entry(restraint_marker(x, second - 10., ""),
+    entry(restraint_marker(x, baseline - 10., ""),
           "restraint or spring (" + std::to_string(results.restraints.size()) + ")");
   if (markers_shared)
-    text += text_at(x, second, "close supports share a marker: open before slip before stick",
+    text += text_at(x, baseline, "close supports share a marker: open before slip before stick",
                     "fill=\"#555\"");
   return text;
 }

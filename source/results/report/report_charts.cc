@@ -196,6 +196,19 @@ std::array<double, 2> largest_motions(const Results &results) {
   return {{largest[0].value(), largest[1].value()}};
 }
 
+/// A group under its heading. @param first of its plots among those drawn
+std::string html_of(const Group &group, const DrawnPlots &drawn, const std::size_t first) {
+  const std::string heading = "<h3>" + escape_xml(group.heading) + "</h3>\n";
+  if (group.plots.empty())
+    return heading + html_note("Nothing here is other than zero.");
+  if (!drawn.problem.empty())
+    return heading + html_note("There is no chart here, since " + drawn.problem + ".");
+  std::string text = heading + group.key + "<div class=\"charts\">\n";
+  for (std::size_t i = 0; i < group.plots.size(); ++i)
+    text += "<div>" + drawn.svg[first + i] + "</div>\n";
+  return text + "</div>\n";
+}
+
 } // namespace
 
 ReportCharts make_report_charts(const Scene &scene, const Results &results,
@@ -221,21 +234,11 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
   ReportCharts charts;
   std::size_t next = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (g < n_pipe_groups && groups[g].plots.empty())
-      continue;
-    std::string &target = g < n_pipe_groups ? charts.section_forces : charts.histories;
-    target += "<h3>" + escape_xml(groups[g].heading) + "</h3>\n";
-    if (groups[g].plots.empty()) {
-      target += html_note("Nothing here is other than zero.");
-      continue;
-    }
-    target += drawn.problem.empty()
-                  ? groups[g].key + "<div class=\"charts\">\n"
-                  : html_note("There is no chart here, since " + drawn.problem + ".");
-    for (std::size_t i = 0; i < groups[g].plots.size(); ++i, ++next)
-      if (drawn.problem.empty())
-        target += "<div>" + drawn.svg[next] + "</div>\n";
-    target += drawn.problem.empty() ? "</div>\n" : "";
+    if (g < n_pipe_groups && !groups[g].plots.empty())
+      charts.section_forces += html_of(groups[g], drawn, next);
+    else if (g >= n_pipe_groups)
+      charts.histories += html_of(groups[g], drawn, next);
+    next += groups[g].plots.size();
   }
 
   if (!results.envelopes.empty())

@@ -37,6 +37,19 @@ std::optional<double> instant_at(const StressCase &one, const std::size_t statio
 const char *const of_transient_steps =
     " Of transient steps the largest over all instants counts, and the instant is given.";
 
+/// The line, coloured by the stress over what is allowed.
+std::string picture_of(const Scene &scene, const Results &results, const StressCase &one) {
+  ColouredLine what;
+  what.title = one.kind + ", " + one.name;
+  what.largest = std::max(1., one.stress[one.worst] / one.allowed[one.worst]);
+  what.legend = std::string(one.time.empty() ? "stress" : "largest stress of the step") +
+                " over what is allowed, 0 to " + percent(what.largest) + " %";
+  for (std::size_t i = 0; i < one.stress.size(); ++i)
+    what.values.push_back(one.stress[i] / one.allowed[i]);
+  return "<div class=\"picture\">" + draw_coloured_line(scene, results, one.frame, what) +
+         "</div>\n";
+}
+
 } // namespace
 
 std::string stress_section(const Scene &scene, const Results &results) {
@@ -60,18 +73,8 @@ std::string stress_section(const Scene &scene, const Results &results) {
     use.push_back(percent(stress.back() / allowed.back()));
     when.push_back(instant(instant_at(one, one.worst)));
     any_envelope = any_envelope || !one.time.empty();
-    if (panels.size() < n_pictures_at_most) {
-      ColouredLine what;
-      what.title = one.kind + ", " + one.name;
-      what.largest = std::max(1., stress.back() / allowed.back());
-      what.legend = std::string(one.time.empty() ? "stress" : "largest stress of the step") +
-                    " over what is allowed, 0 to " + percent(what.largest) + " %";
-      for (std::size_t i = 0; i < one.stress.size(); ++i)
-        what.values.push_back(one.stress[i] / one.allowed[i]);
-      panels.emplace_back(one.kind + " " + one.name,
-                          "<div class=\"picture\">" +
-                              draw_coloured_line(scene, results, one.frame, what) + "</div>\n");
-    }
+    if (panels.size() < n_pictures_at_most)
+      panels.emplace_back(one.kind + " " + one.name, picture_of(scene, results, one));
   }
   HtmlTable table(results.units);
   table.text("case", names)
