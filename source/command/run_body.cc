@@ -65,6 +65,9 @@ private:
   /// Largest error of a quantity on the last of several meshes, estimated from its changes, which
   /// shall form a geometric series.
   double estimated_error() const;
+  /// Status and remarks.
+  /// @param limit that the refinement has stopped at, if any @param error as estimated, or nan
+  void judge(const Solution<dim> &solution, const std::string &limit, const double error);
   void finish(const Solution<dim> &solution);
 
   const Scene &scene;
@@ -236,7 +239,7 @@ void AdaptiveRun<dim>::run() {
   ContinuumGuess guess;
   double error = std::nan("");
   bool reached = settings.refinement == Refinement::none;
-  std::string why;
+  std::string limit;
   for (;;) {
     solution = solve(levels.empty() ? nullptr : &guess);
     levels.push_back(solution.level);
@@ -248,10 +251,10 @@ void AdaptiveRun<dim>::run() {
     if (!solution.converged || reached)
       break;
     if (levels.size() > settings.max_refinements)
-      why = "Max refinements = " + std::to_string(settings.max_refinements);
+      limit = "Max refinements = " + std::to_string(settings.max_refinements);
     else if (levels.back().unknowns > settings.max_unknowns)
-      why = "Max unknowns = " + std::to_string(settings.max_unknowns);
-    if (!why.empty())
+      limit = "Max unknowns = " + std::to_string(settings.max_unknowns);
+    if (!limit.empty())
       break;
     guess = solution.sequence->as_guess();
     estimate_errors(*solution.sequence);
@@ -260,11 +263,24 @@ void AdaptiveRun<dim>::run() {
                                 settings.refinement == Refinement::uniform ? 1. : settings.fraction,
                                 solution.sequence->ends().back(), guess);
   }
-  results.status = solution.converged && why.empty()                    ? RunStatus::converged
+  judge(solution, limit, error);
+  finish(solution);
+  if (!std::isnan(error))
+    results.certificate.push_back({"refinement", "-",
+                                   "estimated error of the quantities, from their changes by the "
+                                   "last refinements, relative",
+                                   error});
+}
+
+template <int dim>
+void AdaptiveRun<dim>::judge(const Solution<dim> &solution, const std::string &limit,
+                             const double error) {
+  const ContinuumSettings &settings = scene.continuum_settings;
+  results.status = solution.converged && limit.empty()                  ? RunStatus::converged
                    : solution.sequence->reports().back().no_equilibrium ? RunStatus::no_equilibrium
                                                                         : RunStatus::failed;
-  if (!why.empty())
-    results.remarks.push_back("The refinement stopped at Continuum/" + why +
+  if (!limit.empty())
+    results.remarks.push_back("The refinement stopped at Continuum/" + limit +
                               " before the quantities were known to Continuum/Tolerance = " +
                               rounded_number(settings.tolerance, 3) + ": the estimated error is " +
                               (std::isnan(error) ? "not known" : rounded_number(error, 2)) + ".");
@@ -272,12 +288,6 @@ void AdaptiveRun<dim>::run() {
     results.remarks.push_back(
         "A factorization fills up in three dimensions: under mpirun, -np 1 or "
         "more, multigrid takes its place.");
-  finish(solution);
-  if (!std::isnan(error))
-    results.certificate.push_back({"refinement", "-",
-                                   "estimated error of the quantities, from their changes by the "
-                                   "last refinements, relative",
-                                   error});
 }
 
 template <int dim>

@@ -79,26 +79,56 @@ CaseRange range_of(const Results &results, const Frame &end) {
   return {&end, &end};
 }
 
+/// Modes, and the response to the spectra if there are any. @param state that the line vibrates
+/// about
+std::optional<Frame> vibrate(const Model &model, const LineState &state, Results &results) {
+  const Scene &scene = model.scene;
+  const ModalAnalysis analysis(model, state, scene.modal);
+  add_modes(model, analysis, results);
+  if (!scene.spectra.empty()) {
+    results.remarks.push_back(
+        "Friction is off in the modes and in the response to the spectra: a closed support holds "
+        "along its normal only. The method is linear and cannot do otherwise; a transient step "
+        "has friction.");
+    return spectrum_response(model, analysis);
+  }
+  if (model.contacts.size() > 0)
+    results.remarks.push_back(
+        std::string("In the modes, closed supports hold along their normals") +
+        (scene.modal.friction_holds ? ", and those that stick sideways too; slipping ones do not."
+                                    : " only: friction is off."));
+  return {};
+}
+
+/// The cases of a combination that were reached.
+struct CombinedCases {
+  std::vector<CaseRange> ranges;
+  bool of_either_sign = false; ///< what comes out is a range
+  std::string over_steps;      ///< names of those that are taken over a whole transient step
+};
+
+CombinedCases cases_of(const Combination &combination, const Results &results) {
+  CombinedCases cases;
+  cases.of_either_sign = combination.kind != Combination::Kind::sum;
+  for (const auto &part : combination.cases)
+    for (const Frame &end : results.frames)
+      if (end.end_of_step && end.name == part.first) {
+        cases.ranges.push_back(range_of(results, end));
+        const CaseRange &range = cases.ranges.back();
+        cases.of_either_sign = cases.of_either_sign || range.least != range.largest;
+        if (results.envelope_of(end.step) != nullptr)
+          cases.over_steps += (cases.over_steps.empty() ? "" : ", ") + part.first;
+      }
+  return cases;
+}
+
 /// Modes, spectra and combinations. Their frames count on from the scene's steps.
 void add_derived_cases(const Model &model, const std::optional<LineState> &modal_state,
                        Collector &collector, Results &results) {
   const Scene &scene = model.scene;
   std::optional<Frame> response;
-  if (modal_state) {
-    const ModalAnalysis analysis(model, *modal_state, scene.modal);
-    add_modes(model, analysis, results);
-    if (!scene.spectra.empty()) {
-      response = spectrum_response(model, analysis);
-      results.remarks.push_back(
-          "Friction is off in the modes and in the response to the spectra: a closed support holds "
-          "along its normal only. The method is linear and cannot do otherwise; a transient step "
-          "has friction.");
-    } else if (model.contacts.size() > 0)
-      results.remarks.push_back(
-          std::string("In the modes, closed supports hold along their normals") +
-          (scene.modal.friction_holds ? ", and those that stick sideways too; slipping ones do not."
-                                      : " only: friction is off."));
-  }
+  if (modal_state)
+    response = vibrate(model, *modal_state, results);
   unsigned int next = scene.steps.size();
   if (response) {
     response->step = next++;
@@ -106,31 +136,21 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     collector.observe_case(*response);
   }
   for (const Combination &combination : scene.combinations) {
-    std::vector<CaseRange> cases;
-    std::string over_steps;
-    bool of_either_sign = combination.kind != Combination::Kind::sum;
-    for (const auto &part : combination.cases)
-      for (const Frame &end : results.frames)
-        if (end.end_of_step && end.name == part.first) {
-          cases.push_back(range_of(results, end));
-          of_either_sign = of_either_sign || cases.back().least != cases.back().largest;
-          if (results.envelope_of(end.step) != nullptr)
-            over_steps += (over_steps.empty() ? "" : ", ") + part.first;
-        }
-    if (cases.size() != combination.cases.size())
+    const CombinedCases cases = cases_of(combination, results);
+    if (cases.ranges.size() != combination.cases.size())
       continue; // a transient step may have been left out
     CombinationRange range;
     range.step = next;
-    Frame frame = combine(combination, cases, &range);
+    Frame frame = combine(combination, cases.ranges, &range);
     frame.name = combination.name;
     frame.step = next++;
     collector.observe_case(frame);
-    if (of_either_sign)
+    if (cases.of_either_sign)
       results.combination_ranges.push_back(range);
-    if (over_steps.empty())
+    if (cases.over_steps.empty())
       continue;
     results.remarks.push_back(
-        "Combination " + combination.name + " takes of " + over_steps +
+        "Combination " + combination.name + " takes of " + cases.over_steps +
         " the least and the largest value of each component over the step, at whatever instants: "
         "it is a bound. So are its stresses, the largest of all these values together.");
   }

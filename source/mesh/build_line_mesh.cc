@@ -116,7 +116,6 @@ public:
     const auto found = std::find_if(scene.pipes.begin(), scene.pipes.end(),
                                     [&](const Pipe &p) { return p.name == placement.pipe; });
     const MeshedPipe &pipe = mesh.pipes[found - scene.pipes.begin()];
-    const double tolerance = 1e-6 * pipe.s.back();
     const auto position = [&](const std::string &name, const double otherwise) {
       if (name.empty())
         return otherwise;
@@ -127,22 +126,36 @@ public:
       return pipe.s[at - pipe.vertices.begin()];
     };
     const double from = position(placement.from, 0.), to = position(placement.to, pipe.s.back());
-    if (placement.continuous) {
-      for (unsigned int i = 0; i < pipe.s.size(); ++i)
-        if (pipe.s[i] >= from - tolerance && pipe.s[i] <= to + tolerance) {
-          const double before = i == 0 ? 0. : pipe.s[i] - std::max(pipe.s[i - 1], from);
-          const double after =
-              i + 1 == pipe.s.size() ? 0. : std::min(pipe.s[i + 1], to) - pipe.s[i];
-          result.push_back({pipe.vertices[i], tangents[pipe.vertices[i]],
-                            (std::max(before, 0.) + std::max(after, 0.)) / 2.});
-        }
-      return result;
-    }
-    for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i) {
+    if (placement.continuous)
+      add_continuous(pipe, from, to, result);
+    else
+      add_repeated(support, placement, pipe, from, to, result);
+    return result;
+  }
+
+private:
+  static double tolerance(const MeshedPipe &pipe) { return 1e-6 * pipe.s.back(); }
+
+  /// Every vertex of a pipe from @p from to @p to [m], each with its share of the length.
+  void add_continuous(const MeshedPipe &pipe, const double from, const double to,
+                      std::vector<Site> &result) const {
+    for (unsigned int i = 0; i < pipe.s.size(); ++i)
+      if (pipe.s[i] >= from - tolerance(pipe) && pipe.s[i] <= to + tolerance(pipe)) {
+        const double before = i == 0 ? 0. : pipe.s[i] - std::max(pipe.s[i - 1], from);
+        const double after = i + 1 == pipe.s.size() ? 0. : std::min(pipe.s[i + 1], to) - pipe.s[i];
+        result.push_back({pipe.vertices[i], tangents[pipe.vertices[i]],
+                          (std::max(before, 0.) + std::max(after, 0.)) / 2.});
+      }
+  }
+
+  /// A site at each multiple of a distance, between the ends.
+  void add_repeated(const std::string &support, const Placement &placement, const MeshedPipe &pipe,
+                    const double from, const double to, std::vector<Site> &result) const {
+    for (unsigned int i = 1; from + i * placement.every < to - tolerance(pipe); ++i) {
       const double s = from + i * placement.every;
       const unsigned int at =
-          std::lower_bound(pipe.s.begin(), pipe.s.end(), s - tolerance) - pipe.s.begin();
-      if (at == pipe.s.size() || std::abs(pipe.s[at] - s) > tolerance)
+          std::lower_bound(pipe.s.begin(), pipe.s.end(), s - tolerance(pipe)) - pipe.s.begin();
+      if (at == pipe.s.size() || std::abs(pipe.s[at] - s) > tolerance(pipe))
         throw UserError("Support " + support + ": the mesh file has no node at " +
                         in_units(scene.units, s, "m") + " along pipe '" + placement.pipe +
                         "'. Place the support at named points of the file.");
@@ -153,7 +166,6 @@ public:
                       in_units(scene.units, placement.every, "m") + " gives no place on the " +
                       in_units(scene.units, to - from, "m") +
                       " of pipe between From and To. Give a smaller distance.");
-    return result;
   }
 
 private:

@@ -15,7 +15,7 @@ namespace frictionbeam {
  * Point stands there (a cross), but not if the two overlap on one axis: a nozzle inside a skirt, a
  * pipe in its jacket stay two pipes. A Point that is in no route joins all pipes that it lies on.
  * All else that meets in space, supports repeated to the same place for instance, stays apart. What
- * is not plain from the routes is said in remarks().
+ * is not plain from the routes is said in remarks() (doc/theory.md, "Where pipes meet").
  */
 class PipeJunctions {
 public:

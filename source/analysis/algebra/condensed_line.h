@@ -16,7 +16,7 @@ namespace frictionbeam {
  * S = K_cc - K_ci K_ii^-1 K_ic, made once: what friction changes from iteration to iteration are
  * entries of S at the contacts, and a run of pipe between two supports costs no more than its two
  * ends. K_ii falls apart into the parts of the line between kept nodes, each factored by itself, so
- * that the cost is linear in the length.
+ * that the cost is linear in the length (doc/theory.md, "Exact contact", condensation).
  */
 class CondensedLine {
 public:

@@ -12,7 +12,8 @@ namespace frictionbeam {
  * linear in its length. Where natural numbering fills in (loops), minimum degree is used instead.
  *
  * Up-looking elimination along the elimination tree (T. A. Davis, Direct Methods for Sparse Linear
- * Systems, SIAM 2006, chapter 4), carried out for rows of L and columns of U at once.
+ * Systems, SIAM 2006, chapter 4), carried out for rows of L and columns of U at once
+ * (doc/theory.md, "Methods of return mapping", linear algebra).
  */
 class LineFactorization {
 public:

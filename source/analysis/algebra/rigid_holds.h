@@ -19,7 +19,7 @@ using HeldStrains = std::array<bool, n_support_strains>;
  * same unknowns, unless b is along one of them, by 1e-16 s: with 1e8 times the largest stiffness
  * of the line in place of k, modes of a pipe on a pipe, on a platen or on an inclined plane were
  * wrong by a percent. To find k, all are held by stiffnesses of the matrix's own size; what they
- * make up of the answer is taken off again.
+ * make up of the answer is taken off again (doc/theory.md, "Modes and spectra").
  *
  * @param A positive definite but for what is held, with the contacts' places in its pattern
  */

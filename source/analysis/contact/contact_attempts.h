@@ -27,7 +27,7 @@ struct AttemptLimits {
  * c, the scale between the two. Where it stalls, a proximal-point iteration takes over: the problem
  * is solved on proximal contacts of stiffness c k_d around the forces of the step before, c grows
  * from step to step and is lowered where the solution fails, and after each step Newton's method on
- * both is tried again.
+ * both is tried again (doc/theory.md, "Exact contact").
  *
  * @tparam Newton has solve_together(most, x, response, result), solve_proximal(x, response,
  * result), take_forces_as_centre(response), gives_up(result), agreed(number) between processes

@@ -18,7 +18,8 @@ struct BeyondUniqueness {
  * their plane, too; K_tt/|K_tn| is the least of all directions in the plane that are not held. For
  * one contact the limit is sharp (several equilibria exist above it); for many it is a warning.
  *
- * One factorization and three solutions a contact: quadratic in the number of contacts.
+ * One factorization and three solutions a contact: quadratic in the number of contacts. See
+ * doc/theory.md, "Exact contact", several equilibria.
  */
 std::vector<BeyondUniqueness> contacts_beyond_uniqueness(const Contacts &contacts,
                                                          const CondensedLine &line,

@@ -32,7 +32,8 @@ struct LinePart {
  * The line cut at the nodes of its contacts: their unknowns are kept, and the rest falls apart into
  * parts, each with its constraint modes and fixed-interface modes as R. R. Craig and M. C. C.
  * Bampton have them (AIAA J. 6 (1968) 1313-1319). Where unknowns with and without mass meet, those
- * with mass are kept as well, so that a part without mass is condensed exactly.
+ * with mass are kept as well, so that a part without mass is condensed exactly (doc/dynamics.md,
+ * "Reduction to contact nodes and modes").
  */
 class LineParts {
 public:

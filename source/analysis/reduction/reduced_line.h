@@ -52,9 +52,12 @@ private:
   };
   struct Assembly;
 
+  /// Modes and static shapes of part @p p, as columns.
   void make_basis(const unsigned int p, const unsigned int n_modes, const LineState &start,
                   const std::vector<bool> &loads);
+  /// Which unknowns are kept, and where they stand.
   void make_places();
+  /// Which degrees of freedom the reduced model has.
   void make_dofs();
   LinearPart::Matrices make_matrices() const;
   void add_loads(LinearPart::Matrices &matrices) const;

@@ -39,7 +39,7 @@ MotionDifference difference(const MotionRecord &coarse, const MotionRecord &fine
  * frequency, until contact forces and monitored motions no longer change by more than the
  * tolerance. The difference of two runs is that of the coarser one from the truth if the finer one
  * is at least twice as good; the finer one's own error is then estimated by the ratio of the last
- * two differences, and it is the one that is taken.
+ * two differences, and it is the one that is taken (doc/dynamics.md, "How many modes").
  */
 class TransientReduction {
 public:

@@ -27,6 +27,17 @@ std::vector<FoundationPoint> foundation_points(const ContinuumBody<dim> &body,
 }
 
 template <int dim>
+ContinuumVector nodal_tractions(const ContinuumBody<dim> &body, const ContinuumState &state) {
+  ContinuumVector traction;
+  body.reinit(traction);
+  for (unsigned int i = 0; i < body.nodes.size(); ++i)
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int d = 0; d < dim; ++d)
+        traction(body.nodes[i].dofs[d]) += body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
+  return traction;
+}
+
+template <int dim>
 ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws)
     : body(body), system(make_continuum_system(body)),
       foundation(body.continuum, laws, body.scene.solver.is_exact(),
@@ -224,17 +235,14 @@ ContinuumGuess ContinuumSequence<dim>::as_guess() const {
   ContinuumGuess guess;
   guess.displacement = step_ends.back().displacement;
   guess.displacement.update_ghost_values();
-  body.reinit(guess.traction);
-  const auto &stress = step_ends.back().contacts.stress;
-  for (unsigned int i = 0; i < body.nodes.size(); ++i)
-    for (unsigned int a = 0; a < dim; ++a)
-      for (unsigned int d = 0; d < dim; ++d)
-        guess.traction(body.nodes[i].dofs[d]) += body.nodes[i].frame[a][d] * stress[i][a];
+  guess.traction = nodal_tractions(body, step_ends.back());
   body.constraints.distribute(guess.traction); // conforming, so that it can be interpolated
   guess.traction.update_ghost_values();
   return guess;
 }
 
+template ContinuumVector nodal_tractions<2>(const ContinuumBody<2> &, const ContinuumState &);
+template ContinuumVector nodal_tractions<3>(const ContinuumBody<3> &, const ContinuumState &);
 template class ContinuumSequence<2>;
 template class ContinuumSequence<3>;
 template std::vector<FoundationPoint> foundation_points<2>(const ContinuumBody<2> &,

@@ -16,6 +16,11 @@ struct ContinuumState {
   std::vector<LocalVector> contact_displacement;
 };
 
+/// Tractions in global axes on the dofs of contact nodes [N/m2], as yet without those of other
+/// processes' nodes.
+template <int dim>
+ContinuumVector nodal_tractions(const ContinuumBody<dim> &body, const ContinuumState &state);
+
 /// First guess for a mesh: fields on the dofs, from a coarser one.
 struct ContinuumGuess {
   ContinuumVector displacement, traction; ///< traction in global axes at contact nodes

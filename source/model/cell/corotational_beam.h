@@ -9,14 +9,14 @@ namespace frictionbeam {
 
 /**
  * A two-node beam cell, straight or an arc, that moves and turns by any amount, while its strains
- * stay small: a frame E goes along with its ends, and in that frame the cell is the linear element. E has its
- * first axis along the chord and shares the turning about it evenly between the ends; what the ends
- * do relative to E are seven deformations
- *   d = (l - l0, rotation vectors of E^T R_1 E_0 and of E^T R_2 E_0),
- * with forces K_7 d less those of free strains. By virtual work the forces on the ends are B^T s, B
- * the derivative of d by translations and spins of the ends (J.-M. Battini, C. Pacoste, CMAME 191
- * (2002) 1755-1789, doi:10.1016/S0045-7825(01)00352-8; C. Nour-Omid, C. C. Rankin, CMAME 93 (1991)
- * 353-384, doi:10.1016/0045-7825(91)90248-5).
+ * stay small: a frame E goes along with its ends, and in that frame the cell is the linear element.
+ * E has its first axis along the chord and shares the turning about it evenly between the ends;
+ * what the ends do relative to E are seven deformations d = (l - l0, rotation vectors of E^T R_1
+ * E_0 and of E^T R_2 E_0), with forces K_7 d less those of free strains. By virtual work the forces
+ * on the ends are B^T s, B the derivative of d by translations and spins of the ends (J.-M.
+ * Battini, C. Pacoste, CMAME 191 (2002) 1755-1789, doi:10.1016/S0045-7825(01)00352-8; C. Nour-Omid,
+ * C. C. Rankin, CMAME 93 (1991) 353-384, doi:10.1016/0045-7825(91)90248-5). See doc/theory.md,
+ * "Large displacements".
  *
  * Vectors of 12 are translations and spins, or forces and moments, of the first and the second end,
  * in global axes.

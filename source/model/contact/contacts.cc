@@ -100,6 +100,25 @@ void set_strains_by_unknowns(const Discretization &discretization, const Reduced
     }
 }
 
+/// What a contact has from its support.
+/// @param length of its cell [m], which counts unless it stands on a point
+Contact contact_of(const SupportCell &cell, const Scene &scene, const LineMesh &mesh,
+                   const double length) {
+  const FrictionSupport &support = scene.supports[cell.support];
+  Contact contact;
+  contact.vertices = cell.vertices;
+  contact.axes = LocalAxes(cell.axis);
+  contact.length = support.ground.empty() ? length : cell.length;
+  contact.support = cell.support;
+  contact.site = cell.site;
+  const double share = support.share * mesh.supports[cell.support][cell.site].tributary;
+  contact.weight = share * contact.length;
+  contact.platen_force = share * support.normal_force;
+  contact.restitution = support.restitution;
+  contact.installation_temperature = scene.installation_temperature;
+  return contact;
+}
+
 } // namespace
 
 Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
@@ -120,19 +139,8 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
             .first->second;
     fe_values.reinit(cell);
 
-    Contact contact;
+    Contact contact = contact_of(support_cell, scene, mesh, fe_values.JxW(0));
     contact.law = BoundLaw(laws.find(support.law), support.parameters);
-    contact.vertices = support_cell.vertices;
-    contact.axes = LocalAxes(support_cell.axis);
-    contact.length = support.ground.empty() ? fe_values.JxW(0) : support_cell.length;
-    contact.support = support_cell.support;
-    contact.site = support_cell.site;
-    const double share =
-        support.share * mesh.supports[support_cell.support][support_cell.site].tributary;
-    contact.weight = share * contact.length;
-    contact.platen_force = share * support.normal_force;
-    contact.restitution = support.restitution;
-    contact.installation_temperature = scene.installation_temperature;
     contact.heating = heating_of(pipes[contact.vertices[0]], scene);
     for (unsigned int d = 0; d < 3; ++d)
       if (support.ground_motion[d].is_given())

@@ -6,34 +6,63 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-FullMatrices::FullMatrices(const Scene &scene, const LineMesh &mesh,
-                           const Discretization &discretization, const ReducedSpace &space,
-                           const bool lumped)
-    : K(space.n_dofs(), space.n_dofs()), M(space.n_dofs(), space.n_dofs()),
-      C(space.n_dofs(), space.n_unknowns()) {
-  using Triplet = Eigen::Triplet<double>;
-  std::vector<Triplet> stiffness, mass, map;
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// Mass of a pipe cell's translations, half of it at either end [kg].
+PipeElement::Matrix12 lumped_mass(const PipeElement &element, const Discretization::Cell &cell) {
+  const double length =
+      element.arc() ? element.arc()->length() : (cell->vertex(1) - cell->vertex(0)).norm();
+  PipeElement::Matrix12 mass = PipeElement::Matrix12::Zero();
+  for (unsigned int c = 0; c < 12; ++c)
+    mass(c, c) = c % 6 < 3 ? element.profile().mass * length / 2. : 0.;
+  return mass;
+}
+
+void add_pipes(const Discretization &discretization, const bool lumped, Triplets &stiffness,
+               Triplets &mass) {
   PipeElement element(discretization);
   std::vector<types::global_dof_index> dofs(12);
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     const auto cell = discretization.pipe_cell(i);
     cell->get_dof_indices(dofs);
     element.reinit(cell);
-    const PipeElement::Matrix12 k = element.stiffness();
-    PipeElement::Matrix12 m = PipeElement::Matrix12::Zero();
-    if (lumped) {
-      const double length =
-          element.arc() ? element.arc()->length() : (cell->vertex(1) - cell->vertex(0)).norm();
-      for (unsigned int c = 0; c < 12; ++c)
-        m(c, c) = c % 6 < 3 ? element.profile().mass * length / 2. : 0.;
-    } else
-      m = element.mass(cell);
+    const PipeElement::Matrix12 k = element.stiffness(),
+                                m = lumped ? lumped_mass(element, cell) : element.mass(cell);
     for (unsigned int row = 0; row < 12; ++row)
       for (unsigned int column = 0; column < 12; ++column) {
         stiffness.emplace_back(dofs[row], dofs[column], k(row, column));
         mass.emplace_back(dofs[row], dofs[column], m(row, column));
       }
   }
+}
+
+void add_spring(const Spring &spring, const LineMesh &mesh, const VertexDofs &at,
+                Triplets &stiffness) {
+  for (unsigned int c = 0; c < 6; ++c) {
+    if (spring.stiffness[c] == 0.)
+      continue;
+    const auto one = at.index(mesh.points.at(spring.point), c);
+    stiffness.emplace_back(one, one, spring.stiffness[c]);
+    if (spring.other.empty())
+      continue;
+    const auto other = at.index(mesh.points.at(spring.other), c);
+    stiffness.emplace_back(other, other, spring.stiffness[c]);
+    stiffness.emplace_back(one, other, -spring.stiffness[c]);
+    stiffness.emplace_back(other, one, -spring.stiffness[c]);
+  }
+}
+
+} // namespace
+
+FullMatrices::FullMatrices(const Scene &scene, const LineMesh &mesh,
+                           const Discretization &discretization, const ReducedSpace &space,
+                           const bool lumped)
+    : K(space.n_dofs(), space.n_dofs()), M(space.n_dofs(), space.n_dofs()),
+      C(space.n_dofs(), space.n_unknowns()) {
+  Triplets stiffness, mass, map;
+  add_pipes(discretization, lumped, stiffness, mass);
   const VertexDofs &at = discretization.vertex_dofs();
   for (const PointMass &point_mass : scene.masses)
     for (const std::string &point : point_mass.points)
@@ -42,18 +71,7 @@ FullMatrices::FullMatrices(const Scene &scene, const LineMesh &mesh,
         mass.emplace_back(dof, dof, point_mass.mass);
       }
   for (const Spring &spring : scene.springs)
-    for (unsigned int c = 0; c < 6; ++c) {
-      if (spring.stiffness[c] == 0.)
-        continue;
-      const auto one = at.index(mesh.points.at(spring.point), c);
-      stiffness.emplace_back(one, one, spring.stiffness[c]);
-      if (spring.other.empty())
-        continue;
-      const auto other = at.index(mesh.points.at(spring.other), c);
-      stiffness.emplace_back(other, other, spring.stiffness[c]);
-      stiffness.emplace_back(one, other, -spring.stiffness[c]);
-      stiffness.emplace_back(other, one, -spring.stiffness[c]);
-    }
+    add_spring(spring, mesh, at, stiffness);
   for (unsigned int dof = 0; dof < space.n_dofs(); ++dof)
     for (const auto &term : space.terms(dof))
       map.emplace_back(dof, term.unknown, term.weight);

@@ -14,7 +14,7 @@ namespace frictionbeam {
  *
  * Joints of flexibility F at the ends stand in series with the cell: if the nodes move by u, its
  * ends move by (1 + F K)^-1 u, so that K becomes K (1 + F K)^-1 and loads are carried by the
- * transposed.
+ * transposed (doc/theory.md, "Joints").
  */
 class PipeElement {
 public:

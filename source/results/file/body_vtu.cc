@@ -56,56 +56,52 @@ private:
   const LameConstants lame;
 };
 
+/// Write one state, each process its part. @return the file that has, or knows, all of it
+template <int dim>
+std::string write_state(const ContinuumBody<dim> &body, const ContinuumState &state,
+                        const std::string &folder) {
+  const unsigned int rank = this_process(body.communicator),
+                     n_ranks = n_processes(body.communicator);
+  const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector(
+      dim, DataComponentInterpretation::component_is_part_of_vector);
+  const StressOutput<dim> stress(lame_constants(body.continuum));
+  ContinuumVector traction = nodal_tractions(body, state);
+  traction.update_ghost_values();
+  DataOut<dim> out;
+  out.attach_dof_handler(body.dof_handler);
+  out.add_data_vector(state.displacement, std::vector<std::string>(dim, "displacement"),
+                      DataOut<dim>::type_dof_data, vector);
+  out.add_data_vector(state.displacement, stress);
+  out.add_data_vector(traction, std::vector<std::string>(dim, "contact_traction"),
+                      DataOut<dim>::type_dof_data, vector);
+  out.build_patches(body.fe.degree);
+  const std::string name = "continuum_" + std::to_string(state.step);
+  const auto piece = [&](const unsigned int i) {
+    return name + (n_ranks > 1 ? "_" + std::to_string(i) : "") + ".vtu";
+  };
+  std::ostringstream text; // deal.II has words of its own for a stream that fails
+  out.write_vtu(text);
+  write_file(folder + "/" + piece(rank), text.str());
+  if (n_ranks == 1 || rank > 0)
+    return piece(0);
+  std::vector<std::string> pieces;
+  for (unsigned int i = 0; i < n_ranks; ++i)
+    pieces.push_back(piece(i));
+  std::ostringstream record;
+  out.write_pvtu_record(record, pieces);
+  write_file(folder + "/" + name + ".pvtu", record.str());
+  return name + ".pvtu";
+}
+
 } // namespace
 
 template <int dim>
 void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<ContinuumState> &states,
                          const std::string &folder) {
-  const unsigned int rank = this_process(body.communicator),
-                     n_ranks = n_processes(body.communicator);
   std::vector<std::pair<double, std::string>> records;
-  for (const ContinuumState &state : states) {
-    const std::string name = "continuum_" + std::to_string(state.step);
-    const StressOutput<dim> stress(lame_constants(body.continuum));
-    DataOut<dim> out;
-    out.attach_dof_handler(body.dof_handler);
-    out.add_data_vector(state.displacement, std::vector<std::string>(dim, "displacement"),
-                        DataOut<dim>::type_dof_data,
-                        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-                            dim, DataComponentInterpretation::component_is_part_of_vector));
-    out.add_data_vector(state.displacement, stress);
-    ContinuumVector traction;
-    body.reinit(traction);
-    for (unsigned int i = 0; i < body.nodes.size(); ++i)
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int d = 0; d < dim; ++d)
-          traction(body.nodes[i].dofs[d]) +=
-              body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
-    traction.update_ghost_values();
-    out.add_data_vector(traction, std::vector<std::string>(dim, "contact_traction"),
-                        DataOut<dim>::type_dof_data,
-                        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-                            dim, DataComponentInterpretation::component_is_part_of_vector));
-    out.build_patches(body.fe.degree);
-    const auto piece = [&](const unsigned int i) {
-      return name + (n_ranks > 1 ? "_" + std::to_string(i) : "") + ".vtu";
-    };
-    std::ostringstream text; // deal.II has words of its own for a stream that fails
-    out.write_vtu(text);
-    write_file(folder + "/" + piece(rank), text.str());
-    std::string entry = piece(0);
-    if (n_ranks > 1 && rank == 0) {
-      std::vector<std::string> pieces;
-      for (unsigned int i = 0; i < n_ranks; ++i)
-        pieces.push_back(piece(i));
-      entry = name + ".pvtu";
-      std::ostringstream record;
-      out.write_pvtu_record(record, pieces);
-      write_file(folder + "/" + entry, record.str());
-    }
-    records.emplace_back(state.time, entry);
-  }
-  if (rank == 0) {
+  for (const ContinuumState &state : states)
+    records.emplace_back(state.time, write_state(body, state, folder));
+  if (this_process(body.communicator) == 0) {
     std::ostringstream text;
     DataOutBase::write_pvd_record(text, records);
     write_file(folder + "/continuum.pvd", text.str());

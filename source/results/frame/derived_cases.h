@@ -22,7 +22,8 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
  * moves by a unit. The missing mass is the static response to M (r - sum phi_k Gamma_k) at the
  * spectrum's last acceleration, joined to the modes by the square root of the sum of squares.
  * Source: A. K. Chopra, Dynamics of Structures, chapter 13; CQC: A. Der Kiureghian, Earthquake
- * Engineering and Structural Dynamics 9 (1981) 419-435, doi:10.1002/eqe.4290090503.
+ * Engineering and Structural Dynamics 9 (1981) 419-435, doi:10.1002/eqe.4290090503. See
+ * doc/theory.md, "Modes and spectra".
  */
 Frame spectrum_response(const Model &model, const ModalAnalysis &analysis);
 

@@ -273,7 +273,6 @@ void FrameBuilder::place(const PipeCell &pipe_cell, const LocalAxes &axes, Stati
     station.bend_axis = axis->second;
 }
 
-/// Where the forces jump (a support, a point load), a node appears with both sides.
 void FrameBuilder::begin_cell(const Station &first, std::vector<Station> &line) const {
   bool jumps = both_sides || line.empty() || line.back().pipe != first.pipe;
   if (!jumps)

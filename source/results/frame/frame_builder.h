@@ -28,24 +28,24 @@ public:
   /// the vertices of restraints and imposed motions.
   std::vector<Motion> reactions(const LineState &state);
 
-  /// Motion of a named point in global axes.
+  /// Motion of a named point in global axes [m, rad].
   Motion motion(const LineState &state, const std::string &point) const;
 
-  /// Velocity of a named point in global axes, also of one that loads move.
+  /// Velocity of a named point in global axes, also of one that loads move [m/s, rad/s].
   Motion velocity(const LineState &state, const std::string &point) const;
 
   /// State of friction element @p i.
   SupportState support_state(const LineState &state, const unsigned int i) const;
 
-  /// Force of restraints and imposed motions on a vertex, of the frame made last.
+  /// Force of restraints and imposed motions on a vertex, of the frame made last [N, N m].
   const Motion &reaction(const unsigned int vertex) const { return vertex_forces[vertex]; }
   /// Force of friction element @p i on its pipe in global axes [N].
   Vector3 support_force(const LineState &state, const unsigned int i) const;
-  /// Force of a spring on its first point.
+  /// Force of a spring and its dashpot on its first point [N, N m].
   Motion spring_force(const LineState &state, const Spring &spring) const;
 
-  /// Linear (3) and angular momentum about the origin (3), kinetic and stored energy of the line
-  /// together.
+  /// Linear momentum (3) [kg m/s] and angular momentum about the origin (3) [kg m2/s], kinetic and
+  /// stored energy of the line together [J].
   std::array<double, 7> momentum_and_energy(const LineState &state) const;
 
 private:
@@ -71,8 +71,10 @@ private:
   /// Stations of a cell in a frame that has moved: section forces in the axes that turn with it.
   std::vector<Station> stations_in(const CellFrame &frame, const LineCells::CellState &of_cell,
                                    const Pose &pose, const unsigned int index, CellLoad load);
-  /// What a station knows of the pipe there, with its local axes.
+  /// Give a station what it knows of the pipe there, with its local axes.
   void place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const;
+  /// Add the first station of a cell, unless the line has it already. Where the forces jump (a
+  /// support, a point load), a node appears with both sides.
   void begin_cell(const Station &first, std::vector<Station> &line) const;
   /// Stations of the cell that the element speaks of, as a linear one, along the route. The forces
   /// on its ends and their motions, beyond joints, stand in the order of the deal.II cell.

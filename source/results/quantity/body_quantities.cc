@@ -142,34 +142,46 @@ bool is_held_below(const ContinuumBody<dim> &body, const ContinuumQuantity &quan
   return below;
 }
 
-/// Compression across the section at x, from the forces along x on the boundary on that side of it
-/// which nothing holds: loads, and friction as nodal tractions.
+/// Forces along x on boundary faces of a body: loads, and friction as nodal tractions.
 template <int dim>
-double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state,
-                   const ContinuumQuantity &quantity) {
-  const bool held_below = is_held_below(body, quantity);
-  const double x = quantity.x;
-  ContinuumVector traction;
-  body.reinit(traction);
-  for (unsigned int i = 0; i < body.nodes.size(); ++i)
-    for (unsigned int a = 0; a < dim; ++a)
-      for (unsigned int d = 0; d < dim; ++d)
-        traction(body.nodes[i].dofs[d]) += body.nodes[i].frame[a][d] * state.contacts.stress[i][a];
-  traction.update_ghost_values();
+class ForceOnFaces {
+public:
+  ForceOnFaces(const ContinuumBody<dim> &body, const ContinuumState &state)
+      : body(body), factor(state.factor), traction(nodal_tractions(body, state)) {
+    traction.update_ghost_values();
+  }
+
   const UpdateFlags flags =
       update_values | update_JxW_values | update_normal_vectors | update_quadrature_points;
-  FEFaceValues<dim> whole(body.fe, QGauss<dim - 1>(body.fe.degree + 1), flags);
-  double below = 0., all = 0.;
-  const auto add = [&](const FEFaceValues<dim> &values, const types::boundary_id id, double &force,
-                       const double end) {
+
+  /// Add the force [N] on a face at its quadrature points up to x = @p end to @p force.
+  void add(const FEFaceValues<dim> &values, const types::boundary_id id, const double end,
+           double &force) const {
     std::vector<Tensor<1, dim>> friction(values.n_quadrature_points);
     if (body.surface_of(id) >= 0)
       values[FEValuesExtractors::Vector(0)].get_function_values(traction, friction);
     for (const unsigned int q : values.quadrature_point_indices())
       if (values.quadrature_point(q)[0] <= end)
-        force += (state.factor * body.traction(id, values.normal_vector(q))[0] + friction[q][0]) *
+        force += (factor * body.traction(id, values.normal_vector(q))[0] + friction[q][0]) *
                  values.JxW(q) * body.thickness();
-  };
+  }
+
+private:
+  const ContinuumBody<dim> &body;
+  const double factor; ///< of the loads
+  ContinuumVector traction;
+};
+
+/// Compression across the section at x, from the forces along x on the boundary on that side of it
+/// which nothing holds.
+template <int dim>
+double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state,
+                   const ContinuumQuantity &quantity) {
+  const bool held_below = is_held_below(body, quantity);
+  const double x = quantity.x;
+  const ForceOnFaces<dim> forces(body, state);
+  FEFaceValues<dim> whole(body.fe, QGauss<dim - 1>(body.fe.degree + 1), forces.flags);
+  double below = 0., all = 0.;
   for (const auto &cell : body.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices()) {
@@ -184,19 +196,19 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state,
         }
         if (held_below) {
           whole.reinit(cell, f);
-          add(whole, face->boundary_id(), all, 1e300);
+          forces.add(whole, face->boundary_id(), 1e300, all);
         }
         if (low > x || (low == x && high > x))
           continue;
         if (high <= x) {
           whole.reinit(cell, f);
-          add(whole, face->boundary_id(), below, x);
+          forces.add(whole, face->boundary_id(), x, below);
         } else {
           FEFaceValues<dim> cut(
               body.fe, rule_below<dim>(x, face->vertex(0)[0], face->vertex(1)[0], body.fe.degree),
-              flags);
+              forces.flags);
           cut.reinit(cell, f);
-          add(cut, face->boundary_id(), below, x);
+          forces.add(cut, face->boundary_id(), x, below);
         }
       }
   return Utilities::MPI::sum(below - all, body.communicator);

@@ -294,23 +294,10 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
       find_change(quantity, state, last && !model.scene.steps[step].transient, pending[i]);
     else if (quantity.over != Quantity::Over::end)
       follow(quantity, state, pending[i]);
-    else if (quantity.time) {
-      if (pending[i].value)
-        continue;
-      const double rounding = 1e-9 * std::max(not_zero, std::abs(*quantity.time));
-      if (*quantity.time > state.time + rounding) {
-        pending[i].previous = evaluate(quantity, state);
-      } else {
-        const double now = evaluate(quantity, state);
-        const double part =
-            state.time > previous_time && !start
-                ? std::min(1., (*quantity.time - previous_time) / (state.time - previous_time))
-                : 1.;
-        pending[i].value =
-            part == 1. ? now : pending[i].previous + part * (now - pending[i].previous);
-      }
-    } else if (last && !quantity.kind().is_of_the_end() &&
-               (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
+    else if (quantity.time)
+      await(quantity, state, start, pending[i]);
+    else if (last && !quantity.kind().is_of_the_end() &&
+             (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
       pending[i].value = evaluate(quantity, state);
   }
   watch_impacts(!start && model.scene.steps[step].transient, state);
@@ -323,6 +310,23 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
     last_output = state.time;
     put_out(state, last);
   }
+}
+
+void Collector::await(const Quantity &quantity, const LineState &state, const bool is_start,
+                      Pending &result) {
+  if (result.value)
+    return;
+  const double rounding = 1e-9 * std::max(not_zero, std::abs(*quantity.time));
+  const double now = evaluate(quantity, state);
+  if (*quantity.time > state.time + rounding) {
+    result.previous = now;
+    return;
+  }
+  const double part =
+      state.time > previous_time && !is_start
+          ? std::min(1., (*quantity.time - previous_time) / (state.time - previous_time))
+          : 1.;
+  result.value = part == 1. ? now : result.previous + part * (now - result.previous);
 }
 
 void Collector::put_out(const LineState &state, const bool keep) {

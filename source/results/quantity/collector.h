@@ -56,6 +56,9 @@ private:
 
   /// Follow a quantity over an interval of time.
   void follow(const Quantity &quantity, const LineState &state, Pending &pending);
+  /// The value at the quantity's own time, between the states before and after it.
+  void await(const Quantity &quantity, const LineState &state, const bool is_start,
+             Pending &pending);
   /// The same from begin to end of a smooth piece.
   void follow(const unsigned int quantity, const SmoothCourses &courses, const unsigned int number,
               const MotionPiece &piece);

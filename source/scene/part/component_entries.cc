@@ -94,6 +94,34 @@ void declare_tee(ParameterReader &in) {
                   "NB-3686.5 for branch connections.");
 }
 
+namespace {
+
+/// The springs of a branch's foot by ASME III NB-3686.5: theta = k M d/(E I_b), d the branch's and
+/// D the run's outer diameter [N m/rad].
+void give_springs_of_code(const ParameterReader &in, const Tee &tee, const Scene &scene,
+                          Joint &joint) {
+  const auto of_point = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &p) {
+    return p.name != tee.branch &&
+           std::any_of(p.route.begin(), p.route.end(),
+                       [&](const RoutePoint &r) { return r.name == tee.point; });
+  });
+  const Pipe &branch = scene.pipes[in.find("Branch", tee.branch, names(scene.pipes), "pipe")];
+  const Section &b = scene.sections[branch.section];
+  if (of_point == scene.pipes.end() || b.wall == 0. || scene.sections[of_point->section].wall == 0.)
+    in.fail("Flexibility",
+            "code where the run has a point of that name, and run and branch give "
+            "'Outer diameter' and 'Wall'",
+            "two numbers, or rigid");
+  const Section &r = scene.sections[of_point->section];
+  const double d = 2. * b.outer_radius, D = 2. * r.outer_radius;
+  const double root = std::sqrt(r.wall / b.wall * d / D) * b.wall / r.wall;
+  const double stiffness = scene.materials[branch.material].youngs_modulus * b.inertia / d;
+  joint.out_of_plane = stiffness / (0.1 * std::pow(D / r.wall, 1.5) * root);
+  joint.in_plane = stiffness / (0.2 * D / r.wall * root);
+}
+
+} // namespace
+
 void parse_tee(const ParameterReader &in, const std::string &name, Scene &scene) {
   Tee tee;
   tee.name = name;
@@ -114,26 +142,7 @@ void parse_tee(const ParameterReader &in, const std::string &name, Scene &scene)
   joint.point = tee.point;
   joint.pipe = tee.branch;
   if (flexibility == "code") {
-    // theta = k M d/(E I_b): ASME III NB-3686.5, d the branch's and D the run's outer diameter.
-    const auto of_point = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &p) {
-      return p.name != tee.branch &&
-             std::any_of(p.route.begin(), p.route.end(),
-                         [&](const RoutePoint &r) { return r.name == tee.point; });
-    });
-    const Pipe &branch = scene.pipes[in.find("Branch", tee.branch, names(scene.pipes), "pipe")];
-    const Section &b = scene.sections[branch.section];
-    if (of_point == scene.pipes.end() || b.wall == 0. ||
-        scene.sections[of_point->section].wall == 0.)
-      in.fail("Flexibility",
-              "code where the run has a point of that name, and run and branch give "
-              "'Outer diameter' and 'Wall'",
-              "two numbers, or rigid");
-    const Section &r = scene.sections[of_point->section];
-    const double d = 2. * b.outer_radius, D = 2. * r.outer_radius;
-    const double root = std::sqrt(r.wall / b.wall * d / D) * b.wall / r.wall;
-    const double stiffness = scene.materials[branch.material].youngs_modulus * b.inertia / d;
-    joint.out_of_plane = stiffness / (0.1 * std::pow(D / r.wall, 1.5) * root);
-    joint.in_plane = stiffness / (0.2 * D / r.wall * root);
+    give_springs_of_code(in, tee, scene, joint);
   } else {
     const std::vector<double> values = in.numbers("Flexibility");
     if (values.size() != 2 || values[0] <= 0. || values[1] <= 0.)
