@@ -4,6 +4,7 @@
 #include "analysis/contact/proximal_law.h"
 #include "../check.h"
 
+#include <cmath>
 #include <limits>
 
 using namespace frictionbeam;
@@ -65,6 +66,19 @@ int main() {
     exact.normal_rho = exact.shear_rho = rho;
     CHECK((proximal_law(law, exact, {}).stress - exact.centre).norm() <= 1e-13);
   }
+
+  // What misses the centre is told where rounding of the force hides it: a gap of 1e-17 m, and a
+  // slip of 5 * 2^-58 m across the friction force, beside kilonewtons.
+  const ProximalPoint touching = at({1e-17, 0., 0., 0.}, {-3e3, 0., 0., 0.});
+  CHECK_NEAR(proximal_law(law, touching, {}).misfit[0], 1e-15, 1e-12);
+  CHECK(proximal_law(law, touching, {}).stress[0] == -3e3);
+  const double across = std::ldexp(1., -58), along = std::ldexp(1., -10);
+  const ProximalAnswer turning = proximal_law(
+      law, at({0., 3. * along - 4. * across, 4. * along + 3. * across, 0.}, {-2e3, 6e2, 8e2, 0.}),
+      {});
+  CHECK(turning.status == ContactStatus::slip);
+  const double shrunk = 1e3 / (1e3 + 100. * 5. * along);
+  CHECK_NEAR(0.6 * turning.misfit[2] - 0.8 * turning.misfit[1], 100. * 5. * across * shrunk, 0.1);
 
   // An elastic element stands in series with rho; with the centre at its force it is alone.
   CHECK_NEAR(proximal_law(elastic, at({-0.02, 0., 0., 0.}), {}).stress[0], -1., 1e-14);

@@ -161,8 +161,12 @@ void compare_supports(const frictionbeam::Results &program, const frictionbeam::
       }
       if (contact.status != Ours::open && contact.sure_of_touch) {
         const Vec3 slip = contact.plastic - contact.touch;
-        result.add(step + ", " + contact.name + " slip1", is.slip1, slip[1], scales(false, 0));
-        result.add(step + ", " + contact.name + " slip2", is.slip2, slip[2], scales(false, 0));
+        // It may have touched in a step that moved the line farther than this one.
+        const double size =
+            std::max<double>(scales(false, 0), std::max(contact.plastic.tail<2>().norm(),
+                                                        contact.touch.tail<2>().norm()));
+        result.add(step + ", " + contact.name + " slip1", is.slip1, slip[1], size);
+        result.add(step + ", " + contact.name + " slip2", is.slip2, slip[2], size);
       }
     }
 }

@@ -4,6 +4,7 @@
 #include "frame.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace oracle {
 
@@ -125,6 +126,22 @@ Maybe scaled(const Scene &scene, Random &random) {
   return related;
 }
 
+/// Stiffnesses in their last bits.
+Maybe nudged(const Scene &scene, Random &random) {
+  const auto nudge = [&](double &number) {
+    number *= 1. + random.whole(-4, 4) * std::numeric_limits<double>::epsilon();
+  };
+  Related related{scene, {}};
+  for (Material &material : related.scene.materials) {
+    nudge(material.E);
+    for (auto &row : material.table)
+      nudge(row[1]);
+  }
+  for (Section &section : related.scene.sections)
+    nudge(section.diameter);
+  return related;
+}
+
 /// Guides and stops that hold exactly against two rigid contacts without gap and friction.
 Maybe guides_as_pairs(const Scene &scene, Random &) {
   Related related{scene, {}};
@@ -188,6 +205,7 @@ const std::vector<Relation> &relations() {
       {"far", "a support that never touches added", &far_support},
       {"order", "sections of the file and supports in another order", &sections_in_another_order},
       {"units", "the file in other units", &other_units},
+      {"nudged", "Young's moduli and diameters in their last bits", &nudged},
       {"scaled", "all lengths times a factor at equal stresses", &scaled},
       {"pairs", "exact guides as two contacts", &guides_as_pairs, 1e-7, 0.},
       {"ground", "supports on an anchored pipe", &ground_is_a_pipe, 1e-7, 0.},

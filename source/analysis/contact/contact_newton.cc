@@ -127,8 +127,7 @@ double ContactNewton::energy_together(const Vector &x, const ContactResponse &re
     if (proximal.is_exact(i)) {
       const Contact::Strains scale = proximal.by_centre(i);
       stress.head<3>() = proximal.centre[i].head<3>();
-      const Contact::Strains difference = response.stress[i] - stress;
-      misfit += contacts[i].weight * difference.cwiseProduct(difference).cwiseProduct(scale).sum();
+      misfit += contacts[i].weight * proximal.misfit[i].cwiseAbs2().dot(scale);
     }
     subtract_force(i, stress, forces);
   }
@@ -243,7 +242,7 @@ void ContactNewton::eliminate_centre(ContactResponse &response,
     const Eigen::PartialPivLU<Block> M(Block::Identity() -
                                        (1. - epsilon) * D * proximal.by_centre(i).asDiagonal());
     response.tangent[i] = M.solve(D);
-    step[i] = M.solve(response.stress[i] - proximal.centre[i]);
+    step[i] = M.solve(proximal.misfit[i]);
     response.stress[i] = proximal.centre[i] + step[i];
   }
 }

@@ -66,6 +66,7 @@ void ContactCheck::judge(const Point &point, const double largest) {
 ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix &stiffness)
     : contacts(contacts), scales(contacts.size()), friction(contacts.size(), 0.) {
   centre.assign(contacts.size(), Contact::Strains::Zero());
+  misfit = centre;
   double mean = 0.;
   int n = 0;
   for (int i = 0; i < stiffness.rows(); ++i)
@@ -120,7 +121,7 @@ bool ProximalContacts::let_slipping_go(const ContactResponse &response) {
 }
 
 void ProximalContacts::evaluate(const ContactState &committed, const ContactIncrement &increment,
-                                const LawTangent tangent, ContactResponse &response) const {
+                                const LawTangent tangent, ContactResponse &response) {
   contacts.prepare(response);
   for (unsigned int i = 0; i < scales.size(); ++i) {
     if (is_exact(i))
@@ -131,7 +132,7 @@ void ProximalContacts::evaluate(const ContactState &committed, const ContactIncr
 }
 
 void ProximalContacts::evaluate_exact(const unsigned int i, const ContactState &committed,
-                                      ContactResponse &response) const {
+                                      ContactResponse &response) {
   const Contact &contact = contacts[i];
   const FrictionThreshold &law = contact.law.closed_form();
   const Contact::Strains &strain = response.state.strain[i];
@@ -143,6 +144,7 @@ void ProximalContacts::evaluate_exact(const unsigned int i, const ContactState &
        stiffness_factor * scales[i].shear_diagonal, centre[i]},
       ContactSlip::read(law, old_state));
   response.stress[i] = answer.stress;
+  misfit[i] = answer.misfit;
   response.tangent[i] = answer.tangent;
   response.status[i] = answer.status;
   std::copy(old_state, old_state + contact.law.n_internal_variables(), new_state);

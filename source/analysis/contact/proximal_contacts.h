@@ -65,6 +65,8 @@ public:
 
   double stiffness_factor = 1e-3;       ///< c
   std::vector<Contact::Strains> centre; ///< stresses (P_c, T_c), as -N, T
+  /// Of exact contacts at the last evaluation: the stresses less the centre (ProximalAnswer).
+  std::vector<Contact::Strains> misfit;
 
   /// Centre, coefficients and gaps at present.
   void transfer(Archive &archive) {
@@ -74,7 +76,7 @@ public:
   /// Evaluate all contacts at response.state.strain: the proximal form of laws that have a
   /// threshold, any other law as it is.
   void evaluate(const ContactState &committed, const ContactIncrement &increment,
-                const LawTangent tangent, ContactResponse &response) const;
+                const LawTangent tangent, ContactResponse &response);
 
   /// Derivative of the proximal stresses by the centre: the tangent times this diagonal.
   Contact::Strains by_centre(const unsigned int i) const;
@@ -109,7 +111,7 @@ private:
   };
 
   void evaluate_exact(const unsigned int i, const ContactState &committed,
-                      ContactResponse &response) const;
+                      ContactResponse &response);
 
   const Contacts &contacts;
   std::vector<Scale> scales;

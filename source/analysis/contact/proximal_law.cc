@@ -21,11 +21,12 @@ void add_friction(const FrictionThreshold &law, const ProximalPoint &point, cons
   const double rigidity[2] = {law.shear_rigidity_y, law.shear_rigidity_z},
                old_slip[2] = {old.y, old.z};
   double *const slip[2] = {&answer.slip.y, &answer.slip.z};
-  double kappa[2], trial[2];
+  double kappa[2], change[2], trial[2]; // by which the trial is off the centre
   for (int d = 0; d < 2; ++d) {
-    kappa[d] = in_series(rigidity[d] / l, point.shear_rho);
-    trial[d] = kappa[d] *
-               (l * (point.strain[1 + d] - old_slip[d]) + point.centre[1 + d] / point.shear_rho);
+    const double stiffness = rigidity[d] / l, centre = point.centre[1 + d];
+    kappa[d] = in_series(stiffness, point.shear_rho);
+    change[d] = kappa[d] * (l * (point.strain[1 + d] - old_slip[d]) - centre / stiffness);
+    trial[d] = centre + change[d];
   }
   answer.slip.slips = std::hypot(trial[0], trial[1]) > radius;
   if (f == 0.) {
@@ -34,6 +35,7 @@ void add_friction(const FrictionThreshold &law, const ProximalPoint &point, cons
   } else if (!answer.slip.slips) {
     for (int d = 0; d < 2; ++d) {
       answer.stress[1 + d] = trial[d];
+      answer.misfit[1 + d] = change[d];
       answer.tangent(1 + d, 1 + d) = kappa[d] * l;
       // the same slip but for rounding, so that the next increment begins without any
       *slip[d] = point.strain[1 + d] - trial[d] / rigidity[d];
@@ -42,6 +44,10 @@ void add_friction(const FrictionThreshold &law, const ProximalPoint &point, cons
     const DiscProjection on_disc(trial, kappa, radius);
     for (int d = 0; d < 2; ++d) {
       answer.stress[1 + d] = on_disc.point[d];
+      if (std::isfinite(on_disc.lambda)) { // radial rounding alone is left of T - T_c
+        const double shrunk = on_disc.lambda * kappa[d];
+        answer.misfit[1 + d] = (change[d] - shrunk * point.centre[1 + d]) / (1. + shrunk);
+      }
       *slip[d] = point.strain[1 + d] - on_disc.point[d] / rigidity[d];
       answer.dissipated += on_disc.point[d] * (*slip[d] - old_slip[d]);
       for (int e = 0; e < 2; ++e)
@@ -91,16 +97,22 @@ ProximalAnswer proximal_law(const FrictionThreshold &law, const ProximalPoint &p
                             const ContactSlip &old) {
   ProximalAnswer answer;
   answer.slip = old;
+  answer.misfit.head<3>() = -point.centre.head<3>();
   double P = point.pressure.value_or(0.);
-  if (!point.pressure) {
-    const double kappa = in_series(law.axial_rigidity / point.length, point.normal_rho);
-    P = kappa *
-        (-point.centre[0] / point.normal_rho - (point.length * point.strain[0] + point.gap));
+  if (point.pressure)
+    answer.misfit[0] = 0.;
+  else {
+    const double stiffness = law.axial_rigidity / point.length,
+                 kappa = in_series(stiffness, point.normal_rho),
+                 change = kappa * (point.length * point.strain[0] + point.gap -
+                                   point.centre[0] / stiffness);
+    P = -(point.centre[0] + change);
     if (P < 0.) { // a contact that just touches counts as closed: it may have to carry
       answer.slip = {point.strain[1], point.strain[2], point.strain[3], false};
       answer.status = ContactStatus::open;
       return answer;
     }
+    answer.misfit[0] = change;
     answer.tangent(0, 0) = kappa * point.length;
   }
   answer.stress[0] = -P;

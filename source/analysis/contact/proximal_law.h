@@ -31,6 +31,9 @@ struct ProximalPoint {
 /// What it answers.
 struct ProximalAnswer {
   Contact::Strains stress = Contact::Strains::Zero(); ///< (-P, T_y, T_z, M) [N, N m]
+  /// The stress less the centre, and not as a difference: rho times a gap or a slip that is told
+  /// from zero may be lost beside the forces. Torsion has none.
+  Contact::Strains misfit = Contact::Strains::Zero();
   Eigen::Matrix<double, n_support_strains, n_support_strains, Eigen::RowMajor> tangent =
       Eigen::Matrix<double, n_support_strains, n_support_strains>::Zero(); ///< d stress / d strain
   ContactSlip slip;

@@ -126,12 +126,28 @@ EnergyAccount account_imposed(const Model &model, const LineState &before, const
   return account;
 }
 
+namespace {
+
+/// a . M b in extended precision: the terms of a stiff line's energy may be 1e8 times the energy.
+double product(const Vector &a, const SparseMatrix &M, const Vector &b) {
+  long double sum = 0.L;
+  for (int i = 0; i < M.outerSize(); ++i) {
+    long double row = 0.L;
+    for (SparseMatrix::InnerIterator entry(M, i); entry; ++entry)
+      row += static_cast<long double>(entry.value()) * b[entry.col()];
+    sum += row * a[i];
+  }
+  return static_cast<double>(sum);
+}
+
+} // namespace
+
 EnergyAccount account_increment(const Model &model, const LineState &before, const LineState &after,
                                 const Vector &loads_before, const Vector &loads_after) {
   EnergyAccount account;
   const Vector motion = after.unknowns - before.unknowns;
   account.external = (loads_before + loads_after).dot(motion) / 2.;
-  account.stored = (before.unknowns + after.unknowns).dot(model.linear.stiffness() * motion) / 2.;
+  account.stored = product(before.unknowns + after.unknowns, model.linear.stiffness(), motion) / 2.;
   account.turnover = std::abs(account.external) + std::abs(account.stored);
   account += account_imposed(model, before, after, 0.);
   return account += account_contacts(model, before, after, {});

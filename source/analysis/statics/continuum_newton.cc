@@ -166,8 +166,7 @@ double ContinuumNewton<dim>::energy_together(const FoundationResponse &response,
     used[i] = contacts.centre[i];
     if (contacts.has_pressure(i))
       used[i][0] = response.state.stress[i][0];
-    const LocalVector difference = response.state.stress[i] - used[i];
-    misfit += body.nodes[i].weight * difference.cwiseProduct(difference).dot(contacts.by_centre(i));
+    misfit += body.nodes[i].weight * response.misfit[i].cwiseAbs2().dot(contacts.by_centre(i));
   }
   residual(used, left);
   return energy(left) + Utilities::MPI::sum(misfit, body.communicator);
@@ -215,7 +214,7 @@ void ContinuumNewton<dim>::eliminate_centre(FoundationResponse &response,
     const LocalMatrix by_centre = -D * contacts.by_centre(i).asDiagonal();
     const Eigen::PartialPivLU<LocalMatrix> M(LocalMatrix::Identity() - (1. - epsilon) * by_centre);
     D = M.solve(LocalMatrix(D));
-    step[i] = M.solve(LocalVector(stress - centre));
+    step[i] = M.solve(response.misfit[i]);
     stress = centre + step[i];
   }
 }

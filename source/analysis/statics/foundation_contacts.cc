@@ -75,6 +75,7 @@ void FoundationContacts::evaluate(const std::vector<LocalVector> &displacement,
                                   FoundationResponse &response) const {
   response.state = committed;
   response.tangent.assign(points.size(), LocalMatrix::Zero());
+  response.misfit.assign(points.size(), LocalVector::Zero());
   response.failed = false;
   for (unsigned int i = 0; i < points.size(); ++i) {
     if (is_exact(i))
@@ -100,6 +101,7 @@ void FoundationContacts::evaluate_exact(const unsigned int i, const LocalVector 
                    ContactSlip::read(law, committed.internal.data() + offset[i]));
   FoundationState &state = response.state;
   state.stress[i] = answer.stress.head<3>();
+  response.misfit[i] = answer.misfit.head<3>();
   response.tangent[i] = -answer.tangent.topLeftCorner<3, 3>();
   state.status[i] = answer.status;
   answer.slip.write(law, state.internal.data() + offset[i]);

@@ -39,6 +39,7 @@ struct FoundationState {
 struct FoundationResponse {
   FoundationState state;
   std::vector<LocalMatrix> tangent; ///< d stress / d displacement
+  std::vector<LocalVector> misfit;  ///< of exact contacts: stress less centre (ProximalAnswer)
   bool failed = false;
 };
 
