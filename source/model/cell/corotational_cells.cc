@@ -3,6 +3,8 @@
 
 #include "model/line/pipe_element.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 
 namespace frictionbeam {
@@ -57,6 +59,17 @@ Quaterniond between_turns(const Quaterniond &from, const Quaterniond &to) {
   return result;
 }
 
+/// Projector on the range of a symmetric positive semidefinite matrix.
+Matrix3d range_of(const Matrix3d &matrix) {
+  constexpr double rounding = 1e-12; // of the largest eigenvalue
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> pairs(matrix);
+  Matrix3d projector = Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    if (pairs.eigenvalues()[i] > rounding * pairs.eigenvalues()[2])
+      projector += pairs.eigenvectors().col(i) * pairs.eigenvectors().col(i).transpose();
+  return projector;
+}
+
 } // namespace
 
 CorotationalCells::CorotationalCells(const Scene &scene, const LineMesh &mesh,
@@ -96,6 +109,8 @@ CorotationalCells::CorotationalCells(const Scene &scene, const LineMesh &mesh,
     cell.mass = length * profile.mass;
     cells.push_back(std::move(cell));
   }
+  for (const Matrix3d &inertia : vertex_inertia)
+    inert.push_back(range_of(inertia));
   if (linear.mass().rows() > 0)
     add_mass();
   if (linear.mass().rows() > 0 && scene.time.modal_damping != 0.)

@@ -82,6 +82,8 @@ private:
   std::vector<Cell> cells; ///< as the pipe cells of the discretization
   SparseMatrix M;
   std::vector<Eigen::Matrix3d> vertex_inertia; ///< at rest, in global axes [kg m2]
+  /// Projectors on the directions that they have, about which spins are states of their own.
+  std::vector<Eigen::Matrix3d> inert;
   /// Of Modal damping: forces of each mode on the deformations of cells, seven
   /// rows each, and on springs, six each; and damping 2 zeta / w^3 of the mode.
   /// Without entries if there is none.

@@ -59,9 +59,9 @@ void CorotationalCells::set_spins(const Pose &from, const Pose &to, const Vector
   for (unsigned int v = 0; v < n_vertices; ++v) {
     if (!turns(v))
       continue;
-    Vector3d spin = part(change, v, 3) / step; // without inertia: the mean
-    if (!vertex_inertia[v].isZero(0.))
-      spin = turn(to, v) * (turn(from, v).conjugate() * (2. * spin - part(spin_before, v, 3)));
+    const Vector3d mean = part(change, v, 3) / step,
+                   gained = turn(from, v).conjugate() * (mean - part(spin_before, v, 3)),
+                   spin = mean + turn(to, v) * (inert[v] * gained); // without inertia: the mean
     for (unsigned int d = 0; d < 3; ++d)
       for (const auto &term : space.terms(discretization.vertex_dofs().index(v, 3 + d)))
         if (term.weight == 1.)
