@@ -17,7 +17,7 @@ subsection Point P
 end
 subsection Spring k
   set At = P
-  set Stiffness = 1000 0 1
+  set Stiffness = 1000 0 1000
 end
 subsection Support floor
   set Kind = rest
