@@ -119,26 +119,9 @@ void list_steps(const Scene &scene) {
 
 namespace {
 
-void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene) {
-  const LineModel line(scene, laws);
-  const Model &model = line.model();
-
-  std::cout << options.parameter_file << (scene.title.empty() ? std::string() : ": " + scene.title)
-            << '\n';
-  list_pipes(scene, model.mesh, model.discretization);
-  list_supports(scene, model.mesh);
-  list_steps(scene);
-  std::cout << "Quantities: " << scene.quantities.size() << '\n'
-            << "Unknowns: " << model.space.n_unknowns() << ", contacts: " << model.contacts.size()
-            << '\n';
-  for (const std::vector<std::string> *const remarks : {&scene.remarks, &model.mesh.remarks})
-    for (const std::string &remark : *remarks)
-      std::cout << "Note: " << remark << '\n';
-  if (!has_transient_step(scene))
-    for (const std::string &warning : check_mechanisms(model))
-      std::cout << "Note: " << warning << '\n';
-
-  // The line as built: nothing has moved, supports stand as they would touch.
+/// Draw the line as built: nothing has moved, supports stand as they would touch.
+void draw_as_built(const Model &model) {
+  const Scene &scene = model.scene;
   prepare_output_folder(scene.output.directory);
   FrameBuilder builder(model);
   LineState state;
@@ -161,6 +144,27 @@ void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene
                             draw_line(scene, results, frame, 1.));
     std::cout << "The line is drawn in " << picture << ". Nothing was solved.\n";
   }
+}
+
+void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene) {
+  const LineModel line(scene, laws);
+  const Model &model = line.model();
+
+  std::cout << options.parameter_file << (scene.title.empty() ? std::string() : ": " + scene.title)
+            << '\n';
+  list_pipes(scene, model.mesh, model.discretization);
+  list_supports(scene, model.mesh);
+  list_steps(scene);
+  std::cout << "Quantities: " << scene.quantities.size() << '\n'
+            << "Unknowns: " << model.space.n_unknowns() << ", contacts: " << model.contacts.size()
+            << '\n';
+  for (const std::vector<std::string> *const remarks : {&scene.remarks, &model.mesh.remarks})
+    for (const std::string &remark : *remarks)
+      std::cout << "Note: " << remark << '\n';
+  if (!has_transient_step(scene))
+    for (const std::string &warning : check_mechanisms(model))
+      std::cout << "Note: " << warning << '\n';
+  draw_as_built(model);
 }
 
 } // namespace

@@ -47,8 +47,8 @@ struct ProximalAnswer {
  *
  * With compression P, friction force T, gap g (of the rigid part) and slip p of the increment, the
  * laws P = max(0, P - rho g) and T = proj_{fP}(T + rho p), (1) in doc/theory.md, "Exact contact",
- * hold for any rho > 0. With a centre (P_c,
- * T_c) the proximal contact replaces g by g + (P - P_c)/rho and p by p - (T - T_c)/rho:
+ * hold for any rho > 0. With a centre (P_c, T_c) the proximal contact replaces g by
+ * g + (P - P_c)/rho and p by p - (T - T_c)/rho:
  *   P = max(0, kappa_n (P_c/rho_n - g_total)),   T = proj_{fP}(kappa_t (s - p_old + T_c/rho_t)),
  * (2) 1/kappa = 1/rho + 1/k, k the element's own stiffness (infinite if rigid), which is the
  * friction element of 1983 with an initial force; its fixed point (P, T) = (P_c, T_c) is the exact

@@ -60,17 +60,11 @@ double least_ratio(const Eigen::Matrix3d &compliance, const Eigen::Vector3d &hol
   return least;
 }
 
-} // namespace
-
-std::vector<BeyondUniqueness> contacts_beyond_uniqueness(const Contacts &contacts,
-                                                         const CondensedLine &line,
-                                                         const ProximalContacts &proximal,
-                                                         const std::vector<ContactStatus> &status) {
-  std::vector<BeyondUniqueness> result;
+/// The condensed stiffness with all contacts held as they are.
+SparseMatrix hold_all(const Contacts &contacts, const CondensedLine &line,
+                      const ProximalContacts &proximal, const std::vector<ContactStatus> &status) {
   SparseMatrix held = line.matrix();
   for (unsigned int i = 0; i < contacts.size(); ++i) {
-    if (!proximal.is_exact(i))
-      return result; // what such a law holds is not known here
     const auto B = contacts[i].length * contacts[i].B_reduced.topRows<3>();
     const Eigen::MatrixXd block = B.transpose() * hold(proximal, i, status[i]).asDiagonal() * B;
     for (Eigen::Index a = 0; a < block.rows(); ++a)
@@ -78,6 +72,37 @@ std::vector<BeyondUniqueness> contacts_beyond_uniqueness(const Contacts &contact
         add_to(held, line.place(contacts[i].unknowns[a]), line.place(contacts[i].unknowns[b]),
                block(a, b));
   }
+  return held;
+}
+
+/// Displacements of a contact by unit forces there [m/N].
+Eigen::Matrix3d compliance_at(const Contact &contact, const CondensedLine &line,
+                              const LineFactorization &factors) {
+  const auto B = contact.length * contact.B_reduced.topRows<3>();
+  Eigen::Matrix3d compliance;
+  for (int d = 0; d < 3; ++d) {
+    Vector force = Vector::Zero(line.n_kept());
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+      force[line.place(contact.unknowns[j])] = B(d, j);
+    const Vector motion = factors.solve(force);
+    compliance.col(d).setZero();
+    for (Eigen::Index j = 0; j < B.cols(); ++j)
+      compliance.col(d) += motion[line.place(contact.unknowns[j])] * B.col(j);
+  }
+  return compliance;
+}
+
+} // namespace
+
+std::vector<BeyondUniqueness> contacts_beyond_uniqueness(const Contacts &contacts,
+                                                         const CondensedLine &line,
+                                                         const ProximalContacts &proximal,
+                                                         const std::vector<ContactStatus> &status) {
+  std::vector<BeyondUniqueness> result;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (!proximal.is_exact(i))
+      return result; // what such a law holds is not known here
+  const SparseMatrix held = hold_all(contacts, line, proximal, status);
   LineFactorization factors;
   factors.analyze(held);
   if (!factors.factorize(held))
@@ -86,18 +111,8 @@ std::vector<BeyondUniqueness> contacts_beyond_uniqueness(const Contacts &contact
     const double friction = proximal.friction_coefficient(i);
     if (status[i] == ContactStatus::open || friction == 0.)
       continue;
-    const auto B = contacts[i].length * contacts[i].B_reduced.topRows<3>();
-    Eigen::Matrix3d compliance;
-    for (int d = 0; d < 3; ++d) {
-      Vector force = Vector::Zero(line.n_kept());
-      for (Eigen::Index j = 0; j < B.cols(); ++j)
-        force[line.place(contacts[i].unknowns[j])] = B(d, j);
-      const Vector motion = factors.solve(force);
-      compliance.col(d).setZero();
-      for (Eigen::Index j = 0; j < B.cols(); ++j)
-        compliance.col(d) += motion[line.place(contacts[i].unknowns[j])] * B.col(j);
-    }
-    const double limit = least_ratio(compliance, hold(proximal, i, status[i]));
+    const double limit =
+        least_ratio(compliance_at(contacts[i], line, factors), hold(proximal, i, status[i]));
     if (friction >= limit)
       result.push_back({i, friction, limit});
   }

@@ -30,6 +30,32 @@ Vector3 plane_normal(const LineMesh &mesh, const unsigned int branch, const unsi
 
 double inverse(const double stiffness) { return stiffness == Joint::rigid ? 0. : 1. / stiffness; }
 
+/// Add the flexibility of a joint to an end of a cell (J in doc/theory.md, "Joints").
+/// @param t tangent of the pipe there, along the route @param normal of the plane of its bend or
+/// tee
+/// @param at_end whether the route ends there
+/// @param side of the cell that the joint is on
+void add_joint(const Joint &joint, const Vector3 &t, const Vector3 &normal, const bool at_end,
+               CellJoints &joints, const unsigned int side) {
+  const bool planes = joint.in_plane > 0.;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j) {
+      const double along = t[i] * t[j], across = (i == j ? 1. : 0.) - along,
+                   about_normal = normal[i] * normal[j];
+      joints.flexibility[side][i][j] +=
+          inverse(joint.axial) * along + inverse(joint.lateral) * across;
+      joints.flexibility[side][3 + i][3 + j] +=
+          inverse(joint.torsion) * along +
+          (planes ? about_normal / joint.in_plane + (across - about_normal) / joint.out_of_plane
+                  : inverse(joint.bending) * across);
+    }
+  // Pressure moves the cell's end away from the point: forward where the cell begins there.
+  if (joint.thrust_area > 0.)
+    for (unsigned int d = 0; d < 3; ++d)
+      joints.thrust[side][d] +=
+          (at_end ? -1. : 1.) * inverse(joint.axial) * joint.thrust_area * t[d];
+}
+
 } // namespace
 
 void Discretization::add_joints(const Scene &scene, const LineMesh &mesh) {
@@ -51,26 +77,8 @@ void Discretization::add_joints(const Scene &scene, const LineMesh &mesh) {
     const auto cell = pipe_cell(cell_at - pipes.begin());
     const unsigned int side = cell->vertex_index(0) == vertex ? 0 : 1;
     const Vector3 t = meshed.tangent(mesh.vertices, position, at_end);
-    const Vector3 normal = plane_normal(mesh, p, vertex, t);
-
-    CellJoints &joints = cell_joints[cell->active_cell_index()];
-    const bool planes = joint.in_plane > 0.;
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j) {
-        const double along = t[i] * t[j], across = (i == j ? 1. : 0.) - along,
-                     about_normal = normal[i] * normal[j];
-        joints.flexibility[side][i][j] +=
-            inverse(joint.axial) * along + inverse(joint.lateral) * across;
-        joints.flexibility[side][3 + i][3 + j] +=
-            inverse(joint.torsion) * along +
-            (planes ? about_normal / joint.in_plane + (across - about_normal) / joint.out_of_plane
-                    : inverse(joint.bending) * across);
-      }
-    // Pressure moves the cell's end away from the point: forward where the cell begins there.
-    if (joint.thrust_area > 0.)
-      for (unsigned int d = 0; d < 3; ++d)
-        joints.thrust[side][d] +=
-            (at_end ? -1. : 1.) * inverse(joint.axial) * joint.thrust_area * t[d];
+    add_joint(joint, t, plane_normal(mesh, p, vertex, t), at_end,
+              cell_joints[cell->active_cell_index()], side);
   }
 }
 

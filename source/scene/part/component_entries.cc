@@ -96,8 +96,8 @@ void declare_tee(ParameterReader &in) {
 
 namespace {
 
-/// The springs of a branch's foot by ASME III NB-3686.5: theta = k M d/(E I_b), d the branch's and
-/// D the run's outer diameter [N m/rad].
+/// The springs of a branch's foot by ASME III NB-3686.5 [N m/rad]: theta = k M d/(E I_b), d the
+/// branch's and D the run's outer diameter (doc/theory.md, "Joints").
 void give_springs_of_code(const ParameterReader &in, const Tee &tee, const Scene &scene,
                           Joint &joint) {
   const auto of_point = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &p) {
