@@ -57,14 +57,13 @@ std::set<unsigned int> vertices_of_reactions(const Model &model) {
   return result;
 }
 
-/// A matrix of a part on its shapes. @param border rows inside, columns of the border
-MatrixXd project(const MatrixXd &shapes, const Eigen::SparseMatrix<double> &inner,
-                 const MatrixXd &border) {
-  MatrixXd share = shapes.transpose() * (inner * shapes);
+/// Project a matrix of a part on its shapes. @param border rows inside, columns of the border
+void project(const MatrixXd &shapes, const Eigen::SparseMatrix<double> &inner,
+             const MatrixXd &border, MatrixXd &share) {
+  share = shapes.transpose() * (inner * shapes);
   const MatrixXd across = shapes.transpose() * border;
   share.leftCols(border.cols()) += across;
   share.topRows(border.cols()) += across.transpose();
-  return share;
 }
 
 } // namespace
@@ -280,12 +279,14 @@ LinearPart::Matrices ReducedLine::make_matrices() const {
     share.bottomRightCorner(n_own, n_own) = basis.stiffness.asDiagonal();
     K.add(p, share);
     if (part.has_mass) {
-      share = project(basis.shapes, part.M, part.M_border);
+      project(basis.shapes, part.M, part.M_border, share);
       share.bottomRightCorner(n_own, n_own) = basis.mass.asDiagonal();
       M.add(p, share);
     }
-    if (damped)
-      C.add(p, project(basis.shapes, part.C, part.C_border));
+    if (damped) {
+      project(basis.shapes, part.C, part.C_border, share);
+      C.add(p, share);
+    }
   }
   LinearPart::Matrices matrices{
       K.matrix(), M.matrix(), C.matrix(), Vector(), {}, {}, {}, {}, line.linear.imposed_products()};
