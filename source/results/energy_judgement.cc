@@ -46,8 +46,8 @@ double energy_of_rounding(const Results &results) {
 }
 
 namespace {
-/// Whether motions in a transient step are more than rounding of the displacements there.
-bool moves(const StepEnvelope &step) {
+/// Whether motions in a transient step are more than rounding of displacements and places.
+bool moves(const StepEnvelope &step, const double size_of_scene) {
   constexpr double rounding = 1e-9;
   const auto range = [](const Extremes &values) {
     return values.is_known() ? values.largest - values.least : 0.;
@@ -58,7 +58,7 @@ bool moves(const StepEnvelope &step) {
       size = std::max(size, std::abs(component.extreme()));
       motion = std::max(motion, range(component));
     }
-  return motion > rounding * size;
+  return motion > std::max(rounding * size, 1e-13 * size_of_scene);
 }
 } // namespace
 
@@ -67,7 +67,7 @@ void remark_on_gains(Results &results) {
   for (unsigned int i = 0; i < results.steps.size(); ++i) {
     StepReport &step = results.steps[i];
     const StepEnvelope *const envelope = results.envelope_of(i);
-    if (!envelope || !moves(*envelope))
+    if (!envelope || !moves(*envelope, size_of_scene(results)))
       continue;
     const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
     // Where nothing moves, rounding is large beside the energy in motion.

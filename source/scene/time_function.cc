@@ -67,7 +67,7 @@ TimeFunction from_file(const ParameterReader &in, const std::string &entry,
   for (std::string line; std::getline(file, line);) {
     for (char &c : line)
       c = c == ',' || c == ';' || c == '\t' || c == '\r' ? ' ' : c;
-    const std::vector<std::string> words = split(line.substr(0, line.find('#')), ' ');
+    const std::vector<std::string> words = split(tidy(line.substr(0, line.find('#'))), ' ');
     double time, value;
     if (words.empty())
       continue;
@@ -102,8 +102,13 @@ private:
 
 } // namespace
 
+/// Below which the work of a force has no number: the tail of exp() is none.
+static constexpr double smallest = 1e-150;
+
 double TimeFunction::operator()(const double time) const {
   const double value = course ? course(time) : 1.;
+  if (std::abs(value) < smallest)
+    return 0.;
   if (!std::isfinite(value))
     throw UserError("The history '" + text + "' is not finite at t = " + to_text(time) +
                     " s. Give one that is a number at all times of its steps.");
@@ -112,23 +117,28 @@ double TimeFunction::operator()(const double time) const {
 
 namespace {
 
-/// The break that @p time is, to rounding and within @p reach, or NaN.
-double break_at(const std::vector<double> &breaks, const double time, const double reach) {
+/// The first and the last of the breaks that are @p time, to rounding and within @p reach, or the
+/// time itself. A comparison t > a has two: a, where t < a ends, and the next number.
+std::pair<double, double> breaks_at(const std::vector<double> &breaks, const double time,
+                                    const double reach) {
   const double near = reach + 1e-10 * std::abs(time) + 1e-15;
-  const auto found = std::lower_bound(breaks.begin(), breaks.end(), time - near);
-  return found != breaks.end() && *found <= time + near ? *found : std::nan("");
+  const auto first = std::lower_bound(breaks.begin(), breaks.end(), time - near),
+             end = std::upper_bound(first, breaks.end(), time + near);
+  if (first == end)
+    return {std::nan(""), time};
+  return {*first, *(end - 1)};
 }
 
 } // namespace
 
 double TimeFunction::before(const double time, const double reach) const {
-  const double at = break_at(breaks, time, reach);
-  return (*this)(std::isnan(at) ? time : std::nextafter(at, -std::numeric_limits<double>::max()));
+  const double first = breaks_at(breaks, time, reach).first;
+  return (*this)(std::isnan(first) ? time
+                                   : std::nextafter(first, -std::numeric_limits<double>::max()));
 }
 
 double TimeFunction::after(const double time, const double reach) const {
-  const double at = break_at(breaks, time, reach);
-  return (*this)(std::isnan(at) ? time : at);
+  return (*this)(breaks_at(breaks, time, reach).second);
 }
 
 TimeFunction parse_time_function(const ParameterReader &in, const std::string &entry,

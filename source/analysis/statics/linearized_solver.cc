@@ -68,6 +68,23 @@ bool iterate(const unsigned int most, const std::function<EquilibriumResult()> &
   return inner.converged;
 }
 
+namespace {
+
+const Point3 &place_of(const Model &model, const unsigned int vertex) {
+  return model.discretization.vertices()[vertex];
+}
+
+/// Largest coordinate of the line at rest [m].
+double extent(const Model &model) {
+  double largest = 0.;
+  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
+    for (unsigned int d = 0; d < 3; ++d)
+      largest = std::max(largest, std::abs(place_of(model, v)[d]));
+  return largest;
+}
+
+} // namespace
+
 Pose with_other_digits(const Model &model, const Pose &pose) {
   constexpr double digits = 4. * std::numeric_limits<double>::epsilon();
   Vector nudge = Vector::Zero(pose.dofs.size());
@@ -76,7 +93,8 @@ Pose with_other_digits(const Model &model, const Pose &pose) {
     for (unsigned int c = 0; c < 6; ++c)
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);
           dof != numbers::invalid_dof_index)
-        nudge[dof] = (random() % 2 == 0 ? digits : -digits) * (c < 3 ? pose.dofs[dof] : 1.);
+        nudge[dof] = (random() % 2 == 0 ? digits : -digits) *
+                     (c < 3 ? place_of(model, v)[c] + pose.dofs[dof] : 1.);
   return model.cells.moved(pose, nudge);
 }
 
@@ -94,7 +112,10 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
   if (size <= std::max(model.scene.solver.tolerance * largest,
                        std::min(rounding, most_excused * std::max(largest, scale))))
     return true;
-  return size <= most_rounding * std::max(largest, scale) && size <= measure();
+  // Lengths of chords are differences of places, whose rounding is there without any force.
+  const double of_places = 8. * std::numeric_limits<double>::epsilon() *
+                           stiffness.diagonal().lpNorm<Eigen::Infinity>() * extent(model);
+  return size <= std::max(most_rounding * std::max(largest, scale), of_places) && size <= measure();
 }
 
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response) {

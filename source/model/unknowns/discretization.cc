@@ -111,6 +111,14 @@ double twist_inertia(const Profile &profile, const Section &section) {
   return 2. * section.inertia * (density > 0. ? density : profile.mass / section.area);
 }
 
+/// A pipe's own mass in place of its metal's [kg/m]; what has none turns without inertia, too.
+void give_mass(const double mass, const Section &section, Profile &profile) {
+  profile.mass = mass + section.added_mass;
+  profile.twist_inertia = twist_inertia(profile, section);
+  if (profile.mass == 0.)
+    profile.rotary_inertia = profile.twist_inertia = 0.;
+}
+
 Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
                      const double bend_radius, const std::optional<Point3> &arc_centre,
                      const LawDescription &law) {
@@ -271,12 +279,11 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
         id = known.try_emplace({p, meshed.bend_radius[i]}, id).first->second;
       if (id == sections.size()) {
         const Section section = section_of(scene, pipe, meshed, i);
-        Material material = scene.materials[pipe.material];
+        sections.push_back(
+            make_profile(pipe, section, scene.materials[pipe.material], meshed.bend_radius[i],
+                         is_arc ? std::optional<Point3>(arc->second) : std::nullopt, law));
         if (pipe.total_mass)
-          material.density = *pipe.total_mass / (meshed.s.back() * section.area);
-        sections.push_back(make_profile(pipe, section, material, meshed.bend_radius[i],
-                                        is_arc ? std::optional<Point3>(arc->second) : std::nullopt,
-                                        law));
+          give_mass(*pipe.total_mass / meshed.s.back(), section, sections[id]);
       }
       cells.push_back({{meshed.vertices[i], meshed.vertices[i + 1]}, id});
       fe_index.push_back(is_arc ? 1 : 0);

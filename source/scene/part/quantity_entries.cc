@@ -225,6 +225,9 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
     else
       fail_form(in, quantity.name, piece);
   }
+  if (quantity.over != Over::end && (!quantity.step.empty() || quantity.time))
+    in.fail(quantity.name, "an interval, 'from T, to T' [s of the run]",
+            "the times at which the step begins and ends", "'" + text + "'");
 }
 
 /// `[scale F][; unit U][; reference R][; source TEXT]`, the pieces from @p first on
