@@ -147,10 +147,7 @@ inline const std::vector<Holder> holders = {
     {"joint on a rest", false,
      "subsection Joint joint\n  set At = POINT\n  set Pipe = PIPE\n  set Bending = 1e5\nend\n" +
          support("held", "  set Kind = rest\n")},
-    // One of 110 scenes, at P, way 3, changes by 3.5e-6, the others by less than 1e-7: not
-    // explained.
-    {"guide with friction", true, element("  set Kind = guide\n  set Friction coefficient = 0.2\n"),
-     1e-5},
+    {"guide with friction", true, element("  set Kind = guide\n  set Friction coefficient = 0.2\n")},
     {"elastic guide with friction", true,
      element("  set Kind = guide\n  set Friction coefficient = 0.2\n  set Axial rigidity = 1e9\n"
              "  set Shear rigidity = 1e8\n")},

@@ -54,7 +54,10 @@ private:
   /// With which both halves press on each other [N]; 0 if they do not.
   double force_in_common(const Pair &pair, const ContactResponse &response) const;
   bool presses_pairs(const ContactResponse &response) const;
-  /// Begin anew without what the halves have in common.
+  /// Begin anew without what the halves have in common, and without the one that presses less: were
+  /// both closed, Newton's method would share a change of the force between them, and the friction
+  /// of both, which statics does not determine, would depend on its path. That the half may be left
+  /// out is the certificate's to say, which knows nothing of it.
   void release_pairs(const ContactResponse &response);
 
   const SolverSettings &settings;

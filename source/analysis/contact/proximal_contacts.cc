@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -92,6 +93,7 @@ ProximalContacts::ProximalContacts(const Contacts &contacts, const SparseMatrix 
 
 void ProximalContacts::begin(const ContactState &committed,
                              const ContactOverrides *const overrides) {
+  take_all();
   friction_scale.assign(scales.size(), 1.);
   gap.resize(scales.size());
   for (unsigned int i = 0; i < scales.size(); ++i)
@@ -138,11 +140,13 @@ void ProximalContacts::evaluate_exact(const unsigned int i, const ContactState &
   const Contact::Strains &strain = response.state.strain[i];
   const double *const old_state = committed.internal.data() + contact.state_offset;
   double *const new_state = response.state.internal.data() + contact.state_offset;
-  const ProximalAnswer answer = proximal_law(
-      law,
-      {strain, contact.length, friction[i], gap[i], stiffness_factor * scales[i].normal_diagonal,
-       stiffness_factor * scales[i].shear_diagonal, centre[i]},
-      ContactSlip::read(law, old_state));
+  const ProximalAnswer answer =
+      proximal_law(law,
+                   {strain, contact.length, friction[i],
+                    is_left_out[i] ? std::numeric_limits<double>::infinity() : gap[i],
+                    stiffness_factor * scales[i].normal_diagonal,
+                    stiffness_factor * scales[i].shear_diagonal, centre[i]},
+                   ContactSlip::read(law, old_state));
   response.stress[i] = answer.stress;
   misfit[i] = answer.misfit;
   response.tangent[i] = answer.tangent;

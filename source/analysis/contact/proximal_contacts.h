@@ -63,6 +63,10 @@ public:
   /// Contacts that began to slip obey their dynamic coefficient. @return whether any changed.
   bool let_slipping_go(const ContactResponse &response);
 
+  /// Until take_all() or the next increment, contact @p i does not touch.
+  void leave_out(const unsigned int i) { is_left_out[i] = true; }
+  void take_all() { is_left_out.assign(scales.size(), false); }
+
   double stiffness_factor = 1e-3;       ///< c
   std::vector<Contact::Strains> centre; ///< stresses (P_c, T_c), as -N, T
   /// Of exact contacts at the last evaluation: the stresses less the centre (ProximalAnswer).
@@ -117,6 +121,7 @@ private:
   std::vector<Scale> scales;
   std::vector<double> friction;            ///< coefficient in force in this increment
   std::vector<double> friction_scale, gap; ///< of this increment
+  std::vector<bool> is_left_out;
 };
 
 } // namespace frictionbeam
