@@ -278,7 +278,7 @@ ContactNewton::Outcome ContactNewton::solve_together(const unsigned int most_ite
     const bool is_balanced = balanced(forces_left(x, response), x, response, result);
     const double natural_map = check(response).natural_map;
     const bool holds = is_balanced && natural_map <= (last ? 1. : 0.1) * settings.contact_tolerance;
-    if (solved && (!holds || before > least_gain * solved->merit)) {
+    if (solved && (before > least_gain * solved->merit || (last && !holds))) {
       if (!holds)
         before = std::numeric_limits<double>::max();
       return take();
