@@ -11,7 +11,7 @@ namespace frictionbeam {
 namespace {
 
 constexpr AttemptLimits limits = {{1e-4, 1e-3, 1e-5, 1e-2}, 30};
-constexpr unsigned int most_refinements = 5, most_releases = 2;
+constexpr unsigned int most_refinements = 5, most_releases = 5;
 constexpr double in_common_least = 1e-9; // of the larger force of a pair
 constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing is left to correct
 /// In motion, a shorter step helps as well.
@@ -77,6 +77,7 @@ struct ExactSolver::Increment {
 
 bool ExactSolver::move(Increment &now) {
   const EquilibriumProblem &problem = now.problem;
+  now.result.rounding_bars = false;
   Vector dofs;
   space.expand(now.unknowns, dofs);
   dofs += problem.imposed;
@@ -113,6 +114,7 @@ bool ExactSolver::is_balanced(Increment &now) const {
 bool ExactSolver::goes_on(Increment &now) {
   if (proximal.let_slipping_go(now.response)) {
     now.accepted.reset();
+    proximal.take_all();
     return true;
   }
   if (now.n_releases < most_releases && presses_pairs(now.response)) {
@@ -141,9 +143,10 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
   const Vector unknowns_before = unknowns;
   Increment now{problem, committed, unknowns, response};
   EquilibriumResult &result = now.result;
-  for (unsigned int pass = 0; pass <= most_refinements && move(now); ++pass) {
+  for (unsigned int pass = 0; pass <= most_refinements + now.n_releases && move(now); ++pass) {
     if (!is_balanced(now)) {
-      result.remark = "rounding errors leave forces unbalanced";
+      result.rounding_bars = true;
+      result.remark = too_much_rounding(now.size, now.largest);
       continue;
     }
     if (goes_on(now))
@@ -153,6 +156,7 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
     break;
   }
   if (now.accepted) { // the correction has not helped
+    result.rounding_bars = false;
     unknowns = now.accepted->unknowns;
     response = now.accepted->response;
     proximal.centre = now.accepted->centre;
@@ -190,8 +194,15 @@ bool ExactSolver::presses_pairs(const ContactResponse &response) const {
 void ExactSolver::release_pairs(const ContactResponse &response) {
   for (const Pair &pair : pairs) {
     const double force = force_in_common(pair, response);
-    for (const unsigned int i : pair)
-      proximal.centre[i][0] += force / contacts[i].share();
+    if (!(force > 0.))
+      continue;
+    const auto pressure = [&](const unsigned int i) { return -response.stress[i][0]; };
+    const bool first_is_less = contacts[pair[0]].share() * pressure(pair[0]) <
+                               contacts[pair[1]].share() * pressure(pair[1]);
+    const unsigned int less = pair[first_is_less ? 0 : 1], more = pair[first_is_less ? 1 : 0];
+    proximal.centre[more][0] += force / contacts[more].share();
+    proximal.centre[less].setZero();
+    proximal.leave_out(less);
   }
 }
 
