@@ -334,6 +334,13 @@ void report_steps(const Scene &scene, const LoadSequence &sequence, const bool c
   for (const StepReport &step : results.steps)
     if (!step.warning.empty() && warnings.insert(step.warning).second)
       results.remarks.push_back(step.warning);
+  for (const StepEnvelope &envelope : results.envelopes)
+    if (scene.time.is_exact() && (!envelope.stresses.empty() || !envelope.nozzles.empty()))
+      results.remarks.push_back(
+          "Stresses and nozzles over step " + scene.steps[envelope.step].name + " are taken at " +
+          std::to_string(envelope.n_instants) +
+          " instants, of Time/Step and of events: a peak between two of them is missed. Take a "
+          "shorter Time/Step for them.");
 }
 
 } // namespace
