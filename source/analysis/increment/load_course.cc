@@ -131,18 +131,34 @@ void LoadCourse::set_rates(LineState &state, const Side side) const {
   state.load_accelerations = factors.second;
 }
 
-Vector LoadCourse::imposed(const double time) const {
+Vector LoadCourse::imposed(const double time, const Side side) const {
   Vector result = Vector::Zero(model.space.n_dofs());
-  const Factors now = factors(time);
+  const Factors now = factors_at(time, side);
   for (unsigned int l = 0; l < now.size(); ++l)
     if (now[l] != 0.)
       for (const auto &[dof, value] : model.linear.imposed(l))
         result[dof] += now[l] * value;
   model.contacts.add_ground_motion(
       [&](const TimeFunction &motion) {
-        return value(motion, origins.of_ground(motion), time, Side::both);
+        return value(motion, origins.of_ground(motion), time, side);
       },
       result);
+  return result;
+}
+
+/// Of the motions: what a table bends by at a corner, to rounding.
+static constexpr double no_jump = 1e-9;
+
+Vector LoadCourse::imposed_jumps(const double begin, const double end) const {
+  Vector result;
+  for (double time = next_break(begin); time <= end; time = next_break(time)) {
+    const Vector before = imposed(time, Side::before), after = imposed(time, Side::after);
+    const Vector jump = after - before;
+    if (!(jump.lpNorm<Eigen::Infinity>() >
+          no_jump * std::max(before.lpNorm<Eigen::Infinity>(), after.lpNorm<Eigen::Infinity>())))
+      continue;
+    result = result.size() == 0 ? jump : Vector(result + jump);
+  }
   return result;
 }
 

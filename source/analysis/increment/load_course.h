@@ -44,7 +44,9 @@ public:
   /// The same derivatives of the factors, of a state at its time.
   void set_rates(LineState &state, const Side side = Side::both) const;
   /// Motions of all degrees of freedom that loads and the ground impose.
-  Vector imposed(const double time) const;
+  Vector imposed(const double time, const Side side = Side::both) const;
+  /// What they jump by after @p begin and until @p end; empty if they do not.
+  Vector imposed_jumps(const double begin, const double end) const;
 
   /// The first instant after @p time at which something may jump or bend; infinity if none.
   double next_break(const double time) const;

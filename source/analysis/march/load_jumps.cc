@@ -59,4 +59,29 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
   return account;
 }
 
+std::string forbidden_jump(const Model &model, const LoadCourse &course, const LineState &state,
+                           const double time, const bool is_exact) {
+  const Vector jumps = course.imposed_jumps(state.time, time);
+  if (jumps.size() == 0)
+    return "";
+  constexpr double rounding = 1e-9; // of a jump
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (!contact.law.is_rigid_along_normal() || !contact.law.has_closed_form() ||
+        contact.platen_force != 0.)
+      continue;
+    const double opens = contact.length * contact.strain(jumps)[0],
+                 gap = contact.length * state.contacts.strain[i][0] + contact.law.closed_form().gap,
+                 least = rounding * jumps.lpNorm<Eigen::Infinity>();
+    const bool pushes = opens < -least && gap + opens < -least,
+               leaves = is_exact && opens > least && state.contact_status[i] != ContactStatus::open;
+    if (pushes || leaves)
+      return "the ground of support " + model.scene.supports[contact.support].name + " jumps " +
+             (pushes ? "into" : "away from") + " the pipe, which is rigid there: " +
+             (pushes ? "no finite force does that" : "event does not see it open") +
+             "; give the motion a ramp, or the support an Axial rigidity";
+  }
+  return "";
+}
+
 } // namespace frictionbeam

@@ -118,8 +118,13 @@ bool TimeMarch::take_time_step(const double time) {
     if (course->jumps(state->time))
       report->energy += meet_jump(model, *course, *integrator, *state);
   }
-  const TimeStep step = integrator->advance(*state, *course, time, next);
   last_error = not_solved;
+  if (const std::string why = forbidden_jump(model, *course, *state, time, integrator->is_exact());
+      !why.empty()) {
+    report->remark = why;
+    return false;
+  }
+  const TimeStep step = integrator->advance(*state, *course, time, next);
   if (!add_result(step.result, *report))
     return false;
   const double tolerance = model.scene.time.tolerance;
