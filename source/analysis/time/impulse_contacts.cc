@@ -194,8 +194,8 @@ void ImpulseContacts::add_histories(const LineState &from, const double step, Li
     const Contact::Strains &mean = contact_work[i].mean_stress;
     to.contacts.dissipated[i] =
         from.contacts.dissipated[i] + contact.weight * (mean[1] * slip_y + mean[2] * slip_z);
-    if (to.contact_status[i] != ContactStatus::stick)
-      to.contacts.wear[i] += normal * contact.length * std::hypot(slip_y, slip_z);
+    // What sticks at the end may have slipped before: an impact that stops it.
+    to.contacts.wear[i] += normal * contact.length * std::hypot(slip_y, slip_z);
   }
 }
 
