@@ -221,8 +221,13 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
     vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
   if (scene.output.contact_problems)
     contact_problems = std::make_unique<ContactProblemWriter>(model, results, saved.has_value());
-  if (collector.wants_pieces())
-    sequence.watch([this](const MotionPiece &piece) { collector.observe_piece(piece); });
+  if (scene.time.is_exact())
+    sequence.watch([this](const MotionPiece &piece) {
+      output_timer.start();
+      collector.observe_piece(piece);
+      envelope.observe_piece(piece);
+      output_timer.stop();
+    });
   if (saved)
     transfer(*saved);
 }
@@ -334,13 +339,6 @@ void report_steps(const Scene &scene, const LoadSequence &sequence, const bool c
   for (const StepReport &step : results.steps)
     if (!step.warning.empty() && warnings.insert(step.warning).second)
       results.remarks.push_back(step.warning);
-  for (const StepEnvelope &envelope : results.envelopes)
-    if (scene.time.is_exact() && (!envelope.stresses.empty() || !envelope.nozzles.empty()))
-      results.remarks.push_back(
-          "Stresses and nozzles over step " + scene.steps[envelope.step].name + " are taken at " +
-          std::to_string(envelope.n_instants) +
-          " instants, of Time/Step and of events: a peak between two of them is missed. Take a "
-          "shorter Time/Step for them.");
 }
 
 } // namespace

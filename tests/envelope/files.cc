@@ -4,7 +4,8 @@
 // with a row for every time step; the run ended at the instant of the largest stress, with B31.3's
 // formula written out here for straight pipe; the run on few unknowns with every time step put out.
 // A rigid stop that is struck shall show its impulse and say that it has no peak force.
-//   test_envelope_files quake|reduced|struck PROGRAM CASE.prm
+// With event they are those of the motion between its instants: the same whatever Time/Step.
+//   test_envelope_files quake|reduced|struck|between PROGRAM CASE.prm
 #include "../cases/run_program.h"
 #include "../check.h"
 
@@ -181,6 +182,34 @@ void check_struck(const std::string &binary, const std::string &file) {
   CHECK(number(impact, "largest") > 0. && number(impact, "largest") < run["impulse"]);
 }
 
+void check_between(const std::string &binary, const std::string &file) {
+  const program::TemporaryFolder work;
+  const auto run = [&](const std::string &step) {
+    const program::Run result =
+        program::run(binary, file,
+                     {"--set", "Time/Integrator = event", "--set", "Time/Step = " + step, "--set",
+                      "Time/Stiffness damping = 0", "--set", "Mesh/Cell length = 9", "--set",
+                      "Step shake/Duration = 0.004", "--set", "Output/VTU = false"},
+                     work.path / step);
+    CHECK(result.exit_status == 0);
+    return work.path / step;
+  };
+  const fs::path one = run("0.004"), many = run("2e-4");
+  compare(one / "envelope.csv", many / "envelope.csv", true);
+  for (const auto &[table, number_of] :
+       {std::pair<const char *, const char *>{"stresses.csv", "stress"},
+        {"nozzles.csv", "utilization"}}) {
+    const auto found = rows_of(one / table), wanted = rows_of(many / table);
+    CHECK(found.size() == wanted.size());
+    double largest = 0.;
+    for (const Row &row : wanted)
+      largest = std::max(largest, number(row, number_of));
+    CHECK(largest > 0.);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      CHECK(std::abs(number(found[i], number_of) - number(wanted[i], number_of)) <= 1e-8 * largest);
+  }
+}
+
 } // namespace
 
 int main(int, char **argv) {
@@ -189,6 +218,8 @@ int main(int, char **argv) {
       check_quake(argv[2], argv[3]);
     else if (std::string(argv[1]) == "reduced")
       check_reduced(argv[2], argv[3]);
+    else if (std::string(argv[1]) == "between")
+      check_between(argv[2], argv[3]);
     else
       check_struck(argv[2], argv[3]);
   } catch (const std::exception &error) {

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double at_rest = 1e-12;         ///< of the fastest velocity so far
 constexpr double rounding_of_rate = 1e-6; ///< of ground motions, of the fastest velocity
+constexpr double no_jump = 1e-9;          ///< of the largest jump at that instant
 constexpr double gap_rounding = 1e-12;
 constexpr double rounding_of_bounce = 1e-6; ///< that has no height, of the fastest velocity
 constexpr double at_the_same_time = 1e-9;   ///< of a step: impacts this close are one
@@ -232,15 +233,32 @@ void EventIntegrator::impact(const std::vector<unsigned int> &striking, const Ve
     settle(of_ground, energy, to);
 }
 
-bool EventIntegrator::meet_ground(const double length, EnergyAccount &energy, LineState &to) {
+void EventIntegrator::open_where_apart(const LoadCourse &loads) {
+  const Vector jumps = loads.imposed_jumps(present - same_instant(present), present);
+  if (jumps.size() == 0)
+    return;
+  const double least = no_jump * jumps.lpNorm<Eigen::Infinity>();
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const Contact &contact = *line.contacts[i].contact;
+    if (line.contacts[i].normal != EventContact::Normal::rigid || !states[i].is_closed() ||
+        contact.length * contact.strain(jumps)[0] <= least)
+      continue;
+    states[i].status = ContactStatus::open;
+    force[i].setZero();
+  }
+}
+
+bool EventIntegrator::meet_ground(const LoadCourse &loads, const double length,
+                                  EnergyAccount &energy, LineState &to) {
   if (!line.ground_moves)
     return false;
+  const std::vector<EventState> before = states;
+  open_where_apart(loads);
   const Vector of_ground = ground_velocity(0., length);
   set_imposed(0., length);
   bool changed = at_rest_on_ground;
   if (at_rest_on_ground)
     settle(of_ground, energy, to);
-  const std::vector<EventState> before = states;
   for (unsigned int i = 0; i < states.size(); ++i) {
     const EventContact &contact = line.contacts[i];
     if (!states[i].is_closed())
@@ -257,8 +275,10 @@ bool EventIntegrator::meet_ground(const double length, EnergyAccount &energy, Li
       set_sliding(i, u.tail<2>());
   }
   for (unsigned int i = 0; i < states.size(); ++i) {
-    if (states[i].status != before[i].status)
+    if (states[i].status != before[i].status) {
       to.events.push_back({present, i, states[i].status});
+      to.contact_status[i] = states[i].status;
+    }
     changed = changed || states[i].status != before[i].status ||
               states[i].direction != before[i].direction;
   }

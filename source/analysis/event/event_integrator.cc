@@ -277,7 +277,7 @@ double EventIntegrator::next_motion(const LoadCourse &loads, const double longes
     ground_may_jump = false;
     if (meet_imposed_jump(length, energy))
       length = compute_motion(loads, longest);
-    if (meet_ground(length, energy, to))
+    if (meet_ground(loads, length, energy, to))
       length = compute_motion(loads, longest);
   }
   if (!goes_straight_on && find_curves())

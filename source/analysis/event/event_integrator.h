@@ -128,9 +128,12 @@ private:
   /// At an instant at which a velocity that a load imposes may have jumped, the jump's impulse.
   /// @return whether there is any
   bool meet_imposed_jump(const double length, EnergyAccount &energy);
-  /// At an instant at which the ground's velocity may have jumped, rigid contacts that are closed
-  /// strike, let go or slide. @return whether anything changes
-  bool meet_ground(const double length, EnergyAccount &energy, LineState &to);
+  /// At an instant at which the ground or its velocity may have jumped, rigid contacts that are
+  /// closed strike, let go or slide. @return whether anything changes
+  bool meet_ground(const LoadCourse &loads, const double length, EnergyAccount &energy,
+                   LineState &to);
+  /// Rigid contacts that are closed until a jump of what is imposed takes them apart.
+  void open_where_apart(const LoadCourse &loads);
   /// Take velocities relative to the ground away that contacts cannot have which are closed or
   /// stick.
   void settle(const Vector &of_ground, EnergyAccount &energy, LineState &to);

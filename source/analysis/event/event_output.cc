@@ -77,6 +77,8 @@ void EventIntegrator::write_contacts(const Vector &imposed,
     const double l = contact.contact->length;
     const Contact::Strains strain = contact.contact->strain(to.dofs);
     to.contacts.strain[i] = strain;
+    if (to.contact_status[i] == ContactStatus::open) // until now: it may close at this instant
+      to.contacts.touch[i] = strain;
     to.contact_status[i] = states[i].status;
     Contact::Strains stress = Contact::Strains::Zero();
     if (states[i].is_closed())

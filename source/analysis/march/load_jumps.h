@@ -17,11 +17,10 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
 
 /**
  * What forbids a time step from @p state to @p time: an imposed motion or ground that jumps into a
- * rigid contact, for which no finite force is an answer, or with @p is_exact away from one that is
- * closed, which that integrator does not see open.
+ * rigid contact, for which no finite force is an answer.
  * @return a remark that names the support; empty if nothing forbids it
  */
 std::string forbidden_jump(const Model &model, const LoadCourse &course, const LineState &state,
-                           const double time, const bool is_exact);
+                           const double time);
 
 } // namespace frictionbeam

@@ -119,8 +119,7 @@ bool TimeMarch::take_time_step(const double time) {
       report->energy += meet_jump(model, *course, *integrator, *state);
   }
   last_error = not_solved;
-  if (const std::string why = forbidden_jump(model, *course, *state, time, integrator->is_exact());
-      !why.empty()) {
+  if (const std::string why = forbidden_jump(model, *course, *state, time); !why.empty()) {
     report->remark = why;
     return false;
   }

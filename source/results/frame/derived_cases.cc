@@ -27,6 +27,8 @@ void for_each_number(AnyFrame &frame, const Function &function) {
       function(value);
 }
 
+} // namespace
+
 Vector numbers_of(const Frame &frame) {
   std::vector<double> list;
   for_each_number(frame, [&](const double value) { list.push_back(value); });
@@ -39,6 +41,8 @@ Frame with_numbers(Frame frame, const Vector &numbers) {
   AssertDimension(i, numbers.size());
   return frame;
 }
+
+namespace {
 
 /// Correlation of two modes of equal damping in the complete quadratic combination.
 double correlation(const double a, const double b, const double damping) {

@@ -34,6 +34,10 @@ struct CaseRange {
   const Frame *least, *largest;
 };
 
+/// Every number of a frame that can be combined, and a frame like this one with others.
+Eigen::VectorXd numbers_of(const Frame &frame);
+Frame with_numbers(Frame frame, const Eigen::VectorXd &numbers);
+
 /// All numbers of a frame times -1.
 Frame with_other_sign(const Frame &frame);
 

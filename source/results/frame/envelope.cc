@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/frame/section_forces.h"
-#include "results/stress/stress_evaluation.h"
+#include "results/frame/envelope_tools.h"
 
 #include "results/frame/derived_cases.h"
-#include "results/frame/envelope.h"
 
 #include "model/cell/line_cells.h"
-#include "results/frame/frame_builder.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 
@@ -19,11 +16,6 @@ namespace frictionbeam {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Whether the force of a contact can be an impulse: rigid along its normal, on fixed ground.
-bool is_rigid(const Contact &contact) {
-  return contact.law.is_rigid_along_normal() && contact.platen_force == 0.;
-}
 
 /// Whether a combination has this step among its cases.
 bool is_combined(const Scene &scene, const std::string &step) {
@@ -59,51 +51,6 @@ SectionForces::Bounds met_by_all(const StepEnvelope &envelope, const unsigned in
 
 } // namespace
 
-/// What makes numbers of states.
-struct Envelope::Tools {
-  Tools(const Model &model, const Results &results)
-      : builder(model, true), line(builder.stations()),
-        nozzles(nozzle_sites(model.scene, results)) {
-    if (model.cells.is_linear())
-      section_forces.emplace(model);
-    for (unsigned int i = 0; i < model.contacts.size(); ++i)
-      rigid.push_back(is_rigid(model.contacts[i]));
-    for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
-      for (unsigned int i = 0; i < model.mesh.pipes[p].vertices.size(); ++i)
-        nodes.push_back(
-            {{p, model.mesh.pipes[p].s[i]}, dofs_at(model, model.mesh.pipes[p].vertices[i])});
-    for (const auto &[name, vertex] : model.mesh.points)
-      points.push_back(dofs_at(model, vertex));
-  }
-
-  using Dofs = std::array<dealii::types::global_dof_index, 6>;
-  static Dofs dofs_at(const Model &model, const unsigned int vertex) {
-    Dofs result;
-    for (unsigned int c = 0; c < 6; ++c)
-      result[c] = model.discretization.vertex_dofs().index(vertex, c);
-    return result;
-  }
-
-  FrameBuilder builder;
-  std::vector<Station> line;                                  ///< at rest
-  std::vector<std::pair<unsigned int, unsigned int>> nozzles; ///< and the restraints they are at
-  std::optional<SectionForces> section_forces;                ///< of linear kinematics
-  std::vector<SectionForces::Bounds> known; ///< what all stations of a cell have met in the step
-  std::vector<bool> rigid;                  ///< contacts that can strike
-  std::vector<std::pair<StationPlace, Dofs>> nodes; ///< of the pipes
-  std::vector<Dofs> points;                         ///< beside Results::points
-};
-
-/// The formulas of the stress code in a step, by station.
-struct Envelope::Stresses {
-  struct Case {
-    std::vector<StressCode::Formula> formulas;
-    std::vector<StressEvaluation::Axes> axes;
-    std::vector<Motion> before; ///< section forces that a range counts from
-  };
-  std::vector<Case> cases; ///< beside StepEnvelope::stresses
-};
-
 Envelope::Envelope(const Model &model, Results &results) : model(model), results(results) {}
 
 Envelope::~Envelope() = default;
@@ -114,7 +61,7 @@ bool Envelope::needs_line(const unsigned int step) const {
 }
 
 void Envelope::transfer(Archive &archive) {
-  archive(results.stations, results.envelopes, previous_status, previous_impulse);
+  archive(results.stations, results.envelopes, previous_status, previous_impulse, sizes_met);
   if (archive.reads() && !results.envelopes.empty())
     prepare(results.envelopes.back().step);
 }
@@ -157,6 +104,7 @@ void Envelope::begin(const unsigned int step, const LineState &state) {
   }
   previous_status = state.contact_status;
   previous_impulse = state.contacts.impulse;
+  sizes_met.fill(0.);
 }
 
 void Envelope::prepare(const unsigned int step) {
@@ -167,8 +115,10 @@ void Envelope::prepare(const unsigned int step) {
   nothing.high.fill(-infinity);
   if (tools->section_forces)
     tools->known.assign(tools->section_forces->n_cells(), nothing);
+  tools->kinds.resize(0);
   stresses.reset();
   const std::string &name = model.scene.steps[step].name;
+  tools->is_part = is_combined(model.scene, name);
   if (!has_stresses(model.scene, name))
     return;
   stresses = std::make_unique<Stresses>();
@@ -271,8 +221,7 @@ void Envelope::include_line(const LineState &state) {
   StepEnvelope &envelope = results.envelopes.back();
   const auto include = [&](const unsigned int first, const double *const forces,
                            const unsigned int n) { include_forces(state.time, first, forces, n); };
-  const bool is_part = is_combined(model.scene, model.scene.steps[envelope.step].name);
-  if (model.cells.is_linear() && !is_part) {
+  if (model.cells.is_linear() && !tools->is_part) {
     include_reactions(state.time, tools->builder.reactions(state));
     const auto is_inside = [&](const unsigned int cell, const SectionForces::Bounds &bounds) {
       if (stresses)
@@ -295,7 +244,7 @@ void Envelope::include_line(const LineState &state) {
   include_reactions(state.time, frame.reactions);
   for (unsigned int i = 0; i < frame.line.size(); ++i)
     include(i, frame.line[i].force.data(), 1);
-  if (!is_part)
+  if (!tools->is_part)
     return;
   if (!envelope.least_frame)
     envelope.least_frame = envelope.largest_frame = frame;
@@ -328,11 +277,8 @@ void Envelope::include_reactions(const double time, const std::vector<Motion> &r
 void Envelope::include_displacements(const LineState &state) {
   StepEnvelope &envelope = results.envelopes.back();
   for (unsigned int i = 0; i < tools->points.size(); ++i)
-    for (unsigned int c = 0; c < 6; ++c) {
-      const auto dof = tools->points[i][c];
-      envelope.points[i][c].include(
-          dof == dealii::numbers::invalid_dof_index ? 0. : state.dofs[dof], state.time);
-    }
+    for (unsigned int c = 0; c < 6; ++c)
+      envelope.points[i][c].include(Tools::value_at(state, tools->points[i][c]), state.time);
   double largest = -1.;
   const StationPlace *place = nullptr;
   for (const auto &[node, dofs] : tools->nodes) {
@@ -373,14 +319,10 @@ void Envelope::include_forces(const double time, const unsigned int first,
   if (!stresses)
     return;
   for (unsigned int k = 0; k < stresses->cases.size(); ++k) {
-    const Stresses::Case &one = stresses->cases[k];
     StressEnvelope &most = envelope.stresses[k];
     for (unsigned int j = 0; j < n_stations; ++j) {
       const unsigned int i = first + j;
-      Motion section;
-      for (unsigned int c = 0; c < 6; ++c)
-        section[c] = forces[6 * j + c] - one.before[i][c];
-      const double stress = one.formulas[i](one.axes[i].forces(section.data()));
+      const double stress = stresses->cases[k](i, forces + 6 * j);
       if (stress > most.stress[i]) {
         most.stress[i] = stress;
         most.time[i] = time;

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "model/line_state.h"
+#include "analysis/increment/motion_piece.h"
 #include "model/model.h"
 #include "results/results.h"
+
+#include <Eigen/Core>
 
 #include <memory>
 
 namespace frictionbeam {
+
+class SmoothCourses;
 
 /**
  * Gathers the envelopes of transient steps: at every instant that the analysis reports, not only at
  * those of output, the least and largest values of support forces, reactions, section forces and
  * displacements, the stresses of the code's formulas and the use of nozzles. The start of a step is
  * the first of its instants. Whatever is not linear in the forces (sizes, stresses, ratios) is
- * evaluated at each instant, and not made of extremes of different ones.
+ * evaluated at each instant, and not made of extremes of different ones. Integrators that know the
+ * motion between their instants (MotionPiece) have its extremes there as well.
  */
 class Envelope {
 public:
@@ -28,6 +33,11 @@ public:
                const unsigned int n_increments, const LineState &state,
                const bool line_is_known = true);
 
+  /// To be called with every smooth piece of a motion, before its end is observed. Whatever is a
+  /// polynomial in time has its extremes at roots of the derivative; sizes, stresses and ratios are
+  /// searched for by golden sections of the same polynomials.
+  void observe_piece(const MotionPiece &piece);
+
   /// Whether a step's answer depends on the whole line at every instant: stresses and combinations.
   /// Elsewhere the section forces of a reduced line are looked at where they are known anyway;
   /// supports and reactions at every instant.
@@ -39,6 +49,8 @@ public:
 private:
   struct Tools;
   struct Stresses;
+  struct Places;
+  struct Size;
 
   void begin(const unsigned int step, const LineState &state);
   /// Make what evaluates states of a step.
@@ -51,6 +63,21 @@ private:
   /// @param forces six of each of the stations from @p first on
   void include_forces(const double time, const unsigned int first, const double *const forces,
                       const unsigned int n_stations);
+  /// What of a state is a polynomial in time within a smooth piece: six numbers a support, the sum
+  /// of their normal forces, six a restraint and a point, three a node of the pipes, six a station,
+  /// and those of a frame where combinations want them.
+  Eigen::VectorXd numbers_at(const LineState &state);
+  /// Of which kind each of these is.
+  Eigen::VectorXd kinds_of_numbers(const LineState &state);
+  /// Call use(number, least, least_at, largest, largest_at) for each of them that has an envelope.
+  template <typename Use>
+  void for_each_number(const Use &use);
+  /// Call use(size, least and largest so far, take(instant, value)) for each size that is made of
+  /// such numbers.
+  template <typename Use>
+  void for_each_size(const SmoothCourses &courses, const Use &use);
+  /// Whether anything may be larger or smaller within these courses than it is known to be.
+  bool may_widen(const SmoothCourses &courses, const Eigen::VectorXd &sizes);
   /// Whether a rigid contact closed in the time step.
   bool strikes(const LineState &state, const unsigned int i) const;
   /// Whether its force at this instant is then the impulse over the length of the time step:
@@ -63,6 +90,7 @@ private:
   std::unique_ptr<Stresses> stresses; ///< of the step at hand
   std::vector<ContactStatus> previous_status;
   std::vector<double> previous_impulse;
+  std::array<double, 5> sizes_met{}; ///< of numbers of each kind, in the pieces of the step
 };
 
 } // namespace frictionbeam

@@ -29,7 +29,7 @@ const Eigen::MatrixXd &transformation_of(const int n) {
 }
 
 /// Sum of c_k T_k(x), by Clenshaw's recurrence.
-double sum(const Eigen::VectorXd &c, const double x) {
+double sum(const Eigen::Ref<const Eigen::VectorXd> &c, const double x) {
   double b1 = 0., b2 = 0.;
   for (Eigen::Index k = c.size(); k-- > 1;) {
     const double b = c[k] + 2. * x * b1 - b2;
@@ -91,15 +91,12 @@ SmoothCourses::SmoothCourses(const Functions &functions, const double begin, con
                              const Eigen::VectorXd &sizes,
                              const std::function<bool(const SmoothCourses &)> &is_enough)
     : begin(begin), end(end) {
-  const auto point = [&](const int i, const int n) {
-    return i == 0 ? begin : i == n ? end : begin + (end - begin) * (1. - std::cos(pi * i / n)) / 2.;
-  };
   for (int n = first_degree;; n *= 2) {
     Eigen::MatrixXd finer;
     for (int i = 0; i <= n; ++i) {
       const bool is_known = values.cols() > 0 && i % 2 == 0;
       const Eigen::VectorXd column =
-          is_known ? Eigen::VectorXd(values.col(i / 2)) : functions(point(i, n));
+          is_known ? Eigen::VectorXd(values.col(i / 2)) : functions(instant(i, n));
       if (i == 0)
         finer.resize(column.size(), n + 1);
       finer.col(i) = column;
@@ -110,26 +107,30 @@ SmoothCourses::SmoothCourses(const Functions &functions, const double begin, con
   }
 }
 
+double SmoothCourses::instant(const int i, const int n) const {
+  return i == 0 ? begin : i == n ? end : begin + (end - begin) * (1. - std::cos(pi * i / n)) / 2.;
+}
+
 bool SmoothCourses::interpolate(const Eigen::VectorXd &sizes) {
-  coefficients = values * transformation_of(values.cols() - 1);
-  for (Eigen::Index f = 0; f < coefficients.rows(); ++f) {
+  coefficients = (values * transformation_of(values.cols() - 1)).transpose();
+  for (Eigen::Index f = 0; f < coefficients.cols(); ++f) {
     const double largest =
-        std::max(coefficients.row(f).lpNorm<Eigen::Infinity>(), sizes.size() > 0 ? sizes[f] : 0.);
-    if (!(coefficients.row(f).tail(2).lpNorm<Eigen::Infinity>() <= rounding * largest))
+        std::max(coefficients.col(f).lpNorm<Eigen::Infinity>(), sizes.size() > 0 ? sizes[f] : 0.);
+    if (!(coefficients.col(f).tail(2).lpNorm<Eigen::Infinity>() <= rounding * largest))
       return false;
   }
   return true;
 }
 
 double SmoothCourses::value(const unsigned int function, const double time) const {
-  return sum(coefficients.row(function), place(time));
+  return sum(coefficients.col(function), place(time));
 }
 
 std::optional<SmoothCourses::Extreme> SmoothCourses::extreme(const unsigned int function,
                                                              const double sign, const double from,
                                                              const double to,
                                                              const double bound) const {
-  const Eigen::VectorXd c = sign * coefficients.row(function).transpose();
+  const Eigen::VectorXd c = sign * coefficients.col(function);
   if (!(c[0] + c.tail(c.size() - 1).lpNorm<1>() > sign * bound))
     return {};
   const double a = place(from), b = place(to);
@@ -148,25 +149,40 @@ std::optional<SmoothCourses::Extreme> SmoothCourses::extreme(const unsigned int 
   return Extreme{begin + (best_x + 1.) / 2. * (end - begin), sign * best};
 }
 
+/// By how much a course may differ from its mean coefficient, if these coefficients show it at all.
+template <typename Coefficients>
+static double spread(const Coefficients &c) {
+  constexpr double of_the_rest = 10.; // of the last two coefficients
+  return c.tail(c.size() - 1).template lpNorm<1>() + of_the_rest * c.tail(2).template lpNorm<1>();
+}
+
 bool SmoothCourses::may_exceed(const unsigned int function, const double sign,
                                const double bound) const {
-  constexpr double of_the_rest = 10.; // of the last two coefficients
-  const auto c = coefficients.row(function);
-  const double reach = c.tail(c.size() - 1).lpNorm<1>() + of_the_rest * c.tail(2).lpNorm<1>();
-  return !(sign * c[0] + reach <= sign * bound);
+  const auto c = coefficients.col(function);
+  return !(sign * c[0] + spread(c) <= sign * bound);
+}
+
+double SmoothCourses::reach(const unsigned int function) const {
+  const auto c = coefficients.col(function);
+  return std::abs(c[0]) + spread(c);
+}
+
+double SmoothCourses::floor(const unsigned int function) const {
+  const auto c = coefficients.col(function);
+  return std::max(0., std::abs(c[0]) - spread(c));
 }
 
 std::vector<double> SmoothCourses::zeros(const unsigned int function, const double from,
                                          const double to) const {
   std::vector<double> result;
-  for (const double x : changes_of_sign(coefficients.row(function), place(from), place(to)))
+  for (const double x : changes_of_sign(coefficients.col(function), place(from), place(to)))
     result.push_back(begin + (x + 1.) / 2. * (end - begin));
   return result;
 }
 
 double SmoothCourses::integral(const unsigned int function, const double from,
                                const double to) const {
-  const Eigen::VectorXd whole = integrated(coefficients.row(function).transpose());
+  const Eigen::VectorXd whole = integrated(coefficients.col(function));
   return (end - begin) / 2. * (sum(whole, place(to)) - sum(whole, place(from)));
 }
 

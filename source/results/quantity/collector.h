@@ -28,8 +28,6 @@ public:
   /// To be called with every smooth piece of a motion, before its end is observed: extremes and
   /// integrals over time are then exact.
   void observe_piece(const MotionPiece &piece);
-  /// Whether anything that is asked for needs that.
-  bool wants_pieces() const;
 
   /// Whether observe() will look at more than contacts and the motion of the scene's points.
   bool needs_line(const unsigned int step, const unsigned int increment,

@@ -90,10 +90,6 @@ bool is_followed(const Quantity &quantity) {
 
 } // namespace
 
-bool Collector::wants_pieces() const {
-  return std::any_of(model.scene.quantities.begin(), model.scene.quantities.end(), &is_followed);
-}
-
 void Collector::observe_piece(const MotionPiece &piece) {
   std::vector<unsigned int> followed;
   for (unsigned int i = 0; i < pending.size(); ++i) {
