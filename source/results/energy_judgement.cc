@@ -63,11 +63,11 @@ bool moves(const StepEnvelope &step, const double size_of_scene) {
 } // namespace
 
 void remark_on_gains(Results &results) {
-  const double rounding = energy_of_rounding(results);
+  const double rounding = energy_of_rounding(results), size = size_of_scene(results);
   for (unsigned int i = 0; i < results.steps.size(); ++i) {
     StepReport &step = results.steps[i];
     const StepEnvelope *const envelope = results.envelope_of(i);
-    if (!envelope || !moves(*envelope, size_of_scene(results)))
+    if (!envelope || !moves(*envelope, size))
       continue;
     const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
     // Where nothing moves, rounding is large beside the energy in motion.

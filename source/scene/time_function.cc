@@ -102,10 +102,9 @@ private:
 
 } // namespace
 
-/// Below which the work of a force has no number: the tail of exp() is none.
-static constexpr double smallest = 1e-150;
-
 double TimeFunction::operator()(const double time) const {
+  constexpr double smallest =
+      1e-150; // whose square, as work is, is a number: the tail of exp() is none
   const double value = course ? course(time) : 1.;
   if (std::abs(value) < smallest)
     return 0.;

@@ -146,10 +146,8 @@ Vector LoadCourse::imposed(const double time, const Side side) const {
   return result;
 }
 
-/// Of the motions: what a table bends by at a corner, to rounding.
-static constexpr double no_jump = 1e-9;
-
 Vector LoadCourse::imposed_jumps(const double begin, const double end) const {
+  constexpr double no_jump = 1e-9; // of the motions: what a table bends by at a corner, to rounding
   Vector result;
   for (double time = next_break(begin); time <= end; time = next_break(time)) {
     const Vector before = imposed(time, Side::before), after = imposed(time, Side::after);

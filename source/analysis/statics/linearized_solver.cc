@@ -107,15 +107,15 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int d = 0; d < 3; ++d)
       moved = std::max(moved, std::abs(pose.dofs[model.discretization.vertex_dofs().index(v, d)]));
-  const double rounding = 8. * std::numeric_limits<double>::epsilon() *
-                          stiffness.diagonal().lpNorm<Eigen::Infinity>() * moved;
+  const double by_metre = 8. * std::numeric_limits<double>::epsilon() *
+                          stiffness.diagonal().lpNorm<Eigen::Infinity>(),
+               rounding = by_metre * moved;
   if (size <= std::max(model.scene.solver.tolerance * largest,
                        std::min(rounding, most_excused * std::max(largest, scale))))
     return true;
   // Lengths of chords are differences of places, whose rounding is there without any force.
-  const double of_places = 8. * std::numeric_limits<double>::epsilon() *
-                           stiffness.diagonal().lpNorm<Eigen::Infinity>() * extent(model);
-  return size <= std::max(most_rounding * std::max(largest, scale), of_places) && size <= measure();
+  return size <= std::max(most_rounding * std::max(largest, scale), by_metre * extent(model)) &&
+         size <= measure();
 }
 
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response) {

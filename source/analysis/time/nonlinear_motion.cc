@@ -71,7 +71,7 @@ EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, cons
   EquilibriumProblem problem{symmetric, step.residual, step.to.dofs};
   problem.increment = {time, h, model.contacts.temperatures(loads.factors_before(time))};
   problem.largest_force = step.largest;
-  problem.force_so_far = std::max(step.momentum, 2. * step.balance.free);
+  problem.force_so_far = step.without_force();
   change.setZero(step.moved.size());
   EquilibriumResult result = contacts.solve(
       problem, state, problem.imposed - loads.imposed(time) + loads.imposed(state.time),
@@ -96,7 +96,7 @@ bool NonlinearMotion::is_solved(const Step &step, const Vector &left,
                                 const ContactResponse &response, EquilibriumResult &result) const {
   const double size = left.lpNorm<Eigen::Infinity>(),
                largest = std::max(step.largest, largest_contact_force(model.contacts, response));
-  const double scale = std::max({largest, step.momentum, 2. * step.balance.free});
+  const double scale = std::max(largest, step.without_force());
   result.residual = scale > 0. ? size / scale : size;
   return is_balanced(
       model, step.matrix, size, largest, step.to, [&]() { return rounding_of(step); }, scale);

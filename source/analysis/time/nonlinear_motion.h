@@ -46,6 +46,9 @@ private:
     SparseMatrix matrix;  ///< less its derivative by `moved`
     double largest = 0.;  ///< force [N]
     double momentum = 0.; ///< at its beginning, over half the step [N]
+
+    /// What goes without forces [N], in free flight or along free strains.
+    double without_force() const { return std::max(momentum, 2. * balance.free); }
   };
   void evaluate(const LineState &state, Step &step) const;
   /// What rounding of the pose at its end makes of the residual.
