@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -19,29 +20,46 @@ bool is_rigid_stop(const Model &model, const Contact &contact) {
   return true;
 }
 
-std::vector<unsigned int> closed_in(std::vector<ContactStatus> status, const double time,
+void ContactsBefore::take(const Model &model, const LineState &state) {
+  constexpr double rounding = 1e-12; // of what a gap is made of, and of the line's displacements
+  constexpr double apart = -std::numeric_limits<double>::infinity();
+  const double moved = state.dofs.lpNorm<Eigen::Infinity>();
+  status = state.contact_status;
+  since.resize(status.size(), state.time);
+  for (unsigned int i = 0; i < since.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const double way = contact.length * state.contacts.strain[i][0],
+                 gap = contact.law.has_closed_form() ? contact.law.closed_form().gap : 0.;
+    const bool is_open = status[i] == ContactStatus::open;
+    if (is_open && way + gap > rounding * (std::abs(way) + std::abs(gap) + moved))
+      since[i] = apart;
+    else if (!is_open || since[i] != apart) // else it has come near, and is about to touch
+      since[i] = state.time;
+  }
+}
+
+std::vector<unsigned int> closed_in(ContactsBefore before,
                                     const std::vector<ContactEvent> &events) {
   constexpr double no_time = 1e-9; // of the run's
-  std::vector<double> since(status.size(), time);
   std::vector<unsigned int> closed;
   for (const ContactEvent &event : events) {
     const unsigned int i = event.contact;
-    const bool was_open = status[i] == ContactStatus::open,
+    const bool was_open = before.status[i] == ContactStatus::open,
                is_open = event.status == ContactStatus::open;
-    if (was_open && !is_open && event.time - since[i] > no_time * event.time)
+    if (was_open && !is_open && event.time - before.since[i] > no_time * event.time)
       closed.push_back(i);
     if (is_open && !was_open)
-      since[i] = event.time;
-    status[i] = event.status;
+      before.since[i] = event.time;
+    before.status[i] = event.status;
   }
   return closed;
 }
 
-void watch_contacts(const Model &model, const LineState &before, const LineState &after,
+void watch_contacts(const Model &model, const ContactsBefore &before, const LineState &after,
                     StepReport &report) {
   const unsigned int n = model.contacts.size();
   report.margins.resize(n);
-  for (const unsigned int i : closed_in(before.contact_status, before.time, after.events))
+  for (const unsigned int i : closed_in(before, after.events))
     if (is_rigid_stop(model, model.contacts[i])) {
       const auto place = std::lower_bound(report.struck.begin(), report.struck.end(), i);
       if (place == report.struck.end() || *place != i)

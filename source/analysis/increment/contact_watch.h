@@ -12,14 +12,23 @@ namespace frictionbeam {
 /// spring.)
 bool is_rigid_stop(const Model &model, const Contact &contact);
 
-/// Contacts that closed in an increment, given their status before it, at @p time, and its events;
-/// not those that were open for no time, as one is that lets go and touches again by rounding.
-std::vector<unsigned int> closed_in(std::vector<ContactStatus> status, const double time,
-                                    const std::vector<ContactEvent> &events);
+/// What says which contacts close in the increments to come.
+struct ContactsBefore {
+  std::vector<ContactStatus> status;
+  std::vector<double> since; ///< open ones only touch since then [s]; minus infinity: were apart
+
+  /// At the end of an increment, or at the beginning of the first one.
+  void take(const Model &model, const LineState &state);
+  void transfer(Archive &archive) { archive(status, since); }
+};
+
+/// Contacts that closed in an increment with these events; not those that were open for no time, as
+/// one is that lets go and touches again by rounding.
+std::vector<unsigned int> closed_in(ContactsBefore before, const std::vector<ContactEvent> &events);
 
 /// Note in the report of a transient step how near contacts came to a change of state in a time
 /// step, and which rigid ones were struck.
-void watch_contacts(const Model &model, const LineState &before, const LineState &after,
+void watch_contacts(const Model &model, const ContactsBefore &before, const LineState &after,
                     StepReport &report);
 
 } // namespace frictionbeam

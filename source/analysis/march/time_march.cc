@@ -25,7 +25,7 @@ TimeMarch::TimeMarch(const Model &model, const PieceObserver &observer)
     : model(model), integrator(make_time_integrator(model, observer)) {}
 
 void TimeMarch::transfer(Archive &archive) {
-  archive(instant, n_increments, time_step, last_error, *integrator);
+  archive(instant, n_increments, time_step, last_error, contacts_before, *integrator);
 }
 
 bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
@@ -50,6 +50,8 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
     integrator->start(*state, *course);
     time_step = longest_step;
     jump_met = start;
+    contacts_before = {};
+    contacts_before.take(model, *state);
   }
   for (; instant < times.size(); ++instant) {
     const auto observe = [&]() {
@@ -132,7 +134,8 @@ bool TimeMarch::take_time_step(const double time) {
       !is_shortest(time - state->time))
     return false;
   report->energy += step.energy;
-  watch_contacts(model, *state, next, *report);
+  watch_contacts(model, contacts_before, next, *report);
+  contacts_before.take(model, next);
   if (watchers->resolution != nullptr)
     watchers->resolution->add_time_step(*state, next, integrator->is_exact(), report->resolution);
   report->resolution.handed_over = report->resolution.handed_over || step.handed_over;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/increment/contact_watch.h"
 #include "analysis/increment/progress.h"
 #include "analysis/increment/step_report.h"
 #include "analysis/time/time_integrator.h"
@@ -63,6 +64,7 @@ private:
   unsigned int n_increments = 0; ///< of the step so far
   double time_step = 0.;         ///< at present [s]
   double last_error = 0.;        ///< of the last time step [m]
+  ContactsBefore contacts_before;
 
   // of the step at hand
   const LoadCourse *course = nullptr;

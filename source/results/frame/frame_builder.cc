@@ -109,10 +109,20 @@ Motion FrameBuilder::velocity(const LineState &state, const std::string &point) 
   return result;
 }
 
-Vector3 FrameBuilder::support_force(const LineState &state, const unsigned int i) const {
+Motion FrameBuilder::support_force(const unsigned int i, const Contact::Strains &stress,
+                                   const unsigned int side) const {
   const Contact &contact = model.contacts[i];
-  const Contact::Strains stress = contact.force(state.contact_stress[i]);
-  return stress[0] * contact.axes.x + stress[1] * contact.axes.y + stress[2] * contact.axes.z;
+  Motion force{};
+  for (unsigned int c = 0; c < 6; ++c)
+    for (unsigned int j = 0; j < contact.dofs.size(); ++j)
+      if (model.discretization.vertex_dofs().index(contact.vertices[side], c) == contact.dofs[j])
+        force[c] -= contact.weight * contact.B.col(j).dot(stress);
+  return force;
+}
+
+Motion FrameBuilder::support_force(const SupportState &state, const unsigned int i) const {
+  const Contact::Strains force(-state.fn, state.ft2, state.ft1, -state.mt);
+  return support_force(i, force / model.contacts[i].share(), 0);
 }
 
 Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) const {
@@ -342,13 +352,13 @@ void FrameBuilder::add_vertex_forces(const LineState &state, const Pose &pose) {
     }
   }
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
-    const Contact &contact = model.contacts[i];
-    const Contact::Strains stress = contact.weight * state.contact_stress[i];
-    for (const unsigned int vertex : contact.vertices)
-      for (unsigned int c = 0; c < 6 && vertex < vertex_forces.size(); ++c)
-        for (unsigned int j = 0; j < contact.dofs.size(); ++j)
-          if (model.discretization.vertex_dofs().index(vertex, c) == contact.dofs[j])
-            vertex_forces[vertex][c] += contact.B.col(j).dot(stress);
+    const auto &vertices = model.contacts[i].vertices;
+    for (const unsigned int side : {0u, 1u})
+      if (vertices[side] < vertex_forces.size()) {
+        const Motion force = support_force(i, state.contact_stress[i], side);
+        for (unsigned int c = 0; c < 6; ++c)
+          vertex_forces[vertices[side]][c] -= force[c];
+      }
   }
 }
 

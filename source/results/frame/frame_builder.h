@@ -39,8 +39,13 @@ public:
 
   /// Force of restraints and imposed motions on a vertex, of the frame made last [N, N m].
   const Motion &reaction(const unsigned int vertex) const { return vertex_forces[vertex]; }
-  /// Force of friction element @p i on its pipe in global axes [N].
-  Vector3 support_force(const LineState &state, const unsigned int i) const;
+  /// Force and moment in global axes [N, N m] of friction element @p i under this stress on its
+  /// pipe, or with @p side = 1 on what it stands on; lever arms and friction against twist
+  /// included.
+  Motion support_force(const unsigned int i, const Contact::Strains &stress,
+                       const unsigned int side) const;
+  /// The same on its pipe, of what is reported of it.
+  Motion support_force(const SupportState &state, const unsigned int i) const;
   /// Force of a spring and its dashpot on its first point [N, N m].
   Motion spring_force(const LineState &state, const Spring &spring) const;
 

@@ -206,13 +206,8 @@ double Collector::force_at(const Quantity &quantity, const Frame &made,
       value += made.reactions[i][component];
   for (unsigned int i = 0; i < results.supports.size(); ++i)
     if (is_part_of(results.supports[i], quantity.where) ||
-        (point != model.mesh.points.end() && model.contacts[i].vertices[0] == point->second)) {
-      const SupportState &s = made.supports[i];
-      const SupportInfo &info = results.supports[i];
-      value += component < 3 ? s.fn * info.normal[component] + s.ft1 * info.t1[component] +
-                                   s.ft2 * info.t2[component]
-                             : s.mt * info.normal[component - 3];
-    }
+        (point != model.mesh.points.end() && model.contacts[i].vertices[0] == point->second))
+      value += builder.support_force(made.supports[i], i)[component];
   return value;
 }
 
@@ -343,7 +338,7 @@ void Collector::put_out(const LineState &state, const bool keep) {
 
 void Collector::transfer(Archive &archive) {
   archive(results.frames, results.histories, results.remarks, pending, is_put_out, current_step,
-          current_increment, previous_time, last_output, largest_error, previous_status);
+          current_increment, previous_time, last_output, largest_error, contacts_before);
   frame_is_current = false;
 }
 

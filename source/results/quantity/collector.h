@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/increment/contact_watch.h"
 #include "analysis/increment/motion_piece.h"
 #include "results/frame/frame_builder.h"
 
@@ -93,7 +94,7 @@ private:
   Frame frame;
   bool frame_is_current = false, is_put_out = true;
   unsigned int current_step = 0, current_increment = 0;
-  std::vector<ContactStatus> previous_status; ///< of the contacts
+  ContactsBefore contacts_before; ///< the increment at hand
   double previous_time = 0., last_output = 0., largest_error = 0.;
 };
 

@@ -14,20 +14,13 @@ bool is_part_of(const SupportInfo &support, const std::string &where) {
   return false;
 }
 
-double force_of_support(const FrameBuilder &builder, const Results &results, const unsigned int i,
-                        const LineState &state, const unsigned int component) {
-  return component < 3
-             ? builder.support_force(state, i)[component]
-             : builder.support_state(state, i).mt * results.supports[i].normal[component - 3];
-}
-
 std::optional<double> force_of_supports(const FrameBuilder &builder, const Results &results,
                                         const std::string &name, const LineState &state,
                                         const unsigned int component) {
   std::optional<double> force;
   for (unsigned int i = 0; i < results.supports.size(); ++i)
     if (is_part_of(results.supports[i], name))
-      force = force.value_or(0.) + force_of_support(builder, results, i, state, component);
+      force = force.value_or(0.) + builder.support_force(i, state.contact_stress[i], 0)[component];
   return force;
 }
 
@@ -42,7 +35,7 @@ double force_at_point(const Model &model, const FrameBuilder &builder, const Res
   for (unsigned int i = 0; i < results.supports.size(); ++i)
     for (const unsigned int side : {0u, 1u}) // on the pipe, on what it stands on
       if (model.contacts[i].vertices[side] == vertex)
-        force += (side == 0 ? 1. : -1.) * force_of_support(builder, results, i, state, component);
+        force += builder.support_force(i, state.contact_stress[i], side)[component];
   return force;
 }
 

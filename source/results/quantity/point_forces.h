@@ -12,12 +12,8 @@ namespace frictionbeam {
 /// half: `name` of `name.plus` and `name.minus`, `name.1` of `name.plus.1` and `name.minus.1`.
 bool is_part_of(const SupportInfo &support, const std::string &where);
 
-/// Component 0 to 2 of the force [N], 3 to 5 of the moment [N m], global axes, of friction support
-/// @p i on its pipe.
-double force_of_support(const FrameBuilder &builder, const Results &results, const unsigned int i,
-                        const LineState &state, const unsigned int component);
-
-/// The same of a support by its name, of both halves of a pair; nothing if there is none.
+/// Component 0 to 2 of the force [N], 3 to 5 of the moment [N m], global axes, of a friction
+/// support on its pipe, by its name, of both halves of a pair; nothing if there is none.
 std::optional<double> force_of_supports(const FrameBuilder &builder, const Results &results,
                                         const std::string &name, const LineState &state,
                                         const unsigned int component);

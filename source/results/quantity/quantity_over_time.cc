@@ -29,11 +29,17 @@ void Collector::find_change(const Quantity &quantity, const LineState &state,
   if (ends_static && state.time <= quantity.from * (1. + same_instant_of_time))
     return;
   const auto wanted = static_cast<ContactStatus>(quantity.kind().component);
+  std::vector<ContactStatus> status = contacts_before.status;
   for (const ContactEvent &event : state.events) {
+    const bool was_closed =
+        event.contact < status.size() && status[event.contact] != ContactStatus::open;
+    if (!status.empty())
+      status[event.contact] = event.status;
     // closed: with or without friction
-    const bool is_it = event.status == wanted ||
-                       (wanted == ContactStatus::closed && event.status != ContactStatus::open);
-    if (!change.value && is_it && event.time >= quantity.from &&
+    const bool is_it = wanted == ContactStatus::closed
+                           ? event.status != ContactStatus::open && !was_closed
+                           : event.status == wanted;
+    if (!change.value && is_it && event.time >= quantity.from && event.time <= quantity.to &&
         results.supports[event.contact].name == quantity.where)
       change.value = quantity.scale * event.time;
   }
@@ -181,8 +187,8 @@ void Collector::follow(const unsigned int i, const SmoothCourses &courses,
 }
 
 void Collector::watch_impacts(const bool transient, const LineState &state) {
-  if (transient && previous_status.size() == state.contact_status.size())
-    for (const unsigned int i : closed_in(previous_status, previous_time, state.events)) {
+  if (transient && contacts_before.status.size() == state.contact_status.size())
+    for (const unsigned int i : closed_in(contacts_before, state.events)) {
       if (!is_rigid_stop(model, model.contacts[i]))
         continue;
       for (unsigned int q = 0; q < pending.size(); ++q)
@@ -191,7 +197,7 @@ void Collector::watch_impacts(const bool transient, const LineState &state) {
             is_extreme_of_force(quantity, results.supports[i]))
           pending[q].struck = true;
     }
-  previous_status = state.contact_status;
+  contacts_before.take(model, state);
 }
 
 } // namespace frictionbeam
