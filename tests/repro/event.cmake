@@ -5,7 +5,7 @@
 function(repro_with name file setting quantity tolerance)
   add_test(NAME "repro/${name}" COMMAND check_case $<TARGET_FILE:frictionbeam>
     ${PROJECT_SOURCE_DIR}/${file}.prm --set "${setting}" --set "${quantity}" --errors ${tolerance})
-  set_tests_properties("repro/${name}" PROPERTIES TIMEOUT 300)
+  set_tests_properties("repro/${name}" PROPERTIES TIMEOUT ${FRICTIONBEAM_TEST_SECONDS})
 endfunction()
 
 repro_with("impact into a corner, nearly at once" tests/repro/event_corner

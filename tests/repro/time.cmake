@@ -5,5 +5,5 @@ if(PYTHON3)
   add_test(NAME "repro/random lines, Accuracy" COMMAND ${PYTHON3}
     ${PROJECT_SOURCE_DIR}/prm/benchmark/random_accuracy.py --program $<TARGET_FILE:frictionbeam>
     --seeds 1,3,4,8,12,14,16 --demanded 1e-2 --jobs 1)
-  set_tests_properties("repro/random lines, Accuracy" PROPERTIES TIMEOUT 300)
+  set_tests_properties("repro/random lines, Accuracy" PROPERTIES TIMEOUT ${FRICTIONBEAM_TEST_SECONDS})
 endif()
