@@ -251,6 +251,8 @@ void check_whole(ParameterReader &in, Scene &scene) {
   parts::parse_monitors(in, scene);
   parts::check_kinematics(in, scene);
   parts::remark_on_free_motions(scene);
+  parts::remark_on_unused(in, scene);
+  in.enter("");
   parts::check_histories(scene);
   parts::check_size(in, scene);
   in.enter("");

@@ -3,6 +3,7 @@
 
 #include "scene/file/choice.h"
 
+#include <array>
 #include <string>
 
 /**
@@ -74,15 +75,20 @@ struct IntegratorRow {
   double spectral_radius; ///< at infinity, if the user gives none; of the alpha schemes
   bool is_exact;          ///< its answers do not depend on the time step, and it misses no event
   bool is_for_turning;    ///< with Kinematics = corotational
+  std::array<const char *, 2> entries; ///< of Time that are its own
 };
 
+inline constexpr std::array<const char *, 2> of_newmark{{"Beta", "Gamma"}},
+    of_alpha{{"Spectral radius"}}, of_theta{{"Theta"}}, of_none{};
+
 inline constexpr IntegratorRow integrators[] = {
-    {"newmark", Integrator::newmark, "", 1., false, false},
-    {"generalized_alpha", Integrator::generalized_alpha, "", 0.8, false, false},
-    {"moreau_jean", Integrator::moreau_jean, "", 1., false, true},
-    {"nonsmooth_alpha", Integrator::nonsmooth_alpha, "", 1., false, false},
+    {"newmark", Integrator::newmark, "", 1., false, false, of_newmark},
+    {"generalized_alpha", Integrator::generalized_alpha, "", 0.8, false, false, of_alpha},
+    {"moreau_jean", Integrator::moreau_jean, "", 1., false, true, of_theta},
+    {"nonsmooth_alpha", Integrator::nonsmooth_alpha, "", 1., false, false, of_alpha},
     {"event", Integrator::event,
-     "exact from one change of a contact's state to the next, with any step", 1., true, false}};
+     "exact from one change of a contact's state to the next, with any step", 1., true, false,
+     of_none}};
 
 struct TimeSettings {
   Integrator integrator = Integrator::moreau_jean;

@@ -117,9 +117,12 @@ bool TransientReduction::prepare(const TransientStep &start, const LineState &st
 LineParts::Choice TransientReduction::choose(const TransientStep &start, const LineState &state,
                                              ReductionAccount &account) {
   account.demanded = settings.tolerance;
-  if (model.contacts.size() == 0 && model.scene.monitors.empty())
-    throw UserError("Time/Modes = auto has nothing to judge by: there is no contact and no "
-                    "monitored point. Name points in Monitors, or set Modes to a number.");
+  const bool has_point = std::any_of(
+      model.scene.quantities.begin(), model.scene.quantities.end(),
+      [&](const Quantity &quantity) { return model.mesh.points.count(quantity.where) > 0; });
+  if (model.contacts.size() == 0 && model.scene.monitors.empty() && !has_point)
+    throw UserError("Time/Modes = auto has nothing to judge by: there is no contact and no point "
+                    "in Monitors or Quantities. Name one, or set Modes to a number.");
   LineParts::Choice coarser =
       parts->below(parts->lowest(std::max(first_modes, account.n_kept)).highest);
   if (coarser.n + account.n_kept > worth_while * account.n_line) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/frame/envelope.h"
 #include "results/frame/envelope_tools.h"
 
 #include "results/frame/derived_cases.h"
@@ -109,7 +110,7 @@ void Envelope::begin(const unsigned int step, const LineState &state) {
 
 void Envelope::prepare(const unsigned int step) {
   if (!tools)
-    tools = std::make_unique<Tools>(model, results);
+    tools = std::make_unique<EnvelopeTools>(model, results);
   SectionForces::Bounds nothing;
   nothing.low.fill(infinity);
   nothing.high.fill(-infinity);
@@ -121,12 +122,12 @@ void Envelope::prepare(const unsigned int step) {
   tools->is_part = is_combined(model.scene, name);
   if (!has_stresses(model.scene, name))
     return;
-  stresses = std::make_unique<Stresses>();
+  stresses = std::make_unique<EnvelopeStresses>();
   const StressEvaluation evaluation(model.scene, model.mesh, results);
   const StressSettings &settings = model.scene.stress;
   std::vector<StressEnvelope> envelopes;
   const auto add = [&](const std::string &from, const Frame *const before) {
-    Stresses::Case one;
+    EnvelopeStresses::Case one;
     std::vector<double> pressure(model.scene.pipes.size(), 0.);
     for (unsigned int pipe = 0; pipe < pressure.size() && before == nullptr; ++pipe)
       pressure[pipe] = pressure_in(model.scene, name, pipe);
@@ -278,7 +279,8 @@ void Envelope::include_displacements(const LineState &state) {
   StepEnvelope &envelope = results.envelopes.back();
   for (unsigned int i = 0; i < tools->points.size(); ++i)
     for (unsigned int c = 0; c < 6; ++c)
-      envelope.points[i][c].include(Tools::value_at(state, tools->points[i][c]), state.time);
+      envelope.points[i][c].include(EnvelopeTools::value_at(state, tools->points[i][c]),
+                                    state.time);
   double largest = -1.;
   const StationPlace *place = nullptr;
   for (const auto &[node, dofs] : tools->nodes) {

@@ -12,6 +12,8 @@
 namespace frictionbeam {
 
 class SmoothCourses;
+struct EnvelopeTools;
+struct EnvelopeStresses;
 
 /**
  * Gathers the envelopes of transient steps: at every instant that the analysis reports, not only at
@@ -47,8 +49,6 @@ public:
   void transfer(Archive &archive);
 
 private:
-  struct Tools;
-  struct Stresses;
   struct Places;
   struct Size;
 
@@ -86,8 +86,9 @@ private:
 
   const Model &model;
   Results &results;
-  std::unique_ptr<Tools> tools;       ///< what makes numbers of states; null before the first step
-  std::unique_ptr<Stresses> stresses; ///< of the step at hand
+  std::unique_ptr<EnvelopeTools>
+      tools; ///< what makes numbers of states; null before the first step
+  std::unique_ptr<EnvelopeStresses> stresses; ///< of the step at hand
   std::vector<ContactStatus> previous_status;
   std::vector<double> previous_impulse;
   std::array<double, 5> sizes_met{}; ///< of numbers of each kind, in the pieces of the step

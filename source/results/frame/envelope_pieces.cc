@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/frame/envelope.h"
 #include "results/frame/envelope_tools.h"
 
 #include "results/frame/derived_cases.h"
@@ -80,7 +81,7 @@ Frame kinds_of(Frame frame) {
 
 /// Where numbers of a state stand in the list of all.
 struct Envelope::Places {
-  explicit Places(const Results &results, const Tools &tools)
+  explicit Places(const Results &results, const EnvelopeTools &tools)
       : sum_normal(6 * results.supports.size()), restraints(sum_normal + 1),
         points(restraints + 6 * results.restraints.size()), nodes(points + 6 * tools.points.size()),
         stations(nodes + 3 * tools.nodes.size()), frame(stations + 6 * tools.line.size()) {}
@@ -105,10 +106,10 @@ Eigen::VectorXd Envelope::numbers_at(const LineState &state) {
       result[next++] = value;
   for (const auto &dofs : tools->points)
     for (const auto dof : dofs)
-      result[next++] = Tools::value_at(state, dof);
+      result[next++] = EnvelopeTools::value_at(state, dof);
   for (const auto &node : tools->nodes)
     for (unsigned int d = 0; d < 3; ++d)
-      result[next++] = Tools::value_at(state, node.second[d]);
+      result[next++] = EnvelopeTools::value_at(state, node.second[d]);
   tools->section_forces->evaluate(
       state, [](const unsigned int, const SectionForces::Bounds &) { return false; },
       [&](const unsigned int first, const double *const forces, const unsigned int n) {
@@ -256,7 +257,7 @@ void Envelope::for_each_size(const SmoothCourses &courses, const Use &use) {
         });
   for (unsigned int k = 0; stresses && k < stresses->cases.size(); ++k)
     for (unsigned int i = 0; i < tools->line.size(); ++i) {
-      const Stresses::Case &one = stresses->cases[k];
+      const EnvelopeStresses::Case &one = stresses->cases[k];
       const unsigned int first = places.stations + 6 * i;
       use(Size{0., one.bound(i, [&](const unsigned int c) { return courses.reach(first + c); }),
                [&](const Instant &instant) { return one(i, six_from(instant, first).data()); }},

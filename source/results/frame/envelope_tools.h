@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "results/frame/envelope.h"
+#include "analysis/increment/motion_piece.h"
 #include "results/frame/frame_builder.h"
 #include "results/frame/section_forces.h"
 #include "results/stress/stress_evaluation.h"
@@ -13,9 +13,9 @@
 
 namespace frictionbeam {
 
-/// What makes numbers of states.
-struct Envelope::Tools {
-  Tools(const Model &model, const Results &results)
+/// What makes numbers of states, for Envelope.
+struct EnvelopeTools {
+  EnvelopeTools(const Model &model, const Results &results)
       : builder(model, true), line(builder.stations()),
         nozzles(nozzle_sites(model.scene, results)) {
     if (model.cells.is_linear())
@@ -57,7 +57,7 @@ struct Envelope::Tools {
 };
 
 /// The formulas of the stress code in a step, by station.
-struct Envelope::Stresses {
+struct EnvelopeStresses {
   struct Case {
     std::vector<StressCode::Formula> formulas;
     std::vector<StressEvaluation::Axes> axes;

@@ -57,6 +57,8 @@ const std::vector<std::string> element_entries = {
     "Law",          "Normal", "Length",      "Rotations",     "Torsion",
     "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time"};
 
+const std::string rigidity = "Axial rigidity"; // of coulomb; without it, rigid
+
 bool is_restraint(const std::string &kind) { return kind_of(kind).value == Form::restraint; }
 bool is_pair(const std::string &kind) { return kind_of(kind).value == Form::pair; }
 
@@ -274,6 +276,30 @@ void remark_on_length(const ParameterReader &in, const LawDescription &law,
                             ". Its stiffness is the rigidity over that.");
 }
 
+/// Friction that grows when slip begins is none: the law would take the static coefficient.
+void check_dynamic_friction(const ParameterReader &in, const LawDescription &law) {
+  const std::string dynamic = "Dynamic friction coefficient", fixed = "Friction coefficient";
+  const std::vector<std::string> entries = law_entries(law);
+  if (std::count(entries.begin(), entries.end(), dynamic) > 0 && in.given(dynamic) &&
+      in.number(dynamic) > in.number(fixed))
+    in.fail(dynamic, "at most the " + fixed + ", " + in.text(fixed),
+            "a " + fixed + " as large, or leaving " + dynamic + " out");
+}
+
+/// Impacts have a restitution on rigid contacts only: a stiffness gives back what it stores.
+void remark_on_restitution(const ParameterReader &in, const LawDescription &law,
+                           const FrictionSupport &support, Scene &scene) {
+  const std::vector<std::string> entries = law_entries(law);
+  const bool is_rigid = support.normal_force == 0. &&
+                        std::count(entries.begin(), entries.end(), rigidity) > 0 &&
+                        in.number(rigidity) == 0.;
+  if (support.restitution > 0. && !is_rigid)
+    scene.remarks.push_back("Support " + support.name +
+                            ": its Restitution is not used, for it is not rigid along its normal: "
+                            "leave " +
+                            (support.normal_force > 0. ? "Normal force" : rigidity) + " out.");
+}
+
 /// A support on a friction element (doc/theory.md), but for its normal.
 FrictionSupport parse_friction_support(const ParameterReader &in, const std::string &name,
                                        const Placement &placement, const LawDescription &law,
@@ -286,12 +312,14 @@ FrictionSupport parse_friction_support(const ParameterReader &in, const std::str
   for (const std::string &entry : law_entries(law))
     support.parameters.push_back(in.number(entry));
   check_closed_form(in, law, support.parameters);
+  check_dynamic_friction(in, law);
   support.length = in.number("Length");
   remark_on_length(in, law, support, scene);
   support.rotations = in.choice("Rotations", rotations);
   support.torsion = in.flag("Torsion");
   support.normal_force = in.number("Normal force");
   support.restitution = in.number("Restitution");
+  remark_on_restitution(in, law, support, scene);
   parse_ground(in, scene, support);
   return support;
 }
