@@ -16,6 +16,7 @@ struct MotionPiece {
   double begin = 0., end = 0.; ///< [s]
   /// The line at any instant of [begin, end]; valid until the next call.
   std::function<const LineState &(const double time)> state_at;
+  bool is_reduced = false; ///< of a line on few unknowns, which is written back at each of these
 };
 
 /// Called with the pieces of a motion in the order of time.

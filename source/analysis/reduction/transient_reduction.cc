@@ -213,7 +213,7 @@ void TransientReduction::begin_march() {
         expand(piece.state_at(time), true, within);
         return within;
       };
-      of_pieces({piece.begin, piece.end, state_at});
+      of_pieces({piece.begin, piece.end, state_at, true});
     };
   march = std::make_unique<TimeMarch>(line->model(), of_reduced_pieces);
 }

@@ -37,7 +37,8 @@ public:
 
   /// To be called with every smooth piece of a motion, before its end is observed. Whatever is a
   /// polynomial in time has its extremes at roots of the derivative; sizes, stresses and ratios are
-  /// searched for by golden sections of the same polynomials.
+  /// searched for by golden sections of the same polynomials. Of a reduced line only in steps
+  /// that need the whole one.
   void observe_piece(const MotionPiece &piece);
 
   /// Whether a step's answer depends on the whole line at every instant: stresses and combinations.

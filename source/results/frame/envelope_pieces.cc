@@ -286,6 +286,8 @@ bool Envelope::may_widen(const SmoothCourses &courses, const Eigen::VectorXd &si
 }
 
 void Envelope::observe_piece(const MotionPiece &piece) {
+  if (piece.is_reduced && !needs_line(results.envelopes.back().step))
+    return;
   Assert(tools && tools->section_forces, dealii::ExcInternalError());
   tools->piece = &piece;
   if (tools->kinds.size() == 0)
