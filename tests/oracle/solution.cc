@@ -195,7 +195,8 @@ Solution solve(const Scene &given) {
   state.contacts = contacts_of(scene, *frame);
   const int n = static_cast<int>(state.contacts.size());
   const Matrix C = contact_rows(state.contacts, frame->n());
-  const Matrix CZ = C * Z, W = CZ * factor.solve(Matrix(CZ.transpose()));
+  const Matrix CZ = C * Z;
+  const Matrix W = n == 0 ? Matrix() : Matrix(CZ * factor.solve(Matrix(CZ.transpose())));
 
   Real largest_force = 0; // of contacts, so far
   Course course(scene);
