@@ -132,6 +132,7 @@ struct StepEnvelope {
   double start = 0., end = 0.;
   std::size_t n_instants = 0,
               n_line_instants = 0;             ///< of a reduced line, the line is known at fewer
+  bool is_of_whole_motion = false;             ///< what lies between the instants included
   std::vector<SupportEnvelope> supports;       ///< beside Results::supports
   std::vector<RestraintEnvelope> restraints;   ///< beside Results::restraints
   std::vector<std::array<Extremes, 6>> points; ///< displacements, beside Results::points

@@ -134,11 +134,11 @@ void transfer(Archive &archive, StressEnvelope &envelope) {
 
 void transfer(Archive &archive, StepEnvelope &envelope) {
   archive(envelope.step, envelope.start, envelope.end, envelope.n_instants,
-          envelope.n_line_instants, envelope.supports, envelope.restraints, envelope.points,
-          envelope.sum_normal, envelope.sum_friction, envelope.displacement,
-          envelope.displaced_most, envelope.least, envelope.largest, envelope.least_at,
-          envelope.largest_at, envelope.stresses, envelope.nozzles, envelope.least_frame,
-          envelope.largest_frame);
+          envelope.n_line_instants, envelope.is_of_whole_motion, envelope.supports,
+          envelope.restraints, envelope.points, envelope.sum_normal, envelope.sum_friction,
+          envelope.displacement, envelope.displaced_most, envelope.least, envelope.largest,
+          envelope.least_at, envelope.largest_at, envelope.stresses, envelope.nozzles,
+          envelope.least_frame, envelope.largest_frame);
 }
 
 Checkpoint::Checkpoint(const Scene &scene, const std::string &hash)

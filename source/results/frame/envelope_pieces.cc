@@ -289,6 +289,7 @@ void Envelope::observe_piece(const MotionPiece &piece) {
   if (piece.is_reduced && !needs_line(results.envelopes.back().step))
     return;
   Assert(tools && tools->section_forces, dealii::ExcInternalError());
+  results.envelopes.back().is_of_whole_motion = true;
   tools->piece = &piece;
   if (tools->kinds.size() == 0)
     tools->kinds = kinds_of_numbers(piece.state_at(piece.begin));

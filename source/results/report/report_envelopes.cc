@@ -69,7 +69,9 @@ std::vector<std::size_t> rows_to_show(const std::vector<double> &weight) {
 std::string instants_of(const StepEnvelope &envelope) {
   std::string text = "Largest values over " + std::to_string(envelope.n_instants) +
                      " instants from " + rounded_number(envelope.start) + " to " +
-                     rounded_number(envelope.end) + " s, every time step counted.";
+                     rounded_number(envelope.end) + " s, " +
+                     (envelope.is_of_whole_motion ? "and over the motion between them."
+                                                  : "every time step counted.");
   if (envelope.n_line_instants < envelope.n_instants)
     text += " Section forces and displacements are known at " +
             std::to_string(envelope.n_line_instants) + " of them.";
