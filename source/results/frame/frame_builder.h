@@ -37,8 +37,11 @@ public:
   /// State of friction element @p i.
   SupportState support_state(const LineState &state, const unsigned int i) const;
 
-  /// Force of restraints and imposed motions on a vertex, of the frame made last [N, N m].
-  const Motion &reaction(const unsigned int vertex) const { return vertex_forces[vertex]; }
+  /// Force of restraints and imposed motions on a vertex, of the frame made last [N, N m]; 0 at
+  /// others, where what is left of the forces is inertia.
+  Motion reaction(const unsigned int vertex) const {
+    return is_held[vertex] ? vertex_forces[vertex] : Motion{};
+  }
   /// Force and moment in global axes [N, N m] of friction element @p i under this stress on its
   /// pipe, or with @p side = 1 on what it stands on; lever arms and friction against twist
   /// included.
