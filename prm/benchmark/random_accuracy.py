@@ -199,6 +199,9 @@ def solve(program, file, settings, limit):
         shutil.rmtree(folder, ignore_errors=True)
 
 
+ROUNDING = 1e-12  # [N, m, J]: where nothing moves, 1e-25 N beside 1e-26 N is no error
+
+
 def errors(answer, reference):
     """Of each quantity, relative as in the program."""
     largest = {}
@@ -207,9 +210,9 @@ def errors(answer, reference):
         largest[unit] = max(largest.get(unit, 0.), abs(value))
     result = {}
     for name, value in reference["values"].items():
-        scale = max(abs(value), 0.01 * largest[reference["units"][name]])
+        scale = max(abs(value), 0.01 * largest[reference["units"][name]], ROUNDING)
         found = answer["values"].get(name, math.nan)
-        result[name] = abs(found - value) / scale if scale > 0. else abs(found - value)
+        result[name] = abs(found - value) / scale
     return result
 
 
