@@ -38,10 +38,13 @@ void ContactsBefore::take(const Model &model, const LineState &state) {
   }
 }
 
-std::vector<unsigned int> closed_in(ContactsBefore before,
+std::vector<unsigned int> closed_in(const ContactsBefore &contacts,
                                     const std::vector<ContactEvent> &events) {
   constexpr double no_time = 1e-9; // of the run's
   std::vector<unsigned int> closed;
+  if (events.empty())
+    return closed;
+  ContactsBefore before = contacts;
   for (const ContactEvent &event : events) {
     const unsigned int i = event.contact;
     const bool was_open = before.status[i] == ContactStatus::open,

@@ -24,7 +24,8 @@ struct ContactsBefore {
 
 /// Contacts that closed in an increment with these events; not those that were open for no time, as
 /// one is that lets go and touches again by rounding.
-std::vector<unsigned int> closed_in(ContactsBefore before, const std::vector<ContactEvent> &events);
+std::vector<unsigned int> closed_in(const ContactsBefore &contacts,
+                                    const std::vector<ContactEvent> &events);
 
 /// Note in the report of a transient step how near contacts came to a change of state in a time
 /// step, and which rigid ones were struck.

@@ -76,9 +76,10 @@ private:
   /// Call use(size, least and largest so far, take(instant, value)) for each size that is made of
   /// such numbers.
   template <typename Use>
-  void for_each_size(const SmoothCourses &courses, const Use &use);
+  void for_each_size(const MotionPiece &piece, const SmoothCourses &courses, const Use &use);
   /// Whether anything may be larger or smaller within these courses than it is known to be.
-  bool may_widen(const SmoothCourses &courses, const Eigen::VectorXd &sizes);
+  bool may_widen(const MotionPiece &piece, const SmoothCourses &courses,
+                 const Eigen::VectorXd &sizes);
   /// Whether a rigid contact closed in the time step.
   bool strikes(const LineState &state, const unsigned int i) const;
   /// Whether its force at this instant is then the impulse over the length of the time step:

@@ -179,7 +179,8 @@ struct Envelope::Size {
 };
 
 template <typename Use>
-void Envelope::for_each_size(const SmoothCourses &courses, const Use &use) {
+void Envelope::for_each_size(const MotionPiece &piece, const SmoothCourses &courses,
+                             const Use &use) {
   StepEnvelope &envelope = results.envelopes.back();
   const Places places(results, *tools);
   const auto six_from = [](const Instant &instant, const unsigned int first) {
@@ -220,7 +221,7 @@ void Envelope::for_each_size(const SmoothCourses &courses, const Use &use) {
     friction_bound += frictions.back().bound;
     use_extremes(frictions.back(), support.friction, nothing_else);
     use_extremes(norm(6 * i, 3), support.force, [&](const double time) {
-      support.at_largest = tools->builder.support_state(tools->piece->state_at(time), i);
+      support.at_largest = tools->builder.support_state(piece.state_at(time), i);
     });
   }
   const auto sum_of_frictions = [&](const Instant &instant) {
@@ -268,7 +269,8 @@ void Envelope::for_each_size(const SmoothCourses &courses, const Use &use) {
     }
 }
 
-bool Envelope::may_widen(const SmoothCourses &courses, const Eigen::VectorXd &sizes) {
+bool Envelope::may_widen(const MotionPiece &piece, const SmoothCourses &courses,
+                         const Eigen::VectorXd &sizes) {
   bool result = false;
   for_each_number([&](const unsigned int i, const double least, const double, const double largest,
                       const double) {
@@ -277,7 +279,7 @@ bool Envelope::may_widen(const SmoothCourses &courses, const Eigen::VectorXd &si
              courses.may_exceed(i, -1., least - margin);
   });
   if (!result)
-    for_each_size(courses,
+    for_each_size(piece, courses,
                   [&](const Size &size, const double least, const double largest, const auto &) {
                     result = result || size.floor < (1. - new_extreme) * least ||
                              size.bound > (1. + new_extreme) * largest;
@@ -290,7 +292,6 @@ void Envelope::observe_piece(const MotionPiece &piece) {
     return;
   Assert(tools && tools->section_forces, dealii::ExcInternalError());
   results.envelopes.back().is_of_whole_motion = true;
-  tools->piece = &piece;
   if (tools->kinds.size() == 0)
     tools->kinds = kinds_of_numbers(piece.state_at(piece.begin));
   Eigen::VectorXd sizes(tools->kinds.size());
@@ -298,7 +299,7 @@ void Envelope::observe_piece(const MotionPiece &piece) {
     sizes[i] = sizes_met[static_cast<unsigned int>(tools->kinds[i])];
   const SmoothCourses courses(
       [&](const double time) { return numbers_at(piece.state_at(time)); }, piece.begin, piece.end,
-      sizes, [&](const SmoothCourses &so_far) { return !may_widen(so_far, sizes); });
+      sizes, [&](const SmoothCourses &so_far) { return !may_widen(piece, so_far, sizes); });
   for (Eigen::Index i = 0; i < sizes.size(); ++i) {
     double &met = sizes_met[static_cast<unsigned int>(tools->kinds[i])];
     met = std::max(met, courses.size(i));
@@ -317,16 +318,18 @@ void Envelope::observe_piece(const MotionPiece &piece) {
     widen(1., largest, largest_at);
     widen(-1., least, least_at);
   });
-  for_each_size(
-      courses, [&](const Size &size, const double least, const double largest, const auto &take) {
-        const auto negative = [&size](const Instant &instant) { return -size.at(instant); };
-        if (const double bound = (1. + new_extreme) * largest; size.bound > bound)
-          if (const auto [time, value] = peak_of(size.at, courses); value > bound)
-            take(time, value);
-        if (const double bound = (1. - new_extreme) * least; size.floor < bound)
-          if (const auto [time, value] = peak_of(negative, courses); - value < bound)
-            take(time, -value);
-      });
+  for_each_size(piece, courses,
+                [&](const Size &size, const double least, const double largest, const auto &take) {
+                  const auto negative = [&size](const Instant &instant) {
+                    return -size.at(instant);
+                  };
+                  if (const double bound = (1. + new_extreme) * largest; size.bound > bound)
+                    if (const auto [time, value] = peak_of(size.at, courses); value > bound)
+                      take(time, value);
+                  if (const double bound = (1. - new_extreme) * least; size.floor < bound)
+                    if (const auto [time, value] = peak_of(negative, courses); - value < bound)
+                      take(time, -value);
+                });
 }
 
 } // namespace frictionbeam

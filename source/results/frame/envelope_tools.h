@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/increment/motion_piece.h"
 #include "results/frame/frame_builder.h"
 #include "results/frame/section_forces.h"
 #include "results/stress/stress_evaluation.h"
@@ -53,7 +52,6 @@ struct EnvelopeTools {
   std::vector<Dofs> points;                         ///< beside Results::points
   bool is_part = false;  ///< whether a combination has the step at hand among its cases
   Eigen::VectorXd kinds; ///< of numbers_at(), of the step at hand
-  const MotionPiece *piece = nullptr; ///< at hand
 };
 
 /// The formulas of the stress code in a step, by station.

@@ -39,6 +39,12 @@ double sum(const Eigen::Ref<const Eigen::VectorXd> &c, const double x) {
   return c[0] + x * b1 - b2;
 }
 
+/// By how much a course may differ from its mean coefficient, if these coefficients show it at all.
+double spread(const Eigen::Ref<const Eigen::VectorXd> &c) {
+  constexpr double of_the_rest = 10.; // of the last two coefficients
+  return c.tail(c.size() - 1).lpNorm<1>() + of_the_rest * c.tail(2).lpNorm<1>();
+}
+
 /// Where the sum changes its sign in (a, b), by samples and bisection.
 std::vector<double> changes_of_sign(const Eigen::VectorXd &c, const double a, const double b) {
   const int n_samples = 4 * c.size();
@@ -147,13 +153,6 @@ std::optional<SmoothCourses::Extreme> SmoothCourses::extreme(const unsigned int 
   if (!(best > sign * bound))
     return {};
   return Extreme{begin + (best_x + 1.) / 2. * (end - begin), sign * best};
-}
-
-/// By how much a course may differ from its mean coefficient, if these coefficients show it at all.
-template <typename Coefficients>
-static double spread(const Coefficients &c) {
-  constexpr double of_the_rest = 10.; // of the last two coefficients
-  return c.tail(c.size() - 1).template lpNorm<1>() + of_the_rest * c.tail(2).template lpNorm<1>();
 }
 
 bool SmoothCourses::may_exceed(const unsigned int function, const double sign,
