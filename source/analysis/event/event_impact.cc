@@ -253,10 +253,10 @@ bool EventIntegrator::meet_ground(const LoadCourse &loads, const double length,
   if (!line.ground_moves)
     return false;
   const std::vector<EventState> before = states;
+  const Vector velocity_before = velocity;
   open_where_apart(loads);
   const Vector of_ground = ground_velocity(0., length);
   set_imposed(0., length);
-  bool changed = at_rest_on_ground;
   if (at_rest_on_ground)
     settle(of_ground, energy, to);
   for (unsigned int i = 0; i < states.size(); ++i) {
@@ -274,6 +274,7 @@ bool EventIntegrator::meet_ground(const LoadCourse &loads, const double length,
     } else if (contact.has_friction && contact.rigid_shear)
       set_sliding(i, u.tail<2>());
   }
+  bool changed = at_rest_on_ground || velocity != velocity_before;
   for (unsigned int i = 0; i < states.size(); ++i) {
     if (states[i].status != before[i].status) {
       to.events.push_back({present, i, states[i].status});

@@ -230,7 +230,10 @@ void EventIntegrator::change(const Event &event, const double x, const double le
     force[i].setZero();
     break;
   case Kind::slipping:
-    begin_slip(i, rate(i).tail<2>(), to, energy);
+    begin_slip(i, direction_of_slip(i, rate(i).tail<2>()), to, energy);
+    break;
+  case Kind::dragged:
+    begin_slip(i, drag(i), to, energy);
     break;
   default:
     state.status = ContactStatus::stick;
@@ -252,7 +255,8 @@ void EventIntegrator::change(const Event &event, const double x, const double le
 void EventIntegrator::meet(const Event &event, const LoadCourse &loads, const double x,
                            const double length, LineState &to, TimeStep &step) {
   change(event, x, length, to, step.energy);
-  if (event.kind == Kind::slipping && line.contacts[event.contact].rigid_shear)
+  if ((event.kind == Kind::slipping || event.kind == Kind::dragged) &&
+      line.contacts[event.contact].rigid_shear)
     step.handed_over =
         !share_start(event.contact, loads, ground_velocity(x, length), to) || step.handed_over;
   ++n_events;
@@ -306,14 +310,13 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
   bool changed = false;
   unsigned int at_once = 0, n_pieces = 0;
   double progress = present;
-  while (present < time) {
+  while (present < time && failure.empty()) {
     interruption::end_if_overdue();
     if (++n_pieces % most_pieces == 0) {
       if (present - progress < least_progress * output_step) {
-        step.result.converged = false;
-        step.result.remark = "event: the motion does not get on, after " +
-                             std::to_string(n_pieces) + " pieces without a change of state";
-        return step;
+        failure = "event: the motion does not get on, after " + std::to_string(n_pieces) +
+                  " pieces without a change of state";
+        break;
       }
       progress = present;
     }
@@ -337,6 +340,8 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
     }
     const double x = std::min(event.x, valid);
     if (x > 0.) {
+      if (!obeys_laws(x, length, step.result))
+        break;
       const bool reaches = x == 1. && length == longest;
       go(loads, x, length, to, step.energy);
       at_once = 0;
@@ -350,6 +355,11 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
       meet(event, loads, x, length, to, step);
       changed = true;
     }
+  }
+  if (!failure.empty()) {
+    step.result.converged = false;
+    step.result.remark = failure;
+    return step;
   }
   write(loads, to);
   return step;

@@ -34,7 +34,7 @@ public:
   std::string remark() const override;
 
 private:
-  enum class Kind { closing, opening, slipping, sticking };
+  enum class Kind { closing, opening, slipping, dragged, sticking };
   struct Event {
     double x = 2.;
     unsigned int contact = 0;
@@ -59,6 +59,9 @@ private:
   /// When friction of a contact that sticks reaches its limit: f N -+ T = 0, in two directions
   /// (f N)^2 = |T|^2.
   Event next_slip(const unsigned int i) const;
+  /// Direction in which the ground takes a contact along that sticks and cannot follow; 0 if it
+  /// does not. The line's motion there is imposed, or another contact holds it.
+  Eigen::Vector2d drag(const unsigned int i) const;
   /// Find contacts that begin to slip along a curve. @return whether there are any
   bool find_curves();
   /// Whether slip is about to stop, so slow that its direction does not matter.
@@ -74,6 +77,15 @@ private:
   /// Take over the motion up to x, and account for it.
   void go(const LoadCourse &loads, const double x, const double length, LineState &to,
           EnergyAccount &energy);
+  /// By the contacts' forces at x alone: what rounding of accelerations is measured by.
+  Vector acceleration_by_contacts(const double x) const;
+  /// Whether the motion obeys Signorini's and Coulomb's laws at x; if not, that is the failure.
+  bool obeys_laws(const double x, const double length, EquilibriumResult &result);
+  struct LawCheck;
+  /// The same before any contact is looked at.
+  LawCheck what_laws_allow(const double x, const double length);
+  void check_laws(const unsigned int i, const double x, const double length, LawCheck &worst,
+                  ContactCheck &certificate) const;
   /// Impulses, wear and friction work up to x. @return what friction dissipates [J]
   double add_histories(const double x, const double length, ContactState &contacts) const;
   /// Integral of N |u_T| up to x of a contact without friction, which may turn round and round.
@@ -85,9 +97,12 @@ private:
   /// The same, and what begins to slip with a contact that does. Counts it.
   void meet(const Event &event, const LoadCourse &loads, const double x, const double length,
             LineState &to, TimeStep &step);
-  /// A contact begins to slip, along its friction or, where there is none, the way it moves.
-  void begin_slip(const unsigned int i, const Eigen::Vector2d &rate, LineState &to,
+  /// A contact begins to slip.
+  void begin_slip(const unsigned int i, const Eigen::Vector2d &direction, LineState &to,
                   EnergyAccount &energy);
+  /// Which way it does that has reached its limit: along its friction or, where there is none, the
+  /// way it moves.
+  Eigen::Vector2d direction_of_slip(const unsigned int i, const Eigen::Vector2d &rate) const;
   /// A contact on a rigid surface begins to slip: find which others do, which do not, and where
   /// to, from Coulomb's law for the accelerations of all that are at rest. @return whether their
   /// friction was found
@@ -175,11 +190,13 @@ private:
   Vector unknowns, velocity;
   std::vector<double> imposed_factors, imposed_rates; ///< by load; of one instant
   double present = 0., fastest = 0.;
-  double motion_length = 0.;      ///< of the motion at hand, for x = 1 [s]
-  bool ground_may_jump = true;    ///< at present
-  bool at_rest_on_ground = false; ///< what is closed, to the error of the steps before
-  std::vector<Bounces> bounces;   ///< by contact
-  bool goes_straight_on = false;  ///< slip along curves that is not resolved
+  double farthest = 0., strongest = 0.; ///< displacements and forces of contacts so far [m], [N]
+  std::string failure;                  ///< why it has ended
+  double motion_length = 0.;            ///< of the motion at hand, for x = 1 [s]
+  bool ground_may_jump = true;          ///< at present
+  bool at_rest_on_ground = false;       ///< what is closed, to the error of the steps before
+  std::vector<Bounces> bounces;         ///< by contact
+  bool goes_straight_on = false;        ///< slip along curves that is not resolved
   unsigned int n_events = 0, n_handed_over = 0, n_unresolved = 0, n_unshared = 0;
   double first_handed_over = 0., time_handed_over = 0.;
   std::string reason;

@@ -8,6 +8,23 @@
 
 namespace frictionbeam {
 
+/// Part of a friction force at its limit up to which statics knows that it is there.
+constexpr double limit_of_statics = 1e-8;
+
+/// What a contact does at present.
+struct EventState {
+  ContactStatus status = ContactStatus::open;
+  Eigen::Vector2d plastic = Eigen::Vector2d::Zero();   ///< slip p, of elastic shear [m]
+  Eigen::Vector2d direction = Eigen::Vector2d::Zero(); ///< of slip, unit
+  bool curved = false; ///< slip changes its direction: TaylorMotion expands that as well
+  /// At rest since a static step, with friction at its limit to the accuracy of statics.
+  bool at_limit = false;
+  double offset = 0.; ///< by which a rigid contact that is closed misses its gap, as is [m]
+
+  bool is_closed() const { return status != ContactStatus::open; }
+  void transfer(Archive &archive) { archive(status, plastic, direction, curved, at_limit, offset); }
+};
+
 /// A contact for the event integrator: displacements g = G q + e(t) of the pipe's node relative to
 /// the ground, along the normal (positive: apart) and in the two directions of the sliding plane;
 /// forces r on them, so that -G^T r acts on the line.
@@ -28,23 +45,10 @@ struct EventContact {
   double platen_weight = 0.;
 
   Eigen::Vector3d displacement(const Vector &unknowns) const;
-};
-
-/// Part of a friction force at its limit up to which statics knows that it is there.
-constexpr double limit_of_statics = 1e-8;
-
-/// What a contact does at present.
-struct EventState {
-  ContactStatus status = ContactStatus::open;
-  Eigen::Vector2d plastic = Eigen::Vector2d::Zero();   ///< slip p, of elastic shear [m]
-  Eigen::Vector2d direction = Eigen::Vector2d::Zero(); ///< of slip, unit
-  bool curved = false; ///< slip changes its direction: TaylorMotion expands that as well
-  /// At rest since a static step, with friction at its limit to the accuracy of statics.
-  bool at_limit = false;
-  double offset = 0.; ///< by which a rigid contact that is closed misses its gap, as is [m]
-
-  bool is_closed() const { return status != ContactStatus::open; }
-  void transfer(Archive &archive) { archive(status, plastic, direction, curved, at_limit, offset); }
+  /// Whether it holds its sliding plane's motion, rigidly.
+  bool sticks(const EventState &state) const {
+    return has_friction && rigid_shear && state.status == ContactStatus::stick;
+  }
 };
 
 /**

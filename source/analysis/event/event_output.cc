@@ -5,8 +5,9 @@ namespace frictionbeam {
 
 void EventIntegrator::transfer(Archive &archive) {
   archive(motion, fallback, states, displacement, force, unknowns, velocity, present, fastest,
-          ground_may_jump, at_rest_on_ground, bounces, imposed_rates, n_events, n_handed_over,
-          n_unresolved, goes_straight_on, first_handed_over, time_handed_over, n_unshared, reason);
+          farthest, strongest, ground_may_jump, at_rest_on_ground, bounces, imposed_rates, n_events,
+          n_handed_over, n_unresolved, goes_straight_on, first_handed_over, time_handed_over,
+          n_unshared, reason);
 }
 
 void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {

@@ -17,6 +17,9 @@ constexpr double slowest = 1e-8, shortest_stop = 1e-4, starting = 1e-13;
 /// Sum of the sizes that a polynomial is the difference of, times rounding.
 constexpr double eps = 1e-13;
 
+/// Part of the ground's motion by which a contact that sticks may miss it.
+constexpr double follows = 1e-6;
+
 double size(const Eigen::MatrixXd &m, const int row) { return m.row(row).cwiseAbs().maxCoeff(); }
 
 } // namespace
@@ -54,6 +57,8 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
     return first;
 
   if (state.status == ContactStatus::stick) {
+    if (contact.rigid_shear && drag(i) != Eigen::Vector2d::Zero())
+      return {0., i, Kind::dragged};
     const Event slip = next_slip(i);
     return slip.x < first.x ? slip : first;
   }
@@ -93,6 +98,36 @@ EventIntegrator::Event EventIntegrator::next_slip(const unsigned int i) const {
     look(f * f * product(N, N) - product(T1, T1) - product(T2, T2), scale * rounding);
   }
   return first;
+}
+
+Eigen::Vector2d EventIntegrator::drag(const unsigned int i) const {
+  const EventContact &contact = line.contacts[i];
+  const Eigen::MatrixXd &g = motion.g[i];
+  const bool follows_all = contact.moves[1] && contact.moves[2] && !motion.is_overdetermined();
+  if (!line.ground_moves || follows_all)
+    return Eigen::Vector2d::Zero();
+  double noise = 0.;
+  if (motion.is_overdetermined())
+    noise = eps * motion_length * motion_length *
+            contact.displacement(acceleration_by_contacts(0.)).lpNorm<Eigen::Infinity>();
+  Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(2, g.cols());
+  for (int d = 1; d < 3; ++d)
+    for (Eigen::Index k = 1; k < motion.ground.rows(); ++k) {
+      double least = eps * size(g, d) / k;
+      if (contact.moves[d]) { // by the line, and it follows but where the ground cannot be followed
+        const double of_ground = motion.ground.row(k).lpNorm<Eigen::Infinity>();
+        if (k == 1 || of_ground == 0. || !motion.is_overdetermined())
+          continue;
+        least = std::max({least, noise, follows * of_ground});
+      }
+      if (std::abs(g(d, k)) > least)
+        rates(d - 1, k) = k * g(d, k);
+    }
+  const double largest = rates.colwise().norm().maxCoeff();
+  for (Eigen::Index k = 1; k < rates.cols(); ++k)
+    if (rates.col(k).norm() > (k == 1 ? 0. : no_component) * largest)
+      return rates.col(k).normalized();
+  return Eigen::Vector2d::Zero();
 }
 
 Polynomial EventIntegrator::slip_rate(const unsigned int i) const {

@@ -66,25 +66,28 @@ struct EventIntegrator::SharedStart {
   }
 };
 
-void EventIntegrator::begin_slip(const unsigned int i, const Eigen::Vector2d &rate, LineState &to,
-                                 EnergyAccount &energy) {
+Eigen::Vector2d EventIntegrator::direction_of_slip(const unsigned int i,
+                                                   const Eigen::Vector2d &rate) const {
   constexpr double no_force = 1e-9; // of the limit
-  const EventContact &contact = line.contacts[i];
-  EventState &state = states[i];
   const Eigen::Vector2d T = force[i].tail<2>();
-  const double f = contact.law.dynamic_friction, N = -force[i][0];
-  const bool has_force = T.norm() > no_force * contact.law.static_friction * std::abs(N) && N > 0.;
-  state.curved = false;
-  state.direction = has_force          ? T / T.norm()
-                    : rate.norm() > 0. ? rate / rate.norm()
-                                       : Eigen::Vector2d(1., 0.);
+  const double N = -force[i][0], limit = line.contacts[i].law.static_friction * std::abs(N);
+  const bool has_force = T.norm() > no_force * limit && N > 0.;
+  return has_force          ? Eigen::Vector2d(T / T.norm())
+         : rate.norm() > 0. ? Eigen::Vector2d(rate / rate.norm())
+                            : Eigen::Vector2d(1., 0.);
+}
+
+void EventIntegrator::begin_slip(const unsigned int i, const Eigen::Vector2d &direction,
+                                 LineState &to, EnergyAccount &energy) {
+  EventState &state = states[i];
   const double stored = stored_energy();
-  force[i].tail<2>() = f * N * state.direction;
+  force[i].tail<2>() = -line.contacts[i].law.dynamic_friction * force[i][0] * direction;
   energy.stored += stored_energy() - stored;
   energy.dissipated += stored - stored_energy(); // where the dynamic coefficient is lower
   to.contacts.dissipated[i] += stored - stored_energy();
+  state.direction = direction;
   state.status = ContactStatus::slip;
-  state.at_limit = false;
+  state.curved = state.at_limit = false;
 }
 
 std::vector<bool> EventIntegrator::resting_with(const unsigned int first,
@@ -161,8 +164,11 @@ bool EventIntegrator::share_start(const unsigned int first, const LoadCourse &lo
       return force[i].tail<2>();
     if (!rests[i])
       return start.limit(k) * states[i].direction;
+    const double most = start.limit(k);
+    if (step[k] == 0.) // no friction moves it
+      return most * (start.slides(k) ? start.acceleration(k).normalized() : states[i].direction);
     const Eigen::Vector2d next = start.friction(k) + step[k] * start.acceleration(k);
-    const double most = start.limit(k), size = next.norm();
+    const double size = next.norm();
     return size > most ? Eigen::Vector2d(next * (most / size)) : next;
   });
   take_start(start, first, rests, to);

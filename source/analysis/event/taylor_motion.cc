@@ -46,7 +46,7 @@ void TaylorMotion::make_rows(const std::vector<EventState> &states) {
       curves.push_back(i);
     if (contact.normal == EventContact::Normal::rigid && contact.moves[0])
       rows.push_back({i, 0});
-    if (contact.has_friction && contact.rigid_shear && states[i].status == ContactStatus::stick)
+    if (contact.sticks(states[i]))
       for (int d = 1; d < 3; ++d)
         if (contact.moves[d])
           rows.push_back({i, d});
@@ -203,6 +203,10 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
     r[i].setZero(3, order + 1);
   }
   std::vector<Eigen::Vector3d> kept(states.size(), Eigen::Vector3d::Zero());
+  for (unsigned int i = 0; i < states.size() && with_loads; ++i)
+    for (int d = 1; d < 3; ++d) // friction of what cannot move, and does not: as it was
+      if (model.contacts[i].sticks(states[i]) && !model.contacts[i].moves[d])
+        kept[i][d] = (*forces_before)[i][d];
   for (const Row &row : rows)
     if (with_loads)
       kept[row.contact][row.component] = (*forces_before)[row.contact][row.component];

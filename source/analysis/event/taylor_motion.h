@@ -65,6 +65,8 @@ public:
   /// To be called when a contact has changed its state.
   void state_changed() { rows_are_current = false; }
 
+  /// Whether contacts that stick hold the line where others do already.
+  bool is_overdetermined() const { return relief.size() > 0; }
   /// The instant as loads are to be asked for there: on this side of what jumps at an end.
   double within(const double time) const { return std::clamp(time, first_instant, last_instant); }
 
