@@ -89,6 +89,14 @@ void remark_on_gains(Results &results) {
   }
 }
 
+namespace {
+/// Of a transient step: the largest energy in motion, or that came or went [J].
+double largest_term(const EnergyAccount &energy) {
+  return std::max({energy.at_hand, std::abs(energy.external), energy.dissipated, energy.damping,
+                   std::abs(energy.impact)});
+}
+} // namespace
+
 double least_turnover(const std::vector<StepReport> &steps) {
   double largest = 0.;
   for (const StepReport &step : steps)
@@ -101,13 +109,15 @@ void judge_energy(const Scene &scene, Results &results) {
     return;
   for (unsigned int i = 0; i < results.steps.size(); ++i) {
     StepReport &step = results.steps[i];
-    const double turnover = std::max(step.energy.turnover, least_turnover(results.steps)),
+    const bool is_exact = scene.steps[i].transient && scene.time.is_exact();
+    const double turnover = std::max(is_exact ? largest_term(step.energy) : step.energy.turnover,
+                                     least_turnover(results.steps)),
                  left_over = std::abs(step.energy.left_over());
-    if (scene.steps[i].transient || !(left_over > remark_above * turnover))
+    if ((scene.steps[i].transient && !is_exact) || !(left_over > remark_above * turnover))
       continue;
-    const std::string account = "the account of energy leaves over " +
-                                rounded_number(100. * left_over / turnover, 2) +
-                                " % of its turnover";
+    const std::string account =
+        "the account of energy leaves over " + rounded_number(100. * left_over / turnover, 2) +
+        " % of its " + (is_exact ? "largest term" : "turnover");
     if (left_over <= failed_above * turnover) {
       results.remarks.push_back("Step " + step.step + ": " + account +
                                 ": its numbers are known to about that.");

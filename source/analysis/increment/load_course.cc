@@ -9,6 +9,10 @@
 
 namespace frictionbeam {
 
+namespace {
+constexpr double no_jump = 1e-9; ///< of a motion: what a table bends by at a corner, to rounding
+}
+
 LoadCourse::LoadCourse(const Model &model)
     : model(model), from(model.scene.loads.size(), 0.), to(from) {
   origins.loads.assign(from.size(), 0.);
@@ -147,7 +151,6 @@ Vector LoadCourse::imposed(const double time, const Side side) const {
 }
 
 Vector LoadCourse::imposed_jumps(const double begin, const double end) const {
-  constexpr double no_jump = 1e-9; // of the motions: what a table bends by at a corner, to rounding
   Vector result;
   for (double time = next_break(begin); time <= end; time = next_break(time)) {
     const Vector before = imposed(time, Side::before), after = imposed(time, Side::after);
@@ -156,6 +159,25 @@ Vector LoadCourse::imposed_jumps(const double begin, const double end) const {
           no_jump * std::max(before.lpNorm<Eigen::Infinity>(), after.lpNorm<Eigen::Infinity>())))
       continue;
     result = result.size() == 0 ? jump : Vector(result + jump);
+  }
+  return result;
+}
+
+LoadCourse::Factors LoadCourse::jumps_between(const Factors &before, const Factors &after) {
+  Factors result(after.size(), 0.);
+  for (unsigned int l = 0; l < after.size(); ++l)
+    if (const double jump = after[l] - before[l];
+        std::abs(jump) > no_jump * std::max(std::abs(after[l]), std::abs(before[l])))
+      result[l] = jump;
+  return result;
+}
+
+LoadCourse::Factors LoadCourse::factor_jumps(const double begin, const double end) const {
+  Factors result(to.size(), 0.);
+  for (double time = next_break(begin); time <= end; time = next_break(time)) {
+    const Factors jumps = jumps_between(factors_before(time), factors_after(time));
+    for (unsigned int l = 0; l < result.size(); ++l)
+      result[l] += jumps[l];
   }
   return result;
 }

@@ -16,6 +16,8 @@ namespace frictionbeam {
 class LoadCourse {
 public:
   using Factors = std::vector<double>;
+  /// Of loads whose factors do not differ but by rounding: 0.
+  static Factors jumps_between(const Factors &before, const Factors &after);
   /// Of instants at which something jumps or bends, which side is meant; both: none.
   enum class Side { before, after, both };
 
@@ -47,6 +49,9 @@ public:
   Vector imposed(const double time, const Side side = Side::both) const;
   /// What they jump by after @p begin and until @p end; empty if they do not.
   Vector imposed_jumps(const double begin, const double end) const;
+
+  /// The same of the loads' factors.
+  Factors factor_jumps(const double begin, const double end) const;
 
   /// The first instant after @p time at which something may jump or bend; infinity if none.
   double next_break(const double time) const;

@@ -59,13 +59,23 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
   return account;
 }
 
+std::string forbidden_by_damping(const Model &model, const LoadCourse::Factors &jumps) {
+  for (unsigned int l = 0; l < jumps.size(); ++l)
+    if (jumps[l] != 0. && model.linear.accelerates(l) && !model.linear.drag(l).isZero(0.))
+      return "load " + model.scene.loads[l].name +
+             " jumps, and moves an end of a dashpot or of a damped pipe: that takes infinite work; "
+             "give its motion a ramp, or leave the damping out";
+  return "";
+}
+
 std::string forbidden_jump(const Model &model, const LoadCourse &course, const LineState &state,
                            const double time) {
-  if (model.contacts.size() == 0)
-    return "";
   const Vector jumps = course.imposed_jumps(state.time, time);
   if (jumps.size() == 0)
     return "";
+  if (const std::string why = forbidden_by_damping(model, course.factor_jumps(state.time, time));
+      !why.empty())
+    return why;
   constexpr double rounding = 1e-9; // of a jump
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
@@ -78,8 +88,7 @@ std::string forbidden_jump(const Model &model, const LoadCourse &course, const L
     if (opens < -least && gap + opens < -least)
       return "at support " + model.scene.supports[contact.support].name +
              ", ground or pipe jumps into the other, and the support is rigid: no finite force "
-             "does "
-             "that; give the motion a ramp, or the support an Axial rigidity";
+             "does that; give the motion a ramp, or the support an Axial rigidity";
   }
   return "";
 }

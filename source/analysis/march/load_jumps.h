@@ -16,8 +16,15 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
                         LineState &state);
 
 /**
+ * What forbids that the factors of loads jump by @p jumps: a motion that one of them imposes on an
+ * end of a dashpot, or of what is damped, whose force there would do infinite work.
+ * @return a remark that names the load; empty if nothing forbids it
+ */
+std::string forbidden_by_damping(const Model &model, const LoadCourse::Factors &jumps);
+
+/**
  * What forbids a time step from @p state to @p time: an imposed motion or ground that jumps into a
- * rigid contact, for which no finite force is an answer.
+ * rigid contact, for which no finite force is an answer, or what damping forbids.
  * @return a remark that names the support; empty if nothing forbids it
  */
 std::string forbidden_jump(const Model &model, const LoadCourse &course, const LineState &state,

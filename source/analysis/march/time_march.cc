@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace frictionbeam {
 
@@ -44,7 +45,12 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
                                         : instants_of_steps(*course, start, end, longest_step);
   if (!resumed) {
     instant = n_increments = 0;
-    state->load_factors = course->factors_after(start);
+    const LoadCourse::Factors before =
+        std::exchange(state->load_factors, course->factors_after(start));
+    report->remark =
+        forbidden_by_damping(model, LoadCourse::jumps_between(before, state->load_factors));
+    if (!report->remark.empty())
+      return false;
     course->set_rates(*state, LoadCourse::Side::after);
     state->events.clear(); // those of a static increment are no impacts
     integrator->start(*state, *course);
