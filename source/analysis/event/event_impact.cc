@@ -233,18 +233,28 @@ void EventIntegrator::impact(const std::vector<unsigned int> &striking, const Ve
     settle(of_ground, energy, to);
 }
 
-void EventIntegrator::open_where_apart(const LoadCourse &loads) {
+void EventIntegrator::meet_jump_of_ground(const LoadCourse &loads, EnergyAccount &energy,
+                                          LineState &to) {
   const Vector jumps = loads.imposed_jumps(present - same_instant(present), present);
   if (jumps.size() == 0)
     return;
   const double least = no_jump * jumps.lpNorm<Eigen::Infinity>();
   for (unsigned int i = 0; i < states.size(); ++i) {
-    const Contact &contact = *line.contacts[i].contact;
-    if (line.contacts[i].normal != EventContact::Normal::rigid || !states[i].is_closed() ||
-        contact.length * contact.strain(jumps)[0] <= least)
+    const EventContact &contact = line.contacts[i];
+    if (!states[i].is_closed())
       continue;
-    states[i].status = ContactStatus::open;
-    force[i].setZero();
+    const Eigen::Vector3d jump = contact.contact->length * contact.contact->strain(jumps).head<3>();
+    if (contact.normal == EventContact::Normal::rigid && jump[0] > least) {
+      states[i].status = ContactStatus::open;
+      force[i].setZero();
+    } else if (contact.rigid_shear && jump.tail<2>().norm() > least) {
+      const double wear = -force[i][0] * jump.tail<2>().norm(),
+                   work = contact.has_friction ? contact.law.dynamic_friction * wear : 0.;
+      energy.external += work; // the ground's, against friction
+      energy.dissipated += work;
+      to.contacts.dissipated[i] += work;
+      to.contacts.wear[i] += wear;
+    }
   }
 }
 
@@ -254,7 +264,7 @@ bool EventIntegrator::meet_ground(const LoadCourse &loads, const double length,
     return false;
   const std::vector<EventState> before = states;
   const Vector velocity_before = velocity;
-  open_where_apart(loads);
+  meet_jump_of_ground(loads, energy, to);
   const Vector of_ground = ground_velocity(0., length);
   set_imposed(0., length);
   if (at_rest_on_ground)

@@ -59,6 +59,8 @@ private:
   /// When friction of a contact that sticks reaches its limit: f N -+ T = 0, in two directions
   /// (f N)^2 = |T|^2.
   Event next_slip(const unsigned int i) const;
+  /// What rounding leaves of the rate of a contact's displacement @p d, by x [m].
+  double noise_of_rate(const unsigned int i, const int d) const;
   /// Direction in which the ground takes a contact along that sticks and cannot follow; 0 if it
   /// does not. The line's motion there is imposed, or another contact holds it.
   Eigen::Vector2d drag(const unsigned int i) const;
@@ -147,8 +149,8 @@ private:
   /// closed strike, let go or slide. @return whether anything changes
   bool meet_ground(const LoadCourse &loads, const double length, EnergyAccount &energy,
                    LineState &to);
-  /// Rigid contacts that are closed until a jump of what is imposed takes them apart.
-  void open_where_apart(const LoadCourse &loads);
+  /// A jump of what is imposed opens rigid contacts that it takes apart, and has the others slip.
+  void meet_jump_of_ground(const LoadCourse &loads, EnergyAccount &energy, LineState &to);
   /// Take velocities relative to the ground away that contacts cannot have which are closed or
   /// stick.
   void settle(const Vector &of_ground, EnergyAccount &energy, LineState &to);

@@ -16,6 +16,8 @@ constexpr double slowest = 1e-8, shortest_stop = 1e-4, starting = 1e-13;
 
 /// Sum of the sizes that a polynomial is the difference of, times rounding.
 constexpr double eps = 1e-13;
+/// The same for the rate of a ground whose motion is interpolated.
+constexpr double eps_of_ground = 1e-11;
 
 /// Part of the ground's motion by which a contact that sticks may miss it.
 constexpr double follows = 1e-6;
@@ -63,8 +65,8 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
     return slip.x < first.x ? slip : first;
   }
   look(slip_rate(i),
-       eps *
-           (std::abs(state.direction[0]) * size(g, 1) + std::abs(state.direction[1]) * size(g, 2)),
+       std::abs(state.direction[0]) * noise_of_rate(i, 1) +
+           std::abs(state.direction[1]) * noise_of_rate(i, 2),
        Kind::sticking);
   return first;
 }
@@ -100,6 +102,11 @@ EventIntegrator::Event EventIntegrator::next_slip(const unsigned int i) const {
   return first;
 }
 
+double EventIntegrator::noise_of_rate(const unsigned int i, const int d) const {
+  const double of_ground = motion.ground.col(3 * i + d).lpNorm<Eigen::Infinity>();
+  return std::max(eps * size(motion.g[i], d), eps_of_ground * of_ground);
+}
+
 Eigen::Vector2d EventIntegrator::drag(const unsigned int i) const {
   const EventContact &contact = line.contacts[i];
   const Eigen::MatrixXd &g = motion.g[i];
@@ -113,7 +120,7 @@ Eigen::Vector2d EventIntegrator::drag(const unsigned int i) const {
   Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(2, g.cols());
   for (int d = 1; d < 3; ++d)
     for (Eigen::Index k = 1; k < motion.ground.rows(); ++k) {
-      double least = eps * size(g, d) / k;
+      double least = noise_of_rate(i, d) / k;
       if (contact.moves[d]) { // by the line, and it follows but where the ground cannot be followed
         const double of_ground = motion.ground.row(k).lpNorm<Eigen::Infinity>();
         if (k == 1 || of_ground == 0. || !motion.is_overdetermined())
