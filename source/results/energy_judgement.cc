@@ -113,7 +113,8 @@ void judge_energy(const Scene &scene, Results &results) {
     const double turnover = std::max(is_exact ? largest_term(step.energy) : step.energy.turnover,
                                      least_turnover(results.steps)),
                  left_over = std::abs(step.energy.left_over());
-    if ((scene.steps[i].transient && !is_exact) || !(left_over > remark_above * turnover))
+    if ((scene.steps[i].transient && !is_exact) || !(left_over > remark_above * turnover) ||
+        (is_exact && !(left_over > energy_of_rounding(results))))
       continue;
     const std::string account =
         "the account of energy leaves over " + rounded_number(100. * left_over / turnover, 2) +

@@ -55,9 +55,10 @@ EventIntegrator::LawCheck EventIntegrator::what_laws_allow(const double x, const
     pushed = std::max(pushed, size(acceleration));
   }
   LawCheck allowed;
-  allowed.way = largest_miss * farthest + rounding_of_laws * q.lpNorm<Eigen::Infinity>();
   allowed.rate = std::max({largest_miss_of_rate * fastest_now, rounding_of_laws * pushed * length,
                            rounding_of_laws * farthest / length});
+  allowed.way = largest_miss * farthest + allowed.rate * length +
+                rounding_of_laws * q.lpNorm<Eigen::Infinity>();
   allowed.force = largest_miss * strongest;
   return allowed;
 }

@@ -284,7 +284,7 @@ double EventIntegrator::next_motion(const LoadCourse &loads, const double longes
     if (meet_ground(loads, length, energy, to))
       length = compute_motion(loads, longest);
   }
-  if (!goes_straight_on && find_curves())
+  while (!goes_straight_on && find_curves()) // one that turns may turn another
     length = compute_motion(loads, longest);
   return length;
 }

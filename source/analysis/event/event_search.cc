@@ -64,7 +64,10 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
     const Event slip = next_slip(i);
     return slip.x < first.x ? slip : first;
   }
-  look(slip_rate(i),
+  Polynomial rate = slip_rate(i);
+  if (state.began == present)
+    rate[0] = 0.; // not the rounding that is left of it
+  look(rate,
        std::abs(state.direction[0]) * noise_of_rate(i, 1) +
            std::abs(state.direction[1]) * noise_of_rate(i, 2),
        Kind::sticking);
@@ -130,11 +133,12 @@ Eigen::Vector2d EventIntegrator::drag(const unsigned int i) const {
       if (std::abs(g(d, k)) > least)
         rates(d - 1, k) = k * g(d, k);
     }
-  const double largest = rates.colwise().norm().maxCoeff();
-  for (Eigen::Index k = 1; k < rates.cols(); ++k)
-    if (rates.col(k).norm() > (k == 1 ? 0. : no_component) * largest)
+  const double largest = rates.rightCols(rates.cols() - 2).colwise().norm().maxCoeff();
+  for (Eigen::Index k = 2; k < rates.cols(); ++k) // it is at rest
+    if (rates.col(k).norm() > no_component * largest)
       return rates.col(k).normalized();
-  return Eigen::Vector2d::Zero();
+  return rates.col(1).norm() > 0. ? Eigen::Vector2d(rates.col(1).normalized())
+                                  : Eigen::Vector2d(Eigen::Vector2d::Zero());
 }
 
 Polynomial EventIntegrator::slip_rate(const unsigned int i) const {
@@ -178,7 +182,9 @@ bool EventIntegrator::find_curves() {
 
 bool EventIntegrator::stops(const unsigned int i) const {
   const double rate = std::hypot(motion.g[i](1, 1), motion.g[i](2, 1)) / motion_length;
-  if (!line.contacts[i].rigid_shear || is_fast(rate) || rate <= starting * fastest)
+  const double at_rest = std::max(starting * fastest * motion_length,
+                                  std::max(noise_of_rate(i, 1), noise_of_rate(i, 2)));
+  if (!line.contacts[i].rigid_shear || is_fast(rate) || rate * motion_length <= at_rest)
     return false;
   const double end = first_root(slip_rate(i), 0.);
   return end <= 1. && end * motion_length <= shortest_stop * output_step;

@@ -88,6 +88,8 @@ void EventIntegrator::begin_slip(const unsigned int i, const Eigen::Vector2d &di
   state.direction = direction;
   state.status = ContactStatus::slip;
   state.curved = state.at_limit = false;
+  if (line.contacts[i].rigid_shear)
+    state.began = present;
 }
 
 std::vector<bool> EventIntegrator::resting_with(const unsigned int first,
@@ -146,6 +148,8 @@ void EventIntegrator::take_start(const SharedStart &start, const unsigned int fi
     state.curved = false;
     if (start.slides(k))
       state.direction = start.acceleration(k).normalized();
+    if (slips && before == ContactStatus::stick)
+      state.began = present;
     if (state.status != before)
       to.events.push_back({present, i, state.status});
   }

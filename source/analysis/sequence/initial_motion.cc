@@ -108,8 +108,15 @@ void LoadSequence::press_at_start() {
   if (!integrator->advance(before, course, instant * time_step(model), after).result.converged)
     return;
   for (const unsigned int i : touching) {
+    const FrictionThreshold law = model.contacts[i].law.closed_form();
+    const auto elastic_shear = current.contact_stress[i].tail<3>().eval(); // as is: it takes time
     current.contact_stress[i] = after.contact_stress[i];
     current.contact_status[i] = after.contact_status[i];
+    if (std::isfinite(law.shear_rigidity_y) && law.static_friction > 0.) {
+      current.contact_stress[i].tail<3>() = elastic_shear;
+      if (current.contact_status[i] == ContactStatus::slip && law.dynamic_friction > 0.)
+        current.contact_status[i] = ContactStatus::stick;
+    }
     if (after.contact_status[i] != before.contact_status[i])
       current.events.push_back({0., i, after.contact_status[i]});
   }
