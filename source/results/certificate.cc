@@ -33,8 +33,10 @@ void Results::certify(const Scene &scene) {
   }
   if (account.turnover == 0.)
     return;
-  if (account.at_hand > 0.)
+  if (account.at_hand > 0.) {
+    account.least_scale = 1e6 * energy_of_rounding(*this); // below it nothing moves
     imbalance = account.imbalance();
+  }
   certificate.push_back({"energy", "-", "imbalance of the account below", imbalance});
   energy = account;
 }

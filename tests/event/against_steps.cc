@@ -3,7 +3,8 @@
 // supports: what moreau_jean finds with steps of h and h/8 shall come nearer to what event finds,
 // to less than half of the difference, and near it; event's account of energy shall close to 1e-8,
 // its slip along curves shall not be handed over, and its answer shall not depend on its step.
-// With --moved, scenes whose ground and points are moved, and the work of friction as well.
+// With --moved, scenes whose ground and points are moved, and the work of friction as well: nearer
+// by a factor of six or to 5e-3, and 1e-6 by the step.
 //   against_steps PROGRAM FIRST NUMBER [--moved] [--show | --write] [OPEN SEED]...
 // --write only writes the scenes, as SEED.prm.
 #include "../cases/run_program.h"
@@ -294,8 +295,8 @@ void compare(const std::string &program, const unsigned int seed, const bool sho
               << std::flush;
   const int failures = check::n_failures;
   CHECK(at_fine <= std::max(0.5 * at_coarse, 1e-6));
-  CHECK(at_fine <= 5e-3);
-  CHECK(by_step <= 1e-8);
+  CHECK(at_fine <= (is_moved ? std::max(5e-3, at_coarse / 6.) : 5e-3));
+  CHECK(by_step <= (is_moved ? 1e-6 : 1e-8));
   CHECK(imbalance <= 1e-8);
   CHECK(!handed_over);
   if (check::n_failures > failures)

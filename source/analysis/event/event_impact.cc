@@ -23,9 +23,17 @@ constexpr double same_ratio = 0.05, shortest_rest = 1e-6;
 
 } // namespace
 
+double EventIntegrator::least_rate(const unsigned int i) const {
+  if (!line.ground_moves)
+    return at_rest * fastest;
+  double noise = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+    noise = std::max(noise, motion.rounding_of_ground_rate(3 * i + d));
+  return std::max(rounding_of_rate * fastest, noise);
+}
+
 void EventIntegrator::set_sliding(const unsigned int i, const Eigen::Vector2d &rate) {
-  const bool slides =
-      rate.norm() > std::max(at_rest, line.ground_moves ? rounding_of_rate : 0.) * fastest;
+  const bool slides = rate.norm() > least_rate(i);
   states[i].status = slides ? ContactStatus::slip : ContactStatus::stick;
   states[i].curved = false;
   if (slides)
@@ -275,7 +283,7 @@ bool EventIntegrator::meet_ground(const LoadCourse &loads, const double length,
       continue;
     const Vector u = velocities({i}, of_ground);
     fastest = std::max(fastest, u.norm());
-    const double least = rounding_of_rate * fastest;
+    const double least = least_rate(i);
     if (contact.normal == EventContact::Normal::rigid && contact.moves[0] && u[0] < -least)
       impact({i}, of_ground, energy, to);
     else if (contact.normal == EventContact::Normal::rigid && contact.moves[0] && u[0] > least) {
@@ -305,8 +313,9 @@ bool EventIntegrator::meet_imposed_jump(const double length, EnergyAccount &ener
   Vector jumps = Vector::Zero(imposed_rates.size()), impulse = Vector::Zero(velocity.size());
   for (unsigned int l = 0; l < before.size(); ++l) {
     const double jump = imposed_rates[l] - before[l];
-    if (std::abs(jump) <=
-        rounding_of_rate * std::max(std::abs(before[l]), std::abs(imposed_rates[l])))
+    const double noise = motion.rounding_of_factor_rate(l);
+    if (std::abs(jump) <= std::max(noise, rounding_of_rate * std::max(std::abs(before[l]),
+                                                                      std::abs(imposed_rates[l]))))
       continue;
     jumps[l] = jump;
     impulse += jump * linear.inertia(l);

@@ -12,15 +12,11 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr unsigned int steps_handed_over = 40;
-constexpr double part_handed_over = 0.01; ///< of a step
 /// So many pieces between two events get on by at least such a part of a step.
 constexpr unsigned int most_pieces = 20000;
 constexpr double least_progress = 1e-6;
-/// Where a curve's friction is not found, slip goes straight on for such a part of a step, and so
-/// often.
+/// Where a curve's friction is not found, slip goes straight on for such a part of a step.
 constexpr double part_straight_on = 1e-5;
-constexpr unsigned int most_unresolved = 20;
 
 } // namespace
 
@@ -289,16 +285,10 @@ double EventIntegrator::next_motion(const LoadCourse &loads, const double longes
   return length;
 }
 
-TimeStep EventIntegrator::hand_over_after(const TimeStep &step, const LoadCourse &loads,
-                                          const double time, LineState &to) {
-  write(loads, to);
-  const LineState middle = to;
-  TimeStep rest =
-      hand_over(middle, loads, std::min(time, present + part_handed_over * output_step), to);
-  rest.handed_over = true;
-  rest.energy += step.energy;
-  rest.result.iterations += step.result.iterations;
-  return rest;
+EventIntegrator::Goal EventIntegrator::next_goal(const LoadCourse &loads, const double time) const {
+  const double next_break = loads.next_break(present + same_instant(present));
+  const bool breaks = next_break <= time + same_instant(time);
+  return {breaks && next_break < time - same_instant(time) ? next_break : time, breaks};
 }
 
 TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads, const double time,
@@ -308,7 +298,7 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
   to = from;
   to.events.clear();
   bool changed = false;
-  unsigned int at_once = 0, n_pieces = 0;
+  unsigned int n_pieces = 0;
   double progress = present;
   while (present < time && failure.empty()) {
     interruption::end_if_overdue();
@@ -320,34 +310,31 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
       }
       progress = present;
     }
-    const double next_break = loads.next_break(present + same_instant(present));
-    const bool breaks = next_break <= time + same_instant(time);
-    const double goal = breaks && next_break < time - same_instant(time) ? next_break : time,
-                 longest = goal - present;
+    const Goal goal = next_goal(loads, time);
+    const double longest = goal.time - present;
     const double length = next_motion(loads, longest, to, step.energy);
     n_unresolved = goes_straight_on ? n_unresolved + 1 : 0;
     const double valid =
         goes_straight_on ? std::min(1., part_straight_on * output_step / length) : 1.;
     ++step.result.iterations;
     const Event event = next_event();
-    if (changed && event.x > 0.)
-      break; // the new state holds
-    const bool unresolved = n_unresolved > most_unresolved;
-    if (unresolved || (event.x <= 1. && ++at_once > 20 + 10 * states.size())) {
-      reason = unresolved ? "slip along a curve is not resolved" : "states change without end";
-      n_unresolved = 0;
-      return hand_over_after(step, loads, time, to);
+    if (changed && event.x > 0.) { // the new state holds
+      for (unsigned int i = 0; i < states.size(); ++i)
+        force[i] = TaylorMotion::at(motion.r[i], 0.);
+      break;
     }
+    if (is_stuck(event))
+      return hand_over_after(step, loads, time, to);
     const double x = std::min(event.x, valid);
     if (x > 0.) {
       if (!obeys_laws(x, length, step.result))
         break;
       const bool reaches = x == 1. && length == longest;
       go(loads, x, length, to, step.energy);
-      at_once = 0;
+      n_at_once = 0;
       if (reaches) {
-        present = goal;
-        ground_may_jump = breaks;
+        present = goal.time;
+        ground_may_jump = goal.breaks;
         at_rest_on_ground = false;
       }
     }
@@ -363,35 +350,6 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
   }
   write(loads, to);
   return step;
-}
-
-TimeStep EventIntegrator::hand_over(const LineState &from, const LoadCourse &loads,
-                                    const double time, LineState &to) {
-  if (n_handed_over == 0)
-    first_handed_over = from.time;
-  ++n_handed_over;
-  time_handed_over += time - from.time;
-  TimeStep all;
-  LineState now = from;
-  fallback.start(now, loads);
-  for (unsigned int k = 1; k <= steps_handed_over; ++k) {
-    const double goal =
-        k == steps_handed_over ? time : from.time + (time - from.time) * k / steps_handed_over;
-    if (goal <= now.time)
-      continue;
-    const std::vector<ContactEvent> events = now.events;
-    TimeStep step = fallback.advance(now, loads, goal, to);
-    all.result = step.result;
-    if (!step.result.converged)
-      return all;
-    to.events.insert(to.events.begin(), events.begin(), events.end());
-    all.energy += step.energy;
-    now = to;
-  }
-  read_states(to, loads);
-  ground_may_jump = true;
-  at_rest_on_ground = loads.next_break(from.time) > time;
-  return all;
 }
 
 } // namespace frictionbeam

@@ -118,6 +118,8 @@ private:
                   const std::vector<bool> &rests, LineState &to);
   /// Contacts on rigid surfaces with friction that do not slip now, and @p first.
   std::vector<bool> resting_with(const unsigned int first, const Vector &of_ground) const;
+  /// Velocity of a contact below which it is rounding [m/s].
+  double least_rate(const unsigned int i) const;
   /// Velocities of all contacts' ground at x, as relative motions.
   Vector ground_velocity(const double x, const double length) const;
   /// Of contacts, line and ground together.
@@ -164,6 +166,14 @@ private:
   double work_of_dampers(const double x, const double length) const;
   double stored_energy() const;
   double kinetic_energy() const;
+  /// Until where the loads are smooth, and whether something breaks there.
+  struct Goal {
+    double time; ///< [s]
+    bool breaks;
+  };
+  Goal next_goal(const LoadCourse &loads, const double time) const;
+  /// Whether states change without end, or slip along a curve is not resolved. Sets the reason.
+  bool is_stuck(const Event &event);
   /// Have MoreauJean go on in small steps.
   TimeStep hand_over(const LineState &from, const LoadCourse &loads, const double time,
                      LineState &to);
@@ -199,6 +209,7 @@ private:
   bool at_rest_on_ground = false;       ///< what is closed, to the error of the steps before
   std::vector<Bounces> bounces;         ///< by contact
   bool goes_straight_on = false;        ///< slip along curves that is not resolved
+  unsigned int n_at_once = 0;           ///< events since the motion got on
   unsigned int n_events = 0, n_handed_over = 0, n_unresolved = 0, n_unshared = 0;
   double first_handed_over = 0., time_handed_over = 0.;
   std::string reason;

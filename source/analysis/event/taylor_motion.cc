@@ -10,6 +10,8 @@ namespace frictionbeam {
 
 namespace {
 constexpr double rounding = 1e-17;
+/// Rate at an end of a piece of length 1, of Chebyshev polynomials up to the 14th together.
+constexpr double rate_of_interpolation = 2e3;
 constexpr double dependent = 1e-11; ///< constraints, by pivots of the matrix that couples them
 } // namespace
 
@@ -106,6 +108,7 @@ bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
   last_instant = std::nextafter(loads.next_break(time + same), time);
   // Rates of the ground from differences of its motion: not from one within a very short time.
   const double wide = std::max(length, std::min(1e6 * least, last_instant - time));
+  interpolated = wide;
   if (wide > length && interpolate_between(loads, time, wide)) {
     for (Eigen::MatrixXd *const m : {&factors, &ground})
       shorten_rows(*m, length / wide);
@@ -115,7 +118,12 @@ bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
     factor_noise.before.resize(0);
     ground_noise.before.resize(0);
   }
+  interpolated = length;
   return interpolate_between(loads, time, length);
+}
+
+double TaylorMotion::rate_of_noise(const Noise &noise, const int column) const {
+  return noise.level.size() > 0 ? rate_of_interpolation * noise.level[column] / interpolated : 0.;
 }
 
 bool TaylorMotion::interpolate_between(const LoadCourse &loads, const double time,

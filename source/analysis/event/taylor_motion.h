@@ -67,6 +67,12 @@ public:
 
   /// Whether contacts that stick hold the line where others do already.
   bool is_overdetermined() const { return relief.size() > 0; }
+  /// What rounding leaves of the rate of a load's factor [1/s], and of a component of the contacts'
+  /// grounds [m/s].
+  double rounding_of_factor_rate(const int load) const { return rate_of_noise(factor_noise, load); }
+  double rounding_of_ground_rate(const int component) const {
+    return rate_of_noise(ground_noise, component);
+  }
   /// The instant as loads are to be asked for there: on this side of what jumps at an end.
   double within(const double time) const { return std::clamp(time, first_instant, last_instant); }
 
@@ -90,6 +96,7 @@ private:
   struct Noise {
     Vector level, before;
   };
+  double rate_of_noise(const Noise &noise, const int column) const;
   /// Make ready for contacts in these states.
   void take(const std::vector<EventState> &states);
   /// Make ready for a piece no longer than @p longest. @return the length to try first [s]
@@ -135,6 +142,7 @@ private:
   const double least;
   double guess = 0., curve_guess = 0.;
   double first_instant = 0., last_instant = 0.; ///< of the loads' piece [s]
+  double interpolated = 0.;                     ///< time over which they are [s]
   Noise factor_noise, ground_noise;
   bool rows_are_current = false;
   std::vector<unsigned int> curves;            ///< contacts that slip along curves

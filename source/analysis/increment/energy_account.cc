@@ -11,7 +11,7 @@ double EnergyAccount::left_over() const {
 }
 
 double EnergyAccount::imbalance() const {
-  const double scale = at_hand > 0. ? at_hand : turnover;
+  const double scale = std::max(at_hand > 0. ? at_hand : turnover, least_scale);
   return scale > 0. ? std::abs(left_over()) / scale : 0.;
 }
 

@@ -25,6 +25,7 @@ struct EnergyAccount {
   double missed_friction = 0.; ///< [J]
   double turnover = 0.;        ///< sum of the sizes of all terms [J]
   double at_hand = 0.; ///< dynamics: largest kinetic and stored energy of the line at one time [J]
+  double least_scale = 0.; ///< for the imbalance, where somebody has said so [J]
 
   /// Work that went nowhere: external less all the others [J].
   double left_over() const;

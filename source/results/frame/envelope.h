@@ -77,6 +77,12 @@ private:
   /// such numbers.
   template <typename Use>
   void for_each_size(const MotionPiece &piece, const SmoothCourses &courses, const Use &use);
+  template <typename Use>
+  void for_each_size_of_supports(const MotionPiece &piece, const SmoothCourses &courses,
+                                 const Use &use);
+  template <typename Use>
+  void for_each_size_of_restraints(const SmoothCourses &courses, const Use &use);
+  static Size norm_of(const SmoothCourses &courses, const unsigned int first, const unsigned int n);
   /// Whether anything may be larger or smaller within these courses than it is known to be.
   bool may_widen(const MotionPiece &piece, const SmoothCourses &courses,
                  const Eigen::VectorXd &sizes);

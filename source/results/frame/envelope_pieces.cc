@@ -19,6 +19,26 @@ namespace {
 /// would move the instant of an extreme that was met before.
 constexpr double new_extreme = 1e-12;
 
+constexpr double no_least = -1.; ///< of a size: not asked for
+
+Motion six_from(const Instant &instant, const unsigned int first) {
+  Motion values;
+  for (unsigned int c = 0; c < 6; ++c)
+    values[c] = instant[first + c];
+  return values;
+}
+
+/// Use a size with both its extremes; at_largest(time) where it becomes larger than it was known.
+template <typename Use, typename Size, typename AtLargest>
+void use_extremes(const Use &use, const Size &size, Extremes &known, const AtLargest &at_largest) {
+  use(size, known.least, known.largest, [&](const double time, const double value) {
+    const double largest = known.largest;
+    known.include(value, time);
+    if (value > largest)
+      at_largest(time);
+  });
+}
+
 /// Of what kind numbers are, so that rounding of one is told by the size of all.
 enum Kind { force, moment, displacement, rotation, energy };
 
@@ -178,80 +198,31 @@ struct Envelope::Size {
   std::function<double(const Instant &)> at;
 };
 
+/// Of n numbers of the courses, the norm.
+Envelope::Size Envelope::norm_of(const SmoothCourses &courses, const unsigned int first,
+                                 const unsigned int n) {
+  double floor = 0., bound = 0.;
+  for (unsigned int i = first; i < first + n; ++i) {
+    floor = std::hypot(floor, courses.floor(i));
+    bound = std::hypot(bound, courses.reach(i));
+  }
+  return Size{floor, bound, [first, n](const Instant &instant) {
+                double sum = 0.;
+                for (unsigned int i = first; i < first + n; ++i)
+                  sum += instant[i] * instant[i];
+                return std::sqrt(sum);
+              }};
+}
+
 template <typename Use>
 void Envelope::for_each_size(const MotionPiece &piece, const SmoothCourses &courses,
                              const Use &use) {
+  for_each_size_of_supports(piece, courses, use);
+  for_each_size_of_restraints(courses, use);
   StepEnvelope &envelope = results.envelopes.back();
   const Places places(results, *tools);
-  const auto six_from = [](const Instant &instant, const unsigned int first) {
-    Motion values;
-    for (unsigned int c = 0; c < 6; ++c)
-      values[c] = instant[first + c];
-    return values;
-  };
-  const auto norm = [&courses](const unsigned int first, const unsigned int n) {
-    double floor = 0., bound = 0.;
-    for (unsigned int i = first; i < first + n; ++i) {
-      floor = std::hypot(floor, courses.floor(i));
-      bound = std::hypot(bound, courses.reach(i));
-    }
-    return Size{floor, bound, [first, n](const Instant &instant) {
-                  double sum = 0.;
-                  for (unsigned int i = first; i < first + n; ++i)
-                    sum += instant[i] * instant[i];
-                  return std::sqrt(sum);
-                }};
-  };
-  const auto use_extremes = [&use](const Size &size, Extremes &known, const auto &at_largest) {
-    use(size, known.least, known.largest, [&](const double time, const double value) {
-      const double largest = known.largest;
-      known.include(value, time);
-      if (value > largest)
-        at_largest(time);
-    });
-  };
-  const double no_least = -1.; // not asked for
-  const auto nothing_else = [](const double) {};
-  std::vector<Size> frictions;
-  double friction_floor = 0., friction_bound = 0.;
-  for (unsigned int i = 0; i < envelope.supports.size(); ++i) {
-    SupportEnvelope &support = envelope.supports[i];
-    frictions.push_back(norm(6 * i + 1, 2));
-    friction_floor += frictions.back().floor;
-    friction_bound += frictions.back().bound;
-    use_extremes(frictions.back(), support.friction, nothing_else);
-    use_extremes(norm(6 * i, 3), support.force, [&](const double time) {
-      support.at_largest = tools->builder.support_state(piece.state_at(time), i);
-    });
-  }
-  const auto sum_of_frictions = [&](const Instant &instant) {
-    double sum = 0.;
-    for (const Size &friction : frictions)
-      sum += friction.at(instant);
-    return sum;
-  };
-  use_extremes(Size{friction_floor, friction_bound, sum_of_frictions}, envelope.sum_friction,
-               nothing_else);
-  for (unsigned int i = 0; i < envelope.restraints.size(); ++i) {
-    const unsigned int first = places.restraints + 6 * i;
-    use_extremes(norm(first, 3), envelope.restraints[i].force, [&](const double time) {
-      envelope.restraints[i].at_largest = six_from(Instant(courses, time), first);
-    });
-  }
-  for (unsigned int i = 0; i < tools->nozzles.size(); ++i) {
-    const NozzleLimit &nozzle = model.scene.nozzles[tools->nozzles[i].first];
-    const unsigned int first = places.restraints + 6 * tools->nozzles[i].second;
-    Motion reaches;
-    for (unsigned int c = 0; c < 6; ++c)
-      reaches[c] = courses.reach(first + c);
-    use(Size{0., utilization(nozzle, reaches),
-             [&](const Instant &instant) { return utilization(nozzle, six_from(instant, first)); }},
-        no_least, envelope.nozzles[i].utilization, [&](const double time, const double value) {
-          envelope.nozzles[i] = {value, time, six_from(Instant(courses, time), first)};
-        });
-  }
   for (unsigned int i = 0; i < tools->nodes.size(); ++i)
-    use(norm(places.nodes + 3 * i, 3), no_least, envelope.displacement.largest,
+    use(norm_of(courses, places.nodes + 3 * i, 3), no_least, envelope.displacement.largest,
         [&](const double time, const double value) {
           envelope.displacement.include(value, time);
           envelope.displaced_most = tools->nodes[i].first;
@@ -267,6 +238,57 @@ void Envelope::for_each_size(const MotionPiece &piece, const SmoothCourses &cour
             envelope.stresses[k].time[i] = time;
           });
     }
+}
+
+template <typename Use>
+void Envelope::for_each_size_of_supports(const MotionPiece &piece, const SmoothCourses &courses,
+                                         const Use &use) {
+  StepEnvelope &envelope = results.envelopes.back();
+  const auto nothing_else = [](const double) {};
+  std::vector<Size> frictions;
+  double floor = 0., bound = 0.; // of their sum
+  for (unsigned int i = 0; i < envelope.supports.size(); ++i) {
+    SupportEnvelope &support = envelope.supports[i];
+    frictions.push_back(norm_of(courses, 6 * i + 1, 2));
+    floor += frictions.back().floor;
+    bound += frictions.back().bound;
+    use_extremes(use, frictions.back(), support.friction, nothing_else);
+    use_extremes(use, norm_of(courses, 6 * i, 3), support.force, [&](const double time) {
+      support.at_largest = tools->builder.support_state(piece.state_at(time), i);
+    });
+  }
+  const auto sum_of_frictions = [&](const Instant &instant) {
+    double sum = 0.;
+    for (const Size &friction : frictions)
+      sum += friction.at(instant);
+    return sum;
+  };
+  use_extremes(use, Size{floor, bound, sum_of_frictions}, envelope.sum_friction, nothing_else);
+}
+
+template <typename Use>
+void Envelope::for_each_size_of_restraints(const SmoothCourses &courses, const Use &use) {
+  StepEnvelope &envelope = results.envelopes.back();
+  const Places places(results, *tools);
+  for (unsigned int i = 0; i < envelope.restraints.size(); ++i) {
+    const unsigned int first = places.restraints + 6 * i;
+    use_extremes(use, norm_of(courses, first, 3), envelope.restraints[i].force,
+                 [&](const double time) {
+                   envelope.restraints[i].at_largest = six_from(Instant(courses, time), first);
+                 });
+  }
+  for (unsigned int i = 0; i < tools->nozzles.size(); ++i) {
+    const NozzleLimit &nozzle = model.scene.nozzles[tools->nozzles[i].first];
+    const unsigned int first = places.restraints + 6 * tools->nozzles[i].second;
+    Motion reaches;
+    for (unsigned int c = 0; c < 6; ++c)
+      reaches[c] = courses.reach(first + c);
+    use(Size{0., utilization(nozzle, reaches),
+             [&](const Instant &instant) { return utilization(nozzle, six_from(instant, first)); }},
+        no_least, envelope.nozzles[i].utilization, [&](const double time, const double value) {
+          envelope.nozzles[i] = {value, time, six_from(Instant(courses, time), first)};
+        });
+  }
 }
 
 bool Envelope::may_widen(const MotionPiece &piece, const SmoothCourses &courses,
