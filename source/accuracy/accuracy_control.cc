@@ -165,7 +165,7 @@ bool AccuracyControl::sees_events(const Results &coarse, const Results &fine) {
 }
 
 Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
-  accuracy::Convergence convergence(list[what].steps_over_events);
+  accuracy::Convergence convergence(list[what].order);
   Trial before = solve_at(what, 0);
   // One increment and two agree where something slips and turns within both.
   unsigned int level = list[what].coarsest_may_be_exact ? 2 : 1;
@@ -205,9 +205,8 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
 
 Trial AccuracyControl::refine_together(const std::array<std::size_t, 2> &both,
                                        const double tolerance) {
-  std::array<accuracy::Convergence, 2> convergence = {
-      accuracy::Convergence(list[both[0]].steps_over_events),
-      accuracy::Convergence(list[both[1]].steps_over_events)};
+  std::array<accuracy::Convergence, 2> convergence = {accuracy::Convergence(list[both[0]].order),
+                                                      accuracy::Convergence(list[both[1]].order)};
   for (const std::size_t what : both)
     levels[what] = 1;
   while (true) {

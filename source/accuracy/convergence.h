@@ -21,12 +21,16 @@ namespace frictionbeam::accuracy {
  * Where the order jumps by more than 0.75 from one pair of differences to the next, as it does
  * where instants of slip and stick fall now here, now there between instants, the error is C_l h
  * with a C_l that is anything up to some bound. From then on the estimate is no less than what the
- * largest of all differences would have become at order 1, and no level is left out.
+ * largest of all differences would have become at order 1, and no level is left out. Histories of
+ * friction, whose directions depend on where increments end, are of order 1 at best: of those the
+ * estimate is never less than half of that.
  */
 class Convergence {
 public:
-  /// @param may_be_irregular whether orders that jump are taken for a sign of that
-  explicit Convergence(const bool may_be_irregular = true) : may_be_irregular(may_be_irregular) {}
+  /// What is known of the order beforehand: nothing; that it does not jump; that it is 1 at best.
+  enum class Order { unknown, regular, first_at_best };
+
+  explicit Convergence(const Order kind = Order::unknown) : kind(kind) {}
 
   /// @param differences of all quantities between the answers at levels @p coarse and @p fine
   void add(const unsigned int coarse, const unsigned int fine,
@@ -47,7 +51,7 @@ private:
     double envelope = 0.; ///< of the differences, each halved from level to level
     bool irregular = false;
   };
-  bool may_be_irregular;
+  Order kind;
   std::vector<Sequence> quantities;
   unsigned int n = 0;                          ///< differences so far that tell something new
   unsigned int last_coarse = 0, last_fine = 0; ///< levels of the last one

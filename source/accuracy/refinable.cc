@@ -76,7 +76,7 @@ Refinable increments_of(const Scene &scene, const SceneKind &kind) {
               settings.push_back(path + " = " + whole(coarsest << level));
             return settings;
           },
-          true};
+          true, false, Convergence::Order::first_at_best};
 }
 
 /// An exact integrator takes steps only where slip follows a curve or events accumulate; of
@@ -106,7 +106,7 @@ Refinable cells_of(const double run, const bool bends) {
               settings.push_back("Mesh/Cells per bend = " + whole(2u << level));
             return settings;
           },
-          false, false, false};
+          false, false, Convergence::Order::regular};
 }
 
 bool has_bend(const Scene &scene) {

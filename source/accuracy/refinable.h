@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "accuracy/convergence.h"
 #include "scene/file/parameter_file.h"
 #include "scene/scene.h"
 
@@ -14,8 +15,8 @@ struct Refinable {
   std::function<std::vector<std::string>(const unsigned int level)> settings; ///< as of --set
   bool coarsest_may_be_exact = false; ///< as one increment is, where friction only grows
   bool depends_on_next = false;       ///< of the list: both are refined together
-  bool steps_over_events =
-      true; ///< slips and contacts that it may meet here or there; cells do not
+  /// Of its errors: what may meet slips and contacts here or there has none that is known.
+  Convergence::Order order = Convergence::Order::unknown;
 };
 
 /**

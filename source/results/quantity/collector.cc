@@ -378,6 +378,8 @@ void Collector::finish(const LineState &state) {
     result.of_impact = pending[i].struck;
     if (result.of_impact)
       results.remarks.push_back(remark_on_impact(quantity));
+    if (pending[i].lacks_impulse)
+      results.remarks.push_back(remark_on_lost_impulse(quantity));
     results.quantities.push_back(result);
   }
 }

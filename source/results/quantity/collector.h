@@ -51,6 +51,7 @@ private:
     double sum = 0., duration = 0.;     ///< integrals over time
     double at_start = 0., largest = 0.; ///< largest: by size
     bool begun = false, struck = false; ///< struck: a rigid support whose force it is an extreme of
+    bool lacks_impulse = false;         ///< the same, whose force it is the integral of
   };
 
   /// Follow a quantity over an interval of time.

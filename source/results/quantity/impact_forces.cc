@@ -8,17 +8,38 @@
 
 namespace frictionbeam {
 
-bool is_extreme_of_force(const Quantity &quantity, const SupportInfo &support) {
+namespace {
+
+bool is_force_of(const Quantity &quantity, const SupportInfo &support) {
   using Of = QuantityKind::Of;
   const QuantityKind &kind = quantity.kind();
-  if (kind.unit != std::string("N"))
-    return false;
-  const bool is_extreme =
-      quantity.over == Quantity::Over::maximum ||
-      (quantity.over == Quantity::Over::minimum && !quantity.absolute && !kind.is_size);
-  return is_extreme &&
+  return kind.unit == std::string("N") &&
          (kind.of == Of::supports || (is_part_of(support, quantity.where) &&
                                       (kind.of == Of::support || kind.of == Of::holder)));
+}
+
+std::string impulse_of(const Quantity &quantity) {
+  return "'impulse at " + (quantity.where.empty() ? "SUPPORT" : quantity.where) + "'";
+}
+
+} // namespace
+
+bool is_extreme_of_force(const Quantity &quantity, const SupportInfo &support) {
+  const bool is_extreme =
+      quantity.over == Quantity::Over::maximum ||
+      (quantity.over == Quantity::Over::minimum && !quantity.absolute && !quantity.kind().is_size);
+  return is_extreme && is_force_of(quantity, support);
+}
+
+bool is_integral_of_force(const Quantity &quantity, const SupportInfo &support) {
+  return (quantity.over == Quantity::Over::integral || quantity.over == Quantity::Over::mean) &&
+         is_force_of(quantity, support);
+}
+
+std::string remark_on_lost_impulse(const Quantity &quantity) {
+  return "Quantity " + quantity.name + " is the force between impacts, as the integrator event " +
+         "has them: of a rigid support that was struck, their impulses are not in it. " +
+         impulse_of(quantity) + " is with them.";
 }
 
 std::string remark_on_impact(const Quantity &quantity) {
@@ -27,13 +48,10 @@ std::string remark_on_impact(const Quantity &quantity) {
       "infinite for no time: what is found depends on the time step and is no answer.";
   if (quantity.reference)
     throw UserError("Quantity " + quantity.name + " " + reason + "\n  read:    " + quantity.what +
-                    " with a reference\n  allowed: a reference for what exists\n  try:     "
-                    "'impulse at " +
-                    (quantity.where.empty() ? "SUPPORT" : quantity.where) +
-                    "', or an Axial rigidity for the support");
-  return "Quantity " + quantity.name + " " + reason + " Take 'impulse at " +
-         (quantity.where.empty() ? "SUPPORT" : quantity.where) +
-         "', or give the support an Axial rigidity.";
+                    " with a reference\n  allowed: a reference for what exists\n  try:     " +
+                    impulse_of(quantity) + ", or an Axial rigidity for the support");
+  return "Quantity " + quantity.name + " " + reason + " Take " + impulse_of(quantity) +
+         ", or give the support an Axial rigidity.";
 }
 
 } // namespace frictionbeam

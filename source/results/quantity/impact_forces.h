@@ -9,6 +9,13 @@ namespace frictionbeam {
 /// Whether a quantity is an extreme in time of a force of this support, or of all of them.
 bool is_extreme_of_force(const Quantity &quantity, const SupportInfo &support);
 
+/// Whether it is the integral or mean in time of such a force: with an integrator that has impacts
+/// between its pieces, and not within steps, without their impulses.
+bool is_integral_of_force(const Quantity &quantity, const SupportInfo &support);
+
+/// What the user should know about that, if it was struck.
+std::string remark_on_lost_impulse(const Quantity &quantity);
+
 /**
  * What the user should know about an extreme of a force of a rigid support that was struck: an
  * impact has an impulse, and its force, infinite for no time, is no number.

@@ -193,9 +193,13 @@ void Collector::watch_impacts(const bool transient, const LineState &state) {
         continue;
       for (unsigned int q = 0; q < pending.size(); ++q)
         if (const Quantity &quantity = model.scene.quantities[q];
-            state.time >= quantity.from && previous_time <= quantity.to &&
-            is_extreme_of_force(quantity, results.supports[i]))
-          pending[q].struck = true;
+            state.time >= quantity.from && previous_time <= quantity.to) {
+          pending[q].struck =
+              pending[q].struck || is_extreme_of_force(quantity, results.supports[i]);
+          pending[q].lacks_impulse =
+              pending[q].lacks_impulse ||
+              (model.scene.time.is_exact() && is_integral_of_force(quantity, results.supports[i]));
+        }
     }
   contacts_before.take(model, state);
 }
