@@ -23,7 +23,7 @@ namespace frictionbeam::accuracy {
  * with a C_l that is anything up to some bound. From then on the estimate is no less than what the
  * largest of all differences would have become at order 1, and no level is left out. Histories of
  * friction, whose directions depend on where increments end, are of order 1 at best: of those the
- * estimate is never less than half of that.
+ * estimate is never less than half of that, and no level is left out either.
  */
 class Convergence {
 public:

@@ -93,7 +93,9 @@ std::optional<Refinable> time_step_of(const Scene &scene) {
                        settings.push_back("Time/Output interval = " + exact_number(longest / 4.));
                      return settings;
                    },
-                   is_exact, !is_exact};
+                   is_exact, !is_exact,
+                   scene.supports.empty() ? Convergence::Order::unknown
+                                          : Convergence::Order::first_at_best};
 }
 
 /// Cells of straight runs, and of bends that are made of straight cells.
