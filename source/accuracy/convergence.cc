@@ -57,6 +57,8 @@ void Convergence::add(const unsigned int coarse, const unsigned int fine,
     if (is_finer && before > 0. && d > 0.) {
       const double measured = order_of(d / before, now, last);
       quantity.order = n > 2 ? std::min(measured, std::max(1., quantity.measured)) : measured;
+      if (kind == Order::first_at_best)
+        quantity.order = std::min(quantity.order, 1.);
       if (kind != Order::regular && n > 2 &&
           std::abs(measured - quantity.measured) > largest_change_of_order)
         quantity.irregular = true;
