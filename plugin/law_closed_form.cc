@@ -112,8 +112,11 @@ private:
     strain[2] = old_state[form.slip_z] + trial[1] / k[1];
     // The twist likewise, beyond the patch's limit where the friction is beyond its own.
     const double limit = form.patch_radius * stick * std::abs(N);
-    const double moment = limit > 0. ? share * limit : form.torsional_rigidity * share * 1e-3;
-    strain[3] = form.torsional_rigidity > 0. ? moment / form.torsional_rigidity : 0.;
+    const bool turns = form.torsional_rigidity > 0.; // else there is nothing that a patch limits
+    const double moment = !turns       ? 0.
+                          : limit > 0. ? share * limit
+                                       : form.torsional_rigidity * share * 1e-3;
+    strain[3] = turns ? moment / form.torsional_rigidity : 0.;
     if (evaluate(strain, temperature, rate, LawTangent::none) != LawStatus::ok)
       return;
     judge(N, trial, k, stick, moment, temperature, rate);

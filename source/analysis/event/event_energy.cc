@@ -38,10 +38,13 @@ void EventIntegrator::set_imposed(const double x, const double length) {
   const int n = motion.factors.cols();
   imposed_factors.assign(n, 0.);
   imposed_rates.assign(n, 0.);
+  imposed_accelerations.assign(n, 0.);
   for (int l = 0; l < n; ++l)
     if (model.linear.accelerates(l)) {
       imposed_factors[l] = value(motion.factors.col(l), x);
-      imposed_rates[l] = value(derivative(motion.factors.col(l)), x) / length;
+      const Polynomial rate = derivative(motion.factors.col(l));
+      imposed_rates[l] = value(rate, x) / length;
+      imposed_accelerations[l] = value(derivative(rate), x) / (length * length);
     }
 }
 

@@ -26,6 +26,7 @@ bool EventIntegrator::is_stuck(const Event &event) {
 
 TimeStep EventIntegrator::hand_over_after(const TimeStep &step, const LoadCourse &loads,
                                           const double time, LineState &to) {
+  set_imposed(0., motion_length);
   write(loads, to);
   const LineState middle = to;
   TimeStep rest =

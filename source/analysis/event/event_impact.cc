@@ -345,8 +345,6 @@ void EventIntegrator::settle(const Vector &of_ground, EnergyAccount &energy, Lin
   for (unsigned int i = 0; i < states.size(); ++i)
     if (states[i].is_closed())
       contacts.push_back(i);
-  if (contacts.empty())
-    return;
   std::vector<int> held; // components
   for (unsigned int k = 0; k < contacts.size(); ++k) {
     const EventContact &contact = line.contacts[contacts[k]];
@@ -356,6 +354,8 @@ void EventIntegrator::settle(const Vector &of_ground, EnergyAccount &energy, Lin
       if (contact.moves[d] && (d == 0 ? contact.normal == EventContact::Normal::rigid : sticks))
         held.push_back(3 * k + d);
   }
+  if (held.empty())
+    return;
   const Eigen::MatrixXd columns = response_to_impulses(contacts);
   const Vector u = velocities(contacts, of_ground);
   Eigen::MatrixXd W(held.size(), held.size());

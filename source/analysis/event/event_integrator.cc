@@ -44,14 +44,7 @@ void EventIntegrator::start(LineState &state, const LoadCourse &loads) {
   bounces.assign(states.size(), {});
   at_rest_on_ground = false;
   ground_may_jump = true;
-  imposed_rates.clear();
-  if (present <= output_step) // nothing is known before 0
-    return;
-  const double before = 1e-6 * output_step;
-  const LoadCourse::Factors now = loads.factors_before(present),
-                            earlier = loads.factors(present - before);
-  for (std::size_t l = 0; l < now.size(); ++l)
-    imposed_rates.push_back(model.linear.accelerates(l) ? (now[l] - earlier[l]) / before : 0.);
+  imposed_rates = state.load_rates; // those before
 }
 
 void EventIntegrator::read_states(const LineState &state, const LoadCourse &loads) {
@@ -319,6 +312,7 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
     ++step.result.iterations;
     const Event event = next_event();
     if (changed && event.x > 0.) { // the new state holds
+      set_imposed(0., length);
       for (unsigned int i = 0; i < states.size(); ++i)
         force[i] = TaylorMotion::at(motion.r[i], 0.);
       break;

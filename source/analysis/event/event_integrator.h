@@ -200,7 +200,7 @@ private:
   std::vector<EventState> states;
   std::vector<Eigen::Vector3d> displacement, force; ///< of contacts, at present
   Vector unknowns, velocity;
-  std::vector<double> imposed_factors, imposed_rates; ///< by load; of one instant
+  std::vector<double> imposed_factors, imposed_rates, imposed_accelerations; ///< by load, now
   double present = 0., fastest = 0.;
   double farthest = 0., strongest = 0.; ///< displacements and forces of contacts so far [m], [N]
   std::string failure;                  ///< why it has ended

@@ -5,9 +5,9 @@ namespace frictionbeam {
 
 void EventIntegrator::transfer(Archive &archive) {
   archive(motion, fallback, states, displacement, force, unknowns, velocity, present, fastest,
-          farthest, strongest, ground_may_jump, at_rest_on_ground, bounces, imposed_rates, n_events,
-          n_handed_over, n_unresolved, goes_straight_on, first_handed_over, time_handed_over,
-          n_unshared, reason);
+          farthest, strongest, ground_may_jump, at_rest_on_ground, bounces, imposed_rates,
+          imposed_accelerations, n_events, n_handed_over, n_unresolved, goes_straight_on,
+          first_handed_over, time_handed_over, n_unshared, reason);
 }
 
 void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {
@@ -15,10 +15,17 @@ void EventIntegrator::write(const LoadCourse &loads, LineState &to) const {
   to.unknowns = unknowns;
   to.velocity = velocity;
   to.load_factors = loads.factors(present);
-  loads.set_rates(to);
+  to.load_rates.clear();
+  to.load_accelerations.clear();
   write_contacts(loads.imposed(present), force, to);
   Vector left = loads.forces(present);
-  loads.add_inertia(present, left);
+  for (unsigned int l = 0; l < imposed_rates.size(); ++l)
+    if (model.linear.accelerates(l)) {
+      left += imposed_accelerations[l] * model.linear.inertia(l) +
+              imposed_rates[l] * model.linear.drag(l);
+      to.load_rates = imposed_rates;
+      to.load_accelerations = imposed_accelerations;
+    }
   for (unsigned int i = 0; i < states.size(); ++i)
     if (states[i].is_closed())
       line.add_contact_force(i, force[i], left);
@@ -42,8 +49,10 @@ void EventIntegrator::write_within(const LoadCourse &loads, const double x, cons
   for (Eigen::Index l = 0; l < motion.factors.cols(); ++l) {
     const Polynomial factor = motion.factors.col(l), rate = derivative(factor);
     to.load_factors[l] = value(factor, x);
-    if (to.load_rates.empty() || !model.linear.accelerates(l))
+    if (!model.linear.accelerates(l))
       continue;
+    to.load_rates.resize(motion.factors.cols(), 0.);
+    to.load_accelerations.resize(motion.factors.cols(), 0.);
     to.load_rates[l] = value(rate, x) / length;
     to.load_accelerations[l] = value(derivative(rate), x) / (length * length);
   }

@@ -11,7 +11,8 @@ namespace frictionbeam {
 
 namespace {
 constexpr double no_jump = 1e-9; ///< of a motion: what a table bends by at a corner, to rounding
-}
+constexpr double smallest_motion = 1e-3; ///< of what a load declares
+} // namespace
 
 LoadCourse::LoadCourse(const Model &model)
     : model(model), from(model.scene.loads.size(), 0.), to(from) {
@@ -155,19 +156,35 @@ Vector LoadCourse::imposed_jumps(const double begin, const double end) const {
   for (double time = next_break(begin); time <= end; time = next_break(time)) {
     const Vector before = imposed(time, Side::before), after = imposed(time, Side::after);
     const Vector jump = after - before;
-    if (!(jump.lpNorm<Eigen::Infinity>() >
-          no_jump * std::max(before.lpNorm<Eigen::Infinity>(), after.lpNorm<Eigen::Infinity>())))
+    double size = std::max(before.lpNorm<Eigen::Infinity>(), after.lpNorm<Eigen::Infinity>());
+    for (const double instant : around(time))
+      size = std::max(size, imposed(instant).lpNorm<Eigen::Infinity>());
+    if (!(jump.lpNorm<Eigen::Infinity>() > no_jump * size))
       continue;
     result = result.size() == 0 ? jump : Vector(result + jump);
   }
   return result;
 }
 
-LoadCourse::Factors LoadCourse::jumps_between(const Factors &before, const Factors &after) {
+std::array<double, 2> LoadCourse::around(const double time) const {
+  const double step = time_step(model);
+  return {std::max(time - step, std::min(start, time)), time + step};
+}
+
+LoadCourse::Factors LoadCourse::jumps_between(const Factors &before, const Factors &after,
+                                              const double time) const {
+  Factors size(after.size());
+  for (unsigned int l = 0; l < size.size(); ++l)
+    size[l] = std::max({std::abs(after[l]), std::abs(before[l]),
+                        smallest_motion * std::max(std::abs(from[l]), std::abs(to[l]))});
+  for (const double instant : around(time)) {
+    const Factors nearby = factors(instant);
+    for (unsigned int l = 0; l < size.size(); ++l)
+      size[l] = std::max(size[l], std::abs(nearby[l])); // of what is no number, the size so far
+  }
   Factors result(after.size(), 0.);
   for (unsigned int l = 0; l < after.size(); ++l)
-    if (const double jump = after[l] - before[l];
-        std::abs(jump) > no_jump * std::max(std::abs(after[l]), std::abs(before[l])))
+    if (const double jump = after[l] - before[l]; std::abs(jump) > no_jump * size[l])
       result[l] = jump;
   return result;
 }
@@ -175,7 +192,7 @@ LoadCourse::Factors LoadCourse::jumps_between(const Factors &before, const Facto
 LoadCourse::Factors LoadCourse::factor_jumps(const double begin, const double end) const {
   Factors result(to.size(), 0.);
   for (double time = next_break(begin); time <= end; time = next_break(time)) {
-    const Factors jumps = jumps_between(factors_before(time), factors_after(time));
+    const Factors jumps = jumps_between(factors_before(time), factors_after(time), time);
     for (unsigned int l = 0; l < result.size(); ++l)
       result[l] += jumps[l];
   }

@@ -5,6 +5,7 @@
 #include "model/model.h"
 #include "scene/history_origins.h"
 
+#include <array>
 #include <functional>
 
 namespace frictionbeam {
@@ -16,8 +17,6 @@ namespace frictionbeam {
 class LoadCourse {
 public:
   using Factors = std::vector<double>;
-  /// Of loads whose factors do not differ but by rounding: 0.
-  static Factors jumps_between(const Factors &before, const Factors &after);
   /// Of instants at which something jumps or bends, which side is meant; both: none.
   enum class Side { before, after, both };
 
@@ -52,6 +51,9 @@ public:
 
   /// The same of the loads' factors.
   Factors factor_jumps(const double begin, const double end) const;
+  /// Of factors before and after @p time; 0 where they do not differ but by rounding of what they
+  /// are within a time step of it.
+  Factors jumps_between(const Factors &before, const Factors &after, const double time) const;
 
   /// The first instant after @p time at which something may jump or bend; infinity if none.
   double next_break(const double time) const;
@@ -74,6 +76,8 @@ private:
   /// The declared factors times the loads' histories.
   double factor(const unsigned int load, const double time, const Side side) const;
   bool is_break(const double time) const;
+  /// Instants a time step before and after, the first not before the sequence's step.
+  std::array<double, 2> around(const double time) const;
   /// The last instant before @p time at which something may jump or bend; minus infinity if none.
   double last_break(const double time) const;
   /// Call for each history that acts, with the origin of its time.

@@ -37,12 +37,13 @@ double kinetic_energy(const Model &model, const LineState &state) {
 EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegrator &integrator,
                         LineState &state) {
   EnergyAccount account;
-  course.set_rates(state, LoadCourse::Side::before);
   const LineState before = state;
   state.load_factors = course.factors_after(state.time);
   course.set_rates(state, LoadCourse::Side::after);
-  if (const Vector impulse = impulse_of_inertia(model, before.load_rates, state.load_rates);
-      impulse.size() > 0) {
+  const Vector impulse = before.load_rates.empty()
+                             ? Vector()
+                             : impulse_of_inertia(model, before.load_rates, state.load_rates);
+  if (impulse.size() > 0) {
     LineFactorization mass;
     factor_mass(model.cells.mass(), mass);
     const std::vector<bool> has_mass = unknowns_with_mass(model.cells.mass());

@@ -6,10 +6,11 @@
 namespace frictionbeam {
 
 /**
- * Make @p state, at the end of a time step, fit to begin the next one where a load jumps: the
- * factors are those after the jump, the integrator begins with the accelerations that belong to
- * them, and where nodes that loads move change their velocity by dv, the others do so by
- * -M_uu^-1 M_ub dv, the impulse of their inertia (doc/dynamics.md, "Corners and jumps").
+ * Make @p state, at the end of a step or time step, fit to begin the next one where a load jumps:
+ * its load rates are those before, empty if nothing is known of them. The factors are then those
+ * after the jump, the integrator begins with the accelerations that belong to them, and where nodes
+ * that loads move change their velocity by dv, the others do so by -M_uu^-1 M_ub dv, the impulse of
+ * their inertia (doc/dynamics.md, "Corners and jumps").
  * @return what that impulse does to the account of energy
  */
 EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegrator &integrator,

@@ -48,12 +48,15 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
     const LoadCourse::Factors before =
         std::exchange(state->load_factors, course->factors_after(start));
     report->remark =
-        forbidden_by_damping(model, LoadCourse::jumps_between(before, state->load_factors));
+        forbidden_by_damping(model, course->jumps_between(before, state->load_factors, start));
     if (!report->remark.empty())
       return false;
-    course->set_rates(*state, LoadCourse::Side::after);
     state->events.clear(); // those of a static increment are no impacts
-    integrator->start(*state, *course);
+    set_rates_before();
+    if (integrator->is_exact())
+      integrator->start(*state, *course);
+    else
+      report->energy += meet_jump(model, *course, *integrator, *state);
     time_step = longest_step;
     jump_met = start;
     contacts_before = {};
@@ -74,6 +77,18 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
   report->remark = integrator->remark();
   report->warning = integrator->warning();
   return true;
+}
+
+void TimeMarch::set_rates_before() {
+  state->load_rates.clear();
+  if (step_number == 0)
+    return; // nothing is known before a run
+  const LoadStep &before = model.scene.steps[step_number - 1];
+  course->set_rates(*state, LoadCourse::Side::before);
+  for (unsigned int l = 0; l < state->load_rates.size(); ++l)
+    if (!before.transient || std::none_of(before.loads.begin(), before.loads.end(),
+                                          [&](const auto &load) { return load.first == l; }))
+      state->load_rates[l] = 0.;
 }
 
 bool TimeMarch::move_to(const double time, const std::function<void()> &after_each) {
@@ -123,8 +138,10 @@ bool TimeMarch::is_shortest(const double step) const {
 bool TimeMarch::take_time_step(const double time) {
   if (!integrator->is_exact() && jump_met != state->time) {
     jump_met = state->time;
-    if (course->jumps(state->time))
+    if (course->jumps(state->time)) {
+      course->set_rates(*state, LoadCourse::Side::before);
       report->energy += meet_jump(model, *course, *integrator, *state);
+    }
   }
   last_error = not_solved;
   if (const std::string why = forbidden_jump(model, *course, *state, time); !why.empty()) {

@@ -2,6 +2,7 @@
 #include "scene/part/parts.h"
 
 #include <algorithm>
+#include <array>
 
 namespace frictionbeam::parts {
 
@@ -31,12 +32,27 @@ void remark_on_integrator(ParameterReader &in, Scene &scene) {
                               ", which know no impulses; Method = exact does.");
 }
 
+/// What an Initial wants in directions that Free motions holds.
+void remark_on_initial(Scene &scene) {
+  static constexpr std::array<const char *, 6> motion_names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
+  for (const InitialCondition &initial : scene.initial)
+    for (unsigned int c = 0; c < 6 && initial.about.empty(); ++c)
+      if (!scene.free_motions[c] && (initial.velocity[c] != 0. || initial.displacement[c] != 0.)) {
+        const std::string &where =
+            initial.points.empty() ? initial.pipes.front() : initial.points.front();
+        scene.remarks.push_back("The Initial of " + where + " has a part along " +
+                                std::string(motion_names[c]) +
+                                ", which is not one of the Free motions: it does nothing.");
+      }
+}
+
 } // namespace
 
 void remark_on_unused(ParameterReader &in, Scene &scene) {
   if (std::any_of(scene.steps.begin(), scene.steps.end(),
                   [](const LoadStep &step) { return step.transient; }))
     remark_on_integrator(in, scene);
+  remark_on_initial(scene);
   for (unsigned int l = 0; l < scene.loads.size(); ++l)
     if (std::none_of(scene.steps.begin(), scene.steps.end(), [&](const LoadStep &step) {
           return std::any_of(step.loads.begin(), step.loads.end(),
