@@ -127,7 +127,7 @@ std::string undetermined_forces(const Results &results) {
 }
 
 /// Which rigid supports were struck, and what that means for their forces; empty if none was.
-std::string struck_supports(const Results &results) {
+std::string struck_supports(const Model &model, const Results &results) {
   std::set<unsigned int> struck;
   for (const StepReport &step : results.steps)
     struck.insert(step.struck.begin(), step.struck.end());
@@ -136,7 +136,11 @@ std::string struck_supports(const Results &results) {
   return "Rigid supports were struck: " + names_of(struck, results) +
          ". The force of such an impact is infinite for no time, so that it has no largest value "
          "and tables of forces at instants miss it: its impulse is the answer, or give the "
-         "support an Axial rigidity.";
+         "support an Axial rigidity." +
+         (model.scene.time.is_exact() ? ""
+                                      : " Anchors, restraints and nozzles that such an impact "
+                                        "reaches have it in their forces "
+                                        "over a time step, which grow as the step shrinks.");
 }
 
 } // namespace
@@ -171,7 +175,7 @@ void add_remarks_on_supports(const Model &model, Results &results) {
     add_effect_of_rigidity(model, results);
   add_torn_off(results);
   for (const std::string &remark :
-       {struck_supports(results), several_equilibria(results), undetermined_forces(results)})
+       {struck_supports(model, results), several_equilibria(results), undetermined_forces(results)})
     if (!remark.empty())
       results.remarks.push_back(remark);
 }
