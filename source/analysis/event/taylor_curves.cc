@@ -35,9 +35,13 @@ Eigen::MatrixXd TaylorMotion::rates_and_normal_forces(const double length) const
   return result;
 }
 
-double TaylorMotion::find_friction(const double length, const std::vector<EventState> &states,
+double TaylorMotion::find_friction(const double time, const double length,
+                                   const std::vector<EventState> &states,
                                    const std::vector<Eigen::Vector3d> &forces) {
-  const Eigen::MatrixXd free = rates_and_normal_forces(length);
+  Eigen::MatrixXd free = rates_and_normal_forces(length);
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    if (states[curves[c]].began == time)
+      free.block<2, 1>(3 * c, 0).setZero(); // at rest: not the rounding that is left of it
   if (responses.empty())
     make_responses(length, states);
   std::vector<CurvedSlip::Contact> contacts;

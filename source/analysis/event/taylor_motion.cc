@@ -353,7 +353,7 @@ double TaylorMotion::compute(const LoadCourse &loads, const double time, const d
     if (part >= 1e-3 && !curves.empty()) {
       shorten_all(part);
       length *= part;
-      const double found = find_friction(length, states, forces);
+      const double found = find_friction(time, length, states, forces);
       if (found == 0.)
         return 0.;
       for (Eigen::MatrixXd *const m : {&factors, &ground})

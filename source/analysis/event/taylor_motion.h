@@ -126,7 +126,8 @@ private:
   void begin_series(const Vector *const unknowns, const Vector *const velocity);
   /// Find the friction of contacts that slip along curves, for the series without it.
   /// @return for which part of the length, 0 if for none
-  double find_friction(const double length, const std::vector<EventState> &states,
+  double find_friction(const double time, const double length,
+                       const std::vector<EventState> &states,
                        const std::vector<Eigen::Vector3d> &forces);
   void make_responses(const double length, const std::vector<EventState> &states);
   bool is_curve(const EventState &state) const {
