@@ -143,7 +143,7 @@ void EventIntegrator::turn_slip(const double x, const double length) {
 
 void EventIntegrator::go(const LoadCourse &loads, const double x, const double length,
                          LineState &to, EnergyAccount &energy) {
-  if (piece_observer) {
+  if (piece_observer && present + x * length > present) { // it may be shorter than time resolves
     LineState within = to;
     const auto state_at = [&](const double time) -> const LineState & {
       write_within(loads, std::clamp((time - present) / length, 0., x), length, to.contacts,
