@@ -12,8 +12,8 @@ constexpr double lowest_order = 0.5, highest_order = 2., order_of_chance = 3.,
                  order_of_first_chance = 2., largest_change_of_order = 0.75;
 constexpr double rounding = 1e-11;
 constexpr double longest_jump = 2.;
-/// Part of the envelope: with it none of 360 answers of 80 static and 65 moving random lines at 1e-2
-/// to 1e-3 is off (prm/benchmark/random_accuracy.py), without it nine are.
+/// Part of the envelope: with it none of 360 answers of 80 static and 65 moving random lines at
+/// 1e-2 to 1e-3 is off (prm/benchmark/random_accuracy.py), without it nine are.
 constexpr double part_of_envelope = 0.5;
 
 /// Levels of the coarser and of the finer answer.
@@ -69,12 +69,13 @@ void Convergence::add(const unsigned int coarse, const unsigned int fine,
     quantity.last = d;
     quantity.scale = differences[i].scale;
     quantity.estimate = d / (std::pow(2., quantity.order * (fine - coarse)) - 1.);
-    const double at_order_1 = quantity.envelope / (std::pow(2., 1. * (fine - coarse)) - 1.);
     if (quantity.irregular)
       quantity.order = 1.;
-    if (quantity.irregular || kind == Order::first_at_best)
-      quantity.estimate =
-          std::max(quantity.estimate, (quantity.irregular ? 1. : part_of_envelope) * at_order_1);
+    const double part = quantity.irregular             ? 1.
+                        : kind == Order::first_at_best ? part_of_envelope
+                                                       : 0.;
+    quantity.estimate = std::max(quantity.estimate, part * quantity.envelope /
+                                                        (std::pow(2., 1. * (fine - coarse)) - 1.));
   }
   last_coarse = coarse;
   last_fine = fine;

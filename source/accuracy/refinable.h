@@ -15,7 +15,8 @@ struct Refinable {
   std::function<std::vector<std::string>(const unsigned int level)> settings; ///< as of --set
   bool coarsest_may_be_exact = false; ///< as one increment is, where friction only grows
   bool depends_on_next = false;       ///< of the list: both are refined together
-  /// Of its errors: what may meet slips and contacts here or there has none that is known.
+  /// Of its errors: 1 at best where friction has a history, regular where no slip or contact can be
+  /// met here or there, as by cells.
   Convergence::Order order = Convergence::Order::unknown;
 };
 

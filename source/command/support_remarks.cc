@@ -137,10 +137,10 @@ std::string struck_supports(const Model &model, const Results &results) {
          ". The force of such an impact is infinite for no time, so that it has no largest value "
          "and tables of forces at instants miss it: its impulse is the answer, or give the "
          "support an Axial rigidity." +
-         (model.scene.time.is_exact() ? ""
-                                      : " Anchors, restraints and nozzles that such an impact "
-                                        "reaches have it in their forces "
-                                        "over a time step, which grow as the step shrinks.");
+         (model.scene.time.is_exact()
+              ? ""
+              : " Anchors, restraints and nozzles that such an impact reaches have it in their "
+                "forces over a time step, which grow as the step shrinks.");
 }
 
 } // namespace

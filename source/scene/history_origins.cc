@@ -11,12 +11,12 @@
 
 namespace frictionbeam {
 
-namespace {
-
 bool acts(const LoadStep &step, const unsigned int load) {
   return std::any_of(step.loads.begin(), step.loads.end(),
                      [&](const auto &one) { return one.first == load && one.second != 0.; });
 }
+
+namespace {
 
 /// The run's times at which steps begin [s], as the run itself adds them up.
 std::vector<double> beginnings(const Scene &scene) {

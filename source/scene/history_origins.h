@@ -26,4 +26,7 @@ struct HistoryOrigins {
   }
 };
 
+/// Whether a load, by its number, acts in a step: with a factor that is not 0.
+bool acts(const LoadStep &step, const unsigned int load);
+
 } // namespace frictionbeam

@@ -63,6 +63,15 @@ void add_friction(std::ostringstream &out, Random &random, const bool lifts = tr
   out << "  set Shear rigidity = " << random.number(1e3, 1e4) << '\n';
 }
 
+/// The i-th point, with a mass. @return its name
+std::string add_mass(std::ostringstream &out, Random &random, const int i) {
+  const std::string number = std::to_string(i), at = "P" + number;
+  out << "subsection Point " << at << "\n  set Position = " << i << " 0 0\nend\nsubsection Mass m"
+      << number << "\n  set At = " << at << "\n  set Mass = " << random.number(0.5, 2.)
+      << "\nend\n";
+  return at;
+}
+
 /// Masses on springs, pressed onto rests.
 Scene masses(Random &random) {
   Scene scene;
@@ -71,11 +80,9 @@ Scene masses(Random &random) {
   std::vector<std::string> points, supports;
   const int n = random.whole(1, 3);
   for (int i = 0; i < n; ++i) {
-    const std::string number = std::to_string(i), at = "P" + number;
+    const std::string number = std::to_string(i), at = add_mass(out, random, i);
     points.push_back(at);
-    out << "subsection Point " << at << "\n  set Position = " << i << " 0 0\nend\nsubsection Mass m"
-        << number << "\n  set At = " << at << "\n  set Mass = " << random.number(0.5, 2.)
-        << "\nend\nsubsection Spring k" << number << "\n  set At = " << at
+    out << "subsection Spring k" << number << "\n  set At = " << at
         << "\n  set Stiffness = " << random.number(2., 12.) << ' ' << random.number(2., 12.) << ' '
         << random.number(5., 30.) << "\nend\n";
     if (i > 0)
@@ -171,11 +178,8 @@ Scene moved(Random &random) {
   std::vector<std::string> points, supports, loads;
   const int n = random.whole(1, 2);
   for (int i = 0; i < n; ++i) {
-    const std::string number = std::to_string(i), at = "P" + number;
+    const std::string number = std::to_string(i), at = add_mass(out, random, i);
     points.push_back(at);
-    out << "subsection Point " << at << "\n  set Position = " << i << " 0 0\nend\nsubsection Mass m"
-        << number << "\n  set At = " << at << "\n  set Mass = " << random.number(0.5, 2.)
-        << "\nend\n";
     if (i > 0)
       out << "subsection Spring between" << number << "\n  set At = " << at << "\n  set To = P"
           << i - 1 << "\n  set Stiffness = " << random.number(20., 80.) << ' '

@@ -25,7 +25,7 @@ struct EnergyAccount {
   double missed_friction = 0.; ///< [J]
   double turnover = 0.;        ///< sum of the sizes of all terms [J]
   double at_hand = 0.; ///< dynamics: largest kinetic and stored energy of the line at one time [J]
-  double least_scale = 0.; ///< for the imbalance, where somebody has said so [J]
+  double least_scale = 0.; ///< what imbalance() is relative to at least: rounding of it all [J]
 
   /// Work that went nowhere: external less all the others [J].
   double left_over() const;

@@ -12,11 +12,12 @@ namespace frictionbeam {
 
 namespace {
 
-/// Impulse of the inertia of imposed motions whose velocity jumps; empty if none does.
+/// Impulse of the inertia of imposed motions whose velocity jumps; empty if none does, or if
+/// nothing is known of the rates before.
 Vector impulse_of_inertia(const Model &model, const std::vector<double> &before,
                           const std::vector<double> &after) {
   Vector impulse;
-  for (unsigned int l = 0; l < after.size(); ++l) {
+  for (unsigned int l = 0; l < before.size(); ++l) {
     const double jump = after[l] - before[l];
     if (!model.linear.accelerates(l) ||
         std::abs(jump) <= 1e-6 * std::max(std::abs(after[l]), std::abs(before[l])))
@@ -40,10 +41,8 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
   const LineState before = state;
   state.load_factors = course.factors_after(state.time);
   course.set_rates(state, LoadCourse::Side::after);
-  const Vector impulse = before.load_rates.empty()
-                             ? Vector()
-                             : impulse_of_inertia(model, before.load_rates, state.load_rates);
-  if (impulse.size() > 0) {
+  if (const Vector impulse = impulse_of_inertia(model, before.load_rates, state.load_rates);
+      impulse.size() > 0) {
     LineFactorization mass;
     factor_mass(model.cells.mass(), mass);
     const std::vector<bool> has_mass = unknowns_with_mass(model.cells.mass());

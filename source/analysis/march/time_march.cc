@@ -86,8 +86,7 @@ void TimeMarch::set_rates_before() {
   const LoadStep &before = model.scene.steps[step_number - 1];
   course->set_rates(*state, LoadCourse::Side::before);
   for (unsigned int l = 0; l < state->load_rates.size(); ++l)
-    if (!before.transient || std::none_of(before.loads.begin(), before.loads.end(),
-                                          [&](const auto &load) { return load.first == l; }))
+    if (!before.transient || !acts(before, l))
       state->load_rates[l] = 0.;
 }
 

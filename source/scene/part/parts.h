@@ -94,7 +94,8 @@ void parse_monitors(const ParameterReader &in, Scene &scene);
 
 /// What does not go with Kinematics = corotational.
 void check_kinematics(const ParameterReader &in, const Scene &scene);
-/// Says where pipes may be displaced but points not turned, so that the answer depends on the points.
+/// Says where pipes may be displaced but points not turned, so that the answer depends on the
+/// points.
 void remark_on_free_motions(Scene &scene);
 /// Says which entries and loads were given and have no effect.
 void remark_on_unused(ParameterReader &in, Scene &scene);
@@ -133,6 +134,9 @@ std::vector<std::string> point_names(const Scene &scene);
 /// remembers that it was asked for.
 void check_point(const ParameterReader &in, const std::string &entry, const std::string &name,
                  Scene &scene);
+
+/// Words of the six motions: ux, uy, uz, rx, ry, rz.
+extern const std::vector<std::string> motions;
 
 /// "ux, rz" to flags. @throws UserError for anything else.
 std::array<bool, 6> parse_motions(const ParameterReader &in, const std::string &entry);

@@ -7,9 +7,9 @@
 
 namespace frictionbeam::parts {
 
-namespace {
-
 const std::vector<std::string> motions = {"ux", "uy", "uz", "rx", "ry", "rz"};
+
+namespace {
 
 /// What a kind of support is made of.
 enum class Form {

@@ -2,7 +2,6 @@
 #include "scene/part/parts.h"
 
 #include <algorithm>
-#include <array>
 
 namespace frictionbeam::parts {
 
@@ -34,14 +33,12 @@ void remark_on_integrator(ParameterReader &in, Scene &scene) {
 
 /// What an Initial wants in directions that Free motions holds.
 void remark_on_initial(Scene &scene) {
-  static constexpr std::array<const char *, 6> motion_names{{"ux", "uy", "uz", "rx", "ry", "rz"}};
   for (const InitialCondition &initial : scene.initial)
     for (unsigned int c = 0; c < 6 && initial.about.empty(); ++c)
       if (!scene.free_motions[c] && (initial.velocity[c] != 0. || initial.displacement[c] != 0.)) {
         const std::string &where =
             initial.points.empty() ? initial.pipes.front() : initial.points.front();
-        scene.remarks.push_back("The Initial of " + where + " has a part along " +
-                                std::string(motion_names[c]) +
+        scene.remarks.push_back("The Initial of " + where + " has a part along " + motions[c] +
                                 ", which is not one of the Free motions: it does nothing.");
       }
 }
