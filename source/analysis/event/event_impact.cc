@@ -36,8 +36,10 @@ void EventIntegrator::set_sliding(const unsigned int i, const Eigen::Vector2d &r
   const bool slides = rate.norm() > least_rate(i);
   states[i].status = slides ? ContactStatus::slip : ContactStatus::stick;
   states[i].curved = false;
-  if (slides)
+  if (slides) {
     states[i].direction = rate / rate.norm();
+    states[i].at_limit = false;
+  }
 }
 
 Vector EventIntegrator::ground_velocity(const double x, const double length) const {

@@ -93,7 +93,7 @@ void EventIntegrator::read_states(const LineState &state, const LoadCourse &load
 void EventIntegrator::find_limits() {
   for (unsigned int i = 0; i < states.size(); ++i) {
     const double most = line.contacts[i].law.static_friction * -force[i][0];
-    states[i].at_limit = states[i].status == ContactStatus::stick &&
+    states[i].at_limit = states[i].is_closed() && line.contacts[i].has_friction &&
                          force[i].tail<2>().norm() >= (1. - limit_of_statics) * most;
   }
 }

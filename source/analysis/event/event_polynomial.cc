@@ -12,6 +12,7 @@ namespace {
 
 constexpr int interpolation_degree = 14, n_samples = 24;
 constexpr double pi = 3.14159265358979323846;
+constexpr double rounding_of_values = 1e-15; ///< interpolated, of the largest
 
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -96,9 +97,13 @@ void shorten(Polynomial &p, const double x) {
   }
 }
 
+double InterpolationNoise::of(const int component) const {
+  return std::max(rounding_of_values * largest[component], level[component]);
+}
+
 Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &function,
-                            const double start, const double length, Eigen::VectorXd &noise,
-                            Eigen::VectorXd &before, bool &smooth) {
+                            const double start, const double length, InterpolationNoise &noise,
+                            bool &smooth) {
   static const Interpolation interpolation;
   const int n = interpolation_degree + 1;
   const Eigen::VectorXd first = function(start);
@@ -106,21 +111,22 @@ Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &
   for (int i = 0; i < n; ++i)
     values.row(i) = i == 0 ? first : function(start + chebyshev_point(i) * length);
   Eigen::MatrixXd coefficients = interpolation.to_chebyshev * values;
-  if (noise.size() == 0)
-    noise.setZero(values.cols());
-  const bool halved = before.size() > 0;
+  if (noise.level.size() == 0)
+    noise.level.setZero(values.cols());
+  const bool halved = noise.before.size() > 0;
   if (!halved)
-    before.setZero(values.cols());
+    noise.before.setZero(values.cols());
+  noise.largest = values.cwiseAbs().colwise().maxCoeff();
   for (int c = 0; c < values.cols(); ++c) {
-    const double largest = values.col(c).lpNorm<Eigen::Infinity>(),
+    const double largest = noise.largest[c],
                  last = coefficients.col(c).tail(3).lpNorm<Eigen::Infinity>();
-    if (halved && last > 0.6 * before[c] && last <= 1e-6 * largest) // a kink's are halved
-      noise[c] = std::max(noise[c], last);
-    before[c] = last;
-    smooth = smooth && last <= std::max(2e-14 * largest, 4. * noise[c]);
+    if (halved && last > 0.6 * noise.before[c] && last <= 1e-6 * largest) // a kink's are halved
+      noise.level[c] = std::max(noise.level[c], last);
+    noise.before[c] = last;
+    smooth = smooth && last <= std::max(2e-14 * largest, 4. * noise.level[c]);
     // Rounding errors would be accelerations after two derivatives.
     for (int k = 1; k < n; ++k)
-      if (std::abs(coefficients(k, c)) <= std::max(4e-15 * largest, 4. * noise[c]))
+      if (std::abs(coefficients(k, c)) <= 4. * noise.of(c))
         coefficients(k, c) = 0.;
   }
   return interpolation.to_powers * coefficients;

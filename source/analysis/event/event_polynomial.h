@@ -18,18 +18,27 @@ double integral_of_product(const Polynomial &p, const Polynomial &q, const doubl
 /// p(x y) as a polynomial in y.
 void shorten(Polynomial &p, const double x);
 
+/// What interpolated values are uncertain by, of each component.
+struct InterpolationNoise {
+  /// Found where halving the interval has not made the highest terms smaller. Cancellation, as in
+  /// 1 - cos t at 0, makes it large beside the values.
+  Eigen::VectorXd level;
+  Eigen::VectorXd before;  ///< highest terms of the interval before; empty: the next is no half
+  Eigen::VectorXd largest; ///< values of the interval at hand
+
+  /// Of the values, their own rounding included.
+  double of(const int component) const;
+};
+
 /**
  * The polynomial through a function's values at Chebyshev's points of [start, start + length], in
  * the part of that interval that has gone by; a column a component. @p smooth is made false if the
  * values are not those of a polynomial to rounding: the interval is too long then.
- * @param noise of each component, what its values are uncertain by: found here where halving the
- * interval has not made the highest terms smaller. Cancellation, as in 1 - cos t at 0, makes it
- * large beside the values.
- * @param before highest terms of the interval of twice this length, or nothing; of this one at exit
+ * @param noise of intervals before; of this one too at exit
  */
 Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &function,
-                            const double start, const double length, Eigen::VectorXd &noise,
-                            Eigen::VectorXd &before, bool &smooth);
+                            const double start, const double length, InterpolationNoise &noise,
+                            bool &smooth);
 
 /**
  * The first x in [0, 1] at which p, positive until then, becomes negative; 2 if it never does. What

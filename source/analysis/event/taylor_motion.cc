@@ -122,16 +122,17 @@ bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
   return interpolate_between(loads, time, length);
 }
 
-double TaylorMotion::rate_of_noise(const Noise &noise, const int column) const {
-  return noise.level.size() > 0 ? rate_of_interpolation * noise.level[column] / interpolated : 0.;
+double TaylorMotion::rate_of_noise(const InterpolationNoise &noise, const int column) const {
+  return noise.largest.size() > 0 ? rate_of_interpolation * noise.of(column) / interpolated : 0.;
 }
 
 bool TaylorMotion::interpolate_between(const LoadCourse &loads, const double time,
                                        const double length) {
   bool smooth = true;
-  const auto powers = [&](Noise &noise, const std::function<Vector(const double)> &function) {
-    return interpolate([&](const double t) { return function(within(t)); }, time, length,
-                       noise.level, noise.before, smooth);
+  const auto powers = [&](InterpolationNoise &noise,
+                          const std::function<Vector(const double)> &function) {
+    return interpolate([&](const double t) { return function(within(t)); }, time, length, noise,
+                       smooth);
   };
   factors = powers(factor_noise, [&](const double t) {
     const LoadCourse::Factors f =

@@ -92,11 +92,7 @@ private:
     unsigned int contact;
     int component;
   };
-  /// Of the loads' factors or the ground's motion, see interpolate().
-  struct Noise {
-    Vector level, before;
-  };
-  double rate_of_noise(const Noise &noise, const int column) const;
+  double rate_of_noise(const InterpolationNoise &noise, const int column) const;
   /// Make ready for contacts in these states.
   void take(const std::vector<EventState> &states);
   /// Make ready for a piece no longer than @p longest. @return the length to try first [s]
@@ -144,7 +140,7 @@ private:
   double guess = 0., curve_guess = 0.;
   double first_instant = 0., last_instant = 0.; ///< of the loads' piece [s]
   double interpolated = 0.;                     ///< time over which they are [s]
-  Noise factor_noise, ground_noise;
+  InterpolationNoise factor_noise, ground_noise;
   bool rows_are_current = false;
   std::vector<unsigned int> curves;            ///< contacts that slip along curves
   std::vector<Eigen::MatrixXd> curve_friction; ///< of each contact, 2 by order
