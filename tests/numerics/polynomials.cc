@@ -21,11 +21,11 @@ Polynomial with_roots(const double a, const double b, const double factor = 1.) 
 }
 
 void interpolates(const double length, const bool smooth_expected) {
-  Eigen::VectorXd noise, before;
+  InterpolationNoise noise;
   bool smooth = true;
   const Eigen::MatrixXd rows =
       interpolate([](const double t) { return Eigen::Vector2d(std::sin(3. * t), std::exp(-t)); },
-                  0.7, length, noise, before, smooth);
+                  0.7, length, noise, smooth);
   CHECK(smooth == smooth_expected);
   if (!smooth)
     return;
@@ -34,6 +34,10 @@ void interpolates(const double length, const bool smooth_expected) {
     const Polynomial sine = rows.col(0), decay = rows.col(1);
     CHECK_NEAR(value(sine, x), std::sin(3. * t), 1e-12);
     CHECK_NEAR(value(decay, x), std::exp(-t), 1e-12);
+    const Eigen::MatrixXd rest = part_of(rows, 0.25, 0.5);
+    CHECK_NEAR(value(Polynomial(rest.col(0)), x), value(sine, 0.25 + 0.5 * x), 1e-14);
+    CHECK_NEAR(value(derivative(rest.col(1)), x), 0.5 * value(derivative(decay), 0.25 + 0.5 * x),
+               1e-13);
   }
 }
 

@@ -16,6 +16,7 @@ constexpr int n_nodes = 12, n_orders = 31;
 constexpr unsigned int most_iterations = 15;
 constexpr double largest_turn = 0.5, small_turn = 1e-12, noise_of_turn = 1e-8;
 constexpr double rounding = 1e-9; ///< of velocities at the start, of the fastest in the piece
+constexpr double rounding_of_values = 1e-15; ///< of friction, which its derivative multiplies
 
 using Eigen::MatrixXd, Eigen::VectorXd, Eigen::Vector2d;
 
@@ -152,6 +153,7 @@ private:
   VectorXd all_friction() const;
 
   const std::vector<CurvedSlip::Contact> &contacts;
+  const double length;
   const int n_points;
   VectorXd constant; ///< w_1, w_2, N by contact and point
   MatrixXd matrix;   ///< of friction, two by contact and Gauss' point
@@ -160,7 +162,7 @@ private:
 
 Piece::Piece(const std::vector<CurvedSlip::Contact> &contacts,
              const CurvedSlip::Responses &responses, const double length)
-    : contacts(contacts), n_points(basis_of(contacts[0]).n_points()) {
+    : contacts(contacts), length(length), n_points(basis_of(contacts[0]).n_points()) {
   const int n = contacts.size();
   constant.setZero(3 * n * n_points);
   matrix.setZero(3 * n * n_points, 2 * n * n_nodes);
@@ -265,13 +267,15 @@ bool Piece::is_resolved(const double tolerance) const {
     double fastest = 0.;
     for (int p = 0; p < n_points; ++p)
       fastest = std::max(fastest, values.segment<2>(row(i, p)).norm());
-    if (unit(angles[unknown(i, 0)]).dot(values.segment<2>(row(i, 0))) < -rounding * fastest)
+    const double noise = contacts[i].compliance / length * rounding_of_values * largest *
+                         basis.derivatives.cwiseAbs().rowwise().sum().maxCoeff();
+    if (unit(angles[unknown(i, 0)]).dot(values.segment<2>(row(i, 0))) < -rounding * fastest - noise)
       return false;
     for (int p = n_nodes; p < n_points; ++p) {
       const Vector2d t = at_points.col(p), w = values.segment<2>(row(i, p));
       const double limit = coefficient(i) * std::abs(values[row(i, p) + 2]);
       if (std::abs(t.norm() - limit) > tolerance * largest ||
-          std::abs(t[0] * w[1] - t[1] * w[0]) > tolerance * largest * fastest)
+          std::abs(t[0] * w[1] - t[1] * w[0]) > largest * (tolerance * fastest + noise))
         return false;
     }
   }

@@ -35,14 +35,14 @@ double EventIntegrator::stored_energy() const {
 }
 
 void EventIntegrator::set_imposed(const double x, const double length) {
-  const int n = motion.factors.cols();
+  const int n = motion.loads.factors.cols();
   imposed_factors.assign(n, 0.);
   imposed_rates.assign(n, 0.);
   imposed_accelerations.assign(n, 0.);
   for (int l = 0; l < n; ++l)
     if (model.linear.accelerates(l)) {
-      imposed_factors[l] = value(motion.factors.col(l), x);
-      const Polynomial rate = derivative(motion.factors.col(l));
+      imposed_factors[l] = value(motion.loads.factors.col(l), x);
+      const Polynomial rate = derivative(motion.loads.factors.col(l));
       imposed_rates[l] = value(rate, x) / length;
       imposed_accelerations[l] = value(derivative(rate), x) / (length * length);
     }
@@ -56,8 +56,8 @@ double EventIntegrator::work_of_loads(const double x, const double length) const
   };
   double work =
       length * integral_of_product(Polynomial::Ones(1), of_unknowns(motion.v, linear.preload()), x);
-  for (int l = 0; l < motion.factors.cols(); ++l) {
-    const Polynomial factor = motion.factors.col(l), rate = derivative(factor);
+  for (int l = 0; l < motion.loads.factors.cols(); ++l) {
+    const Polynomial factor = motion.loads.factors.col(l), rate = derivative(factor);
     if (factor.isZero(0.))
       continue;
     if (!linear.accelerates(l)) {
@@ -69,8 +69,8 @@ double EventIntegrator::work_of_loads(const double x, const double length) const
     const Polynomial v = of_unknowns(motion.v, linear.inertia(l));
     work -= integral_of_product(rate, derivative(v), x) / length;
     work -= integral_of_product(rate, of_unknowns(motion.v, linear.drag(l)), x);
-    for (int k = 0; k < motion.factors.cols(); ++k) {
-      const Polynomial other = motion.factors.col(k), other_rate = derivative(other);
+    for (int k = 0; k < motion.loads.factors.cols(); ++k) {
+      const Polynomial other = motion.loads.factors.col(k), other_rate = derivative(other);
       if (products.stiffness(k, l) == 0. && products.mass(k, l) == 0. &&
           products.damping(k, l) == 0.)
         continue;
@@ -129,7 +129,7 @@ double EventIntegrator::work_of_dampers(const double x, const double length) con
       Vector rates = Vector::Zero(products.cols());
       for (int l = 0; l < rates.size(); ++l)
         if (model.linear.accelerates(l)) {
-          rates[l] = value(derivative(motion.factors.col(l)), y) / length;
+          rates[l] = value(derivative(motion.loads.factors.col(l)), y) / length;
           power -= 2. * rates[l] * model.linear.drag(l).dot(now);
         }
       work += length * x / n_pieces * weight * (power + rates.dot(products * rates));

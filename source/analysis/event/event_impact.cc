@@ -28,7 +28,7 @@ double EventIntegrator::least_rate(const unsigned int i) const {
     return at_rest * fastest;
   double noise = 0.;
   for (unsigned int d = 0; d < 3; ++d)
-    noise = std::max(noise, motion.rounding_of_ground_rate(3 * i + d));
+    noise = std::max(noise, motion.loads.rounding_of_ground_rate(3 * i + d));
   return std::max(rounding_of_rate * fastest, noise);
 }
 
@@ -46,7 +46,7 @@ Vector EventIntegrator::ground_velocity(const double x, const double length) con
   Vector result = Vector::Zero(3 * states.size());
   if (line.ground_moves)
     for (int c = 0; c < result.size(); ++c)
-      result[c] = value(derivative(motion.ground.col(c)), x) / length;
+      result[c] = value(derivative(motion.loads.ground.col(c)), x) / length;
   return result;
 }
 
@@ -315,7 +315,7 @@ bool EventIntegrator::meet_imposed_jump(const double length, EnergyAccount &ener
   Vector jumps = Vector::Zero(imposed_rates.size()), impulse = Vector::Zero(velocity.size());
   for (unsigned int l = 0; l < before.size(); ++l) {
     const double jump = imposed_rates[l] - before[l];
-    const double noise = motion.rounding_of_factor_rate(l);
+    const double noise = motion.loads.rounding_of_factor_rate(l);
     if (std::abs(jump) <= std::max(noise, rounding_of_rate * std::max(std::abs(before[l]),
                                                                       std::abs(imposed_rates[l]))))
       continue;

@@ -165,7 +165,7 @@ void EventIntegrator::go(const LoadCourse &loads, const double x, const double l
             integral_of_product(TaylorMotion::row(r, 0), derivative(TaylorMotion::row(g, 0)), x);
       else if (line.ground_moves)
         energy.external += integral_of_product(TaylorMotion::row(r, d),
-                                               derivative(motion.ground.col(3 * i + d)), x);
+                                               derivative(motion.loads.ground.col(3 * i + d)), x);
     displacement[i] = TaylorMotion::at(g, x);
     force[i] = TaylorMotion::at(r, x);
   }
@@ -219,6 +219,8 @@ void EventIntegrator::change(const Event &event, const double x, const double le
     force[i].setZero();
     break;
   case Kind::slipping:
+    if (line.ground_moves && contact.rigid_shear) // not from what rounding has made of its velocity
+      settle(ground_velocity(x, length), energy, to);
     begin_slip(i, direction_of_slip(i, rate(i).tail<2>()), to, energy);
     break;
   case Kind::dragged:

@@ -45,14 +45,14 @@ void EventIntegrator::write_within(const LoadCourse &loads, const double x, cons
   to.unknowns = TaylorMotion::at(motion.q, x);
   to.velocity = TaylorMotion::at(motion.v, x);
   to.acceleration = derivative_at(motion.v);
-  to.load_factors.resize(motion.factors.cols());
-  for (Eigen::Index l = 0; l < motion.factors.cols(); ++l) {
-    const Polynomial factor = motion.factors.col(l), rate = derivative(factor);
+  to.load_factors.resize(motion.loads.factors.cols());
+  for (Eigen::Index l = 0; l < motion.loads.factors.cols(); ++l) {
+    const Polynomial factor = motion.loads.factors.col(l), rate = derivative(factor);
     to.load_factors[l] = value(factor, x);
     if (!model.linear.accelerates(l))
       continue;
-    to.load_rates.resize(motion.factors.cols(), 0.);
-    to.load_accelerations.resize(motion.factors.cols(), 0.);
+    to.load_rates.resize(motion.loads.factors.cols(), 0.);
+    to.load_accelerations.resize(motion.loads.factors.cols(), 0.);
     to.load_rates[l] = value(rate, x) / length;
     to.load_accelerations[l] = value(derivative(rate), x) / (length * length);
   }
@@ -61,7 +61,7 @@ void EventIntegrator::write_within(const LoadCourse &loads, const double x, cons
     forces[i] = TaylorMotion::at(motion.r[i], x);
   to.contacts = histories;
   add_histories(x, length, to.contacts);
-  write_contacts(loads.imposed(motion.within(to.time)), forces, to);
+  write_contacts(loads.imposed(motion.loads.within(to.time)), forces, to);
 }
 
 void EventIntegrator::write_contacts(const Vector &imposed,

@@ -132,6 +132,18 @@ Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &
   return interpolation.to_powers * coefficients;
 }
 
+Eigen::MatrixXd part_of(const Eigen::MatrixXd &rows, const double begin, const double length) {
+  Eigen::MatrixXd result = rows;
+  const Eigen::Index n = rows.rows();
+  for (Eigen::Index j = 0; j + 1 < n && begin != 0.; ++j) // Horner's scheme
+    for (Eigen::Index k = n - 1; k-- > j;)
+      result.row(k) += begin * result.row(k + 1);
+  double power = 1.;
+  for (Eigen::Index k = 0; k < n; ++k, power *= length)
+    result.row(k) *= power;
+  return result;
+}
+
 double first_root(const Polynomial &p, const double rounding) {
   const double largest = p.size() > 0 ? p.lpNorm<Eigen::Infinity>() : 0.;
   if (largest <= rounding)

@@ -40,6 +40,10 @@ Eigen::MatrixXd interpolate(const std::function<Eigen::VectorXd(const double)> &
                             const double start, const double length, InterpolationNoise &noise,
                             bool &smooth);
 
+/// The polynomials of [begin, begin + length] of the interval of others, all of which that have
+/// rows by order, in the part of it that has gone by.
+Eigen::MatrixXd part_of(const Eigen::MatrixXd &rows, const double begin, const double length);
+
 /**
  * The first x in [0, 1] at which p, positive until then, becomes negative; 2 if it never does. What
  * is within @p rounding of zero at 0 counts as zero there, and the next derivatives decide. The

@@ -16,9 +16,6 @@ constexpr double slowest = 1e-8, shortest_stop = 1e-4, starting = 1e-13;
 
 /// Sum of the sizes that a polynomial is the difference of, times rounding.
 constexpr double eps = 1e-13;
-/// The same for the rate of a ground whose motion is interpolated.
-constexpr double eps_of_ground = 1e-11;
-
 /// Part of the ground's motion by which a contact that sticks may miss it.
 constexpr double follows = 1e-6;
 
@@ -106,8 +103,9 @@ EventIntegrator::Event EventIntegrator::next_slip(const unsigned int i) const {
 }
 
 double EventIntegrator::noise_of_rate(const unsigned int i, const int d) const {
-  const double of_ground = motion.ground.col(3 * i + d).lpNorm<Eigen::Infinity>();
-  return std::max(eps * size(motion.g[i], d), eps_of_ground * of_ground);
+  if (!line.ground_moves)
+    return eps * size(motion.g[i], d);
+  return motion_length * (eps * fastest + motion.loads.rounding_of_ground_rate(3 * i + d));
 }
 
 Eigen::Vector2d EventIntegrator::drag(const unsigned int i) const {
@@ -122,10 +120,10 @@ Eigen::Vector2d EventIntegrator::drag(const unsigned int i) const {
             contact.displacement(acceleration_by_contacts(0.)).lpNorm<Eigen::Infinity>();
   Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(2, g.cols());
   for (int d = 1; d < 3; ++d)
-    for (Eigen::Index k = 1; k < motion.ground.rows(); ++k) {
+    for (Eigen::Index k = 1; k < motion.loads.ground.rows(); ++k) {
       double least = noise_of_rate(i, d) / k;
       if (contact.moves[d]) { // by the line, and it follows but where the ground cannot be followed
-        const double of_ground = motion.ground.row(k).lpNorm<Eigen::Infinity>();
+        const double of_ground = motion.loads.ground.row(k).lpNorm<Eigen::Infinity>();
         if (k == 1 || of_ground == 0. || !motion.is_overdetermined())
           continue;
         least = std::max({least, noise, follows * of_ground});
@@ -169,7 +167,7 @@ bool EventIntegrator::find_curves() {
     const Polynomial g1 = TaylorMotion::row(motion.g[i], 1), g2 = TaylorMotion::row(motion.g[i], 2);
     const double along = derivative(s[0] * g1 + s[1] * g2).lpNorm<Eigen::Infinity>(),
                  across = derivative(s[0] * g2 - s[1] * g1).lpNorm<Eigen::Infinity>();
-    if (across <= 1e-9 * along ||
+    if (across <= 1e-9 * along || across <= std::max(noise_of_rate(i, 1), noise_of_rate(i, 2)) ||
         across <= no_component * (g1.lpNorm<Eigen::Infinity>() + g2.lpNorm<Eigen::Infinity>()) ||
         stops(i))
       continue;

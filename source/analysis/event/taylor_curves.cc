@@ -39,19 +39,28 @@ double TaylorMotion::find_friction(const double time, const double length,
                                    const std::vector<EventState> &states,
                                    const std::vector<Eigen::Vector3d> &forces) {
   Eigen::MatrixXd free = rates_and_normal_forces(length);
+  bool begins = false;
   for (std::size_t c = 0; c < curves.size(); ++c)
-    if (states[curves[c]].began == time)
+    if (states[curves[c]].began == time) {
+      begins = true;
       free.block<2, 1>(3 * c, 0).setZero(); // at rest: not the rounding that is left of it
+    }
   if (responses.empty())
     make_responses(length, states);
   std::vector<CurvedSlip::Contact> contacts;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const EventContact &contact = model.contacts[curves[c]];
-    contacts.push_back(
-        {contact.law.dynamic_friction, contact.rigid_shear ? 0. : 1. / contact.shear_stiffness,
-         states[curves[c]].direction, forces[curves[c]].tail<2>(), free.middleRows<3>(3 * c)});
+    const Eigen::Vector3d &r = forces[curves[c]];
+    // What pieces before have missed its limit by would turn it at once, the faster the shorter the
+    // piece.
+    const Eigen::Vector2d tau =
+        r.tail<2>().normalized() * contact.law.dynamic_friction * std::abs(r[0]);
+    contacts.push_back({contact.law.dynamic_friction,
+                        contact.rigid_shear ? 0. : 1. / contact.shear_stiffness,
+                        states[curves[c]].direction, tau, free.middleRows<3>(3 * c)});
   }
-  const double longest = curve_guess > 0. ? std::min(1., curve_guess / length) : 1.,
+  // From rest the direction of slip is as smooth as the forces, but rounding while it is slow.
+  const double longest = curve_guess > 0. && !begins ? std::min(1., curve_guess / length) : 1.,
                part = curved_slip.solve(contacts, responses, length, response_length, longest,
                                         shortest_curve * least / length);
   if (part == 0.)
@@ -64,14 +73,12 @@ double TaylorMotion::find_friction(const double time, const double length,
   return part;
 }
 
-TaylorMotion::Beginning TaylorMotion::begin(const LoadCourse &loads, const double time,
+TaylorMotion::Beginning TaylorMotion::begin(const LoadCourse &course, const double time,
                                             const double longest, const Vector &unknowns,
                                             const Vector &velocity,
                                             const std::vector<EventState> &states,
                                             const std::vector<Eigen::Vector3d> &forces) {
-  double length = first_length(states, longest);
-  while (!interpolate_loads(loads, time, length) && length > least)
-    length /= 2.;
+  const double length = loads.expand(course, time, first_length(states, longest), longest);
   for (const unsigned int i : curves)
     curve_friction[i].setZero(2, 0);
   begin_series(&unknowns, &velocity);

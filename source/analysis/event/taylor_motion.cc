@@ -10,22 +10,8 @@ namespace frictionbeam {
 
 namespace {
 constexpr double rounding = 1e-17;
-/// Rate at an end of a piece of length 1, of Chebyshev polynomials up to the 14th together.
-constexpr double rate_of_interpolation = 2e3;
 constexpr double dependent = 1e-11; ///< constraints, by pivots of the matrix that couples them
 } // namespace
-
-namespace {
-
-void shorten_rows(Eigen::MatrixXd &m, const double x) {
-  double power = 1.;
-  for (int k = 0; k < m.rows(); ++k, power *= x)
-    m.row(k) *= power;
-}
-
-} // namespace
-
-double same_instant(const double time) { return 1e-12 * std::abs(time); }
 
 Vector TaylorMotion::at(const Eigen::MatrixXd &m, const double x) {
   Vector result = Vector::Zero(m.rows());
@@ -100,54 +86,6 @@ void TaylorMotion::make_relief(const Eigen::MatrixXd &W) {
       relief.col(k) = Eigen::VectorXd::Unit(W.rows(), k);
 }
 
-bool TaylorMotion::interpolate_loads(const LoadCourse &loads, const double time,
-                                     const double length) {
-  // A jump at the end belongs to the next piece, and one at the start is over.
-  const double same = same_instant(time), start = loads.next_break(time - same);
-  first_instant = start <= time + same ? std::nextafter(start, start + 1.) : time;
-  last_instant = std::nextafter(loads.next_break(time + same), time);
-  // Rates of the ground from differences of its motion: not from one within a very short time.
-  const double wide = std::max(length, std::min(1e6 * least, last_instant - time));
-  interpolated = wide;
-  if (wide > length && interpolate_between(loads, time, wide)) {
-    for (Eigen::MatrixXd *const m : {&factors, &ground})
-      shorten_rows(*m, length / wide);
-    return true;
-  }
-  if (wide > length) {
-    factor_noise.before.resize(0);
-    ground_noise.before.resize(0);
-  }
-  interpolated = length;
-  return interpolate_between(loads, time, length);
-}
-
-double TaylorMotion::rate_of_noise(const InterpolationNoise &noise, const int column) const {
-  return noise.largest.size() > 0 ? rate_of_interpolation * noise.of(column) / interpolated : 0.;
-}
-
-bool TaylorMotion::interpolate_between(const LoadCourse &loads, const double time,
-                                       const double length) {
-  bool smooth = true;
-  const auto powers = [&](InterpolationNoise &noise,
-                          const std::function<Vector(const double)> &function) {
-    return interpolate([&](const double t) { return function(within(t)); }, time, length, noise,
-                       smooth);
-  };
-  factors = powers(factor_noise, [&](const double t) {
-    const LoadCourse::Factors f =
-        t < last_instant ? loads.factors(t)
-                         : loads.factors_before(std::nextafter(last_instant, last_instant + 1.));
-    return Vector(Eigen::Map<const Vector>(f.data(), f.size()));
-  });
-  if (model.ground_moves)
-    ground = powers(ground_noise,
-                    [&](const double t) { return model.ground_displacement(loads.imposed(t)); });
-  else
-    ground = Eigen::MatrixXd::Zero(1, 3 * model.contacts.size());
-  return smooth;
-}
-
 void TaylorMotion::begin_series(const Vector *const unknowns, const Vector *const velocity) {
   const int n = model.has_mass.size();
   q.setZero(n, order + 1);
@@ -163,6 +101,7 @@ void TaylorMotion::begin_series(const Vector *const unknowns, const Vector *cons
 
 Vector TaylorMotion::load_forces(const int k, const double length) const {
   const LinearPart &linear = model.model.linear;
+  const Eigen::MatrixXd &factors = loads.factors;
   Vector forces = k == 0 ? linear.preload() : Vector(Vector::Zero(model.has_mass.size()));
   if (k < factors.rows())
     for (int l = 0; l < factors.cols(); ++l)
@@ -203,8 +142,8 @@ void TaylorMotion::expand_series(const double length, const std::vector<EventSta
   const bool with_loads = forces_before != nullptr;
   const int n = model.has_mass.size();
   const auto ground_at = [&](const int i, const int k) {
-    return with_loads && k < ground.rows()
-               ? Eigen::Vector3d(ground.row(k).segment<3>(3 * i).transpose())
+    return with_loads && k < loads.ground.rows()
+               ? Eigen::Vector3d(loads.ground.row(k).segment<3>(3 * i).transpose())
                : Eigen::Vector3d(Eigen::Vector3d::Zero());
   };
   for (unsigned int i = 0; i < states.size(); ++i) {
@@ -316,8 +255,7 @@ void TaylorMotion::shorten_all(const double x) {
     shorten_columns(m);
   for (Eigen::MatrixXd &m : curve_friction)
     shorten_columns(m);
-  for (Eigen::MatrixXd *const m : {&factors, &ground})
-    shorten_rows(*m, x);
+  loads.shorten(x);
 }
 
 void TaylorMotion::take(const std::vector<EventState> &states) {
@@ -331,21 +269,16 @@ void TaylorMotion::take(const std::vector<EventState> &states) {
 
 double TaylorMotion::first_length(const std::vector<EventState> &states, const double longest) {
   take(states);
-  factor_noise.before.resize(0);
-  ground_noise.before.resize(0);
   return guess > 0. ? std::min(longest, guess) : longest;
 }
 
-double TaylorMotion::compute(const LoadCourse &loads, const double time, const double longest,
+double TaylorMotion::compute(const LoadCourse &course, const double time, const double longest,
                              const Vector &unknowns, const Vector &velocity,
                              const std::vector<EventState> &states,
                              const std::vector<Eigen::Vector3d> &forces) {
   double length = first_length(states, longest);
   for (;;) {
-    if (!interpolate_loads(loads, time, length) && length > least) {
-      length /= 2.;
-      continue;
-    }
+    length = loads.expand(course, time, length, longest);
     for (const unsigned int i : curves)
       curve_friction[i].setZero(2, 0);
     begin_series(&unknowns, &velocity);
@@ -357,8 +290,7 @@ double TaylorMotion::compute(const LoadCourse &loads, const double time, const d
       const double found = find_friction(time, length, states, forces);
       if (found == 0.)
         return 0.;
-      for (Eigen::MatrixXd *const m : {&factors, &ground})
-        shorten_rows(*m, found);
+      loads.shorten(found);
       length *= found;
       part = 1.;
       begin_series(&unknowns, &velocity);
@@ -366,8 +298,6 @@ double TaylorMotion::compute(const LoadCourse &loads, const double time, const d
       part = valid_part();
     }
     if (part < 1e-3) { // far off: the high orders may have no digit left
-      factor_noise.before.resize(0);
-      ground_noise.before.resize(0);
       length /= part > 0. ? 100. : 1e4;
       continue;
     }

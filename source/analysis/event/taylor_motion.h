@@ -2,18 +2,13 @@
 #pragma once
 
 #include "analysis/event/curved_slip.h"
-#include "analysis/event/event_model.h"
-#include "analysis/event/event_polynomial.h"
+#include "analysis/event/load_polynomials.h"
 
 #include <Eigen/QR>
 
 #include <algorithm>
 
 namespace frictionbeam {
-
-/// Instants this close are one [s]: a corner of a table that an instant of output misses by
-/// rounding.
-double same_instant(const double time);
 
 /**
  * The motion of the line while no contact changes its state: linear, and summed up as a power
@@ -32,7 +27,8 @@ double same_instant(const double time);
 class TaylorMotion {
 public:
   /// @param least time within which a load may do what it likes [s]
-  TaylorMotion(const EventModel &model, const double least) : model(model), least(least) {}
+  TaylorMotion(const EventModel &model, const double least)
+      : loads(model, least), model(model), least(least) {}
 
   /**
    * Motion from @p unknowns and @p velocity at @p time over at most @p longest [s].
@@ -41,7 +37,7 @@ public:
    * @return how far it is valid, the length that x = 1 stands for [s]; 0 if the friction of
    * contacts that slip along curves is not found
    */
-  double compute(const LoadCourse &loads, const double time, const double longest,
+  double compute(const LoadCourse &course, const double time, const double longest,
                  const Vector &unknowns, const Vector &velocity,
                  const std::vector<EventState> &states, const std::vector<Eigen::Vector3d> &forces);
   /// Accelerations u_1', u_2' and normal forces N at an instant, of contacts that slip along
@@ -51,15 +47,14 @@ public:
     Vector free;
     Eigen::MatrixXd by_friction;
   };
-  Beginning begin(const LoadCourse &loads, const double time, const double longest,
+  Beginning begin(const LoadCourse &course, const double time, const double longest,
                   const Vector &unknowns, const Vector &velocity,
                   const std::vector<EventState> &states,
                   const std::vector<Eigen::Vector3d> &forces);
   void transfer(Archive &archive) {
     archive(guess);
     archive(curve_guess);
-    archive(factor_noise.level);
-    archive(ground_noise.level);
+    archive(loads);
     state_changed();
   }
   /// To be called when a contact has changed its state.
@@ -67,19 +62,10 @@ public:
 
   /// Whether contacts that stick hold the line where others do already.
   bool is_overdetermined() const { return relief.size() > 0; }
-  /// What rounding leaves of the rate of a load's factor [1/s], and of a component of the contacts'
-  /// grounds [m/s].
-  double rounding_of_factor_rate(const int load) const { return rate_of_noise(factor_noise, load); }
-  double rounding_of_ground_rate(const int component) const {
-    return rate_of_noise(ground_noise, component);
-  }
-  /// The instant as loads are to be asked for there: on this side of what jumps at an end.
-  double within(const double time) const { return std::clamp(time, first_instant, last_instant); }
-
   Eigen::MatrixXd q, v;              ///< unknowns, by order
   std::vector<Eigen::MatrixXd> g, r; ///< of each contact, 3 by order
   std::vector<Eigen::MatrixXd> s;    ///< direction of slip, 2 by order; empty if it is straight
-  Eigen::MatrixXd factors, ground;   ///< orders by load; orders by 3 contacts
+  LoadPolynomials loads;             ///< of the same length
 
   /// A component of a contact's g or r as a polynomial.
   static Polynomial row(const Eigen::MatrixXd &m, const int i) { return m.row(i).transpose(); }
@@ -92,7 +78,6 @@ private:
     unsigned int contact;
     int component;
   };
-  double rate_of_noise(const InterpolationNoise &noise, const int column) const;
   /// Make ready for contacts in these states.
   void take(const std::vector<EventState> &states);
   /// Make ready for a piece no longer than @p longest. @return the length to try first [s]
@@ -103,8 +88,6 @@ private:
   /// Where constraints are dependent, what can be held without friction takes none.
   /// @param W whose kernel says what multipliers may change
   void make_relief(const Eigen::MatrixXd &W);
-  bool interpolate_loads(const LoadCourse &loads, const double time, const double length);
-  bool interpolate_between(const LoadCourse &loads, const double time, const double length);
   /// @param forces of the contacts until then; null: from rest, under the friction of curves alone
   void expand_series(const double length, const std::vector<EventState> &states,
                      const std::vector<Eigen::Vector3d> *const forces);
@@ -138,9 +121,6 @@ private:
   const EventModel &model;
   const double least;
   double guess = 0., curve_guess = 0.;
-  double first_instant = 0., last_instant = 0.; ///< of the loads' piece [s]
-  double interpolated = 0.;                     ///< time over which they are [s]
-  InterpolationNoise factor_noise, ground_noise;
   bool rows_are_current = false;
   std::vector<unsigned int> curves;            ///< contacts that slip along curves
   std::vector<Eigen::MatrixXd> curve_friction; ///< of each contact, 2 by order
