@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Write doc/accuracy.md from the charts in doc/charts (made by doc/charts.sh): what Accuracy demanded, what
-it reached, and what it cost beside the cheapest configuration picked by hand; and what Model = auto chooses.
+"""Make the tables of doc/accuracy.md anew, between the comments that name them: what Model = auto chooses; what
+Accuracy demanded, what it reached, and what it cost beside the cheapest configuration picked by hand, from the
+charts in doc/charts (made by doc/charts.sh); other cases.
 
   doc/accuracy.py [PROGRAM]      default: build/bin/frictionbeam
 """
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -133,68 +135,24 @@ for name in ("slab", "slab_line", "long_bar_zones", "oscillator", "rack", "hovga
                      f"{milliseconds(time)} | {tail} |")
 
 other_lines, exceeded = other_cases()
-with open(os.path.join(HERE, "accuracy.md"), "w") as page:
-    page.write(f"""# Accuracy
+tables = {
+    "models": models(),
+    "charts": f"""{n - missed} of {n} within what was demanded; {within} of {n} at no more than three times the cost, the worst at
+{worst:.2g} times.
 
-`set Accuracy = 1e-3` lets the program choose the increments of static steps, the time step, the length of
-cells where something is spread over them, the supports and elements of generated scenes, bends as exact
-arcs, and of a continuum first mesh, degree and refinement: as coarse as its estimates allow. It solves
-coarse levels first, reads the order of convergence of each quantity from its differences, goes straight to
-the level that the estimates ask for, and checks that one by its difference to the one before. In motion, the
-time step and the cells are refined together: the last level of either is taken back in turn, and what that
-changes is the estimate, since a step that is short enough for coarse cells need not be for fine ones; without
-an output interval of the file's own, tables and pictures get 256 instants of the shortest transient step. A
-quantity that is nothing but rounding (a change of energy, a displacement across a plane of symmetry) does not
-count: differences are relative to no less than a hundredth of the largest quantity with the same unit, or of
-what changes, or a millionth of the largest displacement or force of the line. A continuum is
-refined adaptively until the errors are estimated to be small enough ([continuum.md](continuum.md)), on
-elements of degree 2, of degree 3 where less than 1e-3 is demanded, the cells that hold 0.7 of the squared
-estimate each time: of what was tried on the long bar and on seven slabs (degrees 2 and 3 from two cells over
-the height, 3 and 4 from one; 0.4 to 0.95 of the estimate) that is the cheapest whose true error stayed below
-the demanded one in all of them. With 0.65 one of 21 rows misses: nu = 0 at 1e-3, by 1.1e-3.
-`summary.json` and the report say what was chosen, the estimated error, what was left out and what every run
-cost.
+""" + "\n".join(lines) + f"""
 
-**`Model = auto`** takes the line if it suffices. The slab, the only scene that is a line and a continuum, is
-solved as a line with the Poisson squeeze, once with and once without the shear lag, the last correction that
-a line can have. What the lag changes is taken for the error of the line with it: what is left beyond it is
-less than two thirds of that in every case of the table below. If it is above 70 % of
-`Accuracy`, the continuum is solved instead; if not, the rest is left for the number of elements. Which was
-chosen, the estimate, and quantities that only the other model has (u_0) are in the answer. A
-scene that has no line (long bar, body) is solved as a continuum, one that has no continuum as a line, and
-what beams leave out of a pipe is not estimated.
-
-{models()}
-The true errors, and the cost of all runs together beside that of the cheapest single configuration on the
-charts (doc/charts), where both are judged by the same quantities, those that the scene names: {n - missed} of
-{n} within what was demanded; {within} of {n} at no more than three times the cost, the worst at {worst:.2g}
-times. Made by `doc/accuracy.py` from the figures of the charts, medians of runs in turn. Such ratios of a few
-milliseconds depend on the machine's state, by some 15 %.
-
-""" + "\n".join(lines) + """
-
-The cheapest picked by hand was picked after its error was known. On uniform meshes the ends of the zones of
-slab and long bar are known by chance only, where one happens to fall well between two nodes. If the ends of
-the zones did not count, the program would answer for more than the picks: its cost would be """
-               + ", ".join(without["slab"]) + " times theirs on the slab, " + ", ".join(without["long_bar_zones"])
-               + """ times on the long bar, at 1e-2, 1e-3, 1e-4.
-
-Other cases of prm/verification whose references are exact or converged, some too coarse in their files
-for what is demanded here, some finer than it takes:
-
-""" + other_lines + f"""
-{sum(OTHERS.values()) - exceeded} of {sum(OTHERS.values())} within what was demanded. Not in the table: references that are
-published in rounded figures or are another program's answer on one mesh (Hovgaard, NUREG, SSLL106, SDNL104,
-SDNL32, bend45), and what takes minutes or does not get there: waves and rigid impacts converge with the
-square root of the step and no faster (impacting_bar at 1e-3, bouncing_bar, which stops with status 2),
-and a thousand corotational steps take seconds (flying_beam, spinning_beam).
-
-What it does not do: choose the number of cells in a mesh of the user's own, or the increments of a
-continuum. An estimate from differences can be deceived by chance agreement; a difference is therefore taken
-for no less than an eighth of the one before, level by level (of a continuum, a sixteenth, mesh by mesh), and
-one increment is compared to four: one and two agree where something slips and turns within
-both. Histories of loads are followed to the corners of their tables. Only what a refinement
-touches can change: a slab that sticks everywhere, refined at the worse of its two corners, seemed known to
-1e-7 when it was wrong by 1.8e-3 at the other. The estimate is therefore at least ten times the squared error in
-the energy norm that cells of the first mesh have left, which is what the displacement is wrong by there.
-""")
+If the ends of the zones did not count, the cost would be {", ".join(without["slab"])} times that of the picks on the slab,
+{", ".join(without["long_bar_zones"])} times on the long bar, at 1e-2, 1e-3, 1e-4.
+""",
+    "others": other_lines + f"""
+{sum(OTHERS.values()) - exceeded} of {sum(OTHERS.values())} within what was demanded.
+"""}
+path = os.path.join(HERE, "accuracy.md")
+with open(path) as page:
+    text = page.read()
+for name, table in tables.items():
+    text, n_found = re.subn(f"(<!-- {name} -->\n).*?(<!-- end -->)", lambda m: m[1] + table + m[2], text, flags=re.S)
+    assert n_found == 1, f"doc/accuracy.md has no place for {name}"
+with open(path, "w") as page:
+    page.write(text)

@@ -9,27 +9,11 @@
 // --write only writes the scenes, as SEED.prm.
 #include "../cases/run_program.h"
 #include "../check.h"
+#include "random.h"
 
 #include <algorithm>
-#include <random>
 
 namespace {
-
-class Random {
-public:
-  explicit Random(const unsigned int seed) : engine(seed * 7919u + 13u) {}
-  /// The same on every machine.
-  double number(const double low, const double high) {
-    return low + (high - low) * static_cast<double>(engine() >> 11) / 9007199254740992.;
-  }
-  int whole(const int low, const int high) {
-    return low + static_cast<int>(engine() % static_cast<unsigned long>(high - low + 1));
-  }
-  bool chance(const double p) { return number(0., 1.) < p; }
-
-private:
-  std::mt19937_64 engine;
-};
 
 struct Scene {
   std::string text;

@@ -12,9 +12,10 @@ namespace frictionbeam {
 
 namespace {
 
-/// So many pieces between two events get on by at least such a part of a step.
+/// So many pieces between two events get on by at least such a part of Time/Step: beyond that a
+/// step takes minutes.
 constexpr unsigned int most_pieces = 20000;
-constexpr double least_progress = 1e-6;
+constexpr double least_progress = 0.01;
 /// Where a curve's friction is not found, slip goes straight on for such a part of a step.
 constexpr double part_straight_on = 1e-5;
 
@@ -299,8 +300,11 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
     interruption::end_if_overdue();
     if (++n_pieces % most_pieces == 0) {
       if (present - progress < least_progress * output_step) {
-        failure = "event: the motion does not get on, after " + std::to_string(n_pieces) +
-                  " pieces without a change of state";
+        failure = "event: the motion gets on by " + rounded_number(present - progress) + " s in " +
+                  std::to_string(most_pieces) +
+                  " pieces without a change of state, since what is fastest takes no longer than "
+                  "one of them. Lower a rigidity (of a support, of a short cell) or give more mass "
+                  "there, make the support rigid, take another integrator, or a shorter Time/Step";
         break;
       }
       progress = present;
