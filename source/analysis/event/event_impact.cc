@@ -187,8 +187,8 @@ EventIntegrator::Impact EventIntegrator::impact_of(const std::vector<unsigned in
   Impact impact;
   for (unsigned int j = 0; j < states.size(); ++j) {
     const bool strikes = std::find(striking.begin(), striking.end(), j) != striking.end();
-    if (!strikes &&
-        !(states[j].is_closed() && line.contacts[j].normal == EventContact::Normal::rigid))
+    if (!strikes && !((states[j].is_closed() || is_idle_half(j)) &&
+                      line.contacts[j].normal == EventContact::Normal::rigid))
       continue;
     impact.contacts.push_back(j);
     impact.strikes.push_back(strikes);

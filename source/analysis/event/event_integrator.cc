@@ -2,6 +2,7 @@
 #include "analysis/event/event_integrator.h"
 #include "base/number_text.h"
 
+#include "analysis/contact/opposed_contacts.h"
 #include "analysis/increment/time_step.h"
 #include "base/interruption.h"
 
@@ -23,7 +24,12 @@ constexpr double part_straight_on = 1e-5;
 
 EventIntegrator::EventIntegrator(const Model &model, const PieceObserver &observer)
     : model(model), line(model), motion(line, 1e-9 * time_step(model)), fallback(model),
-      piece_observer(observer), output_step(time_step(model)) {}
+      piece_observer(observer), output_step(time_step(model)), partner(model.contacts.size(), -1) {
+  for (const auto &[one, other] : rigid_pairs(model.contacts)) {
+    partner[one] = other;
+    partner[other] = one;
+  }
+}
 
 std::string EventIntegrator::remark() const {
   std::string text = std::to_string(n_events) + " events";
@@ -89,6 +95,20 @@ void EventIntegrator::read_states(const LineState &state, const LoadCourse &load
     }
   }
   motion.state_changed();
+}
+
+void EventIntegrator::release_idle_halves() {
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    if (partner[i] <= static_cast<int>(i) || !states[i].is_closed() ||
+        !states[partner[i]].is_closed())
+      continue;
+    const unsigned int idle = force[i][0] < force[partner[i]][0] ? partner[i] : i;
+    states[idle].status = ContactStatus::open;
+    states[idle].curved = states[idle].at_limit = false;
+    states[idle].offset = displacement[idle][0] + line.contacts[idle].law.gap;
+    force[idle].setZero();
+    motion.state_changed();
+  }
 }
 
 void EventIntegrator::find_limits() {
@@ -218,6 +238,8 @@ void EventIntegrator::change(const Event &event, const double x, const double le
   case Kind::opening:
     state.status = ContactStatus::open;
     force[i].setZero();
+    if (partner[i] >= 0) // it touches, and may press from now on
+      states[partner[i]].offset = displacement[partner[i]][0] + line.contacts[partner[i]].law.gap;
     break;
   case Kind::slipping:
     if (line.ground_moves && contact.rigid_shear) // not from what rounding has made of its velocity
@@ -268,6 +290,7 @@ double EventIntegrator::compute_motion(const LoadCourse &loads, const double lon
 
 double EventIntegrator::next_motion(const LoadCourse &loads, const double longest, LineState &to,
                                     EnergyAccount &energy) {
+  release_idle_halves();
   double length = compute_motion(loads, longest);
   if (ground_may_jump) {
     ground_may_jump = false;

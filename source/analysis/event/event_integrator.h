@@ -105,6 +105,13 @@ private:
   /// Which way it does that has reached its limit: along its friction or, where there is none, the
   /// way it moves.
   Eigen::Vector2d direction_of_slip(const unsigned int i, const Eigen::Vector2d &rate) const;
+  /// Whether a contact is the half of a rigid stop or guide without gap that does not press, since
+  /// the other one is closed: it counts as open, or both would carry what the other does not.
+  bool is_idle_half(const unsigned int i) const {
+    return !states[i].is_closed() && partner[i] >= 0 && states[partner[i]].is_closed();
+  }
+  /// Of two such halves that are closed, the one that presses less is idle from now on.
+  void release_idle_halves();
   /// A contact on a rigid surface begins to slip: find which others do, which do not, and where
   /// to, from Coulomb's law for the accelerations of all that are at rest. @return whether their
   /// friction was found
@@ -197,6 +204,7 @@ private:
   MoreauJean fallback;
   const PieceObserver piece_observer;
   const double output_step; ///< [s]
+  std::vector<int> partner; ///< other half of a rigid stop or guide, -1 if there is none
   std::vector<EventState> states;
   std::vector<Eigen::Vector3d> displacement, force; ///< of contacts, at present
   Vector unknowns, velocity;

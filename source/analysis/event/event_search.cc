@@ -40,6 +40,8 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
     if (const double x = first_root(p, rounding); x < first.x)
       first = {x, i, kind};
   };
+  if (is_idle_half(i))
+    return first;
   if (!state.is_closed()) {
     Polynomial gap = TaylorMotion::row(g, 0);
     gap[0] += contact.law.gap - state.offset;

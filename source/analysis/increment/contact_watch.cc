@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/increment/contact_watch.h"
+
+#include "analysis/contact/opposed_contacts.h"
 #include "base/numbers.h"
 
 #include <algorithm>
@@ -25,6 +27,13 @@ void ContactsBefore::take(const Model &model, const LineState &state) {
   constexpr double apart = -std::numeric_limits<double>::infinity();
   const double moved = state.dofs.lpNorm<Eigen::Infinity>();
   status = state.contact_status;
+  if (since.empty()) {
+    other_half.assign(status.size(), -1);
+    for (const auto &[one, other] : rigid_pairs(model.contacts)) {
+      other_half[one] = other;
+      other_half[other] = one;
+    }
+  }
   since.resize(status.size(), state.time);
   for (unsigned int i = 0; i < since.size(); ++i) {
     const Contact &contact = model.contacts[i];
@@ -49,7 +58,11 @@ std::vector<unsigned int> closed_in(const ContactsBefore &contacts,
     const unsigned int i = event.contact;
     const bool was_open = before.status[i] == ContactStatus::open,
                is_open = event.status == ContactStatus::open;
-    if (was_open && !is_open && event.time - before.since[i] > no_time * event.time)
+    const int other = before.other_half[i];
+    const bool touched = before.since[i] > -std::numeric_limits<double>::infinity() && other >= 0 &&
+                         (before.status[other] != ContactStatus::open ||
+                          event.time - before.since[other] <= no_time * event.time);
+    if (was_open && !is_open && !touched && event.time - before.since[i] > no_time * event.time)
       closed.push_back(i);
     if (is_open && !was_open)
       before.since[i] = event.time;

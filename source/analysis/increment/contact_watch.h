@@ -15,15 +15,17 @@ bool is_rigid_stop(const Model &model, const Contact &contact);
 /// What says which contacts close in the increments to come.
 struct ContactsBefore {
   std::vector<ContactStatus> status;
-  std::vector<double> since; ///< open ones only touch since then [s]; minus infinity: were apart
+  std::vector<double> since;   ///< open ones only touch since then [s]; minus infinity: were apart
+  std::vector<int> other_half; ///< of a rigid stop or guide, -1 if there is none
 
   /// At the end of an increment, or at the beginning of the first one.
   void take(const Model &model, const LineState &state);
-  void transfer(Archive &archive) { archive(status, since); }
+  void transfer(Archive &archive) { archive(status, since, other_half); }
 };
 
 /// Contacts that closed in an increment with these events; not those that were open for no time, as
-/// one is that lets go and touches again by rounding.
+/// one is that lets go and touches again by rounding, nor halves of a stop without gap, whose other
+/// half has held until then.
 std::vector<unsigned int> closed_in(const ContactsBefore &contacts,
                                     const std::vector<ContactEvent> &events);
 
