@@ -30,6 +30,10 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
     return {0., "there is no static increment"};
   if (!all.slip_is_known)
     return {{}, "a law does not say what of its motion is slip"};
+  if (all.touched_within)
+    return {{},
+            "a support with friction closes within an increment, whose motion before that counts "
+            "as slip: an error of first order, which Accuracy measures"};
   if (n_increments == 1 && all.slip_from_rest > 0.)
     return {{}, "friction slips in the only increment, and nothing shows on which way"};
   if (all.slip_turned <= rounding * all.largest_displacement)

@@ -10,6 +10,9 @@ namespace frictionbeam {
 
 namespace {
 
+constexpr double no_gap = 1e-9;      ///< of the largest displacement
+constexpr double no_friction = 1e-9; ///< of the contact's force
+
 /// What friction is held to displace the line by at most, per force [m/N]: by the diagonal of the
 /// stiffness at the contact, which a long line undercuts as it has cells.
 double largest_compliance(const Contact &contact, const SparseMatrix &stiffness) {
@@ -79,9 +82,16 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     resolution.slip_is_known = resolution.slip_is_known && contact.law.has_closed_form();
-    if (!contact.law.has_closed_form() || after.contact_status[i] != ContactStatus::slip)
+    if (!contact.law.has_closed_form() || after.contact_status[i] == ContactStatus::open)
       continue;
     const FrictionThreshold &law = contact.law.closed_form();
+    const double gap = contact.length * before.contacts.strain[i][0] + law.gap,
+                 normal_force = after.contact_stress[i].head<3>().norm();
+    if (contact.platen_force == 0. && gap > no_gap * resolution.largest_displacement &&
+        after.contact_stress[i].segment<2>(1).norm() > no_friction * normal_force)
+      resolution.touched_within = true;
+    if (after.contact_status[i] != ContactStatus::slip)
+      continue;
     const auto slip = [&](const int place) {
       return contact.length * (after.contacts.internal[contact.state_offset + place] -
                                before.contacts.internal[contact.state_offset + place]);

@@ -28,11 +28,15 @@ struct Resolution {
   /// Likewise the longest slip of an increment at whose start there was no friction force [m].
   double slip_from_rest = 0.;
   bool slip_is_known = true; ///< all laws have a closed form
+  /// Static increments: a contact closed within one and has friction, which counts the way along
+  /// the ground from the increment's beginning.
+  bool touched_within = false;
 
   void include(const Resolution &other);
   void transfer(Archive &archive) {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
-            exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known);
+            exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known,
+            touched_within);
   }
 };
 
