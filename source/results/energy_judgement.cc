@@ -10,6 +10,7 @@ namespace frictionbeam {
 
 namespace {
 constexpr double remark_above = 1e-6, failed_above = 1e-2, gained_above = 1e-3;
+constexpr double coarse_above = 0.05; ///< large displacements
 
 /// Diagonal of the box about all there is [m].
 double size_of_scene(const Results &results) {
@@ -104,9 +105,28 @@ double least_turnover(const std::vector<StepReport> &steps) {
   return 1e-6 * largest;
 }
 
+namespace {
+/// With large displacements the account measures the increments.
+void judge_increments(const Scene &scene, Results &results) {
+  for (unsigned int i = 0; i < results.steps.size(); ++i) {
+    const EnergyAccount &energy = results.steps[i].energy;
+    const double turnover = std::max(energy.turnover, least_turnover(results.steps)),
+                 left_over = std::abs(energy.left_over());
+    if (!scene.steps[i].transient && left_over > coarse_above * turnover)
+      results.remarks.push_back(
+          "Step " + results.steps[i].step + ": the account of energy leaves over " +
+          rounded_number(100. * left_over / turnover, 2) +
+          " % of its turnover: its increments are too large to follow the line, or the line has "
+          "snapped from one pose to another. Take more of them, or a transient step.");
+  }
+}
+} // namespace
+
 void judge_energy(const Scene &scene, Results &results) {
-  if (scene.kinematics == Kinematics::corotational)
+  if (scene.kinematics == Kinematics::corotational) {
+    judge_increments(scene, results);
     return;
+  }
   for (unsigned int i = 0; i < results.steps.size(); ++i) {
     StepReport &step = results.steps[i];
     const bool is_exact = scene.steps[i].transient && scene.time.is_exact();
@@ -116,9 +136,9 @@ void judge_energy(const Scene &scene, Results &results) {
     if ((scene.steps[i].transient && !is_exact) || !(left_over > remark_above * turnover) ||
         (is_exact && !(left_over > energy_of_rounding(results))))
       continue;
-    const std::string account =
-        "the account of energy leaves over " + rounded_number(100. * left_over / turnover, 2) +
-        " % of its " + (is_exact ? "largest term" : "turnover");
+    const std::string account = "the account of energy leaves over " +
+                                rounded_number(100. * left_over / turnover, 2) + " % of its " +
+                                (is_exact ? "largest term" : "turnover");
     if (left_over <= failed_above * turnover) {
       results.remarks.push_back("Step " + step.step + ": " + account +
                                 ": its numbers are known to about that.");

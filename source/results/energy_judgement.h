@@ -8,7 +8,8 @@ namespace frictionbeam {
 /**
  * Judge the account of energy of every static step, in which nothing may be left over but rounding:
  * above a millionth of the turnover a remark says so, above a hundredth the step has not converged.
- * With large displacements the account measures the increments instead, and is not judged.
+ * With large displacements the account measures the increments instead: above a twentieth there is
+ * a remark.
  */
 void judge_energy(const Scene &scene, Results &results);
 

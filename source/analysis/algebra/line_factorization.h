@@ -3,6 +3,8 @@
 
 #include "model/contact/contacts.h"
 
+#include <algorithm>
+
 namespace frictionbeam {
 
 /**
@@ -25,6 +27,10 @@ public:
 
   /// Solve with the last factors.
   Vector solve(const Vector &right_hand_side) const;
+
+  /// Of the diagonal D; of a symmetric matrix it is positive just where the matrix is positive
+  /// definite.
+  double least_pivot() const { return *std::min_element(diagonal.begin(), diagonal.end()); }
 
   std::size_t n_nonzeros() const { return column_rows.size(); }
 

@@ -112,7 +112,8 @@ bool ContactNewton::balanced(const Vector &forces, const Vector &x, const Contac
 }
 
 std::string ContactNewton::rounding_remark() const {
-  return too_much_rounding(force_left, largest_force) + ": the line is too stiff for its loads";
+  return too_much_rounding(force_left, largest_force) +
+         ": the line is too stiff for its loads, or something moves freely before a contact closes";
 }
 
 double ContactNewton::energy(const Vector &forces) const {

@@ -27,6 +27,9 @@ struct EquilibriumProblem {
   /// loads are taken off.
   double force_so_far = 0.;
   unsigned int most_iterations = std::numeric_limits<unsigned int>::max(); ///< give up after
+  /// Forces of exact contacts to begin from, where the caller knows better than the method. A
+  /// matrix that is not positive definite has several solutions: the nearest is the one meant.
+  const std::vector<Contact::Strains> *forces_before = nullptr;
 };
 
 struct EquilibriumResult {

@@ -139,6 +139,9 @@ EquilibriumResult ExactSolver::solve(const EquilibriumProblem &problem,
                                      ContactResponse &response) {
   proximal.begin(committed, problem.overrides);
   newton.most_iterations = problem.most_iterations;
+  for (unsigned int i = 0; i < contacts.size() && problem.forces_before != nullptr; ++i)
+    if (proximal.is_exact(i))
+      proximal.centre[i] = (*problem.forces_before)[i];
   const auto centre_before = proximal.centre;
   const Vector unknowns_before = unknowns;
   Increment now{problem, committed, unknowns, response};

@@ -64,6 +64,12 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     if (between_increments)
       between_increments();
   }
+  if (statics->is_unstable(current))
+    step_reports.back().warning =
+        "Step " + declared_step.name +
+        ": the equilibrium is unstable, even if every support that is closed held its point: a "
+        "line in this pose leaves it at the least push. If it has gone there by itself, it is not "
+        "where the line goes: take more increments, or a transient step.";
   if (model.scene.solver.is_exact() && model.contacts.size() <= most_contacts_for_uniqueness) {
     StepReport &report = step_reports.back();
     report.several_equilibria = several_equilibria(model, *statics, current);

@@ -46,6 +46,8 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
   const SparseMatrix symmetric = symmetric_part(problem.matrix);
   EquilibriumProblem linear{symmetric,         problem.right_hand_side, problem.imposed,
                             problem.increment, problem.overrides,       problem.largest_force};
+  linear.force_so_far = problem.force_so_far;
+  linear.forces_before = problem.forces_before;
   const auto solver =
       make_equilibrium_solver(model.scene.solver, model.contacts, model.space, symmetric);
   result = solver->solve(linear, committed, change, response);

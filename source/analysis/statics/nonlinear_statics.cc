@@ -12,7 +12,8 @@ using namespace dealii;
 
 namespace {
 
-constexpr double most_turn = 0.5; // of a vertex in one iteration [rad]
+constexpr double most_turn = 0.5;            // of a vertex in one iteration [rad]
+constexpr double rounding_of_pivots = 1e-12; // of the largest stiffness
 
 /// Of a vertex, among changes of all degrees of freedom [rad].
 double largest_turn(const Discretization &discretization, const Vector &dofs) {
@@ -78,6 +79,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
+  std::vector<Contact::Strains> contact_forces = from.contact_stress;
   for (;;) {
     interruption::end_if_overdue();
     evaluate(at);
@@ -96,10 +98,12 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       problem.increment = {increment.time, 0., model.contacts.temperatures(increment.factors)};
       problem.largest_force = at.largest;
       problem.force_so_far = std::max(increment.force_so_far, at.balance.free);
+      problem.forces_before = &contact_forces;
       return linearized.solve(problem, from.contacts, change, response);
     };
     if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result))
       return result;
+    contact_forces = response.stress;
     judged = move(change, at);
   }
 }
@@ -108,6 +112,34 @@ Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCo
   LineCells::Balance balance;
   model.cells.evaluate({state.dofs, state.turns}, state.load_factors, balance);
   return balance.forces + model.contacts.platen_forces();
+}
+
+bool NonlinearStatics::is_unstable(const LineState &state) const {
+  constexpr double same = 1e-9, stiff = 1e3; // parts of the stiffest
+  LineCells::Balance balance;
+  model.cells.evaluate({state.dofs, state.turns}, state.load_factors, balance);
+  const SparseMatrix symmetric = symmetric_part(balance.stiffness);
+  const double largest = symmetric.diagonal().cwiseAbs().maxCoeff();
+  if ((balance.stiffness - symmetric).norm() > same * symmetric.norm())
+    return false; // loads that follow the line have no potential, nor signs that would tell
+  std::vector<Eigen::Triplet<double>> of_contacts;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (state.contact_status[i] == ContactStatus::open)
+      continue;
+    const auto B = contact.B_reduced.topRows<3>();
+    const Eigen::MatrixXd block =
+        stiff * largest * contact.length * contact.length * B.transpose() * B;
+    for (unsigned int a = 0; a < contact.unknowns.size(); ++a)
+      for (unsigned int b = 0; b < contact.unknowns.size(); ++b)
+        of_contacts.emplace_back(contact.unknowns[a], contact.unknowns[b], block(a, b));
+  }
+  SparseMatrix held(symmetric.rows(), symmetric.cols());
+  held.setFromTriplets(of_contacts.begin(), of_contacts.end());
+  const SparseMatrix tangent = symmetric + held;
+  LineFactorization factors;
+  factors.analyze(tangent);
+  return factors.factorize(tangent) && factors.least_pivot() < -rounding_of_pivots * largest;
 }
 
 EnergyAccount NonlinearStatics::account(const LineState &before, const LineState &after,

@@ -23,6 +23,8 @@ public:
   EnergyAccount account(const LineState &before, const LineState &after, const LoadCourse &course,
                         const Vector &unbalanced) const override;
   Vector forces_on_contacts(const LineState &state, const LoadCourse &course) const override;
+  /// By the signs of the pivots of the tangent stiffness, of which closed contacts are a part.
+  bool is_unstable(const LineState &state) const override;
   /// Nothing is proved of large motions.
   std::vector<BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &) const override {

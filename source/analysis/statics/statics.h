@@ -38,6 +38,9 @@ public:
   /// Where contacts in these states may have other equilibria.
   virtual std::vector<BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &status) const = 0;
+  /// Whether the line would leave a state by itself, at the least push, even if every contact that
+  /// is closed held it.
+  virtual bool is_unstable(const LineState &) const { return false; }
   /// What the increments to come depend on, besides the line's state.
   virtual void transfer(Archive &archive) = 0;
 };
