@@ -31,6 +31,17 @@ EnergyAccount &EnergyAccount::operator+=(const EnergyAccount &other) {
 
 namespace {
 
+/// What slips of a contact between two states; for laws with a closed form.
+Contact::Strains slip_between(const Contact &contact, const LineState &before,
+                              const LineState &after) {
+  const FrictionThreshold &law = contact.law.closed_form();
+  const auto slip = [&](const int place) {
+    return after.contacts.internal[contact.state_offset + place] -
+           before.contacts.internal[contact.state_offset + place];
+  };
+  return {0., slip(law.slip_y), slip(law.slip_z), slip(law.twist)};
+}
+
 /// Share of one contact: its strain increment in parts that store, open a gap and slip.
 void account_contact(const Contact &contact, const unsigned int i, const LineState &before,
                      const LineState &after, EnergyAccount &account) {
@@ -44,11 +55,7 @@ void account_contact(const Contact &contact, const unsigned int i, const LineSta
     return;
   }
   const FrictionThreshold &law = contact.law.closed_form();
-  const auto slip = [&](const int place) {
-    return after.contacts.internal[contact.state_offset + place] -
-           before.contacts.internal[contact.state_offset + place];
-  };
-  const Contact::Strains slipped(0., slip(law.slip_y), slip(law.slip_z), slip(law.twist));
+  const Contact::Strains slipped = slip_between(contact, before, after);
   const double normal_elastic = force_change[0] / law.axial_rigidity;
   account.gaps += contact.weight * force[0] * (change[0] - normal_elastic);
   account.stored += contact.weight * (force[0] * normal_elastic +
@@ -58,6 +65,17 @@ void account_contact(const Contact &contact, const unsigned int i, const LineSta
 }
 
 } // namespace
+
+double friction_work(const Contact &contact, const unsigned int i, const LineState &before,
+                     const LineState &after) {
+  const Contact::Strains slipped = slip_between(contact, before, after),
+                         &from = before.contact_stress[i], &to = after.contact_stress[i];
+  const double at_end = to.dot(slipped);
+  double where_slip_begins = std::max(from.dot(slipped), at_end);
+  if (to[0] < 0.) // the limit's share of the end, at the normal force of the beginning
+    where_slip_begins = std::min(where_slip_begins, at_end * (from[0] / to[0]));
+  return contact.weight * (where_slip_begins + at_end) / 2.;
+}
 
 EnergyAccount account_contacts(const Model &model, const LineState &before, const LineState &after,
                                const std::vector<ContactWork> &work) {

@@ -41,6 +41,15 @@ struct EnergyAccount {
 EnergyAccount account_increment(const Model &model, const LineState &before, const LineState &after,
                                 const Vector &loads_before, const Vector &loads_after);
 
+/**
+ * Work of friction in a static increment [J], from the internal variables and forces at its ends:
+ * that where slip begins and that at its end, in the mean. A contact that slips throughout, opens
+ * or closes has the trapezoid of its account; one that sticks first slips at the limit only, which
+ * the trapezoid misses. For laws with a closed form.
+ */
+double friction_work(const Contact &contact, unsigned int i, const LineState &before,
+                     const LineState &after);
+
 /// What one increment did to the contacts: the mean force over it.
 struct ContactWork {
   Contact::Strains mean_stress;

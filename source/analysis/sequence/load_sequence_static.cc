@@ -192,6 +192,10 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   const LineState before = current;
   current = to;
   commit(factors, time);
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    if (model.contacts[i].law.has_closed_form())
+      current.contacts.dissipated[i] =
+          before.contacts.dissipated[i] + friction_work(model.contacts[i], i, before, current);
   measure_forces(course.forces(full));
   judge_increment(before, statics->account(before, current, course, unbalanced));
   return true;
