@@ -48,22 +48,26 @@ struct Material {
 
 struct Section {
   std::string name;
-  double area = 0.;             ///< metal [m2]
-  double inertia = 0.;          ///< about either axis [m4]
-  double torsion_constant = 0.; ///< [m4]
-  double shear_area = 0.;       ///< [m2]; 0: no shear flexibility
-  double outer_radius = 0.;     ///< [m]; 0 where the section is given by its figures
-  double wall = 0.;             ///< [m]; 0 likewise
-  double added_mass = 0.;       ///< contents, insulation [kg/m]
-  bool rotary_inertia = true;   ///< of the metal, in the mass
-  double insulation = 0.;       ///< thickness [m]
-  double corrosion = 0.;        ///< allowance, off the wall's inside in sustained stresses [m]
+  double area = 0.;               ///< metal [m2]
+  double inertia = 0.;            ///< about either axis [m4]
+  double torsion_constant = 0.;   ///< [m4]
+  double shear_area = 0.;         ///< [m2]; 0: no shear flexibility
+  double outer_radius = 0.;       ///< [m]; 0 where the section is given by its figures
+  double wall = 0.;               ///< [m]; 0 likewise
+  double added_mass = 0.;         ///< contents, insulation and the rest [kg/m]
+  double contents = 0.;           ///< density [kg/m3], in added_mass as well
+  bool rotary_inertia = true;     ///< of the metal, in the mass
+  double insulation = 0.;         ///< thickness [m]
+  double insulation_density = 0.; ///< [kg/m3], in added_mass as well
+  double corrosion = 0.;          ///< allowance, off the wall's inside in sustained stresses [m]
 
   double bore_area() const; ///< [m2]; 0 where the wall is not known
+  /// Contents and insulation, by their densities [kg/m].
+  double filling() const;
 };
 
 /// The section of a reducer, @p part of its way from @p begin to @p end: diameter and wall change
-/// evenly.
+/// evenly, and so do the insulation's thickness and the densities of contents and insulation.
 Section between(const Section &begin, const Section &end, const double part);
 
 struct RoutePoint {

@@ -75,6 +75,21 @@ Figures between(const Section &begin, const Section &end, const double part, con
   if (a.wall > 0. && b.wall > 0.) {
     tube(2. * mix(a.radius, b.radius), mix(a.wall, b.wall), f);
     f.shear = a.shear / a.area * f.area;
+    // what else there is evenly, what fills the bore and clads the pipe by its room
+    const auto clad = [](const double D, const double t) {
+      return pi / 4. * (std::pow(D + 2. * t, 2) - D * D);
+    };
+    const auto bore = [](const double D, const double t) {
+      return pi / 4. * std::pow(D - 2. * t, 2);
+    };
+    const auto rest = [&](const Section &s, const Figures &g) {
+      return g.added - s.contents * bore(2. * g.radius, g.wall) -
+             s.insulation_density * clad(2. * g.radius, g.insulation);
+    };
+    f.added =
+        mix(rest(begin, a), rest(end, b)) +
+        mix(begin.contents, end.contents) * bore(2. * f.radius, f.wall) +
+        mix(begin.insulation_density, end.insulation_density) * clad(2. * f.radius, f.insulation);
     return f;
   }
   f.area = mix(a.area, b.area);

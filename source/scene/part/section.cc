@@ -37,14 +37,22 @@ double Section::bore_area() const {
   return wall > 0. ? pi * r * r : 0.;
 }
 
+double Section::filling() const {
+  return contents * bore_area() +
+         insulation_density * pi * insulation * (2. * outer_radius + insulation);
+}
+
 Section between(const Section &begin, const Section &end, const double part) {
   const auto mix = [&](const double a, const double b) { return a + part * (b - a); };
   Section section = begin;
   section.added_mass = mix(begin.added_mass, end.added_mass);
+  section.contents = mix(begin.contents, end.contents);
+  section.insulation_density = mix(begin.insulation_density, end.insulation_density);
   section.insulation = mix(begin.insulation, end.insulation);
   section.outer_radius = mix(begin.outer_radius, end.outer_radius);
   section.wall = mix(begin.wall, end.wall);
   if (begin.wall > 0. && end.wall > 0.) {
+    section.added_mass += section.filling() - mix(begin.filling(), end.filling());
     const double D = 2. * section.outer_radius, t = section.wall;
     section.area = pi * (D - t) * t;
     section.inertia = inertia_of_pipe(D, t);
@@ -187,9 +195,9 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
   if (D == 0. && (in.given("Contents") || in.given("Insulation")))
     in.fail_section("contents or insulation of a section without diameter",
                     "these beside 'Outer diameter' and 'Wall', or 'Size'", "'Added mass'");
-  section.added_mass =
-      in.number("Added mass") + in.number("Contents") * section.bore_area() +
-      in.number("Insulation density") * pi * section.insulation * (D + section.insulation);
+  section.contents = in.number("Contents");
+  section.insulation_density = in.number("Insulation density");
+  section.added_mass = in.number("Added mass") + section.filling();
   scene.sections.push_back(section);
 }
 
