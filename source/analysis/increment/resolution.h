@@ -13,7 +13,8 @@ struct Resolution {
   /// Sum over the time steps h of h^2/12 |a_1 - a_0|, the leading error of the trapezoidal rule in
   /// the displacements, as the largest of all translations [m].
   double local_errors = 0.;
-  double largest_displacement = 0.;                     ///< of all translations [m]
+  /// Of all translations, and of what bends within cells with large displacements [m].
+  double largest_displacement = 0.;
   double accelerations = 0., acceleration_changes = 0.; ///< sums of |a|, |a_1 - a_0| [m/s2]
   unsigned int state_changes = 0; ///< time steps in which a contact changed its state
   bool exact_in_time = true;      ///< no time step has an error of its own (event)

@@ -287,8 +287,8 @@ LineCells::CellState CorotationalCells::state_of(const unsigned int index, const
   return state;
 }
 
-double CorotationalCells::unbent(const Pose &pose) const {
-  double unbent = 0.;
+LineCells::Unbent CorotationalCells::unbent(const Pose &pose) const {
+  Unbent unbent;
   for (const Cell &cell : cells) {
     const Point3 &first = discretization.vertices()[cell.vertices[0]],
                  &last = discretization.vertices()[cell.vertices[1]];
@@ -300,7 +300,8 @@ double CorotationalCells::unbent(const Pose &pose) const {
       return turn(pose, vertex) * at_rest.normalized() - chord;
     };
     const Vector3d one = angles(cell.vertices[0]), two = angles(cell.vertices[1]);
-    unbent +=
+    unbent.bow = std::max(unbent.bow, at_rest.norm() * (one.norm() + two.norm()) / 8.);
+    unbent.length +=
         at_rest.norm() * (2. * one.squaredNorm() - one.dot(two) + 2. * two.squaredNorm()) / 30.;
   }
   return unbent;

@@ -47,7 +47,7 @@ public:
   Matrix12 mass_of(const unsigned int cell, PipeElement &element) const override;
   Motion nodal_load(const unsigned int load, const unsigned int vertex,
                     const Pose &pose) const override;
-  double unbent(const Pose &pose) const override;
+  Unbent unbent(const Pose &pose) const override;
 
 private:
   struct CellForces {

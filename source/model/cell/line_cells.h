@@ -135,8 +135,12 @@ public:
   /// Sum of loads on a pipe cell, in global axes.
   CellLoad load_on(const PipeCell &cell, const Profile &profile, const Vector3 &chord,
                    const std::vector<double> &factors) const;
-  /// Length that chords which stand for curves take away from the line [m].
-  virtual double unbent(const Pose &) const { return 0.; }
+  /// Of cells, whose length is that of their chords.
+  struct Unbent {
+    double length = 0.; ///< by which they are longer than the curves they stand for, in sum [m]
+    double bow = 0.;    ///< by which a curve is off its chord in the middle, the largest [m]
+  };
+  virtual Unbent unbent(const Pose &) const { return {}; }
 
 protected:
   /// A cell's share of a Balance.
