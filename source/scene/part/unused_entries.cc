@@ -43,12 +43,87 @@ void remark_on_initial(Scene &scene) {
       }
 }
 
+/// Of a section's entries those that were given, in a remark that says why they are not used.
+void remark_on(const ParameterReader &in, const std::string &section,
+               const std::vector<std::string> &entries, const std::string &why, Scene &scene) {
+  for (const std::string &entry : entries)
+    if (in.given(entry))
+      scene.remarks.push_back(section + ": its " + entry + " is not used " + why + ".");
+}
+
+/// The number that the file gives for an entry of the section; 0 where it gives none.
+double number_of(const ParameterReader &in, const std::string &entry) {
+  double value = 0.;
+  return to_number(in.raw(entry, "0"), value) ? value : 0.;
+}
+
+bool is_on(const ParameterReader &in, const std::string &entry) {
+  const std::string word = in.raw(entry, "false");
+  return word == "true" || word == "yes" || word == "on";
+}
+
+/// What of a support's law another of its entries leaves without effect.
+void remark_on_support(const ParameterReader &in, const std::string &section, const bool has_motion,
+                       Scene &scene) {
+  const std::string rigidity = "Torsional rigidity";
+  if (!is_on(in, "Torsion"))
+    remark_on(in, section, {rigidity, "Patch radius"}, "without Torsion = true", scene);
+  else if (in.raw("Law", "coulomb") == "coulomb" && number_of(in, rigidity) == 0.) {
+    scene.remarks.push_back(section + ": its Torsion does nothing without a " + rigidity +
+                            " > 0 [N m2], whose default is 0.");
+    remark_on(in, section, {"Patch radius"}, "without a " + rigidity, scene);
+  }
+  if (scene.solver.is_exact() && number_of(in, "Shear rigidity") == 0.)
+    remark_on(in, section, {"Shear rigidity ratio"},
+              "without a Shear rigidity: the contact is rigid across its normal", scene);
+  if (!has_motion && number_of(in, "Restitution") > 0.)
+    remark_on(in, section, {"Restitution"}, "without a transient step", scene);
+}
+
+/// Entries of parts that another entry of the part leaves without effect.
+void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
+  for (const ParameterFile::Section &section : in.file().sections()) {
+    const std::string &heading = section.heading, kind = heading.substr(0, heading.find(' '));
+    in.enter(heading);
+    if (kind == "Support")
+      remark_on_support(in, heading, has_motion, scene);
+    else if (kind == "Section" && number_of(in, "Insulation") == 0.)
+      remark_on(in, heading, {"Insulation density"}, "without Insulation", scene);
+    else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
+      remark_on(in, heading, {"Variation", "Weight step", "Hot step"},
+                "beside a Cold load: the hanger is not sized", scene);
+    else if (kind == "Tee" && in.raw("Kind", "welding tee") != "reinforced")
+      remark_on(in, heading, {"Pad"}, "but with Kind = reinforced", scene);
+  }
+}
+
+/// Entries of sections that another section, or an entry that turns it on, leaves without effect.
+void remark_on_sections(ParameterReader &in, Scene &scene) {
+  in.enter("Stress");
+  if (scene.stress.code.empty())
+    remark_on(
+        in, "Stress",
+        {"Sustained", "Expansion", "Occasional", "Cycles factor", "Liberal", "Occasional factor"},
+        "without a Code", scene);
+  in.enter("Modes");
+  if (scene.modal.n_modes == 0)
+    remark_on(in, "Modes", {"Mass", "Step", "Friction"}, "without a Number of modes", scene);
+  in.enter("Response");
+  if (scene.spectra.empty())
+    remark_on(in, "Response",
+              {"Modes", "Directions", "Groups", "Interpolation", "Damping", "Missing mass"},
+              "without a Spectrum", scene);
+}
+
 } // namespace
 
 void remark_on_unused(ParameterReader &in, Scene &scene) {
-  if (std::any_of(scene.steps.begin(), scene.steps.end(),
-                  [](const LoadStep &step) { return step.transient; }))
+  const bool has_motion = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                      [](const LoadStep &step) { return step.transient; });
+  if (has_motion)
     remark_on_integrator(in, scene);
+  remark_on_parts(in, has_motion, scene);
+  remark_on_sections(in, scene);
   remark_on_initial(scene);
   for (unsigned int l = 0; l < scene.loads.size(); ++l)
     if (std::none_of(scene.steps.begin(), scene.steps.end(), [&](const LoadStep &step) {
