@@ -15,8 +15,8 @@ namespace {
 
 /// So many pieces between two events get on by at least such a part of Time/Step: beyond that a
 /// step takes minutes.
-constexpr unsigned int most_pieces = 20000;
-constexpr double least_progress = 0.01;
+constexpr unsigned int most_pieces = 200000;
+constexpr double least_progress = 0.1;
 /// Where a curve's friction is not found, slip goes straight on for such a part of a step.
 constexpr double part_straight_on = 1e-5;
 
