@@ -21,6 +21,20 @@ double between(const double t0, const double x0, const double t1, const double x
   return t1 > t0 ? x0 + (t - t0) / (t1 - t0) * (x1 - x0) : x1;
 }
 
+/// Whether a contact that sticks or slips does so for some time: where slip turns it sticks for
+/// none.
+bool lasts(const std::vector<ContactEvent> &events, const std::size_t k) {
+  const auto is_friction = [](const ContactEvent &event) {
+    return event.status == ContactStatus::stick || event.status == ContactStatus::slip;
+  };
+  return !is_friction(events[k]) ||
+         std::none_of(events.begin() + k + 1, events.end(), [&](const ContactEvent &later) {
+           return later.contact == events[k].contact && is_friction(later) &&
+                  later.status != events[k].status &&
+                  later.time - events[k].time <= same_instant_of_time * later.time;
+         });
+}
+
 } // namespace
 
 void Collector::find_change(const Quantity &quantity, const LineState &state,
@@ -30,7 +44,8 @@ void Collector::find_change(const Quantity &quantity, const LineState &state,
     return;
   const auto wanted = static_cast<ContactStatus>(quantity.kind().component);
   std::vector<ContactStatus> status = contacts_before.status;
-  for (const ContactEvent &event : state.events) {
+  for (std::size_t k = 0; k < state.events.size(); ++k) {
+    const ContactEvent &event = state.events[k];
     const bool was_closed =
         event.contact < status.size() && status[event.contact] != ContactStatus::open;
     if (!status.empty())
@@ -39,8 +54,8 @@ void Collector::find_change(const Quantity &quantity, const LineState &state,
     const bool is_it = wanted == ContactStatus::closed
                            ? event.status != ContactStatus::open && !was_closed
                            : event.status == wanted;
-    if (!change.value && is_it && event.time >= quantity.from && event.time <= quantity.to &&
-        results.supports[event.contact].name == quantity.where)
+    if (!change.value && is_it && lasts(state.events, k) && event.time >= quantity.from &&
+        event.time <= quantity.to && results.supports[event.contact].name == quantity.where)
       change.value = quantity.scale * event.time;
   }
 }
