@@ -9,6 +9,8 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace frictionbeam {
 
@@ -44,31 +46,35 @@ void set_motion(const Motion &motion, const unsigned int vertex, const VertexDof
 } // namespace
 
 void LoadSequence::set_initial_motion(const bool displaced) {
-  const VertexDofs &dofs = model.discretization.vertex_dofs();
-  for (const InitialCondition &initial : model.scene.initial) {
-    std::vector<unsigned int> vertices;
-    for (const std::string &point : initial.points)
-      vertices.push_back(model.mesh.points.at(point));
-    for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
-      if (std::count(initial.pipes.begin(), initial.pipes.end(), model.scene.pipes[p].name) > 0)
-        vertices.insert(vertices.end(), model.mesh.pipes[p].vertices.begin(),
-                        model.mesh.pipes[p].vertices.end());
-    const auto at = [&](Motion motion, const unsigned int vertex) {
-      if (initial.about.empty())
-        return motion;
-      const Vector3 arm =
-          model.mesh.vertices[vertex] - model.mesh.vertices[model.mesh.points.at(initial.about)];
-      const Vector3 turned = cross_product_3d(Vector3({motion[3], motion[4], motion[5]}), arm);
-      for (unsigned int d = 0; d < 3; ++d)
-        motion[d] += turned[d];
-      return motion;
-    };
-    for (const unsigned int vertex : vertices) {
-      if (displaced)
-        set_motion(at(initial.displacement, vertex), vertex, dofs, model.space, current.unknowns);
-      set_motion(at(initial.velocity, vertex), vertex, dofs, model.space, current.velocity);
+  const auto set = [&](Motion InitialCondition::*const part, Vector &unknowns) {
+    std::map<unsigned int, Motion> motions; // by vertex; those of several sections add up
+    for (const InitialCondition &initial : model.scene.initial) {
+      std::set<unsigned int> vertices;
+      for (const std::string &point : initial.points)
+        vertices.insert(model.mesh.points.at(point));
+      for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
+        if (std::count(initial.pipes.begin(), initial.pipes.end(), model.scene.pipes[p].name) > 0)
+          vertices.insert(model.mesh.pipes[p].vertices.begin(), model.mesh.pipes[p].vertices.end());
+      const Motion &given = initial.*part;
+      for (const unsigned int vertex : vertices) {
+        Motion &sum = motions.try_emplace(vertex, Motion{}).first->second;
+        for (unsigned int c = 0; c < 6; ++c)
+          sum[c] += given[c];
+        if (initial.about.empty())
+          continue;
+        const Vector3 arm =
+            model.mesh.vertices[vertex] - model.mesh.vertices[model.mesh.points.at(initial.about)];
+        const Vector3 turned = cross_product_3d(Vector3({given[3], given[4], given[5]}), arm);
+        for (unsigned int d = 0; d < 3; ++d)
+          sum[d] += turned[d];
+      }
     }
-  }
+    for (const auto &[vertex, motion] : motions)
+      set_motion(motion, vertex, model.discretization.vertex_dofs(), model.space, unknowns);
+  };
+  if (displaced)
+    set(&InitialCondition::displacement, current.unknowns);
+  set(&InitialCondition::velocity, current.velocity);
 }
 
 void LoadSequence::press_at_start() {

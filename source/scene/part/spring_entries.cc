@@ -78,7 +78,8 @@ void parse_mass(const ParameterReader &in, const std::string &name, Scene &scene
 }
 
 void declare_initial(ParameterReader &in) {
-  in.declare_text("At", "", "names of points, separated by commas", "Which points start so.");
+  in.declare_text("At", "", "names of points, separated by commas",
+                  "Which points start so. What several such sections give a point adds up.");
   in.declare_text("Pipes", "", "names of pipes, separated by commas",
                   "All of whose nodes start so.");
   in.declare_text("About", "", "name of a point",
