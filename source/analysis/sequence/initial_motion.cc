@@ -5,6 +5,8 @@
 #include "analysis/increment/time_step.h"
 #include "analysis/march/integrator_library.h"
 #include "analysis/time/moreau_jean.h"
+#include "base/user_error.h"
+#include "scene/in_units.h"
 
 #include <Eigen/QR>
 
@@ -75,6 +77,27 @@ void LoadSequence::set_initial_motion(const bool displaced) {
   if (displaced)
     set(&InitialCondition::displacement, current.unknowns);
   set(&InitialCondition::velocity, current.velocity);
+}
+
+void LoadSequence::check_initial_gaps() const {
+  constexpr double rounding = 1e-9; // of the displacements
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const FrictionSupport &support = model.scene.supports[contact.support];
+    // as the support is given: return mapping makes a rigid one elastic
+    const BoundLaw law(contact.law.description(), support.parameters);
+    if (!law.is_rigid_along_normal() || !law.has_closed_form() || contact.platen_force != 0.)
+      continue;
+    const double least = rounding * current.dofs.lpNorm<Eigen::Infinity>(),
+                 opens = contact.length * contact.strain_by_unknowns(current.unknowns)[0],
+                 gap = contact.length * current.contacts.strain[i][0] + law.closed_form().gap;
+    if (opens < -least && gap < -least)
+      throw UserError("Support " + support.name + ": the displacements of Initial put " +
+                      in_units(model.scene.units, model.mesh.vertices[contact.vertices[0]]) + " " +
+                      in_units(model.scene.units, -gap, "m") +
+                      " into it, and nothing gets into a rigid support. Try another displacement, "
+                      "a larger Gap, or give the support an Axial rigidity.");
+  }
 }
 
 void LoadSequence::press_at_start() {

@@ -46,6 +46,7 @@ void LoadSequence::initialize() {
   };
   expand();
   current.contacts = model.contacts.initial_state(current.dofs);
+  check_initial_gaps();
   model.contacts.place_platens(current.unknowns);
   expand();
   model.contacts.evaluate(current.dofs, current.contacts, {}, LawTangent::none, response);

@@ -81,6 +81,8 @@ private:
   void measure_forces(const Vector &loads);
   /// Of the sections Initial. @param displaced or velocities only
   void set_initial_motion(const bool displaced);
+  /// @throws UserError where a displacement of a section Initial puts a point into a rigid support
+  void check_initial_gaps() const;
   /// Where the first step is transient: forces at time 0 of rigid contacts that touch and do not
   /// approach, which press from the first instant and are not struck.
   void press_at_start();
