@@ -31,6 +31,27 @@ void remark_on_integrator(ParameterReader &in, Scene &scene) {
                               ", which know no impulses; Method = exact does.");
 }
 
+/// What an Initial wants of a point in directions in which a load moves it.
+void remark_on_moved_points(Scene &scene) {
+  for (const InitialCondition &initial : scene.initial) {
+    std::vector<std::string> points = initial.points;
+    for (const Pipe &pipe : scene.pipes)
+      if (std::count(initial.pipes.begin(), initial.pipes.end(), pipe.name) > 0)
+        for (const RoutePoint &point : pipe.route)
+          if (std::count(points.begin(), points.end(), point.name) == 0)
+            points.push_back(point.name);
+    for (const Load &load : scene.loads)
+      for (const Load::AtPoint &moved : load.at)
+        for (unsigned int c = 0; c < 6; ++c)
+          if (load.kind == Load::Kind::displacement && moved.given[c] &&
+              (initial.velocity[c] != 0. || initial.displacement[c] != 0.) &&
+              std::count(points.begin(), points.end(), moved.point) > 0)
+            scene.remarks.push_back("The Initial of " + moved.point + " has a part along " +
+                                    motions[c] + ", in which load " + load.name +
+                                    " moves it: it does nothing there.");
+  }
+}
+
 /// What an Initial wants in directions that Free motions holds.
 void remark_on_initial(Scene &scene) {
   for (const InitialCondition &initial : scene.initial)
@@ -125,6 +146,7 @@ void remark_on_unused(ParameterReader &in, Scene &scene) {
   remark_on_parts(in, has_motion, scene);
   remark_on_sections(in, scene);
   remark_on_initial(scene);
+  remark_on_moved_points(scene);
   for (unsigned int l = 0; l < scene.loads.size(); ++l)
     if (std::none_of(scene.steps.begin(), scene.steps.end(), [&](const LoadStep &step) {
           return std::any_of(step.loads.begin(), step.loads.end(),
