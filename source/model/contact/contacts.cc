@@ -28,6 +28,10 @@ double platen_position(const Contact &contact, const std::string &support) {
       return -strain * contact.length;
     strain = tangent > 0. ? strain - (force - wanted) / tangent : 2. * strain;
   }
+  if (contact.law.has_closed_form() && contact.law.closed_form().gap > 0.)
+    throw UserError("Support " + support +
+                    ": a Gap and a Normal force do not go together on a rigid support, whose "
+                    "platen is pressed onto the pipe. Leave out one of the two.");
   throw UserError("Support " + support + ": its law '" + contact.law.name() +
                   "' cannot carry the Normal force on it. Give the law a larger rigidity.");
 }
