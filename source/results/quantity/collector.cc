@@ -174,7 +174,11 @@ const Station &Collector::station_at(const Quantity &quantity, const Frame &made
   any.side = Quantity::Side::any;
   if (find_station(model, any, made) == nullptr)
     throw UserError(name + ": the point '" + quantity.where + "' is on no pipe" + on +
-                    ", and so has no section forces.");
+                    (quantity.is(Of::motion)
+                         ? ", and '" + quantity.step +
+                               "' is no step: of spectra and combinations there are the motions of "
+                               "pipes. Ask for fx, fy or fz of what holds the point."
+                         : ", and so has no section forces."));
   const bool after = quantity.side == Quantity::Side::after;
   throw UserError(name + ": there is no pipe" + on + (after ? " after" : " before") +
                   " the point '" + quantity.where + "', where the route " +
