@@ -163,6 +163,13 @@ void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
   if (time.mass_damping != 0. || time.stiffness_damping != 0.)
     C = time.mass_damping * M + time.stiffness_damping * K;
   if (time.modal_damping != 0.)
+    for (const FrictionSupport &support : scene.supports)
+      if (support.normal_force > 0.)
+        throw UserError("Support " + support.name +
+                        ": the platen of its Normal force has no mass, and 'Modal damping' needs "
+                        "mass at all that can move. Press the pipe on by a load of kind force and "
+                        "leave Normal force out, or use 'Mass damping' and 'Stiffness damping'.");
+  if (time.modal_damping != 0.)
     C = C + modal_damping(K, M, time.modal_damping);
   SparseMatrix dashpots = K;
   std::fill(dashpots.valuePtr(), dashpots.valuePtr() + dashpots.nonZeros(), 0.);
