@@ -153,7 +153,8 @@ double or_rigid(const double rigidity) {
   return rigidity > 0. ? rigidity : std::numeric_limits<double>::infinity();
 }
 
-void threshold(const double *p, FrictionThreshold &t) {
+void threshold(const LawInput &in, FrictionThreshold &t) {
+  const double *const p = in.parameters;
   t.static_friction = p[f_static];
   t.dynamic_friction = dynamic_coefficient(p);
   t.gap = p[gap];

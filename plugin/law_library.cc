@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/law_closed_form.h>
 #include <frictionbeam/law_library.h>
 
 #include <dlfcn.h>
@@ -12,60 +13,76 @@ namespace frictionbeam {
 
 namespace {
 
-void check(const bool condition, const std::string &file, const std::string &message) {
+/// @param origin of the law, as a message begins: "The law library 'file'"
+void check(const bool condition, const std::string &origin, const std::string &message) {
   if (!condition)
-    throw std::runtime_error("The law library '" + file + "' cannot be used: " + message);
+    throw std::runtime_error(origin + " cannot be used: " + message);
 }
 
 bool is_given(const char *text) { return text != nullptr && *text != '\0'; }
 
-void check_description(const LawDescription &law, const std::string &file) {
-  check(law.interface_version == law_interface_version, file,
+void check_description(const LawDescription &law, const std::string &origin) {
+  check(law.interface_version >= oldest_law_interface_version &&
+            law.interface_version <= law_interface_version,
+        origin,
         "it was compiled for version " + std::to_string(law.interface_version) +
             " of the law interface, this program has version " +
-            std::to_string(law_interface_version) +
-            ". Compile it again with the header frictionbeam/law.h of this program.");
-  check(law.kind == LawKind::support || law.kind == LawKind::section, file,
+            std::to_string(law_interface_version) + " and loads those from " +
+            std::to_string(oldest_law_interface_version) +
+            " on. Compile it again with the header frictionbeam/law.h of this program.");
+  check(law.kind == LawKind::support || law.kind == LawKind::section, origin,
         "its kind is " + std::to_string(static_cast<int>(law.kind)) +
             ", expected 0 (support) or 1 (section). Set LawDescription::kind.");
   const int n_strains = law.kind == LawKind::support ? n_support_strains : n_section_strains;
-  check(law.n_strains == n_strains, file,
+  check(law.n_strains == n_strains, origin,
         "it has " + std::to_string(law.n_strains) + " strains, a law of its kind has " +
             std::to_string(n_strains) + ". Set LawDescription::n_strains.");
-  check(law.n_internal_variables >= 0 && law.n_internal_variables <= 1000, file,
+  check(law.n_internal_variables >= 0 && law.n_internal_variables <= 1000, origin,
         "it has " + std::to_string(law.n_internal_variables) +
             " internal variables, expected 0 to 1000. Set LawDescription::n_internal_variables.");
-  check(law.law != nullptr, file,
+  check(law.law != nullptr, origin,
         "it has no law object. Let LawDescription::law point to a constant object.");
-  check(law.n_parameters <= 1000, file,
+  check(law.n_parameters <= 1000, origin,
         "it announces " + std::to_string(law.n_parameters) +
             " parameters, expected 0 to 1000. Set LawDescription::n_parameters.");
-  check(law.n_parameters == 0 || (law.n_parameters > 0 && law.parameters != nullptr), file,
+  check(law.n_parameters == 0 || (law.n_parameters > 0 && law.parameters != nullptr), origin,
         "it announces " + std::to_string(law.n_parameters) +
             " parameters without a list. Set n_parameters and parameters together.");
 }
 
-void check_texts(const LawDescription &law, const std::string &file) {
+void check_texts(const LawDescription &law, const std::string &origin) {
   for (int i = 0; i < law.n_parameters; ++i) {
     const LawParameter &p = law.parameters[i];
     const std::string which = is_given(p.name) ? "parameter '" + std::string(p.name) + "'"
                                                : "parameter number " + std::to_string(i);
-    check(is_given(p.name) && is_given(p.unit) && is_given(p.meaning), file,
+    check(is_given(p.name) && is_given(p.unit) && is_given(p.meaning), origin,
           which + " lacks a name, a unit or a meaning. Give all three ('-' if it has no unit).");
     for (int j = 0; j < i; ++j)
-      check(std::string(p.name) != law.parameters[j].name, file,
+      check(std::string(p.name) != law.parameters[j].name, origin,
             "it has two parameters called '" + std::string(p.name) +
                 "'. Give each a name of its own.");
-    check(std::isfinite(p.default_value), file,
+    check(std::isfinite(p.default_value), origin,
           "the default of " + which + " is not finite. Give a number within its bounds.");
-    check(p.minimum <= p.default_value && p.default_value <= p.maximum, file,
+    check(p.minimum <= p.default_value && p.default_value <= p.maximum, origin,
           "the default " + std::to_string(p.default_value) + " of " + which +
               " is outside its bounds " + std::to_string(p.minimum) + " to " +
               std::to_string(p.maximum) + ".");
   }
-  check(is_given(law.reference), file,
+  check(is_given(law.reference), origin,
         "the law '" + std::string(law.name) +
             "' names no reference. Say where it is from in LawDescription::reference.");
+}
+
+/// A method that believes a closed form reads and writes where it says.
+void check_closed_form(const LawDescription &law, const std::string &origin) {
+  if (law.threshold == nullptr)
+    return;
+  check(law.kind == LawKind::support, origin,
+        "it has a closed form, and is a law of sections. Set LawDescription::threshold to null.");
+  const std::string faults = place_faults(law, closed_form_at_rest(law, default_parameters(law)));
+  check(faults.empty(), origin,
+        faults + ". Expected a place of its own within the internal variables for each: set "
+                 "n_internal_variables, and the places in threshold().");
 }
 
 } // namespace
@@ -76,13 +93,14 @@ LawLibrary::~LawLibrary() {
 }
 
 const LawDescription &LawLibrary::load(const std::string &file) {
+  const std::string origin = "The law library '" + file + "'";
   // A name without a slash would be searched among the system's libraries.
   const std::string path = std::filesystem::absolute(file).string();
   void *const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const std::string reason = dlerror();
     check(
-        false, file,
+        false, origin,
         "it does not open (" + reason +
             "). Expected a shared library; give its path from the folder the program runs in, and "
             "compile it with frictionbeam_add_law() or 'g++ -std=c++17 -shared -fPIC'.");
@@ -90,22 +108,31 @@ const LawDescription &LawLibrary::load(const std::string &file) {
   handles.push_back(handle);
 
   const auto *const law = static_cast<const LawDescription *>(dlsym(handle, "frictionbeam_law"));
-  check(law != nullptr, file,
+  check(law != nullptr, origin,
         "it does not export the object 'frictionbeam_law'. Define it with extern \"C\", as "
         "plugin/law_skeleton.cc does.");
-  check_description(*law, file);
-  check(is_given(law->name), file, "its law has no name. Set LawDescription::name.");
-  const auto present = files.find(law->name);
-  if (present != files.end() && laws.at(law->name) == law)
-    return *law; // the same library again
-  check(present == files.end(), file,
-        "its law is called '" + std::string(law->name) + "', as is the one already loaded from '" +
-            (present == files.end() ? "" : present->second) + "'. Give it a name of its own.");
-  check_texts(*law, file);
+  return take(*law, origin, "loaded from '" + file + "'");
+}
 
-  laws[law->name] = law;
-  files[law->name] = file;
-  return *law;
+const LawDescription &LawLibrary::add(const LawDescription &law) {
+  const std::string name = is_given(law.name) ? law.name : "";
+  return take(law, "The law '" + name + "' that is linked in", "linked in");
+}
+
+const LawDescription &LawLibrary::take(const LawDescription &law, const std::string &origin,
+                                       const std::string &whence) {
+  check_description(law, origin);
+  check(is_given(law.name), origin, "its law has no name. Set LawDescription::name.");
+  const auto present = laws.find(law.name);
+  if (present != laws.end() && present->second.law == &law)
+    return law; // the same again
+  check(present == laws.end(), origin,
+        "its law is called '" + std::string(law.name) + "', as is the one already " +
+            (present == laws.end() ? "" : present->second.whence) + ". Give it a name of its own.");
+  check_texts(law, origin);
+  check_closed_form(law, origin);
+  laws[law.name] = {&law, whence};
+  return law;
 }
 
 void LawLibrary::load_builtin() {
@@ -126,13 +153,13 @@ const LawDescription &LawLibrary::find(const std::string &name) const {
     throw std::runtime_error("There is no law called '" + name + "'. Loaded are: " + known +
                              ". Name the shared library of another one in 'Law libraries'.");
   }
-  return *law->second;
+  return *law->second.law;
 }
 
 std::vector<std::string> LawLibrary::names(const LawKind kind) const {
   std::vector<std::string> result;
-  for (const auto &[name, law] : laws)
-    if (law->kind == kind)
+  for (const auto &[name, entry] : laws)
+    if (entry.law->kind == kind)
       result.push_back(name);
   return result;
 }

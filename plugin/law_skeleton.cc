@@ -5,7 +5,7 @@
 //   find_package(FrictionBeam)  and  frictionbeam_add_law(my_law my_law.cc),
 // or by hand with  g++ -std=c++17 -O2 -shared -fPIC -I<include> my_law.cc -o my_law.so
 // (no deal.II: the same file then serves debug and release programs), check it with
-//   frictionbeam-check-law my_law.so
+//   frictionbeam-check-law my_law.so 'Drag=2'
 // and name it in the parameter file:  set Law libraries = my_law.so
 #include <frictionbeam/law.h>
 

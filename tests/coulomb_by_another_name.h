@@ -9,7 +9,7 @@ namespace {
 
 /// @param other_threshold its closed form, or null
 constexpr LawDescription coulomb_called(const char *const name, const LawBase *const other,
-                                        void (*const other_threshold)(const double *,
+                                        void (*const other_threshold)(const LawInput &,
                                                                       FrictionThreshold &)) {
   return {
       law_interface_version, LawKind::support, n_support_strains, n_states, false,          name,

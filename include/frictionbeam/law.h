@@ -14,9 +14,12 @@
  */
 namespace frictionbeam {
 
-/// Raised whenever the layout of anything in this header changes. A library of another version is
-/// refused at loading.
-inline constexpr int law_interface_version = 1;
+/// Raised whenever anything in this header changes that a compiled law depends on. Libraries from
+/// oldest_law_interface_version on are loaded, others are refused. Version 1 had closed forms of
+/// the parameters alone, `void (*threshold)(const double *parameters, FrictionThreshold &)`: ask
+/// them by closed_form(), which knows both.
+inline constexpr int law_interface_version = 2;
+inline constexpr int oldest_law_interface_version = 1;
 
 /// What a law is evaluated on, and with that the meaning of its strains and stresses.
 enum class LawKind : int {
@@ -99,6 +102,10 @@ protected:
  * element, ES and GS [N]; infinity stands for a rigid contact. The method reads and writes the
  * law's own internal variables, so that steps of either kind follow each other: their places in the
  * state.
+ *
+ * The two coefficients may depend on temperature, rate, time and old state of the increment
+ * (`varies`); all else depends on the parameters alone. Nothing depends on the strain: what does is
+ * no cone, and has no closed form.
  */
 struct FrictionThreshold {
   double static_friction;
@@ -112,6 +119,7 @@ struct FrictionThreshold {
   int slip_y, slip_z;        ///< places of the irreversible shear strains gamma_p
   int twist;                 ///< place of the irreversible twist rate
   int was_slipping;          ///< place of a flag, 1 if the contact slips, else 0
+  bool varies; ///< whether the coefficients depend on more than the parameters; false at first
 };
 
 /// Everything the host knows about a law before it calls it.
@@ -126,9 +134,24 @@ struct LawDescription {
   int n_parameters;
   const LawParameter *parameters;
   const LawBase *law;
-  /// The law's closed form, or null if it has none.
-  void (*threshold)(const double *parameters, FrictionThreshold &threshold);
+  /// The law's closed form, or null if it has none. It is given what integrate() is given, with
+  /// strain and displacement zero.
+  void (*threshold)(const LawInput &input, FrictionThreshold &threshold);
 };
+
+/// Closed form of a law of any version that is loaded; zeros if it has none.
+inline FrictionThreshold closed_form(const LawDescription &law, const LawInput &input) {
+  FrictionThreshold form{};
+  if (law.threshold == nullptr)
+    return form;
+  if (law.interface_version == 1) {
+    using OfParameters = void (*)(const double *, FrictionThreshold &);
+    const auto of_any_kind = reinterpret_cast<void (*)()>(law.threshold);
+    reinterpret_cast<OfParameters>(of_any_kind)(input.parameters, form);
+  } else
+    law.threshold(input, form);
+  return form;
+}
 
 } // namespace frictionbeam
 

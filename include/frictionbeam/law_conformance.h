@@ -8,6 +8,16 @@
 
 namespace frictionbeam {
 
+/// Increments of the conformance test in which a law came to each of its branches: what was never
+/// reached, was not checked.
+struct LawReach {
+  int increments = 0; ///< in which it gave an answer
+  int failed = 0;     ///< in which it gave none
+  int stick = 0, slip = 0, open = 0, closed = 0;
+  int elastic = 0;     ///< with stress, and without dissipation
+  int dissipating = 0; ///< with dissipation
+};
+
 /**
  * The conformance test that every law passes. Along seeded random strain paths of several
  * magnitudes, in compression and in traction, it is checked that
@@ -27,5 +37,9 @@ namespace frictionbeam {
  */
 std::vector<std::string> check_law(const LawDescription &law,
                                    const std::vector<double> &parameters);
+
+/// The same, and what was reached.
+std::vector<std::string> check_law(const LawDescription &law, const std::vector<double> &parameters,
+                                   LawReach &reached);
 
 } // namespace frictionbeam

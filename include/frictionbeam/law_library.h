@@ -10,8 +10,8 @@
 namespace frictionbeam {
 
 /**
- * Constitutive laws, each loaded from a shared library of its own and found by name. The laws that
- * come with the project and a user's own pass through the same door, load().
+ * Constitutive laws, each loaded from a shared library of its own or linked in, and found by name.
+ * The laws that come with the project and a user's own pass through the same door, load().
  *
  * The descriptions handed out live as long as the library object.
  */
@@ -23,13 +23,21 @@ public:
   LawLibrary &operator=(const LawLibrary &) = delete;
 
   /**
-   * Load the law in the shared library @p file. Checked in this order: the library opens, it exports
-   * `frictionbeam_law`, the interface version is equal, kind and sizes fit, the name is new, every
-   * parameter has a unit and a meaning within its bounds, the reference is there. A library that is
-   * loaded again is the same law.
+   * Load the law in the shared library @p file. Checked in this order: the library opens, it
+   * exports `frictionbeam_law`, the interface version is one that this program knows, kind and
+   * sizes fit, the name is new, every parameter has a unit and a meaning within its bounds, the
+   * reference is there, a closed form has its places within the state. A library that is loaded
+   * again is the same law. That a closed form is integrate()'s own law, closed_form_faults()
+   * checks, for it depends on the parameters.
    * @throws std::runtime_error saying what was found, what was expected and what to try.
    */
   const LawDescription &load(const std::string &file);
+
+  /**
+   * Add a law that is linked into the program, which needs no shared library. It must outlive this.
+   * Checked as load() does.
+   */
+  const LawDescription &add(const LawDescription &law);
 
   /// Load every law that is installed beside this library (builtin_directory()).
   void load_builtin();
@@ -44,8 +52,16 @@ public:
   static std::string builtin_directory();
 
 private:
-  std::map<std::string, const LawDescription *> laws;
-  std::map<std::string, std::string> files; ///< by name of the law
+  struct Entry {
+    const LawDescription *law;
+    std::string whence; ///< it is: loaded from a file, or linked in
+  };
+
+  /// @param origin, whence  of the law, as messages say it
+  const LawDescription &take(const LawDescription &law, const std::string &origin,
+                             const std::string &whence);
+
+  std::map<std::string, Entry> laws; ///< by name
   std::vector<void *> handles;
 };
 

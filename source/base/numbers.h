@@ -15,10 +15,6 @@ constexpr double no_direction = 1e-6;
 constexpr double no_component = 1e-12;
 /// Numbers that differ by less than this part are equal but for the order of their sums.
 constexpr double equal_numbers = 1e-9;
-/// Part of the largest force up to which rounding may excuse forces left unbalanced.
-constexpr double most_excused = 1e-8;
-/// Part of the predicted decrease with which a line search is content (Armijo's rule).
-constexpr double sufficient_decrease = 1e-4;
 /// Keeps a quotient finite where its denominator may be zero.
 constexpr double not_zero = 1e-300;
 

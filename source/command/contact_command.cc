@@ -13,13 +13,13 @@ namespace {
 
 constexpr double tolerance = 1e-8;
 
-void print_residual(const LocalContactResidual &residual) {
+void print_residual(const contact::LocalResidual &residual) {
   std::cout << "  natural map ||r - P_K(r - (u + mu |u_T| n))|| / ||q|| = " << residual.natural_map
             << "\n  largest of a contact on its own scale = " << residual.own_scale << " (contact "
             << residual.worst_contact << ", counted from 0)\n";
 }
 
-void print_states(const LocalContactProblem &problem, const Eigen::VectorXd &reactions) {
+void print_states(const contact::LocalProblem &problem, const Eigen::VectorXd &reactions) {
   unsigned int open = 0, slip = 0;
   for (unsigned int i = 0; i < problem.n_contacts(); ++i) {
     const auto r = reactions.segment(problem.dimension * i, problem.dimension);
@@ -32,8 +32,8 @@ void print_states(const LocalContactProblem &problem, const Eigen::VectorXd &rea
             << " are at the limit of friction, " << open << " carry nothing\n";
 }
 
-void print_rank(const LocalContactProblem &problem) {
-  const int rank = estimate_rank(problem);
+void print_rank(const contact::LocalProblem &problem) {
+  const int rank = contact::estimate_rank(problem);
   if (rank >= 0 && rank < problem.q.size())
     std::cout << "Note: W has rank " << rank << " of " << problem.q.size()
               << " to 1e-12. Where it is singular, as for rigid bodies on more contacts than they "
@@ -44,7 +44,7 @@ void print_rank(const LocalContactProblem &problem) {
 
 int solve_contact_file(const std::string &path) {
   try_contact_file(path);
-  const LocalContactProblem problem = read_local_contact_problem(path);
+  const contact::LocalProblem problem = read_local_contact_problem(path);
   std::cout << path << ": " << problem.n_contacts() << " contacts in " << problem.dimension
             << "D, W has " << problem.W.nonZeros() << " entries in " << problem.q.size()
             << " rows\n";
@@ -52,10 +52,10 @@ int solve_contact_file(const std::string &path) {
   const auto earlier = read_contact_reactions(path, problem.q.size());
   if (earlier) {
     std::cout << "The solution that the file had:\n";
-    print_residual(evaluate_residual(problem, *earlier));
+    print_residual(contact::evaluate_residual(problem, *earlier));
   }
   const dealii::Timer timer;
-  const LocalContactSolution solution = solve_local_contact(problem, tolerance);
+  const contact::LocalSolution solution = contact::solve_local_contact(problem, tolerance);
   std::cout << (solution.converged ? "Solved" : "NOT solved") << " in " << solution.iterations
             << " iterations, " << solution.outer_iterations << " outer ones, " << timer.wall_time()
             << " s:\n";

@@ -35,6 +35,15 @@ struct Solution {
   ContinuumLevel level;
 };
 
+/// Whether the exact method can judge any contact: by its law's closed form.
+bool contacts_are_judged(const ContinuumScene &scene, const LawLibrary &laws) {
+  const auto has_closed_form = [&](const ContinuumContact &contact) {
+    return BoundLaw(laws.find(contact.law), contact.parameters).has_closed_form();
+  };
+  return scene.contacts.empty() ||
+         std::any_of(scene.contacts.begin(), scene.contacts.end(), has_closed_form);
+}
+
 template <int dim>
 class AdaptiveRun {
 public:
@@ -297,7 +306,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
   results.steps = sequence.reports();
   for (StepReport &step : results.steps)
     results.cost.steps += step.increments;
-  results.certify(scene);
+  results.certify(scene, contacts_are_judged(*scene.continuum, laws));
   results.cost.unknowns = levels.back().unknowns;
   results.cost.cells = levels.back().cells;
   results.cost.contacts = levels.back().contacts;

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -157,15 +158,25 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
 }
 
 void remark_on_laws(const Model &model, Results &results) {
-  std::set<std::string> without_threshold;
+  std::map<std::string, std::string> without_threshold;
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
-    if (!model.contacts[i].law.has_closed_form())
-      without_threshold.insert(model.contacts[i].law.name());
+    if (const BoundLaw &law = model.contacts[i].law; !law.has_closed_form())
+      without_threshold[law.name()] = law.closed_form_varies()
+                                          ? " has a threshold that varies with more than its "
+                                            "parameters: the exact method does not follow that, and"
+                                          : " has no threshold in closed form: the exact method";
   if (model.scene.solver.is_exact())
-    for (const std::string &law : without_threshold)
-      results.remarks.push_back("The law '" + law +
-                                "' has no threshold in closed form: the exact "
-                                "method evaluates it as it is, by Newton's method.");
+    for (const auto &[law, what] : without_threshold)
+      results.remarks.push_back("The law '" + law + "'" + what +
+                                " evaluates it as it is, by Newton's method.");
+}
+
+/// Whether there are contacts, and none of them that the exact method could have judged.
+bool no_contact_is_exact(const Model &model) {
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    if (model.contacts[i].law.has_closed_form())
+      return false;
+  return model.contacts.size() > 0;
 }
 
 /// Runs a sequence, and has all look on that gather results and write files while it goes.
@@ -367,7 +378,7 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   const bool converged = run.run();
   run.conclude(converged);
   report_steps(scene, sequence, converged, results);
-  results.certify(scene);
+  results.certify(scene, !no_contact_is_exact(model));
   judge_energy(scene, results);
   results.known = how_well_known(scene, results);
   add_remarks_on_supports(model, results);

@@ -90,9 +90,9 @@ std::string steps_where(const Results &results, const IsMeant &is_meant) {
 
 /// Which supports' states may not be the only ones, in a sentence; empty if none is known.
 std::string several_equilibria(const Results &results) {
-  std::map<unsigned int, BeyondUniqueness> worst;
+  std::map<unsigned int, contact::BeyondUniqueness> worst;
   for (const StepReport &step : results.steps)
-    for (const BeyondUniqueness &beyond : step.several_equilibria)
+    for (const contact::BeyondUniqueness &beyond : step.several_equilibria)
       if (const auto [entry, is_new] = worst.try_emplace(beyond.contact, beyond);
           !is_new && beyond.limit < entry->second.limit)
         entry->second = beyond;
@@ -118,7 +118,7 @@ std::string undetermined_forces(const Results &results) {
     contacts.insert(step.undetermined_forces.begin(), step.undetermined_forces.end());
   if (contacts.empty())
     return "";
-  return "Statics does not determine how these rigid supports share their forces at the end of " +
+  return "Nothing determines how these rigid supports share their forces at the end of " +
          steps_where(results,
                      [](const StepReport &step) { return !step.undetermined_forces.empty(); }) +
          ", for they hold the same motion: " + names_of(contacts, results) +

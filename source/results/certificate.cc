@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
-void Results::certify(const Scene &scene) {
+void Results::certify(const Scene &scene, const bool contacts_are_judged) {
   double residual = 0., imbalance = 0.;
-  ContactCheck contact;
+  contact::Check contact;
   EnergyAccount account;
   for (const StepReport &step : steps) {
     residual = std::max(residual, step.residual);
@@ -19,17 +20,22 @@ void Results::certify(const Scene &scene) {
     contact.include(step.contact);
     account += step.energy;
   }
+  for (StepReport &step : steps)
+    if (!contacts_are_judged)
+      step.contact.natural_map = std::numeric_limits<double>::quiet_NaN();
   certificate = {{"equilibrium", "-", "largest force left over, of the largest force", residual}};
+  const auto add = [&](const std::string &name, const std::string &unit, const std::string &meaning,
+                       const double value) {
+    certificate.push_back({name, unit, meaning,
+                           contacts_are_judged ? value : std::numeric_limits<double>::quiet_NaN(),
+                           contacts_are_judged});
+  };
   if (scene.solver.is_exact()) {
-    certificate.push_back(
-        {"contact", "-", "natural map, each contact on its own scale", contact.natural_map});
-    certificate.push_back({"penetration", "m", "largest", contact.penetration});
-    certificate.push_back(
-        {"cone_violation", "-", "friction above f N, of N", contact.cone_violation});
-    certificate.push_back(
-        {"slip_angle", "rad", "between slip and friction force", contact.slip_angle});
-    certificate.push_back(
-        {"least_dissipation", "J", "of one contact in one increment", contact.least_dissipation});
+    add("contact", "-", "natural map, each contact on its own scale", contact.natural_map);
+    add("penetration", "m", "largest", contact.penetration);
+    add("cone_violation", "-", "friction above f N, of N", contact.cone_violation);
+    add("slip_angle", "rad", "between slip and friction force", contact.slip_angle);
+    add("least_dissipation", "J", "of one contact in one increment", contact.least_dissipation);
   }
   if (account.turnover == 0.)
     return;

@@ -217,7 +217,8 @@ struct QuantityResult {
 /// A line of the certificate: the worst of all increments.
 struct Check {
   std::string name, unit, meaning;
-  double value = 0.;
+  double value = 0.;     ///< nan where there was nothing to judge
+  bool is_judged = true; ///< whether there was something
 };
 
 /// A section of the report besides those that every report has.
@@ -282,8 +283,12 @@ struct Results {
   RunStatus status = RunStatus::failed;
   Cost cost;
 
-  /// Fill certificate and energy from the steps.
-  void certify(const Scene &scene);
+  /**
+   * Fill certificate and energy from the steps.
+   * @param contacts_are_judged false: there are contacts, and no law of theirs has a closed form,
+   * by which the exact method judges them
+   */
+  void certify(const Scene &scene, const bool contacts_are_judged);
   /// The envelope of a step; null of static ones.
   const StepEnvelope *envelope_of(const unsigned int step) const {
     for (const StepEnvelope &envelope : envelopes)

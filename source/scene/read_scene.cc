@@ -2,6 +2,7 @@
 #include "scene/file/parameter_notes.h"
 #include "scene/generated/scene_kinds.h"
 #include "scene/history_corners.h"
+#include "scene/law_entries.h"
 #include "scene/part/body_parts.h"
 #include "scene/part/parts.h"
 
@@ -141,26 +142,6 @@ void check_overridden_headings(const ParameterFile &file,
     throw UserError(section.origin + ":\n  read:    section '" + section.heading +
                     "', which the file does not have\n  allowed: " + join(parts) +
                     "\n  try:     " + (like.empty() ? "one of these" : "'" + like + "'"));
-  }
-}
-
-void load_laws(const ParameterReader &in, LawLibrary &laws) {
-  namespace fs = std::filesystem;
-  for (const std::string &library : in.list("Law libraries")) {
-    const fs::path beside = fs::path(in.file().name()).parent_path() / library;
-    const fs::path path = fs::exists(beside) ? beside : fs::path(library);
-    if (!fs::exists(path))
-      in.fail("Law libraries",
-              "shared libraries that exist, from the parameter file's folder or "
-              "the working folder",
-              "the path from " + fs::absolute(in.file().name()).parent_path().string(),
-              "'" + library + "'");
-    try {
-      laws.load(fs::absolute(path).string());
-    } catch (const std::runtime_error &error) {
-      in.fail("Law libraries", "shared libraries that each export a law of this version",
-              error.what(), "'" + library + "'");
-    }
   }
 }
 

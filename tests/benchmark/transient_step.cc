@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a time step costs, in back-substitutions with the factored matrix of the same line.
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/increment/time_step.h"
 #include "analysis/sequence/load_sequence.h"
 #include "base/user_error.h"
@@ -53,7 +53,7 @@ struct Steps {
 double back_substitution(const Model &model) {
   const double h = time_step(model);
   const SparseMatrix matrix = model.linear.stiffness() + 4. / (h * h) * model.linear.mass();
-  LineFactorization factors;
+  contact::LineFactorization factors;
   factors.analyze(matrix);
   const Clock::time_point start = Clock::now();
   if (!factors.factorize(matrix))

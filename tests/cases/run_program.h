@@ -89,7 +89,8 @@ inline void read_summary(const std::filesystem::path &folder, Run &run) {
   run.status = tree.get<std::string>("status");
   run.wall_seconds = tree.get<double>("cost.wall_seconds");
   for (const auto &[key, entry] : tree.get_child("certificate"))
-    run.certificate[key] = std::stod(entry.data());
+    run.certificate[key] = entry.data() == "null" ? std::numeric_limits<double>::quiet_NaN()
+                                                  : std::stod(entry.data());
   if (const auto account = tree.get_child_optional("energy"))
     for (const auto &[key, entry] : *account)
       run.energy[key] = std::stod(entry.data());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The law coulomb with friction that falls with temperature, f (1 - 0.002 (T - 20 degC)), and
-// without a closed form, which could not know the temperature.
+// The law coulomb with friction that falls with temperature, f (1 - 0.002 (T - 20 degC)), without a
+// closed form, or WITH_FORM with one that says so.
 #include "../coulomb_by_another_name.h"
 
 namespace {
@@ -19,7 +19,19 @@ public:
 
 constexpr WarmCoulomb warm_law;
 
+#ifdef WITH_FORM
+void form(const LawInput &in, FrictionThreshold &t) {
+  threshold(in, t);
+  t.static_friction *= 1. - 0.002 * (in.temperature - 20.);
+  t.dynamic_friction = t.static_friction;
+  t.varies = true;
+}
+#define FORM &form
+#else
+#define FORM nullptr
+#endif
+
 } // namespace
 
 extern "C" __attribute__((visibility("default")))
-const frictionbeam::LawDescription frictionbeam_law = coulomb_called("warm", &warm_law, nullptr);
+const frictionbeam::LawDescription frictionbeam_law = coulomb_called("warm", &warm_law, FORM);

@@ -1,8 +1,8 @@
-# cmake -P: every C++ and CMake excerpt of doc/embedding.md (PAGE) stands word for word in a file of
+# cmake -P: every C++ and CMake excerpt of a PAGE, at least LEAST, stands word for word in a file of
 # this folder (SOURCE).
 cmake_minimum_required(VERSION 3.18)
 set(sources)
-foreach(file beam_on_support.cc my_law.cc CMakeLists.txt)
+foreach(file beam_on_support.cc heated_line.cc block_on_floor.cc my_law.cc CMakeLists.txt)
   file(READ ${SOURCE}/${file} text)
   string(APPEND sources "${text}")
 endforeach()
@@ -28,6 +28,6 @@ foreach(language cpp cmake)
     math(EXPR n_excerpts "${n_excerpts} + 1")
   endwhile()
 endforeach()
-if(n_excerpts LESS 10)
+if(n_excerpts LESS ${LEAST})
   message(FATAL_ERROR "only ${n_excerpts} excerpts found in ${PAGE}")
 endif()

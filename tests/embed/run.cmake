@@ -17,3 +17,8 @@ run(${CMAKE_COMMAND} --build ${WORK}/build)
 # By its name alone, as a user in that folder would.
 run(${WORK}/prefix/bin/frictionbeam-check-law my_law.so)
 run(${WORK}/build/beam_on_support my_law.so)
+run(${WORK}/build/heated_line)
+run(${WORK}/build/block_on_floor)
+set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
+set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
+run(mpirun -np 2 --oversubscribe ${WORK}/build/block_on_floor)

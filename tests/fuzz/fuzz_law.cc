@@ -58,6 +58,27 @@ const LawParameter parameters[2] = {
      any_text("Of it.")},
     {any_text("Weakness"), any_text("-"), 1., 0., 2., any_text("Of it.")}};
 
+FrictionThreshold form{}; // drawn once: equal calls give equal results
+void threshold(const LawInput &input, FrictionThreshold &result) {
+  result = form;
+  if (form.varies && form.gap == 0.)
+    result.static_friction += 0.001 * input.temperature;
+}
+
+/// A closed form, and the internal variables that it speaks of: right, or nearly so.
+void add_form(LawDescription &law) {
+  law.threshold = &threshold;
+  law.n_internal_variables = any_count(4);
+  for (double *const number :
+       {&form.static_friction, &form.dynamic_friction, &form.gap, &form.axial_rigidity,
+        &form.shear_rigidity_y, &form.shear_rigidity_z, &form.torsional_rigidity})
+    *number = below(4) == 0 ? any_number() : number == &form.gap ? 0. : 1e6;
+  int place = 0;
+  for (int *const one : {&form.slip_y, &form.slip_z, &form.twist, &form.was_slipping})
+    *one = any_count(place++);
+  form.varies = below(3) == 0;
+}
+
 LawDescription description() {
   const int versions[] = {law_interface_version, law_interface_version + 1, 0, -1};
   LawDescription result = {};
@@ -73,6 +94,8 @@ LawDescription description() {
   result.parameters = n > 0 && below(12) != 0 ? parameters : n > 0 ? nullptr : parameters;
   result.law = below(12) != 0 ? &law : nullptr;
   result.threshold = nullptr;
+  if (below(3) == 0)
+    add_form(result);
   return result;
 }
 

@@ -7,7 +7,7 @@ cmake_minimum_required(VERSION 3.18)
 # From the bottom to the top. A name stands for its folder and all below it that has no line of its own.
 set(floors
   base scene mesh
-  model/law model/unknowns model/contact model/line model/cell model/body model
+  model/unknowns model/contact model/line model/cell model/body model
   analysis/algebra analysis/contact analysis/contact_problem analysis/vibration analysis/increment
   analysis/statics analysis/refinement analysis/time analysis/event analysis/march
   analysis/reduction analysis/sequence
@@ -40,7 +40,7 @@ function(floor_of variable path)
 endfunction()
 
 # Plugin
-file(GLOB plugin_files ${ROOT}/include/frictionbeam/*.h ${ROOT}/plugin/*.h ${ROOT}/plugin/*.cc)
+file(GLOB_RECURSE plugin_files ${ROOT}/include/*.h ${ROOT}/plugin/*.h ${ROOT}/plugin/*.cc)
 foreach(file ${plugin_files})
   includes(names ${file})
   foreach(name ${names})

@@ -4,7 +4,7 @@
 #include "../check.h"
 #include "line_from.h"
 
-#include "analysis/algebra/condensed_line.h"
+#include <frictionbeam/contact/condensation.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -42,7 +42,12 @@ subsection Step weight
 end
 )");
   const SparseMatrix &K = line.model.linear.stiffness();
-  const CondensedLine condensed(K, line.model.contacts);
+  std::vector<int> keep;
+  for (unsigned int i = 0; i < line.model.contacts.size(); ++i)
+    keep.insert(keep.end(), line.model.contacts[i].vertex_unknowns.begin(),
+                line.model.contacts[i].vertex_unknowns.end());
+  const auto condensation = contact::condense_parts(K, keep);
+  const contact::Condensation &condensed = *condensation;
   const Eigen::MatrixXd dense(K), S(condensed.matrix());
   const int n = K.rows(), n_kept = condensed.n_kept();
   CHECK(n_kept == 12); // six motions of each of two nodes

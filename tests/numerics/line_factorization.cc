@@ -3,13 +3,14 @@
 // no fill, a ring not much; a vanishing pivot is said.
 #include "../check.h"
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 #include <Eigen/LU>
 
 #include <random>
 
 using namespace frictionbeam;
+using namespace frictionbeam::contact;
 
 namespace {
 
@@ -31,7 +32,7 @@ SparseMatrix chain(const int n, const bool ring) {
 
 void solves(const SparseMatrix &matrix) {
   const Vector right = Vector::LinSpaced(matrix.rows(), 1., 2.);
-  LineFactorization factors;
+  contact::LineFactorization factors;
   factors.analyze(matrix);
   CHECK(factors.factorize(matrix));
   const Vector exact = Eigen::MatrixXd(matrix).partialPivLu().solve(right);
@@ -45,7 +46,7 @@ int main() {
     solves(chain(n, false));
   solves(chain(200, true));
 
-  LineFactorization factors;
+  contact::LineFactorization factors;
   factors.analyze(chain(1000, false));
   CHECK(factors.n_nonzeros() == 999); // of L below its diagonal
   factors.analyze(chain(1000, true));

@@ -4,16 +4,17 @@
 // slips, at its limit against the slip.
 #include "../check.h"
 
-#include "analysis/contact_problem/local_contact_solver.h"
+#include <frictionbeam/contact/local_solver.h>
 
 #include <random>
 
 using namespace frictionbeam;
+using namespace frictionbeam::contact;
 
 namespace {
 
-LocalContactProblem one_contact(const Eigen::Vector3d &q) {
-  LocalContactProblem problem;
+contact::LocalProblem one_contact(const Eigen::Vector3d &q) {
+  contact::LocalProblem problem;
   problem.W.resize(3, 3);
   problem.W.insert(0, 0) = 2.; // [m/N]
   problem.W.insert(1, 1) = 1.;
@@ -23,7 +24,7 @@ LocalContactProblem one_contact(const Eigen::Vector3d &q) {
   return problem;
 }
 
-void laws_hold(const LocalContactProblem &problem, const LocalContactSolution &solution) {
+void laws_hold(const contact::LocalProblem &problem, const contact::LocalSolution &solution) {
   CHECK(solution.converged);
   const double most = std::max(solution.reactions.norm(), 1e-30), far = solution.motions.norm();
   for (unsigned int i = 0; i < problem.n_contacts(); ++i) {
@@ -38,13 +39,13 @@ void laws_hold(const LocalContactProblem &problem, const LocalContactSolution &s
   }
 }
 
-LocalContactProblem random_problem(const unsigned int seed, const int n_contacts) {
+contact::LocalProblem random_problem(const unsigned int seed, const int n_contacts) {
   std::minstd_rand random(seed);
   std::normal_distribution<double> number;
   const auto draw = [&](const double) { return number(random); };
   const int n = 3 * n_contacts;
   const Eigen::MatrixXd root = Eigen::MatrixXd(n, n).unaryExpr(draw);
-  LocalContactProblem problem;
+  contact::LocalProblem problem;
   problem.W =
       Eigen::MatrixXd(root * root.transpose() + Eigen::MatrixXd::Identity(n, n)).sparseView();
   problem.q = Eigen::VectorXd(n).unaryExpr(draw);
@@ -55,23 +56,23 @@ LocalContactProblem random_problem(const unsigned int seed, const int n_contacts
 } // namespace
 
 int main() {
-  const auto open = solve_local_contact(one_contact({1., 0.3, 0.}), 1e-12);
+  const auto open = contact::solve_local_contact(one_contact({1., 0.3, 0.}), 1e-12);
   CHECK(open.converged && open.reactions.norm() == 0.);
 
   // r_N = 2 closes the gap of -4; to hold 0.6 takes T = 0.6 < 0.5 * 2.
-  const auto sticks = solve_local_contact(one_contact({-4., 0.6, 0.}), 1e-12);
+  const auto sticks = contact::solve_local_contact(one_contact({-4., 0.6, 0.}), 1e-12);
   CHECK(sticks.converged);
   CHECK_NEAR((sticks.reactions - Eigen::Vector3d(2., -0.6, 0.)).norm(), 0., 1e-12);
 
   // To hold (3, 4) would take 5 > 1: T = -(3, 4)/5, slip 4/5 of it.
-  const auto slips = solve_local_contact(one_contact({-4., 3., 4.}), 1e-12);
+  const auto slips = contact::solve_local_contact(one_contact({-4., 3., 4.}), 1e-12);
   CHECK(slips.converged);
   CHECK_NEAR((slips.reactions - Eigen::Vector3d(2., -0.6, -0.8)).norm(), 0., 1e-12);
   CHECK_NEAR((slips.motions - Eigen::Vector3d(0., 2.4, 3.2)).norm(), 0., 1e-11);
 
   for (unsigned int seed = 1; seed <= 20; ++seed) {
-    const LocalContactProblem problem = random_problem(seed, 1 + seed % 10);
-    laws_hold(problem, solve_local_contact(problem, 1e-10));
+    const contact::LocalProblem problem = random_problem(seed, 1 + seed % 10);
+    laws_hold(problem, contact::solve_local_contact(problem, 1e-10));
   }
   return check::report();
 }

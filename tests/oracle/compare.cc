@@ -9,10 +9,12 @@
 namespace oracle {
 
 void Comparison::add(const std::string &name, const double program, const double right,
-                     const double scale) {
+                     const double scale, const double rounded) {
   ++numbers;
   const double difference =
-      std::isfinite(program) ? std::abs(program - right) / std::max(scale, 1e-300) : 1e300;
+      std::isfinite(program)
+          ? std::max(0., std::abs(program - right) - rounded) / std::max(scale, 1e-300)
+          : 1e300;
   if (difference <= worst)
     return;
   worst = difference;
@@ -46,6 +48,7 @@ Six global_force(const frictionbeam::Station &station) {
 /// The four scales of one state: displacements, rotations, forces and moments.
 struct Scales {
   double values[4] = {0., 0., 0., 0.};
+  double rounded[2] = {0., 0.}; ///< what rounding may have moved: displacements, rotations
 
   Scales(const Scene &scene, const State &state, const Frame &frame) {
     for (const Vec12 &ends : frame.end_forces(state.motion, state.factors))
@@ -115,7 +118,7 @@ void compare_lines(const Scene &scene, const frictionbeam::Frame &program, const
         step + ", " + scene.pipes[station.pipe].name + " at " + std::to_string(station.s) + " m, ";
     for (int c = 0; c < 6; ++c) {
       result.add(where + motion_names[c], station.displacement[c], nearest->motion[c],
-                 scales(false, c));
+                 scales(false, c), scales.rounded[c < 3 ? 0 : 1]);
       result.add(where + force_names[c], force[c], nearest->force[c], scales(true, c));
     }
   }
@@ -213,9 +216,45 @@ void compare_reactions(const Scene &scene, const frictionbeam::Results &program,
   }
 }
 
+/// How far rounding may move each motion, at most: every product in K u and every clamped force is
+/// off by its last bit in double precision, and what is left so moves the line by its flexibility,
+/// where contacts that are closed hold it, and those that stick hold it sideways.
+Vector moved_by_rounding(const Frame &frame, const State &state) {
+  constexpr Real bit = 2.2e-16L;
+  Vector left = bit * (frame.stiffness().cwiseAbs() * state.motion.cwiseAbs());
+  Real clamped[2] = {0, 0};
+  for (const Vec12 &ends : frame.end_forces(Vector::Zero(frame.n()), state.factors))
+    for (int i = 0; i < 12; ++i)
+      clamped[i % 6 < 3 ? 0 : 1] = std::max(clamped[i % 6 < 3 ? 0 : 1], std::abs(ends[i]));
+  for (int i = 0; i < left.size(); ++i)
+    left[i] += bit * clamped[i % 6 < 3 ? 0 : 1];
+  const Matrix &Z = frame.free_basis();
+  const Eigen::LDLT<Matrix> factor(Z.transpose() * frame.stiffness() * Z);
+  Matrix G = Z * factor.solve(Matrix(Z.transpose()));
+  std::vector<std::pair<int, int>> holds; // contact and direction
+  for (std::size_t i = 0; i < state.contacts.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (c == 0 ? state.contacts[i].platen == 0 && state.contacts[i].force[0] > 0
+                 : state.contacts[i].status == Contact::Status::stick)
+        holds.emplace_back(i, c);
+  Matrix B(holds.size(), frame.n());
+  Vector soft(holds.size());
+  for (std::size_t k = 0; k < holds.size(); ++k) {
+    B.row(k) = state.contacts[holds[k].first].rows.row(holds[k].second);
+    soft[k] = state.contacts[holds[k].first].soft[holds[k].second];
+  }
+  if (!holds.empty()) {
+    const Matrix BG = B * G;
+    Matrix W = BG * B.transpose();
+    W.diagonal() += soft;
+    G -= BG.transpose() * Eigen::LDLT<Matrix>(W).solve(BG);
+  }
+  return G.cwiseAbs() * left;
+}
+
 } // namespace
 
-Comparison compare(const Outcome &program, const Solution &oracle) {
+Comparison compare(const Outcome &program, const Solution &oracle, const bool ask_rounding) {
   const Scene &scene = *oracle.scene;
   Comparison result;
   const frictionbeam::Results &results = program.results;
@@ -231,6 +270,13 @@ Comparison compare(const Outcome &program, const Solution &oracle) {
     if (!largest_so_far)
       largest_so_far = scales;
     scales.follow(*largest_so_far);
+    if (ask_rounding) {
+      const Vector moved = moved_by_rounding(*oracle.frame, state);
+      for (int i = 0; i < moved.size(); ++i) {
+        double &largest = scales.rounded[i % 6 < 3 ? 0 : 1];
+        largest = std::max(largest, static_cast<double>(moved[i]));
+      }
+    }
     const double terms =
         (oracle.frame->stiffness().cwiseAbs() * state.motion.cwiseAbs()).maxCoeff();
     // Solver/Tolerance leaves 1e-10 of the largest force, clamped free strains included.

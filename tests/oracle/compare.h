@@ -15,10 +15,14 @@ struct Comparison {
   double rounding = 0.; ///< of K u in double precision, relative to the largest force
   bool unsure = false;  ///< the oracle's own contacts have not converged
 
-  void add(const std::string &name, double program, double right, double scale);
+  /// @param rounded what rounding may have moved the number
+  void add(const std::string &name, double program, double right, double scale,
+           double rounded = 0.);
 };
 
-Comparison compare(const Outcome &program, const Solution &oracle);
+/// @param ask_rounding whether motions may differ by what rounding moves at most, which takes an
+/// inverse of the line's stiffness
+Comparison compare(const Outcome &program, const Solution &oracle, bool ask_rounding = false);
 
 /// The oracle's answers, as lines of text.
 std::string describe(const Scene &scene, const Solution &solution);

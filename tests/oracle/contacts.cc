@@ -117,6 +117,23 @@ std::vector<Contact> contacts_of(const Scene &scene, const Frame &frame) {
   return result;
 }
 
+namespace {
+
+/// Put forces @p r of a contact once through its laws, where the others move it by @p others.
+Vec3 through_laws(const Contact &contact, const Mat3 &local, const Vec3 &others, const Real rho_n,
+                  const Real rho_t, Vec3 r) {
+  Vec3 u = others + local * r;
+  r[0] =
+      contact.platen > 0 ? contact.platen : std::max<Real>(0, r[0] - rho_n * (contact.gap + u[0]));
+  u = others + local * r;
+  Eigen::Matrix<Real, 2, 1> t = r.tail<2>() - rho_t * (u - contact.plastic).tail<2>();
+  const Real limit = contact.friction * r[0], size = t.norm();
+  r.tail<2>() = size > limit ? Eigen::Matrix<Real, 2, 1>(limit / size * t) : t;
+  return r;
+}
+
+} // namespace
+
 bool solve_contacts(const Matrix &W, const Vector &free, std::vector<Contact> &contacts,
                     Real &largest_so_far) {
   const int n = contacts.size();
@@ -139,15 +156,12 @@ bool solve_contacts(const Matrix &W, const Vector &free, std::vector<Contact> &c
       const Vec3 others = free.segment<3>(3 * i) + W.middleRows<3>(3 * i) * f -
                           W.block<3, 3>(3 * i, 3 * i) * f.segment<3>(3 * i);
       Vec3 r = f.segment<3>(3 * i);
-      for (int inner = 0; inner < 10; ++inner) {
-        Vec3 u = others + local[i] * r;
-        r[0] = contact.platen > 0 ? contact.platen
-                                  : std::max<Real>(0, r[0] - rho_n[i] * (contact.gap + u[0]));
-        u = others + local[i] * r;
-        Eigen::Matrix<Real, 2, 1> t = r.tail<2>() - rho_t[i] * (u - contact.plastic).tail<2>();
-        const Real limit = contact.friction * r[0], size = t.norm();
-        r.tail<2>() = size > limit ? Eigen::Matrix<Real, 2, 1>(limit / size * t) : t;
-      }
+      const Vec3 once = through_laws(contact, local[i], others, rho_n[i], rho_t[i], r);
+      // Ten times may end where they began, on a circle: once through the laws must not move it.
+      change = std::max(change, (once - r).norm());
+      r = once;
+      for (int inner = 1; inner < 10; ++inner)
+        r = through_laws(contact, local[i], others, rho_n[i], rho_t[i], r);
       change = std::max(change, (r - f.segment<3>(3 * i)).norm());
       f.segment<3>(3 * i) = r;
       if (contact.twist_stiffness == 0)

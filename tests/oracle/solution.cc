@@ -171,9 +171,19 @@ bool size_hangers(Scene &scene) {
   return true;
 }
 
+/// Whether a motion has a stiffness that is rounding, once each motion is measured by its own
+/// stiffness: 1e-16 in long double leaves three digits.
+bool is_singular(const Matrix &K) {
+  if (K.rows() == 0)
+    return false;
+  const Vector scale = K.diagonal().cwiseMax(1e-300L).cwiseSqrt().cwiseInverse();
+  const Eigen::LDLT<Matrix> scaled(Matrix(scale.asDiagonal() * K * scale.asDiagonal()));
+  return scaled.vectorD().minCoeff() < 1e-16L;
+}
+
 } // namespace
 
-Solution solve(const Scene &given) {
+Solution solve(const Scene &given, const Starts &starts) {
   Solution solution;
   const auto sized = std::make_shared<Scene>(given);
   solution.hanger_pushes = !size_hangers(*sized);
@@ -184,7 +194,9 @@ Solution solve(const Scene &given) {
   if (solution.hanger_pushes)
     return solution;
   const Matrix &Z = frame->free_basis();
-  const Eigen::LDLT<Matrix> factor(Z.transpose() * frame->stiffness() * Z);
+  const Matrix free_stiffness = Z.transpose() * frame->stiffness() * Z;
+  const Eigen::LDLT<Matrix> factor(free_stiffness);
+  solution.hangs_on_contacts = is_singular(free_stiffness);
   const auto displaced = [&](const Vector &forces, const Vector &imposed) {
     const Vector right = Z.transpose() * (forces - frame->stiffness() * imposed);
     return Vector(imposed + Z * factor.solve(right));
@@ -198,7 +210,7 @@ Solution solve(const Scene &given) {
   const Matrix CZ = C * Z;
   const Matrix W = n == 0 ? Matrix() : Matrix(CZ * factor.solve(Matrix(CZ.transpose())));
 
-  Real largest_force = 0; // of contacts, so far
+  Real largest_force = 0; // of contacts and clamped loads, so far
   Course course(scene);
   for (std::size_t s = 0; s < scene.steps.size(); ++s) {
     course.begin_step(s);
@@ -207,12 +219,23 @@ Solution solve(const Scene &given) {
         state.factors = course.factors(time);
         const Vector loads = frame->load_vector(state.factors);
         const Vector imposed = frame->imposed(state.factors);
+        // Rounding of these decides where a contact touches without a force.
+        for (int i = 0; i < loads.size(); ++i)
+          if (i % 6 < 3)
+            largest_force = std::max(largest_force, std::abs(loads[i]));
+        for (const Vec12 &ends : frame->end_forces(Vector::Zero(frame->n()), state.factors))
+          for (int i = 0; i < 12; ++i)
+            if (i % 6 < 3)
+              largest_force = std::max(largest_force, std::abs(ends[i]));
         state.motion = displaced(loads, imposed);
         if (n == 0)
           continue;
         Vector free = C * state.motion, forces(4 * n);
         for (int i = 0; i < n; ++i)
           free.segment<3>(3 * i) -= ground_at(state.contacts[i], time);
+        const auto start = starts.lower_bound(time - 1e-9 * scene.steps[s].duration);
+        for (int i = 0; i < n && start != starts.end(); ++i)
+          state.contacts[i].force = start->second[i];
         state.sure = solve_contacts(W, free, state.contacts, largest_force) && state.sure;
         for (int i = 0; i < n; ++i) {
           forces.segment<3>(3 * i) = state.contacts[i].force;

@@ -3,6 +3,7 @@
 
 #include "contacts.h"
 
+#include <map>
 #include <memory>
 
 namespace oracle {
@@ -15,15 +16,22 @@ struct State {
   bool sure = true; ///< the contact solver has converged in all increments so far
 };
 
+/// Forces of the contacts at times, in the contacts' axes.
+using Starts = std::map<double, std::vector<Vec3>>;
+
 /// The whole load sequence, static steps only.
 struct Solution {
   std::shared_ptr<const Scene> scene; ///< with hangers sized
   std::shared_ptr<const Frame> frame;
   bool hanger_pushes = false; ///< one that was to be sized: there is no answer
+  /// Something moves freely where no contact holds it: what is divided by is rounding.
+  bool hangs_on_contacts = false;
   std::vector<State> steps;
   std::vector<double> frequencies; ///< [Hz], if modes are asked for
 };
 
-Solution solve(const Scene &scene);
+/// @param starts where the contact solver begins in each increment; empty: at the forces of the one
+/// before
+Solution solve(const Scene &scene, const Starts &starts = {});
 
 } // namespace oracle

@@ -31,6 +31,23 @@ public:
 
 constexpr Law law;
 
+/// As laws of version 1 of the interface were compiled.
+void old_threshold(const double *p, FrictionThreshold &t) {
+  t.static_friction = t.dynamic_friction = p[0];
+  t.slip_z = 1;
+  t.twist = 2;
+  t.was_slipping = 3;
+}
+
+void threshold(const LawInput &in, FrictionThreshold &t) {
+  old_threshold(in.parameters, t);
+#ifdef PLACE_OUTSIDE
+  t.slip_z = 77;
+#endif
+}
+
+using Threshold = decltype(LawDescription::threshold);
+
 } // namespace
 
 #ifdef SYMBOL_MISSING
@@ -40,21 +57,29 @@ extern "C" const LawDescription another_name;
 
 #ifdef VERSION_WRONG
 #define VERSION (law_interface_version + 1)
+#elif defined(VERSION_ONE)
+#define VERSION 1
 #else
 #define VERSION law_interface_version
 #endif
 #ifdef KIND_WRONG
 #define KIND static_cast<LawKind>(5)
+#elif defined(SECTION_THRESHOLD)
+#define KIND LawKind::section
 #else
 #define KIND LawKind::support
 #endif
 #ifdef STRAINS_WRONG
 #define STRAINS 3
+#elif defined(SECTION_THRESHOLD)
+#define STRAINS n_section_strains
 #else
 #define STRAINS n_support_strains
 #endif
 #ifdef STATES_WRONG
 #define STATES -2
+#elif defined(VERSION_ONE) || defined(PLACE_OUTSIDE) || defined(SECTION_THRESHOLD)
+#define STATES 4
 #else
 #define STATES 0
 #endif
@@ -86,5 +111,15 @@ extern "C" const LawDescription another_name;
 #define N_PARAMETERS sizeof(parameters) / sizeof(parameters[0])
 #endif
 
-const LawDescription frictionbeam_law = {VERSION,   KIND,         STRAINS, STATES, true,   NAME,
-                                         REFERENCE, N_PARAMETERS, LIST,    LAW,    nullptr};
+#ifdef VERSION_ONE
+#define FORM reinterpret_cast<Threshold>(reinterpret_cast<void (*)()>(&old_threshold))
+#elif defined(PLACE_OUTSIDE) || defined(SECTION_THRESHOLD)
+#define FORM &threshold
+#else
+#define FORM nullptr
+#endif
+
+[[maybe_unused]] const Threshold unused = &threshold;
+
+const LawDescription frictionbeam_law = {VERSION,   KIND,         STRAINS, STATES, true, NAME,
+                                         REFERENCE, N_PARAMETERS, LIST,    LAW,    FORM};

@@ -1,6 +1,8 @@
 // The law coulomb shall return the closed forms of its branches: stick, slip, opening, static and
 // dynamic friction, unequal rigidities, torsion. References: closed forms, at each function.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/law_closed_form.h>
+
 #include "../check.h"
 #include "probe.h"
 
@@ -204,12 +206,11 @@ void coefficients_and_torsion() {
   CHECK_NEAR(probe.stress[3], -0.5 * 2. * 0.4, 1e-14);
   CHECK(probe.dissipation > 0.4 * 8.);
 
-  FrictionThreshold threshold;
-  coulomb->threshold(probe.parameters.data(), threshold);
+  FrictionThreshold threshold = closed_form_at_rest(*coulomb, probe.parameters);
   CHECK(threshold.static_friction == 0.5 && threshold.dynamic_friction == 0.2);
   probe.parameters[parameter_index(*coulomb, "Dynamic friction coefficient")] = -1.;
   probe.parameters[parameter_index(*coulomb, "Shear rigidity ratio")] = 7.;
-  coulomb->threshold(probe.parameters.data(), threshold);
+  threshold = closed_form_at_rest(*coulomb, probe.parameters);
   CHECK(threshold.dynamic_friction == 0.5);
   CHECK(threshold.shear_rigidity_y == 1. && threshold.shear_rigidity_z == 7.);
 }

@@ -1,6 +1,7 @@
 // LawLibrary shall load laws by file and find them by name, and refuse each of the broken ones of
 // broken_law.cc, saying what was found, what was expected and what to try.
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/law_closed_form.h>
 #include <frictionbeam/law_library.h>
 
 #include "../check.h"
@@ -44,8 +45,8 @@ void broken_laws() {
   const std::string version = std::to_string(law_interface_version),
                     other_version = std::to_string(law_interface_version + 1);
   broken("SYMBOL_MISSING", {"does not export the object 'frictionbeam_law'", "extern \"C\""});
-  broken("VERSION_WRONG",
-         {"version " + other_version, "this program has version " + version, "Compile it again"});
+  broken("VERSION_WRONG", {"version " + other_version, "this program has version " + version,
+                           "from 1 on", "Compile it again"});
   broken("KIND_WRONG", {"kind is 5", "expected 0 (support) or 1 (section)"});
   broken("STRAINS_WRONG", {"3 strains", "has 4", "Set LawDescription::n_strains"});
   broken("STATES_WRONG", {"-2 internal variables", "expected 0 to 1000"});
@@ -55,6 +56,10 @@ void broken_laws() {
   broken("NAME_MISSING", {"no name", "Set LawDescription::name"});
   broken("NAME_TAKEN", {"'coulomb'", "already loaded from '" + LawLibrary::builtin_directory(),
                         "name of its own"});
+  broken("PLACE_OUTSIDE", {"place slip_z outside of the state, which has 4 internal variables, "
+                           "read 77",
+                           "set n_internal_variables"});
+  broken("SECTION_THRESHOLD", {"a closed form, and is a law of sections", "threshold to null"});
   broken("UNIT_MISSING", {"parameter 'Stiffness'", "a unit", "'-' if it has no unit"});
   broken("DEFAULT_OUT_OF_BOUNDS", {"default 3", "'Stiffness'", "bounds 0", "to 2"});
   broken("PARAMETER_TWICE", {"two parameters called 'Stiffness'", "name of its own"});
@@ -69,6 +74,54 @@ void files_that_are_no_libraries() {
   refused([&] { library.load("not_a_library.so"); },
           {"'not_a_library.so'", "does not open", "Expected a shared library"});
   std::filesystem::remove("not_a_library.so");
+}
+
+/// A law that was compiled for version 1 of the interface goes on being what it is.
+void older_law() {
+  LawLibrary library;
+  const LawDescription &law = library.load(folder + "/broken_VERSION_ONE.so");
+  CHECK(law.interface_version == 1);
+  const FrictionThreshold form = closed_form_at_rest(law, {0.7});
+  CHECK(form.static_friction == 0.7 && form.dynamic_friction == 0.7);
+  CHECK(form.was_slipping == 3 && !form.varies);
+}
+
+class Nothing final : public LawBase {
+  LawStatus integrate(const LawInput &, LawOutput &) const noexcept override {
+    return LawStatus::failed;
+  }
+};
+
+/// A law that is linked in passes the same door.
+void linked_in() {
+  static const Nothing nothing;
+  LawDescription law = {law_interface_version,
+                        LawKind::support,
+                        n_support_strains,
+                        0,
+                        true,
+                        "linked",
+                        "a test",
+                        0,
+                        nullptr,
+                        &nothing,
+                        nullptr};
+  LawLibrary library;
+  CHECK(&library.add(law) == &law);
+  CHECK(&library.add(law) == &law); // again: the same
+  CHECK(&library.find("linked") == &law);
+  CHECK(library.names(LawKind::support) == std::vector<std::string>{"linked"});
+  LawDescription other = law;
+  refused([&] { library.add(other); }, {"The law 'linked' that is linked in cannot be used",
+                                        "the one already linked in", "name of its own"});
+  other.name = "coulomb";
+  library.load_builtin();
+  refused([&] { library.add(other); }, {"already loaded from '"});
+  other.name = "other";
+  other.reference = "";
+  refused([&] { library.add(other); }, {"The law 'other' that is linked in", "no reference"});
+  law.name = nullptr;
+  refused([&] { LawLibrary().add(law); }, {"The law '' that is linked in", "no name"});
 }
 
 void loading_and_finding() {
@@ -103,6 +156,8 @@ int main(int, char **argv) {
   folder = argv[1];
   broken_laws();
   files_that_are_no_libraries();
+  older_law();
+  linked_in();
   loading_and_finding();
   return check::report();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/rigid_holds.h"
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ rigid_holds(const SparseMatrix &A, const Contacts &contacts, const std::vector<H
   const auto for_each_held = [&](const auto &function) {
     for (unsigned int i = 0; i < contacts.size(); ++i)
       for (unsigned int e = 0; e < n_support_strains; ++e)
-        if (held[i][e] && contacts[i].B_reduced.row(e).norm() > 0.)
-          function(contacts[i], Vector(contacts[i].B_reduced.row(e)), result[i][e]);
+        if (held[i][e] && contacts[i].B.row(e).norm() > 0.)
+          function(contacts[i], Vector(contacts[i].B.row(e)), result[i][e]);
   };
 
   SparseMatrix with_holds = A;
@@ -32,7 +32,7 @@ rigid_holds(const SparseMatrix &A, const Contacts &contacts, const std::vector<H
       for (Eigen::Index c = 0; c < b.size(); ++c)
         add_to(with_holds, contact.unknowns[r], contact.unknowns[c], own * b[r] * b[c]);
   });
-  LineFactorization factors;
+  contact::LineFactorization factors;
   factors.analyze(with_holds);
   const bool factored = factors.factorize(with_holds);
   const double largest = A.rows() > 0 ? A.diagonal().maxCoeff() : 1.;

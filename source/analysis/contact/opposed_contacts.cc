@@ -29,24 +29,4 @@ std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) 
   return idle;
 }
 
-std::vector<std::array<unsigned int, 2>> rigid_pairs(const Contacts &contacts) {
-  constexpr double same = 1e-12;
-  std::vector<std::array<unsigned int, 2>> pairs;
-  std::map<std::vector<int>, std::vector<unsigned int>> rigid; // by their unknowns
-  for (unsigned int i = 0; i < contacts.size(); ++i) {
-    const Contact &contact = contacts[i];
-    if (!contact.law.is_rigid_along_normal() || contact.platen_force != 0.)
-      continue;
-    const Eigen::RowVectorXd normal = contact.length * contact.B_reduced.row(0);
-    auto &others = rigid[contact.unknowns];
-    for (const unsigned int k : others) {
-      const Eigen::RowVectorXd other = contacts[k].length * contacts[k].B_reduced.row(0);
-      if ((normal + other).norm() <= same * normal.norm())
-        pairs.push_back({k, i});
-    }
-    others.push_back(i);
-  }
-  return pairs;
-}
-
 } // namespace frictionbeam

@@ -16,11 +16,4 @@ namespace frictionbeam {
  */
 std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state);
 
-/**
- * Pairs of rigid contacts that can press against each other with no load there: the two halves of a
- * stop or guide without a gap, on the same unknowns with opposite normals. What they carry in
- * common statics does not determine, and friction would count it on both.
- */
-std::vector<std::array<unsigned int, 2>> rigid_pairs(const Contacts &contacts);
-
 } // namespace frictionbeam

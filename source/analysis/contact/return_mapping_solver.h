@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/contact/equilibrium.h"
 
 namespace frictionbeam {
@@ -36,7 +36,7 @@ private:
   const bool newton;
   const Contacts &contacts;
   const ReducedSpace &space;
-  LineFactorization elastic, consistent;
+  contact::LineFactorization elastic, consistent;
   SparseMatrix tangent;
   Vector elastic_diagonal;
   decltype(ContactResponse::tangent) elastic_tangent; ///< of the contacts, that is factored

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/solver_library.h"
 
-#include "analysis/contact/exact_solver.h"
+#include "analysis/contact/exact_method.h"
 #include "analysis/contact/return_mapping_solver.h"
 
 #include <iterator>
@@ -17,9 +17,9 @@ Solver return_mapping(const SolverSettings &settings, const Contacts &contacts,
   return std::make_unique<ReturnMappingSolver>(settings, contacts, space);
 }
 
-Solver exact(const SolverSettings &settings, const Contacts &contacts, const ReducedSpace &space,
+Solver exact(const SolverSettings &settings, const Contacts &contacts, const ReducedSpace &,
              const SparseMatrix &stiffness) {
-  return std::make_unique<ExactSolver>(settings, contacts, space, stiffness);
+  return std::make_unique<ExactMethod>(settings, contacts, stiffness);
 }
 
 /// What makes the solver of a method, whose word and meaning stand in `solver_methods`.

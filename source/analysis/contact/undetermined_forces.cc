@@ -65,7 +65,7 @@ std::vector<FreeForce> free_forces(const Contacts &contacts, const LineState &st
       continue;
     for (const Eigen::Vector3d &direction : rigid_directions(contacts[i], i, state)) {
       const Vector row =
-          contacts[i].length * contacts[i].B_reduced.topRows<3>().transpose() * direction;
+          contacts[i].length * contacts[i].B.topRows<3>().transpose() * direction;
       if (!(row.norm() > no_component * direction.norm()))
         continue; // nothing moves that way: it is the restraint's
       FreeForce force{i, {}};

@@ -6,7 +6,7 @@
 namespace frictionbeam {
 
 /**
- * Contacts whose forces statics does not determine, although the motion is unique: some change dr
+ * Contacts whose forces nothing determines, although the motion is unique: some change dr
  * of the forces of rigid contacts, in the states that they have, makes no force on the line's free
  * unknowns, H^T dr = 0, as where two that stick hold one point in one direction. Forces of elastic
  * contacts follow the motion; a slipping one has the one direction (-P, T). Contacts without force

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact_problem/global_contact_problem.h"
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ std::string find_obstacle(const Model &model) {
       return "the law of support " + support +
              " has no threshold in closed form, as FCLIB's format has it";
     if (contacts[i].law.closed_form().torsional_rigidity > 0. &&
-        !contacts[i].B_reduced.row(3).isZero(0.))
+        !contacts[i].B.row(3).isZero(0.))
       return "support " + support + " resists torsion, which FCLIB's format does not know";
   }
   return contacts.size() == 0 ? "there are no contacts" : "";
@@ -39,7 +39,7 @@ Vector load_forces(const Model &model, const LineState &state) {
 }
 
 /// Whether a motion of the line costs no energy but that of rounding errors.
-bool is_singular(const SparseMatrix &matrix, const LineFactorization &factors) {
+bool is_singular(const SparseMatrix &matrix, const contact::LineFactorization &factors) {
   const Vector diagonal = matrix.diagonal();
   Vector motion(matrix.rows());
   for (int i = 0; i < motion.size(); ++i)
@@ -79,7 +79,7 @@ struct ContactRows {
       problem.w[column] = l * held[c] + offset[c];
       problem.reactions[column] = -share * after.contact_stress[i][c];
       for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-        if (const double b = l * contact.B_reduced(c, j); b != 0.)
+        if (const double b = l * contact.B(c, j); b != 0.)
           H.emplace_back(contact.unknowns[j], column, b);
       if (std::isfinite(rigidity[c])) {
         H.emplace_back(n_line + stiffness.size(), column, 1.);
@@ -136,8 +136,8 @@ GlobalContactProblem global_contact_problem(const Model &model, const LineState 
   return result;
 }
 
-std::optional<LocalContactProblem> condense(const GlobalContactProblem &problem) {
-  LineFactorization factors;
+std::optional<contact::LocalProblem> condense(const GlobalContactProblem &problem) {
+  contact::LineFactorization factors;
   factors.analyze(problem.M);
   if (!factors.factorize(problem.M) || is_singular(problem.M, factors))
     return {};
@@ -146,7 +146,7 @@ std::optional<LocalContactProblem> condense(const GlobalContactProblem &problem)
   for (unsigned int column = 0; column < m; ++column)
     W.col(column) = problem.H.transpose() * factors.solve(problem.H.col(column));
   W = (0.5 * (W + W.transpose())).eval();
-  LocalContactProblem result;
+  contact::LocalProblem result;
   result.dimension = dimension;
   result.W = W.sparseView();
   result.q = problem.H.transpose() * factors.solve(problem.f) + problem.w;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/contact_problem/local_contact_solver.h"
+#include <frictionbeam/contact/local_solver.h>
 #include "model/line_state.h"
 #include "model/model.h"
 
@@ -11,7 +11,7 @@ namespace frictionbeam {
 
 /**
  * The friction-contact problem of one static increment, before it is condensed: find v, u and r
- * with M v = H r + f,   u = H^T v + w, and the laws of LocalContactProblem between u and r. v are
+ * with M v = H r + f,   u = H^T v + w, and the laws of contact::LocalProblem between u and r. v are
  * the free unknowns of the line, followed by the elastic deflection of each contact component whose
  * element is not rigid; M is the line's stiffness without contacts, followed by the stiffness of
  * those elements. u are the gap and the slips of the increment [m], r the forces on the pipe, along
@@ -40,6 +40,6 @@ GlobalContactProblem global_contact_problem(const Model &model, const LineState 
  * @return nothing if M is singular, or so near to it that no digit of W would be right: the line
  * rests on its contacts alone.
  */
-std::optional<LocalContactProblem> condense(const GlobalContactProblem &problem);
+std::optional<contact::LocalProblem> condense(const GlobalContactProblem &problem);
 
 } // namespace frictionbeam

@@ -64,7 +64,7 @@ EventIntegrator::LawCheck EventIntegrator::what_laws_allow(const double x, const
 }
 
 void EventIntegrator::check_laws(const unsigned int i, const double x, const double length,
-                                 LawCheck &worst, ContactCheck &certificate) const {
+                                 LawCheck &worst, contact::Check &certificate) const {
   const EventContact &contact = line.contacts[i];
   const EventState &state = states[i];
   const Eigen::Vector3d g = TaylorMotion::at(motion.g[i], x), r = TaylorMotion::at(motion.r[i], x);

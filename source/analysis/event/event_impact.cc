@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/event/event_integrator.h"
 
-#include "analysis/contact_problem/local_contact_solver.h"
+#include <frictionbeam/contact/local_solver.h>
 
 #include <algorithm>
 
@@ -145,7 +145,7 @@ double EventIntegrator::restitution(const unsigned int i, const double speed) {
   return is_geometric && left <= shortest_rest * output_step ? 0. : e;
 }
 
-void EventIntegrator::strike(const std::vector<unsigned int> &contacts, LocalContactProblem problem,
+void EventIntegrator::strike(const std::vector<unsigned int> &contacts, contact::LocalProblem problem,
                              const Vector &of_ground, EnergyAccount &energy, LineState &to) {
   constexpr double tolerance = 1e-12;
   const unsigned int n = contacts.size();
@@ -168,7 +168,7 @@ void EventIntegrator::strike(const std::vector<unsigned int> &contacts, LocalCon
     impulses[0] = std::max(0., -problem.q[0] / W(0, 0));
   else {
     problem.W = W.sparseView();
-    impulses = solve_local_contact(problem, tolerance).reactions;
+    impulses = contact::solve_local_contact(problem, tolerance).reactions;
   }
   act(contacts, impulses, columns, of_ground, energy, to);
 }
@@ -178,7 +178,7 @@ struct EventIntegrator::Impact {
   std::vector<unsigned int> contacts;
   std::vector<bool> strikes; ///< they close now; the others were closed
   std::vector<bool> stays;   ///< it left at this instant, and is back within rounding
-  LocalContactProblem problem;
+  contact::LocalProblem problem;
   double approach = 0.; ///< the fastest [m/s]
 };
 

@@ -25,7 +25,7 @@ constexpr double part_straight_on = 1e-5;
 EventIntegrator::EventIntegrator(const Model &model, const PieceObserver &observer)
     : model(model), line(model), motion(line, 1e-9 * time_step(model)), fallback(model),
       piece_observer(observer), output_step(time_step(model)), partner(model.contacts.size(), -1) {
-  for (const auto &[one, other] : rigid_pairs(model.contacts)) {
+  for (const auto &[one, other] : contact::rigid_pairs(model.contacts)) {
     partner[one] = other;
     partner[other] = one;
   }

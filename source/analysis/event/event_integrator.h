@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/contact_problem/local_contact_problem.h"
+#include <frictionbeam/contact/local_problem.h>
 #include "analysis/event/taylor_motion.h"
 #include "analysis/time/moreau_jean.h"
 
@@ -87,7 +87,7 @@ private:
   /// The same before any contact is looked at.
   LawCheck what_laws_allow(const double x, const double length);
   void check_laws(const unsigned int i, const double x, const double length, LawCheck &worst,
-                  ContactCheck &certificate) const;
+                  contact::Check &certificate) const;
   /// Impulses, wear and friction work up to x. @return what friction dissipates [J]
   double add_histories(const double x, const double length, ContactState &contacts) const;
   /// Integral of N |u_T| up to x of a contact without friction, which may turn round and round.
@@ -188,7 +188,7 @@ private:
   TimeStep hand_over_after(const TimeStep &step, const LoadCourse &loads, const double time,
                            LineState &to);
   /// Impulses of contacts that strike as one problem, which has their friction and q.
-  void strike(const std::vector<unsigned int> &contacts, LocalContactProblem problem,
+  void strike(const std::vector<unsigned int> &contacts, contact::LocalProblem problem,
               const Vector &of_ground, EnergyAccount &energy, LineState &to);
 
   const Model &model;

@@ -71,7 +71,8 @@ void EventModel::make_contact(const unsigned int i) {
   const std::string name = model.scene.supports[contact.support].name;
   result.contact = &contact;
   if (!contact.law.has_closed_form())
-    throw UserError("Time/Integrator = event needs laws with a threshold in closed form, and '" +
+    throw UserError("Time/Integrator = event needs laws with a threshold in closed form that "
+                    "depends on their parameters alone, and '" +
                     contact.law.name() + "' of support " + name +
                     " has none. Take generalized_alpha.");
   result.law = contact.law.closed_form();
@@ -100,7 +101,7 @@ void EventModel::take_unknowns(EventContact &result) const {
   std::vector<int> columns;
   for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
     const int unknown = contact.unknowns[j];
-    const Eigen::Vector3d column = l * contact.B_reduced.col(j).head<3>();
+    const Eigen::Vector3d column = l * contact.B.col(j).head<3>();
     if (has_mass[unknown])
       columns.push_back(j);
     else if (contact.platen_force != 0. &&
@@ -116,7 +117,7 @@ void EventModel::take_unknowns(EventContact &result) const {
   result.G.resize(3, columns.size());
   for (unsigned int k = 0; k < columns.size(); ++k) {
     result.unknowns.push_back(contact.unknowns[columns[k]]);
-    result.G.col(k) = l * contact.B_reduced.col(columns[k]).head<3>();
+    result.G.col(k) = l * contact.B.col(columns[k]).head<3>();
   }
   for (int d = 0; d < 3; ++d)
     result.moves[d] = result.G.cols() > 0 && result.G.row(d).norm() > no_component;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/increment/load_course.h"
 
 #include <limits>
@@ -85,7 +85,7 @@ private:
   /// Unknowns without mass follow the others without delay.
   void condense_massless();
 
-  LineFactorization mass, inner;
+  contact::LineFactorization mass, inner;
   std::vector<int> massless; ///< condensed
   SparseMatrix coupling, damping;
 };

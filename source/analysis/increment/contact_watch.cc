@@ -14,7 +14,7 @@ bool is_rigid_stop(const Model &model, const Contact &contact) {
   if (!contact.law.is_rigid_along_normal() || contact.platen_force != 0.)
     return false;
   for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
-    const auto column = contact.B_reduced.col(j);
+    const auto column = contact.B.col(j);
     if (std::abs(column[0]) > no_component * column.norm() &&
         !(model.linear.mass().coeff(contact.unknowns[j], contact.unknowns[j]) > 0.))
       return false;
@@ -29,7 +29,7 @@ void ContactsBefore::take(const Model &model, const LineState &state) {
   status = state.contact_status;
   if (since.empty()) {
     other_half.assign(status.size(), -1);
-    for (const auto &[one, other] : rigid_pairs(model.contacts)) {
+    for (const auto &[one, other] : contact::rigid_pairs(model.contacts)) {
       other_half[one] = other;
       other_half[other] = one;
     }

@@ -21,7 +21,7 @@ double largest_compliance(const Contact &contact, const SparseMatrix &stiffness)
   for (const int strain : {1, 2}) {
     double compliance = 0.;
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
-      const double b = contact.length * contact.B_reduced(strain, j),
+      const double b = contact.length * contact.B(strain, j),
                    k = stiffness.coeff(contact.unknowns[j], contact.unknowns[j]);
       if (k > 0.)
         compliance += b * b / k;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/contact/uniqueness.h"
+#include <frictionbeam/contact/exact_solver.h>
 #include "analysis/increment/energy_account.h"
 #include "analysis/increment/reduction_account.h"
 #include "analysis/increment/resolution.h"
@@ -27,12 +27,12 @@ struct StepReport {
   unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
   std::size_t back_substitutions = 0; ///< with a matrix of the whole line
   double residual = 0.;               ///< largest of its increments, relative to the largest force
-  ContactCheck contact;               ///< worst of its increments (exact method)
+  contact::Check contact;               ///< worst of its increments (exact method)
   EnergyAccount energy;               ///< of static steps
   bool converged = false;
   bool no_equilibrium = false;                      ///< proved that there is none
-  std::vector<BeyondUniqueness> several_equilibria; ///< at its end
-  /// Contacts whose shares of force statics does not determine at its end.
+  std::vector<contact::BeyondUniqueness> several_equilibria; ///< at its end
+  /// Contacts whose shares of force nothing determines at its end.
   std::vector<unsigned int> undetermined_forces;
   std::string remark;                        ///< why it was cut or stopped, in plain words
   std::string warning;                       ///< of its time integrator, to be said once

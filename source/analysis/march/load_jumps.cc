@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/march/load_jumps.h"
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/step_helpers.h"
 #include "model/cell/line_cells.h"
@@ -43,7 +43,7 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
   course.set_rates(state, LoadCourse::Side::after);
   if (const Vector impulse = impulse_of_inertia(model, before.load_rates, state.load_rates);
       impulse.size() > 0) {
-    LineFactorization mass;
+    contact::LineFactorization mass;
     factor_mass(model.cells.mass(), mass);
     const std::vector<bool> has_mass = unknowns_with_mass(model.cells.mass());
     Vector change = mass.solve(impulse);

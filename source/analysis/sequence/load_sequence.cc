@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/sequence/load_sequence.h"
 
+#include "analysis/contact/undetermined_forces.h"
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/reduction/transient_reduction.h"
 #include "model/cell/line_cells.h"
@@ -50,6 +51,7 @@ void LoadSequence::initialize() {
   model.contacts.place_platens(current.unknowns);
   expand();
   model.contacts.evaluate(current.dofs, current.contacts, {}, LawTangent::none, response);
+  model.contacts.press_platens(response);
   commit(declared, 0.);
   press_at_start();
 }
@@ -103,6 +105,9 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
                                                              : run_transient(target, observer);
     if (!step_reports.back().converged)
       return false;
+    if (model.scene.solver.is_exact())
+      step_reports.back().undetermined_forces =
+          contacts_with_undetermined_forces(model.contacts, current);
   }
   return true;
 }

@@ -4,7 +4,6 @@
 #include "base/numbers.h"
 
 #include "analysis/contact/opposed_contacts.h"
-#include "analysis/contact/undetermined_forces.h"
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/increment/report_result.h"
 
@@ -29,7 +28,7 @@ unsigned int most_iterations_of(const SolverSettings &settings) {
 }
 
 /// What of a static step's answer is not the only one.
-std::vector<BeyondUniqueness> several_equilibria(const Model &model, const Statics &statics,
+std::vector<contact::BeyondUniqueness> several_equilibria(const Model &model, const Statics &statics,
                                                  const LineState &state) {
   std::vector<ContactStatus> status = state.contact_status;
   const std::vector<bool> idle = idle_halves(model.contacts, state);
@@ -70,11 +69,8 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
         ": the equilibrium is unstable, even if every support that is closed held its point: a "
         "line in this pose leaves it at the least push. If it has gone there by itself, it is not "
         "where the line goes: take more increments, or a transient step.";
-  if (model.scene.solver.is_exact() && model.contacts.size() <= most_contacts_for_uniqueness) {
-    StepReport &report = step_reports.back();
-    report.several_equilibria = several_equilibria(model, *statics, current);
-    report.undetermined_forces = contacts_with_undetermined_forces(model.contacts, current);
-  }
+  if (model.scene.solver.is_exact() && model.contacts.size() <= most_contacts_for_uniqueness)
+    step_reports.back().several_equilibria = several_equilibria(model, *statics, current);
   return true;
 }
 

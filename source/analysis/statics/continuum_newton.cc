@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/continuum_newton.h"
 
-#include "analysis/contact/halving_search.h"
+#include <frictionbeam/contact/halving_search.h>
+#include <frictionbeam/contact/tolerances.h>
 #include "base/interruption.h"
 #include "base/numbers.h"
 
@@ -15,7 +16,7 @@ using namespace dealii;
 
 namespace {
 
-constexpr AttemptLimits body_limits = {{1., 0.1, 10., 0.01}, 40, 15, 20, 6};
+constexpr contact::AttemptLimits body_limits = {{1., 0.1, 10., 0.01}, 40, 15, 20, 6};
 constexpr unsigned int most_stalls_of_body = 6, most_proximal_of_body = 15,
                        most_restarts_of_body = 2, most_iterations_of_increment = 500;
 constexpr double stiffness_of_step = 1e6; ///< of rho, where Newton's step wants none
@@ -116,11 +117,11 @@ ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
   increment = of_time;
   largest_load = largest_of(forces);
   contacts.begin(state);
-  ContactOutcome outcome = solve_contacts(u, response, result);
-  while (outcome == ContactOutcome::solved && !all(!contacts.let_slipping_go(response.state)))
+  contact::Outcome outcome = solve_contacts(u, response, result);
+  while (outcome == contact::Outcome::solved && !all(!contacts.let_slipping_go(response.state)))
     outcome = solve_contacts(u, response, result);
-  result.converged = outcome == ContactOutcome::solved;
-  result.no_equilibrium = outcome == ContactOutcome::slides_away;
+  result.converged = outcome == contact::Outcome::solved;
+  result.no_equilibrium = outcome == contact::Outcome::slides_away;
   if (result.no_equilibrium)
     result.remark =
         "there is no equilibrium: the loads exceed what friction can hold, and the body "
@@ -131,15 +132,15 @@ ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
 }
 
 template <int dim>
-ContactOutcome ContinuumNewton<dim>::solve_contacts(ContinuumVector &u,
+contact::Outcome ContinuumNewton<dim>::solve_contacts(ContinuumVector &u,
                                                     FoundationResponse &response,
                                                     ContinuumNewtonResult &result) {
   if (!contacts.are_exact()) // no centre, no rho: nothing else to try
     return solve_together(body_limits.most_together, u, response, result);
   const ContinuumVector start = u;
   const auto centre = contacts.centre;
-  ContactOutcome outcome = attempts.solve(u, response, result);
-  if (outcome == ContactOutcome::stalled) {
+  contact::Outcome outcome = attempts.solve(u, response, result);
+  if (outcome == contact::Outcome::stalled) {
     contacts.centre = centre;
     outcome = attempts.solve_from_elsewhere(most_restarts_of_body, start, u, response, result);
   }
@@ -173,8 +174,8 @@ double ContinuumNewton<dim>::energy_together(const FoundationResponse &response,
 }
 
 template <int dim>
-ContactCheck ContinuumNewton<dim>::check(const FoundationResponse &response) const {
-  ContactCheck check = contacts.check(displacement, response.state, *committed,
+contact::Check ContinuumNewton<dim>::check(const FoundationResponse &response) const {
+  contact::Check check = contacts.check(displacement, response.state, *committed,
                                       largest(response.state.stress).second,
                                       epsilon_of_rounding * largest_displacement);
   check.natural_map = Utilities::MPI::max(check.natural_map, body.communicator);
@@ -196,7 +197,7 @@ bool ContinuumNewton<dim>::balanced(const ContinuumVector &u, const ContinuumVec
   stiff.scale(diagonal);
   return size <=
          std::max(settings.tolerance * largest_force,
-                  std::min(epsilon_of_rounding * largest_of(stiff), most_excused * largest_force));
+                  std::min(epsilon_of_rounding * largest_of(stiff), contact::most_excused * largest_force));
 }
 
 template <int dim>
@@ -281,7 +282,7 @@ bool ContinuumNewton<dim>::moves_away(const FoundationResponse &response, const 
 }
 
 template <int dim>
-ContactOutcome ContinuumNewton<dim>::solve_proximal(ContinuumVector &u,
+contact::Outcome ContinuumNewton<dim>::solve_proximal(ContinuumVector &u,
                                                     FoundationResponse &response,
                                                     ContinuumNewtonResult &result) {
   const double shift = std::min(shift_of_step, shift_below_rho * contacts.stiffness_factor);
@@ -296,25 +297,25 @@ ContactOutcome ContinuumNewton<dim>::solve_proximal(ContinuumVector &u,
   for (unsigned int iteration = 0;; ++iteration) {
     interruption::end_if_overdue();
     if (response.failed)
-      return ContactOutcome::stalled;
+      return contact::Outcome::stalled;
     if (balanced(u, left, response, result))
-      return ContactOutcome::solved;
+      return contact::Outcome::solved;
     ++result.iterations;
     if (iteration == most_proximal_of_body ||
         !find_direction(response.tangent, shift, left, direction))
-      return slides_away(u, response) ? ContactOutcome::slides_away : ContactOutcome::stalled;
+      return slides_away(u, response) ? contact::Outcome::slides_away : contact::Outcome::stalled;
     const ContinuumVector start = u;
     const auto go = [&](const double length) {
       u = start;
       u.add(length, direction);
       return go_on();
     };
-    before = search_by_halving(go, before, 0.0625).merit;
+    before = contact::search_by_halving(go, before, 0.0625).merit;
   }
 }
 
 template <int dim>
-ContactOutcome
+contact::Outcome
 ContinuumNewton<dim>::solve_together(const unsigned int most_iterations, ContinuumVector &u,
                                      FoundationResponse &response, ContinuumNewtonResult &result) {
   const unsigned int n = contacts.size();
@@ -327,21 +328,21 @@ ContinuumNewton<dim>::solve_together(const unsigned int most_iterations, Continu
   for (unsigned int iteration = 0;; ++iteration) {
     interruption::end_if_overdue();
     if (response.failed)
-      return ContactOutcome::stalled;
+      return contact::Outcome::stalled;
     residual(response.state.stress, left);
     result.check = check(response);
     const bool last = iteration == most_iterations || stalls == most_stalls_of_body;
     if (balanced(u, left, response, result) && result.check.holds(settings.contact_tolerance) &&
         (last || result.check.natural_map <= 0.1 * settings.contact_tolerance))
-      return ContactOutcome::solved;
+      return contact::Outcome::solved;
     if (last)
-      return ContactOutcome::stalled;
+      return contact::Outcome::stalled;
 
     eliminate_centre(response, step);
     residual(response.state.stress, left);
     ++result.iterations;
     if (!find_direction(response.tangent, 0., left, direction))
-      return slides_away(u, response) ? ContactOutcome::slides_away : ContactOutcome::stalled;
+      return slides_away(u, response) ? contact::Outcome::slides_away : contact::Outcome::stalled;
     const auto motion = local(direction);
     for (unsigned int i = 0; i < n; ++i)
       if (contacts.is_exact(i))
@@ -357,7 +358,7 @@ ContinuumNewton<dim>::solve_together(const unsigned int most_iterations, Continu
       evaluate(u, response);
       return energy_together(response, left);
     };
-    before = take_step_of_both(go, before, stalls);
+    before = contact::take_step_of_both(go, before, stalls);
   }
 }
 

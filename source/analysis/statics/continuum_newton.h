@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/algebra/elastic_system.h"
-#include "analysis/contact/contact_attempts.h"
+#include <frictionbeam/contact/attempts.h>
 #include "analysis/statics/foundation_contacts.h"
 
 namespace frictionbeam {
@@ -12,13 +12,13 @@ struct ContinuumNewtonResult {
   bool no_equilibrium = false; ///< proved: something slides or lifts off freely
   unsigned int iterations = 0;
   double residual = 0.; ///< relative to the largest force
-  ContactCheck check;
+  contact::Check check;
   std::string remark; ///< why not converged
 };
 
 /**
- * One increment of a body on its foundation: the two Newton's methods of ContactNewton for a body,
- * in the order of ContactAttempts. What differs is the linear algebra: with a factorization on one
+ * One increment of a body on its foundation: the two Newton's methods of contact::ExactSolver for a body,
+ * in the order of contact::Attempts. What differs is the linear algebra: with a factorization on one
  * process an iteration costs two triangular solves and a dense system of the contacts; unknowns are
  * distributed among processes, and what is judged is judged by all of them.
  */
@@ -45,11 +45,11 @@ public:
   /// What it learnt in increments before.
   void transfer(Archive &archive) { archive(attempts.first_factor); }
 
-  /// As ContactNewton::solve_together().
-  ContactOutcome solve_together(const unsigned int most_iterations, ContinuumVector &u,
+  /// Newton's method on motions and tractions together.
+  contact::Outcome solve_together(const unsigned int most_iterations, ContinuumVector &u,
                                 FoundationResponse &response, ContinuumNewtonResult &result);
-  /// As ContactNewton::solve_proximal().
-  ContactOutcome solve_proximal(ContinuumVector &u, FoundationResponse &response,
+  /// Newton's method on the contacts around a fixed centre.
+  contact::Outcome solve_proximal(ContinuumVector &u, FoundationResponse &response,
                                 ContinuumNewtonResult &result);
   void take_forces_as_centre(const FoundationResponse &response) {
     contacts.centre = response.state.stress;
@@ -59,7 +59,7 @@ public:
   double agreed(const double number) const;
 
 private:
-  ContactOutcome solve_contacts(ContinuumVector &u, FoundationResponse &response,
+  contact::Outcome solve_contacts(ContinuumVector &u, FoundationResponse &response,
                                 ContinuumNewtonResult &result);
   /// Evaluate contacts and elastic forces at u.
   void evaluate(const ContinuumVector &u, FoundationResponse &response);
@@ -73,7 +73,7 @@ private:
   std::pair<double, double> largest(const std::vector<LocalVector> &stress) const;
   bool balanced(const ContinuumVector &u, const ContinuumVector &left,
                 const FoundationResponse &response, ContinuumNewtonResult &result) const;
-  ContactCheck check(const FoundationResponse &response) const;
+  contact::Check check(const FoundationResponse &response) const;
   /// Add to the tractions and their tangents what the centre as an unknown makes of them, and to
   /// @p step what the centre moves by itself.
   void eliminate_centre(FoundationResponse &response, std::vector<LocalVector> &step) const;
@@ -95,7 +95,7 @@ private:
   ContinuumSystem &system;
   FoundationContacts &contacts;
   const SolverSettings &settings;
-  ContactAttempts<ContinuumNewton, FoundationContacts> attempts;
+  contact::Attempts<ContinuumNewton, FoundationContacts> attempts;
   ContinuumVector diagonal;
 
   // of the increment

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/foundation_contacts.h"
 
-#include "analysis/contact/proximal_law.h"
+#include <frictionbeam/contact/proximal_law.h>
 
 #include "base/user_error.h"
 #include <frictionbeam/law_library.h>
@@ -94,11 +94,11 @@ void FoundationContacts::evaluate_exact(const unsigned int i, const LocalVector 
   Contact::Strains strain, around;
   strain << -u, 0.; // of elements 1 m long to the ground
   around << centre[i], 0.;
-  const ProximalAnswer answer =
-      proximal_law(law,
+  const contact::ProximalAnswer answer =
+      contact::proximal_law(law,
                    {strain, 1., friction[i], law.gap, stiffness_factor * point.normal_diagonal,
                     stiffness_factor * point.shear_diagonal, around, surface.pressure},
-                   ContactSlip::read(law, committed.internal.data() + offset[i]));
+                   contact::Slip::read(law, committed.internal.data() + offset[i]));
   FoundationState &state = response.state;
   state.stress[i] = answer.stress.head<3>();
   response.misfit[i] = answer.misfit.head<3>();
@@ -192,11 +192,11 @@ LocalVector FoundationContacts::slip(const unsigned int i, const LocalVector &di
   return slip;
 }
 
-ContactCheck FoundationContacts::check(const std::vector<LocalVector> &displacement,
+contact::Check FoundationContacts::check(const std::vector<LocalVector> &displacement,
                                        const FoundationState &state,
                                        const FoundationState &committed, const double largest,
                                        const double rounding) const {
-  ContactCheck result;
+  contact::Check result;
   for (unsigned int i = 0; i < points.size(); ++i) {
     if (!is_exact(i))
       continue;

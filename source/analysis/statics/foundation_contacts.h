@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/contact/proximal_contacts.h"
+#include "base/archive.h"
 #include "scene/body.h"
-#include <frictionbeam/law.h>
+#include <frictionbeam/bound_law.h>
+#include <frictionbeam/contact/check.h>
 
 #include <Eigen/Core>
 
@@ -39,14 +40,14 @@ struct FoundationState {
 struct FoundationResponse {
   FoundationState state;
   std::vector<LocalMatrix> tangent; ///< d stress / d displacement
-  std::vector<LocalVector> misfit;  ///< of exact contacts: stress less centre (ProximalAnswer)
+  std::vector<LocalVector> misfit;  ///< of exact contacts: stress less centre (contact::ProximalAnswer)
   bool failed = false;
 };
 
 /**
  * Friction on the foundation, point by point: the law that a support has, of a friction element
  * from the body to the ground for each square metre. A law with a threshold in closed form is exact
- * contact in the proximal form of proximal_law(). Any other law, and all of them with the method
+ * contact in the proximal form of contact::proximal_law(). Any other law, and all of them with the method
  * `newton`, is integrated as it is: return mapping with the consistent tangent. On a surface with a
  * prescribed pressure the compression is that pressure; a law that is integrated is then solved for
  * the normal strain that gives it.
@@ -77,7 +78,7 @@ public:
   LocalVector by_centre(const unsigned int i) const;
 
   /// Judge tractions and displacements by the exact laws. @p largest traction of all.
-  ContactCheck check(const std::vector<LocalVector> &displacement, const FoundationState &state,
+  contact::Check check(const std::vector<LocalVector> &displacement, const FoundationState &state,
                      const FoundationState &committed, const double largest,
                      const double rounding) const;
 
@@ -86,7 +87,7 @@ public:
   bool is_exact(const unsigned int i) const { return surfaces[points[i].surface].exact; }
   /// Whether that is so anywhere.
   bool are_exact() const;
-  /// As ProximalContacts::gives_utmost(), of a motion in the point's own axes. @p largest motion of
+  /// As gives_utmost() of a line, of a motion in the point's own axes. @p largest motion of
   /// all points, beside which one without motion is told.
   bool gives_utmost(const unsigned int i, const FoundationState &state, const LocalVector &rate,
                     const double largest) const;

@@ -11,7 +11,7 @@ LinearStatics::LinearStatics(const Model &model)
 
 EquilibriumResult LinearStatics::solve(const LineState &from, const StaticIncrement &increment,
                                        LineState &to, ContactResponse &response) {
-  EquilibriumProblem problem{model.linear.stiffness(), increment.course.forces(increment.factors),
+  EquilibriumProblem problem{{model.linear.stiffness(), increment.course.forces(increment.factors)},
                              increment.course.imposed(increment.time)};
   problem.increment = {increment.time, 0., model.contacts.temperatures(increment.factors)};
   problem.largest_force = increment.least_force;

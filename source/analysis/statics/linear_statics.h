@@ -16,7 +16,7 @@ public:
   EnergyAccount account(const LineState &before, const LineState &after, const LoadCourse &course,
                         const Vector &unbalanced) const override;
   Vector forces_on_contacts(const LineState &state, const LoadCourse &course) const override;
-  std::vector<BeyondUniqueness>
+  std::vector<contact::BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &status) const override {
     return solver->beyond_uniqueness(status);
   }

@@ -2,7 +2,7 @@
 #include "analysis/statics/linearized_solver.h"
 
 #include "analysis/contact/solver_library.h"
-#include "base/numbers.h"
+#include <frictionbeam/contact/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,9 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
     return result;
   }
   const SparseMatrix symmetric = symmetric_part(problem.matrix);
-  EquilibriumProblem linear{symmetric,         problem.right_hand_side, problem.imposed,
-                            problem.increment, problem.overrides,       problem.largest_force};
+  EquilibriumProblem linear{{symmetric, problem.right_hand_side, problem.increment,
+                             problem.overrides, problem.largest_force},
+                            problem.imposed};
   linear.force_so_far = problem.force_so_far;
   linear.forces_before = problem.forces_before;
   const auto solver =
@@ -113,7 +114,7 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
                           stiffness.diagonal().lpNorm<Eigen::Infinity>(),
                rounding = by_metre * moved;
   if (size <= std::max(model.scene.solver.tolerance * largest,
-                       std::min(rounding, most_excused * std::max(largest, scale))))
+                       std::min(rounding, contact::most_excused * std::max(largest, scale))))
     return true;
   // Lengths of chords are differences of places, whose rounding is there without any force.
   return size <= std::max(most_rounding * std::max(largest, scale), by_metre * extent(model)) &&

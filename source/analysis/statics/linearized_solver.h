@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/contact/equilibrium.h"
 #include "model/cell/line_cells.h"
 #include "model/line_state.h"
@@ -32,7 +32,7 @@ public:
 
 private:
   const Model &model;
-  LineFactorization factorization;
+  contact::LineFactorization factorization;
   bool analyzed = false;
 };
 

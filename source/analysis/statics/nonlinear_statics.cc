@@ -94,7 +94,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       return result;
     }
     const auto solve_at_pose = [&]() {
-      EquilibriumProblem problem{at.balance.stiffness, at.forces, at.pose.dofs};
+      EquilibriumProblem problem{{at.balance.stiffness, at.forces}, at.pose.dofs};
       problem.increment = {increment.time, 0., model.contacts.temperatures(increment.factors)};
       problem.largest_force = at.largest;
       problem.force_so_far = std::max(increment.force_so_far, at.balance.free);
@@ -127,7 +127,7 @@ bool NonlinearStatics::is_unstable(const LineState &state) const {
     const Contact &contact = model.contacts[i];
     if (state.contact_status[i] == ContactStatus::open)
       continue;
-    const auto B = contact.B_reduced.topRows<3>();
+    const auto B = contact.B.topRows<3>();
     const Eigen::MatrixXd block =
         stiff * largest * contact.length * contact.length * B.transpose() * B;
     for (unsigned int a = 0; a < contact.unknowns.size(); ++a)
@@ -137,7 +137,7 @@ bool NonlinearStatics::is_unstable(const LineState &state) const {
   SparseMatrix held(symmetric.rows(), symmetric.cols());
   held.setFromTriplets(of_contacts.begin(), of_contacts.end());
   const SparseMatrix tangent = symmetric + held;
-  LineFactorization factors;
+  contact::LineFactorization factors;
   factors.analyze(tangent);
   return factors.factorize(tangent) && factors.least_pivot() < -rounding_of_pivots * largest;
 }

@@ -26,7 +26,7 @@ public:
   /// By the signs of the pivots of the tangent stiffness, of which closed contacts are a part.
   bool is_unstable(const LineState &state) const override;
   /// Nothing is proved of large motions.
-  std::vector<BeyondUniqueness>
+  std::vector<contact::BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &) const override {
     return {};
   }

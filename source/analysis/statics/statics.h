@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/contact/equilibrium.h"
-#include "analysis/contact/uniqueness.h"
+#include <frictionbeam/contact/exact_solver.h>
 #include "analysis/increment/energy_account.h"
 #include "analysis/increment/load_course.h"
 
@@ -36,7 +36,7 @@ public:
   /// What loads and line put on the contacts at a state: zero without contacts, in equilibrium.
   virtual Vector forces_on_contacts(const LineState &state, const LoadCourse &course) const = 0;
   /// Where contacts in these states may have other equilibria.
-  virtual std::vector<BeyondUniqueness>
+  virtual std::vector<contact::BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &status) const = 0;
   /// Whether the line would leave a state by itself, at the least push, even if every contact that
   /// is closed held it.

@@ -188,7 +188,7 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   if (at_end.time == from.time)
     at_start = at_end;
   Step step = begin(from, loads, time);
-  EquilibriumProblem problem{effective, Vector::Constant(1, size_of(step, from)),
+  EquilibriumProblem problem{{effective, Vector::Constant(1, size_of(step, from))},
                              loads.imposed(time)};
   problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
     return unbalanced(step, unknowns, low);

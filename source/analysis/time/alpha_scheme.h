@@ -4,7 +4,7 @@
 #include "analysis/time/impulse_contacts.h"
 #include "analysis/time/motion_products.h"
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 #include <limits>
 
@@ -82,7 +82,7 @@ private:
   const std::vector<bool> has_mass;
   std::unique_ptr<EquilibriumSolver> return_mapping; ///< null with impulses
   ImpulseContacts contacts;
-  LineFactorization mass;
+  contact::LineFactorization mass;
   SparseMatrix effective; ///< K + gamma/(beta h) C + ratio/(beta h^2) M
   Vector diagonal;        ///< of it
   double effective_step = 0.;

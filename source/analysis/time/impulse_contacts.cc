@@ -27,7 +27,7 @@ ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model
     bool normal_mass = true, shear_mass = true;
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
       if (!with_mass[contact.unknowns[j]]) {
-        const auto column = contact.B_reduced.col(j);
+        const auto column = contact.B.col(j);
         const double rounding = no_component * column.norm();
         normal_mass = normal_mass && std::abs(column[0]) <= rounding;
         shear_mass = shear_mass && column.segment<2>(1).norm() <= rounding;
@@ -39,7 +39,7 @@ ImpulseContacts::ImpulseContacts(const Model &model) : model(model), kinds(model
 }
 
 void ImpulseContacts::set_matrix(const SparseMatrix &matrix) {
-  solver = std::make_unique<ExactSolver>(model.scene.solver, model.contacts, model.space, matrix);
+  solver = std::make_unique<ExactMethod>(model.scene.solver, model.contacts, matrix);
 }
 
 Contact::Strains ImpulseContacts::part(const unsigned int i, const Contact::Strains &stress,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/contact/exact_solver.h"
+#include "analysis/contact/exact_method.h"
 
 #include "analysis/time/time_integrator.h"
 
@@ -11,7 +11,7 @@ namespace frictionbeam {
 
 /**
  * Rigid contact and friction in a time step, as impulses on velocities, by the solver of static
- * contact (ExactSolver).
+ * contact (ExactMethod).
  *
  * A step whose displacements and velocities at its end hang together by q = base + reach v is a
  * static problem A q = b + H^T r in the displacements. What is rigid in a contact that takes part
@@ -91,10 +91,10 @@ private:
 
   const Model &model;
   std::vector<Kind> kinds;
-  std::unique_ptr<ExactSolver> solver;
+  std::unique_ptr<ExactMethod> solver;
   double step_begin = std::numeric_limits<double>::quiet_NaN(), step_end = step_begin;
   std::vector<Contact::Strains> ground_rate, ground_rate_before;
-  ContactOverrides overrides;
+  contact::Overrides overrides;
   ContactState shifted;
   Vector rigid_impulses;
   std::vector<ContactWork> contact_work;

@@ -6,7 +6,7 @@
 
 namespace frictionbeam {
 
-void factor_mass(const SparseMatrix &M, LineFactorization &mass) {
+void factor_mass(const SparseMatrix &M, contact::LineFactorization &mass) {
   const SparseMatrix regular = regular_mass(M);
   mass.analyze(regular);
   if (!mass.factorize(regular))

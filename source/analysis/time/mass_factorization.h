@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 #include "model/model.h"
 
 namespace frictionbeam {
 
 /// Factor the mass matrix, with 1 on the diagonal of unknowns without mass.
 /// @throws UserError if rounding leaves it without an inverse
-void factor_mass(const SparseMatrix &M, LineFactorization &mass);
+void factor_mass(const SparseMatrix &M, contact::LineFactorization &mass);
 
 /// What condenses unknowns without mass has no place for dashpots on them, which need a velocity.
 /// @param reader entry that condenses, for the message

@@ -107,7 +107,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
                              LineState &to) {
   set_step(time - from.time);
   Step step = begin(from, loads, time);
-  EquilibriumProblem problem{effective, Vector::Constant(1, size_of(step, from)),
+  EquilibriumProblem problem{{effective, Vector::Constant(1, size_of(step, from))},
                              loads.imposed(time)};
   problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
     return unbalanced(step, from, unknowns, low);

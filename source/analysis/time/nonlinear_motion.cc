@@ -61,14 +61,14 @@ EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, cons
                                                     const double time, Step &step, Vector &change,
                                                     ContactResponse &response) {
   if (model.contacts.size() == 0) {
-    EquilibriumProblem problem{step.matrix, step.residual, step.to.dofs};
+    EquilibriumProblem problem{{step.matrix, step.residual}, step.to.dofs};
     return linearized.solve(problem, state.contacts, change, response);
   }
   const double h = step.h;
   const SparseMatrix symmetric = symmetric_part(step.matrix);
   contacts.set_matrix(symmetric);
   // In what the unknowns still have to move beyond the pose.
-  EquilibriumProblem problem{symmetric, step.residual, step.to.dofs};
+  EquilibriumProblem problem{{symmetric, step.residual}, step.to.dofs};
   problem.increment = {time, h, model.contacts.temperatures(loads.factors_before(time))};
   problem.largest_force = step.largest;
   problem.force_so_far = step.without_force();

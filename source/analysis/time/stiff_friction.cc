@@ -35,7 +35,7 @@ std::string warn_of_stiff_friction(const Model &model, const std::string &integr
       continue;
     model.contacts.evaluate_law(i, at_rest, {}, LawTangent::elastic, response);
     for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
-      const double b = contact.B_reduced.col(j).segment<2>(1).squaredNorm(),
+      const double b = contact.B.col(j).segment<2>(1).squaredNorm(),
                    m = model.linear.mass().coeff(contact.unknowns[j], contact.unknowns[j]);
       if (m > 0. && contact.weight * response.tangent[i](1, 1) * b * h * h > most_stiff_shear * m) {
         supports.push_back(contact.support);

@@ -115,7 +115,7 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
     for (unsigned int r = 0; r < 4; ++r)
       rigid[i][r] =
           D(r, r) > 0. &&
-          !(D(r, r) * contact.weight * contact.B_reduced.row(r).squaredNorm() <= stiff * stiffest);
+          !(D(r, r) * contact.weight * contact.B.row(r).squaredNorm() <= stiff * stiffest);
   }
   SparseMatrix A = K;
   add_shifted_mass(M, shift, A);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/algebra/line_factorization.h"
+#include <frictionbeam/contact/line_factorization.h>
 #include "model/line/full_matrices.h"
 #include "model/line_state.h"
 #include "model/model.h"
@@ -67,8 +67,8 @@ private:
   SparseMatrix K;            ///< with the contacts that hold
   const double shift;        ///< (rad/s)^2 below zero: a line that floats can be factored
   ContactResponse held;      ///< its tangents are the contacts' stiffness
-  LineFactorization shifted; ///< of K + shift M
-  LineFactorization factors; ///< of K
+  contact::LineFactorization shifted; ///< of K + shift M
+  contact::LineFactorization factors; ///< of K
   std::vector<Mode> found;
   std::string how;
 };

@@ -15,9 +15,22 @@ using namespace dealii;
 
 namespace {
 
+/// Whether the contact carries the force of its platen without giving way.
+bool is_pressed_rigid(const Contact &contact) {
+  return contact.platen_force != 0. && contact.law.has_closed_form() &&
+         contact.law.is_rigid_along_normal() && contact.law.closed_form().gap == 0.;
+}
+
+/// The generalized stress with which a contact carries the force of its platen [N].
+double stress_of_platen(const Contact &contact) {
+  return -contact.platen_force * contact.length / contact.weight;
+}
+
 /// How far the platen must be pushed towards the pipe for the contact to carry the force on it [m].
 double platen_position(const Contact &contact, const std::string &support) {
-  const double wanted = -contact.platen_force * contact.length / contact.weight;
+  if (is_pressed_rigid(contact))
+    return 0.;
+  const double wanted = stress_of_platen(contact);
   double strain = -1e-12;
   for (unsigned int iteration = 0; iteration < 200; ++iteration) {
     const BoundLaw::Answer answer =
@@ -70,11 +83,11 @@ void set_strains_by_dofs(const Cell &cell, const FEValues<1, 3> &values, Contact
   std::vector<types::global_dof_index> dofs(values.dofs_per_cell);
   cell->get_dof_indices(dofs);
   contact.dofs.assign(dofs.begin(), dofs.end());
-  contact.B.resize(n_support_strains, dofs.size());
+  contact.B_dofs.resize(n_support_strains, dofs.size());
   for (unsigned int i = 0; i < dofs.size(); ++i) {
     const GeneralizedStrain strain = generalized_strain(values, contact.axes, i, 0);
     for (int e = 0; e < n_support_strains; ++e)
-      contact.B(e, i) = strain[e];
+      contact.B_dofs(e, i) = strain[e];
   }
 }
 
@@ -94,13 +107,13 @@ void set_strains_by_unknowns(const Discretization &discretization, const Reduced
   std::sort(contact.unknowns.begin(), contact.unknowns.end());
   contact.unknowns.erase(std::unique(contact.unknowns.begin(), contact.unknowns.end()),
                          contact.unknowns.end());
-  contact.B_reduced.setZero(n_support_strains, contact.unknowns.size());
+  contact.B.setZero(n_support_strains, contact.unknowns.size());
   for (unsigned int i = 0; i < contact.dofs.size(); ++i)
     for (const auto &term : space.terms(contact.dofs[i])) {
       const auto place =
           std::lower_bound(contact.unknowns.begin(), contact.unknowns.end(), term.unknown) -
           contact.unknowns.begin();
-      contact.B_reduced.col(place) += term.weight * contact.B.col(i);
+      contact.B.col(place) += term.weight * contact.B_dofs.col(i);
     }
 }
 
@@ -131,6 +144,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
   list.reserve(discretization.support_cells().size());
   const std::vector<std::vector<unsigned int>> pipes = pipes_by_vertex(mesh);
   std::map<unsigned int, FEValues<1, 3>> values; // by element of the collection
+  unsigned int n_internal = 0;
   for (unsigned int c = 0; c < discretization.support_cells().size(); ++c) {
     const SupportCell &support_cell = discretization.support_cells()[c];
     const FrictionSupport &support = scene.supports[support_cell.support];
@@ -161,6 +175,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
       add_platen(contact, support.name, discretization, space);
     list.push_back(std::move(contact));
   }
+  refer_to(list);
 }
 
 void Contacts::add_platen(const Contact &contact, const std::string &support,
@@ -171,14 +186,15 @@ void Contacts::add_platen(const Contact &contact, const std::string &support,
     for (const auto &term : space.terms(dof)) {
       preload[term.unknown] += contact.platen_force * -contact.axes.x[d] * term.weight;
       if (space.terms(dof).begin() + 1 == space.terms(dof).end() && term.weight == 1.)
-        platen_positions.emplace_back(term.unknown, position * -contact.axes.x[d]);
+        platens.push_back({static_cast<unsigned int>(list.size()), term.unknown,
+                           -contact.axes.x[d], position});
     }
   }
 }
 
 Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
                    const std::vector<int> &unknown_places, const unsigned int n_unknowns)
-    : list(contacts.list), n_internal(contacts.n_internal), preload(Vector::Zero(n_unknowns)) {
+    : list(contacts.list), preload(Vector::Zero(n_unknowns)) {
   for (Contact &contact : list) {
     for (unsigned int &dof : contact.dofs)
       dof = dof_places[dof];
@@ -192,26 +208,14 @@ Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
   for (int unknown = 0; unknown < contacts.preload.size(); ++unknown)
     if (contacts.preload[unknown] != 0.)
       preload[unknown_places[unknown]] += contacts.preload[unknown];
-  for (const auto &[unknown, position] : contacts.platen_positions)
-    platen_positions.emplace_back(unknown_places[unknown], position);
+  for (const Platen &platen : contacts.platens)
+    platens.push_back({platen.contact, unknown_places[platen.unknown], platen.towards_pipe,
+                       platen.position});
+  refer_to(list);
 }
 
 void Contacts::set_parameters(const unsigned int i, const std::vector<double> &parameters) {
   list[i].law = BoundLaw(list[i].law.description(), parameters);
-}
-
-void Contacts::prepare(ContactResponse &response) const {
-  const unsigned int n = list.size();
-  response.stress.resize(n);
-  response.tangent.resize(n);
-  response.status.resize(n);
-  response.failed = false;
-  response.state.internal.resize(n_internal + 1);
-  response.state.strain.resize(n);
-  response.state.touch.resize(n);
-  response.state.dissipated.resize(n);
-  response.state.wear.resize(n);
-  response.state.impulse.resize(n);
 }
 
 std::vector<double> Contacts::temperatures(const std::vector<double> &load_factors) const {
@@ -240,73 +244,28 @@ void Contacts::evaluate(const Vector &all_dofs, const ContactState &committed,
   }
 }
 
-void Contacts::evaluate_law(const unsigned int i, const ContactState &committed,
-                            const ContactIncrement &increment, const LawTangent tangent,
-                            ContactResponse &response) const {
-  const Contact &contact = list[i];
-  const Contact::Strains &strain = response.state.strain[i];
-  Contact::Strains rate = Contact::Strains::Zero();
-  if (increment.length > 0.)
-    rate = (strain - committed.strain[i]) / increment.length;
-  const double temperature =
-      increment.temperatures.empty() ? contact.installation_temperature : increment.temperatures[i];
-  LawOutput output{response.stress[i].data(), response.tangent[i].data(),
-                   response.state.internal.data() + contact.state_offset, 0., ContactStatus::none};
-  if (contact.law.integrate(strain.data(), rate.data(), contact.length,
-                            {increment.time, increment.length, temperature},
-                            committed.internal.data() + contact.state_offset, tangent,
-                            output) != LawStatus::ok)
-    response.failed = true;
-  response.status[i] = output.contact;
-  response.state.touch[i] = output.contact == ContactStatus::open ? strain : committed.touch[i];
-  response.state.dissipated[i] = committed.dissipated[i] + contact.weight * output.dissipation;
-}
-
-void Contacts::add_forces(const ContactResponse &response, Vector &forces) const {
-  for (unsigned int i = 0; i < list.size(); ++i)
-    list[i].add_to(forces, response.stress[i]);
-}
-
-void Contacts::add_tangent(const ContactResponse &response, SparseMatrix &matrix) const {
-  for (unsigned int i = 0; i < list.size(); ++i) {
-    const Contact &contact = list[i];
-    const auto local =
-        (contact.weight * contact.B_reduced.transpose() * response.tangent[i] * contact.B_reduced)
-            .eval();
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j)
-      for (unsigned int k = 0; k < contact.unknowns.size(); ++k)
-        add_to(matrix, contact.unknowns[j], contact.unknowns[k], local(j, k));
+void Contacts::place_platens(Vector &unknowns) const {
+  for (const Platen &platen : platens) {
+    const Contact &contact = list[platen.contact];
+    const double pipe_leaves = contact.length * contact.strain_by_unknowns(unknowns)[0];
+    unknowns[platen.unknown] += platen.towards_pipe * (platen.position + pipe_leaves);
   }
 }
 
-void Contacts::place_platens(Vector &unknowns) const {
-  for (const auto &[unknown, value] : platen_positions)
-    unknowns[unknown] += value;
+void Contacts::press_platens(ContactResponse &response) const {
+  for (unsigned int i = 0; i < list.size(); ++i)
+    if (is_pressed_rigid(list[i])) {
+      response.stress[i][0] = stress_of_platen(list[i]);
+      response.status[i] = list[i].law.closed_form().static_friction > 0. ? ContactStatus::stick
+                                                                         : ContactStatus::closed;
+    }
 }
 
 ContactState Contacts::initial_state(const Vector &all_dofs) const {
-  ContactState state;
-  state.internal.assign(n_internal + 1, 0.);
-  state.strain.resize(list.size());
-  state.dissipated.assign(list.size(), 0.);
-  state.wear = state.impulse = state.dissipated;
-  for (unsigned int i = 0; i < list.size(); ++i)
-    state.strain[i] = list[i].strain(all_dofs);
-  state.touch = state.strain;
-  if (all_dofs.isZero(0.))
-    return state;
-  // Touch down at the initial displacements: evaluated as if lifted off by one length, whatever is
-  // irreversible follows the node.
-  for (unsigned int i = 0; i < list.size(); ++i) {
-    const Contact &contact = list[i];
-    const Contact::Strains &strain = state.strain[i];
-    const BoundLaw::Answer answer =
-        contact.law.answer_at_rest({1., strain[1], strain[2], strain[3]}, contact.length,
-                                   LawTangent::none, contact.installation_temperature);
-    std::copy(answer.state.begin(), answer.state.end() - 1,
-              state.internal.begin() + contact.state_offset);
-  }
-  return state;
+  std::vector<Contact::Strains> strain;
+  for (const Contact &contact : list)
+    strain.push_back(contact.strain(all_dofs));
+  return SiteList::initial_state(strain);
 }
 
 } // namespace frictionbeam

@@ -2,39 +2,18 @@
 #pragma once
 
 #include "model/contact/contact.h"
-#include "model/unknowns/sparse_matrix.h"
+#include <frictionbeam/contact/site_list.h>
 
 #include <functional>
 
 namespace frictionbeam {
 
-/// Committed or trial state of all contacts: internal variables, strains, what was dissipated.
-struct ContactState {
-  std::vector<double> internal;
-  std::vector<Contact::Strains> strain;
-  std::vector<Contact::Strains> touch; ///< strain at which the contact began
-  std::vector<double> dissipated;      ///< [J]
-  std::vector<double> wear;            ///< integral of normal force times sliding velocity [J]
-  std::vector<double> impulse;         ///< of the normal force, impacts included [N s]
-};
-
-/// The increment at whose end contacts are evaluated.
-struct ContactIncrement {
-  double time = 0., length = 0.;         ///< its end, and how long it is: 0 in statics [s]
-  std::vector<double> temperatures = {}; ///< of contacts, at its end; empty: of installation [degC]
-};
-
-/// What one evaluation of all contacts gives.
-struct ContactResponse {
-  std::vector<Contact::Strains> stress;
-  std::vector<Eigen::Matrix<double, n_support_strains, n_support_strains, Eigen::RowMajor>> tangent;
-  std::vector<ContactStatus> status;
-  ContactState state; ///< at the end of the increment, if it is committed
-  bool failed = false;
-};
+using ContactState = contact::State;
+using ContactIncrement = contact::Increment;
+using ContactResponse = contact::Response;
 
 /// All friction elements of a scene.
-class Contacts {
+class Contacts : public contact::SiteList {
 public:
   Contacts(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
            const ReducedSpace &space, const LawLibrary &laws);
@@ -46,7 +25,9 @@ public:
   Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
            const std::vector<int> &unknown_places, const unsigned int n_unknowns);
 
-  unsigned int size() const { return list.size(); }
+  Contacts(const Contacts &) = delete; // the list of sites refers to these
+  Contacts &operator=(const Contacts &) = delete;
+
   const Contact &operator[](const unsigned int i) const { return list[i]; }
 
   /// Evaluate the laws at the displacements @p all_dofs from the committed state.
@@ -58,17 +39,6 @@ public:
   /// heated.
   std::vector<double> temperatures(const std::vector<double> &load_factors) const;
 
-  /// Size a response for all contacts.
-  void prepare(ContactResponse &response) const;
-  /// Evaluate the law of contact @p i at response.state.strain[i].
-  void evaluate_law(const unsigned int i, const ContactState &committed,
-                    const ContactIncrement &increment, const LawTangent tangent,
-                    ContactResponse &response) const;
-
-  /// forces += weight B^T stress, on the unknowns.
-  void add_forces(const ContactResponse &response, Vector &forces) const;
-  /// matrix += weight B^T D B; the pattern has the entries (add_pattern()).
-  void add_tangent(const ContactResponse &response, SparseMatrix &matrix) const;
   /// imposed += motion of the ground, on all degrees of freedom; @p value says that of a course.
   void add_ground_motion(const std::function<double(const TimeFunction &)> &value,
                          Vector &imposed) const;
@@ -76,8 +46,10 @@ public:
 
   /// Forces of platens on the unknowns, present from the start.
   const Vector &platen_forces() const { return preload; }
-  /// Add the positions at which platens are in equilibrium with a line at rest.
+  /// Add the positions at which platens are in equilibrium with a line at rest, displaced or not.
   void place_platens(Vector &unknowns) const;
+  /// Rigid contacts, whose law does not say it, carry the force of their platen.
+  void press_platens(ContactResponse &response) const;
   /// Take other parameters for the law of contact @p i from here on.
   void set_parameters(const unsigned int i, const std::vector<double> &parameters);
   /// The state at the start: no shear force at the displacements @p all_dofs.
@@ -89,10 +61,16 @@ private:
                   const Discretization &discretization, const ReducedSpace &space);
 
   std::vector<Contact> list;
-  unsigned int n_internal = 0;
   std::vector<std::pair<unsigned int, const TimeFunction *>> moving; ///< degrees of freedom
   Vector preload;
-  std::vector<std::pair<int, double>> platen_positions; ///< unknown, its value in equilibrium
+  /// Where a platen is in equilibrium on a line at rest.
+  struct Platen {
+    unsigned int contact;
+    int unknown;
+    double towards_pipe; ///< change of the unknown where the platen moves there by one
+    double position;     ///< towards the pipe [m]
+  };
+  std::vector<Platen> platens;
 };
 
 } // namespace frictionbeam

@@ -15,7 +15,7 @@ constexpr double times_the_line = 1e7;
 double stiffness_of_line(const Contact &contact, const int strain, const SparseMatrix &stiffness) {
   double compliance = 0.;
   for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
-    const double b = contact.length * contact.B_reduced(strain, j),
+    const double b = contact.length * contact.B(strain, j),
                  k = stiffness.coeff(contact.unknowns[j], contact.unknowns[j]);
     if (b != 0. && k > 0.)
       compliance += b * b / k;

@@ -52,9 +52,9 @@ void stand_on_point(const FrictionSupport &support, const Discretization &discre
       contact.dofs.push_back(dof);
       columns.push_back(column);
     }
-  contact.B.resize(n_support_strains, columns.size());
+  contact.B_dofs.resize(n_support_strains, columns.size());
   for (unsigned int i = 0; i < columns.size(); ++i)
-    contact.B.col(i) = columns[i];
+    contact.B_dofs.col(i) = columns[i];
 }
 
 } // namespace frictionbeam

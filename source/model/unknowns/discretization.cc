@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/unknowns/discretization.h"
 
-#include "model/law/bound_law.h"
+#include <frictionbeam/bound_law.h>
 
 #include "base/numbers.h"
 #include "base/user_error.h"

@@ -2,12 +2,10 @@
 #pragma once
 
 #include "model/unknowns/discretization.h"
+#include "model/unknowns/sparse_matrix.h"
 
-#include <Eigen/Core>
 
 namespace frictionbeam {
-
-using Vector = Eigen::VectorXd;
 
 /**
  * The directions in which a restraint holds its site, orthonormal motions. A guide holds both

@@ -76,7 +76,7 @@ std::string hash_of_model(const Model &model) {
     const Contact &contact = model.contacts[i];
     hash.add_numbers(contact.law.name());
     hash.add_numbers(contact.law.parameters());
-    hash.add_numbers(contact.B_reduced.reshaped().eval());
+    hash.add_numbers(contact.B.reshaped().eval());
     hash.add_number(contact.weight);
   }
   return hash.text();

@@ -22,7 +22,7 @@ class LocalReader {
 public:
   explicit LocalReader(const std::string &path) : path(path), file(path, Hdf5File::Mode::read) {}
 
-  LocalContactProblem read() {
+  contact::LocalProblem read() {
     if (!file.has("/fclib_local"))
       fail(file.has("/fclib_global")
                ? "It holds a global problem (/fclib_global). This program reads local ones, "
@@ -34,7 +34,7 @@ public:
         fail("It has equality constraints (/fclib_local/" + std::string(name) +
              "), which this program does not solve. Eliminate them first: W - V R^-1 V^T in place "
              "of W where R can be inverted.");
-    LocalContactProblem problem;
+    contact::LocalProblem problem;
     const int dimension = file.integer("/fclib_local/spacedim");
     if (dimension != 2 && dimension != 3)
       fail("/fclib_local/spacedim is " + std::to_string(dimension) +
@@ -158,7 +158,7 @@ std::string damaged(const std::string &path, const std::string &trouble) {
          "before it was damaged; h5ls -r shows what it holds";
 }
 
-void put_solution(const std::string &path, const LocalContactSolution &solution) {
+void put_solution(const std::string &path, const contact::LocalSolution &solution) {
   Hdf5File file(path, Hdf5File::Mode::change);
   if (file.has("/solution"))
     file.remove("/solution");
@@ -185,7 +185,7 @@ void try_contact_file(const std::string &path) {
     throw UserError(damaged(path, trouble));
 }
 
-LocalContactProblem read_local_contact_problem(const std::string &path) {
+contact::LocalProblem read_local_contact_problem(const std::string &path) {
   return LocalReader(path).read();
 }
 
@@ -201,7 +201,7 @@ std::optional<Eigen::VectorXd> read_contact_reactions(const std::string &path,
   return result;
 }
 
-void replace_contact_solution(const std::string &path, const LocalContactSolution &solution) {
+void replace_contact_solution(const std::string &path, const contact::LocalSolution &solution) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path original = fs::canonical(path, error);
@@ -240,7 +240,7 @@ void replace_contact_solution(const std::string &path, const LocalContactSolutio
   }
 }
 
-void write_local_contact_problem(const std::string &path, const LocalContactProblem &problem,
+void write_local_contact_problem(const std::string &path, const contact::LocalProblem &problem,
                                  const Eigen::VectorXd &reactions, const std::string &title,
                                  const std::string &description) {
   Hdf5File file(path, Hdf5File::Mode::create);

@@ -19,7 +19,7 @@ namespace frictionbeam {
 void try_contact_file(const std::string &path);
 
 /// Read and check the group /fclib_local of a file.
-LocalContactProblem read_local_contact_problem(const std::string &path);
+contact::LocalProblem read_local_contact_problem(const std::string &path);
 
 /// The reactions in the group /solution of a file, if there are @p n of them.
 std::optional<Eigen::VectorXd> read_contact_reactions(const std::string &path,
@@ -27,10 +27,10 @@ std::optional<Eigen::VectorXd> read_contact_reactions(const std::string &path,
 
 /// Put r and u into the group /solution of a file, in place of what that group held; all else stays
 /// as it is. The file is replaced at once, by a copy, so that nothing can be half written.
-void replace_contact_solution(const std::string &path, const LocalContactSolution &solution);
+void replace_contact_solution(const std::string &path, const contact::LocalSolution &solution);
 
 /// Write a new file with the group /fclib_local, and r, u in /solution.
-void write_local_contact_problem(const std::string &path, const LocalContactProblem &problem,
+void write_local_contact_problem(const std::string &path, const contact::LocalProblem &problem,
                                  const Eigen::VectorXd &reactions, const std::string &title,
                                  const std::string &description);
 

@@ -116,7 +116,7 @@ Motion FrameBuilder::support_force(const unsigned int i, const Contact::Strains 
   for (unsigned int c = 0; c < 6; ++c)
     for (unsigned int j = 0; j < contact.dofs.size(); ++j)
       if (model.discretization.vertex_dofs().index(contact.vertices[side], c) == contact.dofs[j])
-        force[c] -= contact.weight * contact.B.col(j).dot(stress);
+        force[c] -= contact.weight * contact.B_dofs.col(j).dot(stress);
   return force;
 }
 

@@ -74,7 +74,8 @@ std::string certificate_table(const Results &results) {
   for (const Check &check : results.certificate) {
     checks.push_back(check.name);
     meanings.push_back(check.meaning);
-    values.push_back(optional_number(check.value, 2) + (check.unit == "-" ? "" : " " + check.unit));
+    const bool has_unit = check.unit != "-" && std::isfinite(check.value);
+    values.push_back(optional_number(check.value, 2) + (has_unit ? " " + check.unit : ""));
   }
   return "<h3>Certificate</h3>\n" +
          HtmlTable().text("check", checks).text("", meanings).right("worst", values).str();

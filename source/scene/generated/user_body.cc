@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/body_parts.h"
 
+#include "scene/law_entries.h"
+
 #include <algorithm>
 
 namespace frictionbeam {
@@ -8,13 +10,6 @@ namespace frictionbeam {
 namespace generated {
 
 namespace {
-
-/// The law of this section before it is declared, or null if there is none of that name.
-const LawDescription *law_of(const ParameterReader &in, const LawLibrary &laws) {
-  const std::vector<std::string> known = laws.names(LawKind::support);
-  const std::string name = in.raw("Law", "coulomb");
-  return std::count(known.begin(), known.end(), name) == 0 ? nullptr : &laws.find(name);
-}
 
 double number_of(const ParameterReader &in, const std::string &entry, const std::string &text) {
   double value;
@@ -85,14 +80,12 @@ void declare_body(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text("Law", "coulomb", join(laws.names(LawKind::support)),
                   "Of friction, a law of supports: its elements are those on one square metre, 1 m "
                   "long.");
-  if (const LawDescription *const law = law_of(in, laws))
-    for (int i = 0; i < law->n_parameters; ++i) {
-      const LawParameter &p = law->parameters[i];
-      in.declare_number(p.name, p.default_value, p.unit, p.minimum, p.maximum,
-                        "Law " + std::string(law->name) + ": " + p.meaning + ".");
-    }
-  else
-    in.find("Law", in.raw("Law", "coulomb"), laws.names(LawKind::support), "support law");
+  const LawDescription &law = find_support_law(in, laws, "coulomb");
+  for (int i = 0; i < law.n_parameters; ++i) {
+    const LawParameter &p = law.parameters[i];
+    in.declare_number(p.name, p.default_value, p.unit, p.minimum, p.maximum,
+                      "Law " + std::string(law.name) + ": " + p.meaning + ".");
+  }
 }
 
 void build_body(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {
@@ -112,6 +105,7 @@ void build_body(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
   contact.law = law.name;
   for (int i = 0; i < law.n_parameters; ++i)
     contact.parameters.push_back(in.number(law.parameters[i].name));
+  check_closed_form(in, law, contact.parameters);
   if (in.number("Pressure") > 0.)
     contact.pressure = in.number("Pressure");
   for (const std::string &part : in.list("Frictional")) {

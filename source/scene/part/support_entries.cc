@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
 
-#include <frictionbeam/law_closed_form.h>
+#include "scene/law_entries.h"
 
 #include <algorithm>
 
@@ -69,13 +69,6 @@ double friction_of(const std::string &pad, const double otherwise) {
 
 std::string default_law(const std::string &kind) { return kind_of(kind).law; }
 
-/// The law of this section before it is declared, or null if there is none of that name.
-const LawDescription *law_of(const ParameterReader &in, const LawLibrary &laws) {
-  const std::vector<std::string> known = laws.names(LawKind::support);
-  const std::string name = in.raw("Law", default_law(in.raw("Kind", "rest")));
-  return std::count(known.begin(), known.end(), name) == 0 ? nullptr : &laws.find(name);
-}
-
 } // namespace
 
 unsigned int motion_index(const std::string &name) {
@@ -137,17 +130,15 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
       "Pad", no_pad, pads,
       "What steel slides on, which gives 'Friction coefficient' a default: steel 0.3, "
       "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03.");
-  if (const LawDescription *const law = law_of(in, laws))
-    for (int i = 0; i < law->n_parameters; ++i) {
-      const LawParameter &p = law->parameters[i];
-      double value = p.default_value;
-      if (std::string(p.name) == "Friction coefficient")
-        value = friction_of(in.raw("Pad", "none"), kind_of(kind).slides ? value : 0.);
-      in.declare_number(p.name, value, p.unit, p.minimum, p.maximum,
-                        "Law " + std::string(law->name) + ": " + p.meaning + ".");
-    }
-  else
-    in.find("Law", in.raw("Law", default_law(kind)), laws.names(LawKind::support), "support law");
+  const LawDescription &law = find_support_law(in, laws, default_law(kind));
+  for (int i = 0; i < law.n_parameters; ++i) {
+    const LawParameter &p = law.parameters[i];
+    double value = p.default_value;
+    if (std::string(p.name) == "Friction coefficient")
+      value = friction_of(in.raw("Pad", "none"), kind_of(kind).slides ? value : 0.);
+    in.declare_number(p.name, value, p.unit, p.minimum, p.maximum,
+                      "Law " + std::string(law.name) + ": " + p.meaning + ".");
+  }
 }
 
 namespace {
@@ -183,15 +174,6 @@ std::vector<std::string> law_entries(const LawDescription &law) {
   for (int i = 0; i < law.n_parameters; ++i)
     entries.push_back(law.parameters[i].name);
   return entries;
-}
-
-/// The method exact believes a law's closed form, the others its integrate(): they must agree.
-void check_closed_form(const ParameterReader &in, const LawDescription &law,
-                       const std::vector<double> &parameters) {
-  const std::vector<std::string> faults = closed_form_faults(law, parameters);
-  if (!faults.empty())
-    in.fail("Law", "a law that does not contradict itself: " + faults.front(),
-            "another law, or mend this one until frictionbeam-check-law says that it conforms");
 }
 
 Restraint parse_restraint(const ParameterReader &in, const std::string &name,

@@ -118,7 +118,7 @@ void read_law(const std::string &bytes) {
 
 void read_contacts(const std::string &bytes) {
   const std::string path = write("problem.hdf5", bytes);
-  const LocalContactProblem problem = read_local_contact_problem(path);
+  const contact::LocalProblem problem = read_local_contact_problem(path);
   read_contact_reactions(path, problem.q.size());
 }
 

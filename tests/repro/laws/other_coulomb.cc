@@ -5,8 +5,8 @@
 
 namespace {
 
-void other_threshold(const double *p, FrictionThreshold &t) {
-  threshold(p, t);
+void other_threshold(const LawInput &in, FrictionThreshold &t) {
+  threshold(in, t);
 #ifdef LIAR
   t.static_friction *= 5.;
   t.dynamic_friction *= 5.;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/contact/local_problem.h>
+
+namespace frictionbeam::contact {
+
+/// How far reactions are from solving a LocalProblem.
+struct LocalResidual {
+  /// As in the literature: ||r - P_K(r - (u + mu |u_T| n))|| / ||q||, in the units of the file.
+  double natural_map = 0.;
+  /// Largest of a contact on its own scale, whatever the units: with rho = 1/W_NN of the contact,
+  /// ||r - P(r - rho u)|| / max(|r|, rho |u|, 1e-12 of the largest reaction), where P is onto
+  /// r_N >= 0 and then onto the disc mu r_N. What rounding errors of u account for does not count.
+  double own_scale = 0.;
+  unsigned int worst_contact = 0; ///< that has it
+};
+
+LocalResidual evaluate_residual(const LocalProblem &problem, const Eigen::VectorXd &reactions);
+
+/// The rank of W, its rows and columns scaled to a unit diagonal, to @p tolerance; -1 where W is
+/// too large to say so in a short time.
+int estimate_rank(const LocalProblem &problem, const double tolerance = 1e-12);
+
+} // namespace frictionbeam::contact

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <frictionbeam/contact/exact_solver.h>
+
+#include "newton.h"
+#include "uniqueness.h"
+#include <frictionbeam/contact/attempts.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace frictionbeam::contact {
+
+namespace {
+
+constexpr AttemptLimits limits = {{1e-4, 1e-3, 1e-5, 1e-2}, 30};
+constexpr unsigned int most_refinements = 5, most_releases = 5;
+constexpr double in_common_least = 1e-9; // of the larger force of a pair
+constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing is left to correct
+/// In motion, a shorter step helps as well.
+constexpr unsigned int most_restarts_at_rest = 30, most_restarts_in_motion = 3;
+constexpr double drag_of_proof = 1e-9; // of the stiffness's diagonal
+
+using Pair = std::array<unsigned int, 2>; ///< the halves of a rigid stop
+
+std::unique_ptr<const Condensation> with_places(std::unique_ptr<Condensation> system,
+                                                const SiteList &sites) {
+  std::vector<std::vector<int>> blocks;
+  for (unsigned int i = 0; i < sites.size(); ++i)
+    blocks.push_back(sites[i].unknowns);
+  system->add_places(blocks);
+  return system;
+}
+
+double largest_of(const Vector &values) {
+  return values.size() > 0 ? values.lpNorm<Eigen::Infinity>() : 0.;
+}
+
+/// An increment on its way to its solution, pass by pass.
+struct Pass {
+  /// A solution within the tolerance, kept while something is tried that may fail.
+  struct Accepted {
+    Vector unknowns;
+    Response response;
+    std::vector<Strains> centre;
+    double residual;
+  };
+
+  const Problem &problem;
+  const ImposedMotion &imposed;
+  const State &committed;
+  Vector &unknowns;
+  Response &response;
+  Result result = {};
+  /// A body may move so far that its stiffness times a rounding error of the unknowns is a force:
+  /// what rounding takes from them is kept until the increment is judged.
+  Vector low = Vector::Zero(unknowns.size());
+  double size = 0., largest = 0.; ///< what is left, and the largest force [N]
+  std::optional<Accepted> accepted = {};
+  unsigned int n_releases = 0;
+  bool is_corrected = false;
+
+  bool is_static() const { return problem.increment.length == 0.; }
+  void accept(const std::vector<Strains> &centre) {
+    accepted = {unknowns, response, centre, result.residual};
+  }
+};
+
+} // namespace
+
+class ExactSolver::Implementation {
+public:
+  Implementation(Settings of_solver, SiteList list, std::unique_ptr<Condensation> condensation,
+                 const Vector &of_matrix)
+      : settings(std::move(of_solver)), sites(std::move(list)),
+        system(with_places(std::move(condensation), sites)), proximal(sites, of_matrix),
+        newton(settings, sites, *system, proximal), attempts(newton, proximal, limits),
+        diagonal(of_matrix), pairs(rigid_pairs(sites)) {}
+
+  Result solve(const Problem &problem, const ImposedMotion &imposed, const State &committed,
+               Vector &unknowns, Response &response);
+
+private:
+  /// On the condensed system, from no motion; where that stalls, something may be free to move;
+  /// else from elsewhere.
+  Outcome solve_contacts(const bool is_static, Vector &x, Response &response, Result &result);
+  /// Whether a drag too small to carry anything is all that holds the loads.
+  bool nothing_holds(Response &response, Result &result);
+  /// Of all sites at the present motion of the body.
+  std::vector<Strains> strains_at(const Pass &now) const;
+  /// Solve the contacts at the present motion of the body, and move it by what that gives.
+  /// @return whether they are solved
+  bool move(Pass &now);
+  /// Whether the forces on all unknowns count as balanced.
+  bool is_balanced(Pass &now) const;
+  /// Whether a body in balance is to be solved once more: slip is let go, pairs of stops are
+  /// released, rounding is corrected.
+  bool goes_on(Pass &now);
+  /// Say why there is no solution.
+  void explain(const Outcome outcome, Result &result) const;
+  /// @return whether the contact laws hold; the result says so.
+  bool judge(const Response &response, Result &result) const;
+
+  /// With which both halves press on each other [N]; 0 if they do not.
+  double force_in_common(const Pair &pair, const Response &response) const;
+  bool presses_pairs(const Response &response) const;
+  /// Begin anew without what the halves have in common, and without the one that presses less: were
+  /// both closed, Newton's method would share a change of the force between them, and the friction
+  /// of both, which nothing determines, would depend on its path. That the half may be left out is
+  /// the certificate's to say, which knows nothing of it.
+  void release_pairs(const Response &response);
+
+public:
+  const Settings settings;
+  const SiteList sites;
+  const std::unique_ptr<const Condensation> system;
+  ProximalSites proximal;
+  Newton newton;
+  Attempts<Newton, ProximalSites> attempts;
+
+private:
+  const Vector diagonal;
+  const std::vector<Pair> pairs; ///< rigid_pairs()
+};
+
+bool ExactSolver::Implementation::nothing_holds(Response &response, Result &result) {
+  const std::vector<Strains> centre = proximal.centre;
+  newton.set_drag(drag_of_proof);
+  Vector x = Vector::Zero(system->n_kept());
+  const Outcome outcome = attempts.solve(x, response, result);
+  const bool proved = outcome == Outcome::slides_away ||
+                      (outcome == Outcome::solved && newton.drag_alone_holds(x, response));
+  newton.set_drag(0.);
+  proximal.centre = centre;
+  return proved;
+}
+
+Outcome ExactSolver::Implementation::solve_contacts(const bool is_static, Vector &x,
+                                                    Response &response, Result &result) {
+  const std::vector<Strains> centre = proximal.centre;
+  const Outcome outcome = attempts.solve(x, response, result);
+  if (outcome != Outcome::stalled || result.iterations >= newton.most_iterations)
+    return outcome;
+  const bool is_barred = newton.rounding_bars();
+  if (is_static) {
+    const std::vector<Strains> found = proximal.centre;
+    proximal.centre = centre;
+    if (nothing_holds(response, result))
+      return Outcome::slides_away;
+    proximal.centre = found;
+    newton.bar(is_barred);
+  }
+  if (newton.gives_up(result))
+    return outcome;
+  const unsigned int most_restarts = is_static ? most_restarts_at_rest : most_restarts_in_motion;
+  const Vector start = Vector::Zero(system->n_kept());
+  return attempts.solve_from_elsewhere(most_restarts, start, x, response, result);
+}
+
+void ExactSolver::Implementation::explain(const Outcome outcome, Result &result) const {
+  result.no_equilibrium = outcome == Outcome::slides_away;
+  if (result.no_equilibrium)
+    result.free_motion = system->expand(newton.free_motion(), Vector::Zero(system->n_unknowns()));
+  if (result.no_equilibrium)
+    result.remark = "there is no equilibrium: the loads exceed what friction can hold, and "
+                    "something slides away";
+  else if (newton.rounding_bars()) {
+    result.rounding_bars = true;
+    result.remark = newton.rounding_remark();
+  }
+}
+
+std::vector<Strains> ExactSolver::Implementation::strains_at(const Pass &now) const {
+  std::vector<Strains> strain = now.imposed.strain;
+  strain.resize(sites.size(), Strains::Zero());
+  for (unsigned int i = 0; i < sites.size(); ++i)
+    strain[i] += sites[i].strain_by_unknowns(now.unknowns);
+  return strain;
+}
+
+bool ExactSolver::Implementation::move(Pass &now) {
+  const Problem &problem = now.problem;
+  now.result.rounding_bars = false;
+  const Vector forces = unbalanced_forces(problem, now.unknowns, now.low);
+  newton.begin(
+      forces, std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
+      problem.force_so_far, strains_at(now), largest_of(now.unknowns) + now.imposed.displacement,
+      now.committed, problem.increment);
+  Vector x = Vector::Zero(system->n_kept());
+  const Outcome outcome =
+      now.accepted ? newton.solve_together(limits.most_to_finish, x, now.response, now.result)
+                   : solve_contacts(now.is_static(), x, now.response, now.result);
+  if (outcome != Outcome::solved) {
+    if (!now.accepted)
+      explain(outcome, now.result);
+    return false;
+  }
+  const Vector before = now.unknowns, change = now.low + system->expand(x, forces);
+  now.result.back_substitutions += 2; // one to condense the loads, one to expand
+  now.unknowns += change;
+  now.low = change - (now.unknowns - before);
+  return true;
+}
+
+bool ExactSolver::Implementation::is_balanced(Pass &now) const {
+  const Balance balance(now.problem, sites);
+  const Vector left = balance.left(now.unknowns, now.low, now.response);
+  now.size = left.lpNorm<Eigen::Infinity>();
+  now.largest = balance.largest_force(now.response);
+  now.result.residual = now.largest > 0. ? now.size / now.largest : now.size;
+  return now.size <= balance.tolerance(settings.tolerance, diagonal, now.unknowns, now.response);
+}
+
+bool ExactSolver::Implementation::goes_on(Pass &now) {
+  if (proximal.let_slipping_go(now.response)) {
+    now.accepted.reset();
+    proximal.take_all();
+    return true;
+  }
+  if (now.n_releases < most_releases && presses_pairs(now.response)) {
+    ++now.n_releases;
+    now.accept(proximal.centre);
+    release_pairs(now.response);
+    return true;
+  }
+  // One more correction costs no more than a back substitution where the contacts' states stay,
+  // and takes what rounding of a soft line's stiffness has left.
+  if (!now.is_corrected && now.is_static() &&
+      now.size > nothing_left * settings.tolerance * now.largest) {
+    now.is_corrected = true;
+    now.accept(proximal.centre);
+    return true;
+  }
+  return false;
+}
+
+Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedMotion &imposed,
+                                          const State &committed, Vector &unknowns,
+                                          Response &response) {
+  proximal.begin(committed, problem.overrides);
+  newton.most_iterations = problem.most_iterations;
+  for (unsigned int i = 0; i < sites.size() && problem.forces_before != nullptr; ++i)
+    if (proximal.is_exact(i))
+      proximal.centre[i] = (*problem.forces_before)[i];
+  const auto centre_before = proximal.centre;
+  const Vector unknowns_before = unknowns;
+  Pass now{problem, imposed, committed, unknowns, response};
+  Result &result = now.result;
+  for (unsigned int pass = 0; pass <= most_refinements + now.n_releases && move(now); ++pass) {
+    if (!is_balanced(now)) {
+      result.rounding_bars = true;
+      result.remark = too_much_rounding(now.size, now.largest);
+      continue;
+    }
+    if (goes_on(now))
+      continue;
+    if (judge(response, result))
+      return result;
+    break;
+  }
+  if (now.accepted) { // the correction has not helped
+    result.rounding_bars = false;
+    unknowns = now.accepted->unknowns;
+    response = now.accepted->response;
+    proximal.centre = now.accepted->centre;
+    result.residual = now.accepted->residual;
+    if (judge(response, result))
+      return result;
+  }
+  if (result.iterations >= problem.most_iterations && !result.no_equilibrium)
+    result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
+  proximal.centre = centre_before;
+  unknowns = unknowns_before;
+  return result;
+}
+
+bool ExactSolver::Implementation::judge(const Response &response, Result &result) const {
+  result.check = newton.check(response);
+  result.converged = result.check->holds(settings.contact_tolerance);
+  result.remark = result.converged ? "" : "the contact laws fail their check";
+  return result.converged;
+}
+
+double ExactSolver::Implementation::force_in_common(const Pair &pair,
+                                                    const Response &response) const {
+  const auto force = [&](const unsigned int i) {
+    return -sites[i].share() * response.stress[i][0];
+  };
+  const auto [less, more] = std::minmax({force(pair[0]), force(pair[1])});
+  return less > in_common_least * more ? less : 0.;
+}
+
+bool ExactSolver::Implementation::presses_pairs(const Response &response) const {
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [&](const Pair &pair) { return force_in_common(pair, response) > 0.; });
+}
+
+void ExactSolver::Implementation::release_pairs(const Response &response) {
+  for (const Pair &pair : pairs) {
+    const double force = force_in_common(pair, response);
+    if (!(force > 0.))
+      continue;
+    const auto pressure = [&](const unsigned int i) { return -response.stress[i][0]; };
+    const bool first_is_less =
+        sites[pair[0]].share() * pressure(pair[0]) < sites[pair[1]].share() * pressure(pair[1]);
+    const unsigned int less = pair[first_is_less ? 0 : 1], more = pair[first_is_less ? 1 : 0];
+    proximal.centre[more][0] += force / sites[more].share();
+    proximal.centre[less].setZero();
+    proximal.leave_out(less);
+  }
+}
+
+ExactSolver::ExactSolver(Settings settings, SiteList sites,
+                         std::unique_ptr<Condensation> condensation, const Vector &diagonal)
+    : implementation(std::make_unique<Implementation>(std::move(settings), std::move(sites),
+                                                      std::move(condensation), diagonal)) {}
+
+ExactSolver::~ExactSolver() = default;
+
+Result ExactSolver::solve(const Problem &problem, const ImposedMotion &imposed,
+                          const State &committed, Vector &unknowns, Response &response) {
+  return implementation->solve(problem, imposed, committed, unknowns, response);
+}
+
+void ExactSolver::guess(const std::vector<Strains> &stress) {
+  implementation->proximal.centre = stress;
+}
+
+WarmStart ExactSolver::warm_start() const {
+  WarmStart memory;
+  memory.first_factor = implementation->attempts.first_factor;
+  implementation->proximal.save(memory);
+  implementation->newton.save(memory);
+  return memory;
+}
+
+void ExactSolver::restore(const WarmStart &memory) {
+  implementation->attempts.first_factor = memory.first_factor;
+  implementation->proximal.restore(memory);
+  implementation->newton.restore(memory);
+}
+
+std::vector<BeyondUniqueness>
+ExactSolver::beyond_uniqueness(const std::vector<ContactStatus> &status) const {
+  return contacts_beyond_uniqueness(implementation->sites, *implementation->system,
+                                    implementation->proximal, status);
+}
+
+} // namespace frictionbeam::contact

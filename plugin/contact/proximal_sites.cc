@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "proximal_sites.h"
+
+#include <frictionbeam/contact/proximal_law.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frictionbeam::contact {
+
+namespace {
+
+/// Diagonal of the stiffness in the direction of one strain, per unit displacement.
+double stiffness_along(const Site &contact, const int strain, const Vector &diagonal,
+                       const double otherwise) {
+  double compliance = 0.;
+  for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
+    const double b = contact.length * contact.B(strain, j);
+    const double k = diagonal[contact.unknowns[j]];
+    if (b != 0. && k > 0.)
+      compliance += b * b / k;
+  }
+  return compliance > 0. ? 1. / compliance : otherwise;
+}
+
+} // namespace
+
+ProximalSites::ProximalSites(const SiteList &contacts, const Vector &diagonal)
+    : contacts(contacts), scales(contacts.size()), friction(contacts.size(), 0.) {
+  centre.assign(contacts.size(), Strains::Zero());
+  misfit = centre;
+  double mean = 0.;
+  int n = 0;
+  for (const double k : diagonal)
+    if (k > 0.) {
+      mean += k;
+      ++n;
+    }
+  mean = n > 0 ? mean / n : 1e6;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const Site &contact = contacts[i];
+    Scale &scale = scales[i];
+    if (!is_exact(i))
+      continue;
+    const double share = contact.share();
+    scale.normal_diagonal = stiffness_along(contact, 0, diagonal, mean) / share;
+    scale.shear_diagonal = std::max(stiffness_along(contact, 1, diagonal, 0.),
+                                    stiffness_along(contact, 2, diagonal, 0.)) /
+                           share;
+    if (scale.shear_diagonal == 0.)
+      scale.shear_diagonal = scale.normal_diagonal;
+  }
+}
+
+void ProximalSites::begin(const State &committed, const Overrides *const overrides) {
+  take_all();
+  friction_scale.assign(scales.size(), 1.);
+  gap.resize(scales.size());
+  for (unsigned int i = 0; i < scales.size(); ++i)
+    gap[i] = contacts[i].law.closed_form().gap;
+  if (overrides != nullptr) {
+    friction_scale = overrides->friction_scale;
+    gap = overrides->gap;
+  }
+  for (unsigned int i = 0; i < scales.size(); ++i)
+    if (is_exact(i))
+      friction[i] =
+          friction_scale[i] * (committed.internal[contacts[i].state_offset +
+                                                  contacts[i].law.closed_form().was_slipping] != 0.
+                                   ? contacts[i].law.closed_form().dynamic_friction
+                                   : contacts[i].law.closed_form().static_friction);
+}
+
+bool ProximalSites::let_slipping_go(const Response &response) {
+  bool changed = false;
+  for (unsigned int i = 0; i < scales.size(); ++i)
+    if (is_exact(i) && response.status[i] == ContactStatus::slip &&
+        friction[i] > friction_scale[i] * contacts[i].law.closed_form().dynamic_friction) {
+      friction[i] = friction_scale[i] * contacts[i].law.closed_form().dynamic_friction;
+      changed = true;
+    }
+  return changed;
+}
+
+void ProximalSites::save(WarmStart &memory) const {
+  memory.stiffness_factor = stiffness_factor;
+  memory.centre = centre;
+  memory.friction = friction;
+  memory.friction_scale = friction_scale;
+  memory.gap = gap;
+}
+
+void ProximalSites::restore(const WarmStart &memory) {
+  stiffness_factor = memory.stiffness_factor;
+  centre = memory.centre;
+  friction = memory.friction;
+  friction_scale = memory.friction_scale;
+  gap = memory.gap;
+}
+
+void ProximalSites::evaluate(const State &committed, const Increment &increment,
+                             const LawTangent tangent, Response &response) {
+  contacts.prepare(response);
+  for (unsigned int i = 0; i < scales.size(); ++i) {
+    if (is_exact(i))
+      evaluate_exact(i, committed, response);
+    else
+      contacts.evaluate_law(i, committed, increment, tangent, response);
+  }
+}
+
+void ProximalSites::evaluate_exact(const unsigned int i, const State &committed,
+                                   Response &response) {
+  const Site &contact = contacts[i];
+  const FrictionThreshold &law = contact.law.closed_form();
+  const Strains &strain = response.state.strain[i];
+  const double *const old_state = committed.internal.data() + contact.state_offset;
+  double *const new_state = response.state.internal.data() + contact.state_offset;
+  const ProximalAnswer answer =
+      proximal_law(law,
+                   {strain, contact.length, friction[i],
+                    is_left_out[i] ? std::numeric_limits<double>::infinity() : gap[i],
+                    stiffness_factor * scales[i].normal_diagonal,
+                    stiffness_factor * scales[i].shear_diagonal, centre[i]},
+                   Slip::read(law, old_state));
+  response.stress[i] = answer.stress;
+  misfit[i] = answer.misfit;
+  response.tangent[i] = answer.tangent;
+  response.status[i] = answer.status;
+  std::copy(old_state, old_state + contact.law.n_internal_variables(), new_state);
+  answer.slip.write(law, new_state);
+  response.state.touch[i] = answer.status == ContactStatus::open ? strain : committed.touch[i];
+  response.state.dissipated[i] = committed.dissipated[i] + contact.weight * answer.dissipated;
+}
+
+Strains ProximalSites::by_centre(const unsigned int i) const {
+  Strains scale = Strains::Zero();
+  if (is_exact(i)) {
+    const double per_force = 1. / (contacts[i].length * stiffness_factor);
+    scale[0] = per_force / scales[i].normal_diagonal;
+    scale[1] = scale[2] = per_force / scales[i].shear_diagonal;
+  }
+  return scale;
+}
+
+bool ProximalSites::gives_utmost(const unsigned int i, const Response &response,
+                                 const Strains &rate) const {
+  const double size = rate.head<3>().norm(), sliding = rate.segment<2>(1).norm();
+  if (size == 0. || (response.status[i] == ContactStatus::open && rate[0] >= -1e-6 * size))
+    return true;
+  if (!is_exact(i) || std::abs(rate[0]) > 1e-6 * size)
+    return false; // pressed on: the contact will resist more
+  const auto T = response.stress[i].segment<2>(1);
+  const double most = friction[i] * -response.stress[i][0];
+  return most == 0. || T.dot(rate.segment<2>(1)) >= (1. - 1e-6) * most * sliding;
+}
+
+Check ProximalSites::check(const Response &response, const State &committed,
+                           const double rounding) const {
+  Check result;
+  double largest = 0.;
+  for (const auto &stress : response.stress)
+    largest = std::max(largest, stress.head<3>().norm());
+  for (unsigned int i = 0; i < scales.size(); ++i) {
+    if (!is_exact(i))
+      continue;
+    const Site &contact = contacts[i];
+    const Scale &scale = scales[i];
+    const double l = contact.length;
+    const Strains &strain = response.state.strain[i], &stress = response.stress[i];
+    const double *const old_state = committed.internal.data() + contact.state_offset;
+    const FrictionThreshold &law = contact.law.closed_form();
+    const double P = -stress[0];
+    result.judge({P,
+                  {stress[1], stress[2]},
+                  l * strain[0] + gap[i] + P * l / law.axial_rigidity,
+                  {l * (strain[1] - old_state[law.slip_y] - stress[1] / law.shear_rigidity_y),
+                   l * (strain[2] - old_state[law.slip_z] - stress[2] / law.shear_rigidity_z)},
+                  friction[i],
+                  scale.normal_diagonal,
+                  scale.shear_diagonal,
+                  rounding},
+                 largest);
+    result.least_dissipation =
+        std::min(result.least_dissipation, response.state.dissipated[i] - committed.dissipated[i]);
+  }
+  return result;
+}
+
+} // namespace frictionbeam::contact

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <frictionbeam/contact/line_factorization.h>
+
+#include <Eigen/LU>
+
+namespace frictionbeam::contact {
+
+/// Factors of a condensed stiffness with the unsymmetric blocks of its contacts: sparse ones for a
+/// line, dense ones for a body, whose contacts are all coupled.
+class TangentFactors {
+public:
+  void analyze(const SparseMatrix &matrix);
+  /// @return false if a pivot vanishes: no factors then.
+  bool factorize(const SparseMatrix &matrix);
+  Vector solve(const Vector &right_hand_side) const;
+
+private:
+  bool is_dense = false;
+  LineFactorization sparse;
+  Eigen::PartialPivLU<Eigen::MatrixXd> dense;
+  Vector scale; ///< that the dense matrix is multiplied by from both sides
+};
+
+} // namespace frictionbeam::contact

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/law_entries.h"
+
+#include <frictionbeam/law_closed_form.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace frictionbeam {
+
+const LawDescription &find_support_law(const ParameterReader &in, const LawLibrary &laws,
+                                       const std::string &otherwise) {
+  const std::vector<std::string> known = laws.names(LawKind::support),
+                                 of_sections = laws.names(LawKind::section);
+  const std::string name = in.raw("Law", otherwise);
+  if (std::count(of_sections.begin(), of_sections.end(), name) > 0)
+    in.fail("Law",
+            "the name of a support law: " + join(known) + "; '" + name +
+                "' is a law of beam sections",
+            "'" + otherwise + "'", "'" + name + "'");
+  return laws.find(known[in.find("Law", name, known, "support law")]);
+}
+
+void check_closed_form(const ParameterReader &in, const LawDescription &law,
+                       const std::vector<double> &parameters) {
+  const std::vector<std::string> faults = closed_form_faults(law, parameters);
+  if (!faults.empty())
+    in.fail("Law", "a law that does not contradict itself: " + faults.front(),
+            "another law, or mend this one until frictionbeam-check-law says that it conforms");
+}
+
+void load_laws(const ParameterReader &in, LawLibrary &laws) {
+  namespace fs = std::filesystem;
+  for (const std::string &library : in.list("Law libraries")) {
+    const fs::path beside = fs::path(in.file().name()).parent_path() / library;
+    const fs::path path = fs::exists(beside) ? beside : fs::path(library);
+    if (!fs::exists(path))
+      in.fail("Law libraries",
+              "shared libraries that exist, from the parameter file's folder or "
+              "the working folder",
+              "the path from " + fs::absolute(in.file().name()).parent_path().string(),
+              "'" + library + "'");
+    const LawDescription *law = nullptr;
+    try {
+      law = &laws.load(fs::absolute(path).string());
+    } catch (const std::runtime_error &error) {
+      in.fail("Law libraries", "shared libraries that each export a law of this version",
+              error.what(), "'" + library + "'");
+    }
+    if (law->kind == LawKind::section)
+      in.fail("Law libraries",
+              "laws of supports, each for the entry Law of a Support; the law '" +
+                  std::string(law->name) +
+                  "' is one of beam sections, and all pipes take elastic_section",
+              "leaving it out: a program of your own can take it (doc/embedding.md)",
+              "'" + library + "'");
+  }
+}
+
+} // namespace frictionbeam

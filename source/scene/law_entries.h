@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene/file/parameter_reader.h"
+#include <frictionbeam/law_library.h>
+
+namespace frictionbeam {
+
+/**
+ * The law of supports that entry Law of the current section names, which need not be declared yet.
+ * @param otherwise its name if the entry is not there
+ * @throws UserError that says which laws there are, and of a law of sections that it is one.
+ */
+const LawDescription &find_support_law(const ParameterReader &in, const LawLibrary &laws,
+                                       const std::string &otherwise);
+
+/// The method exact believes a law's closed form, the others its integrate(): they must agree.
+void check_closed_form(const ParameterReader &in, const LawDescription &law,
+                       const std::vector<double> &parameters);
+
+/// Load the shared libraries that entry Law libraries names: laws that a scene can use.
+void load_laws(const ParameterReader &in, LawLibrary &laws);
+
+} // namespace frictionbeam
