@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A solid block that lies on a floor with friction, held by nothing else: pressed down, pushed along
-// the floor, and pushed too hard. A deal.II program of its own, on one process or on several.
+// A solid block that lies on a floor with friction, held by nothing else: pressed down, pushed
+// along the floor, and pushed too hard. A deal.II program of its own, on one process or on several.
 #include <frictionbeam/contact/deal_ii.h>
 #include <frictionbeam/law_library.h>
 
@@ -13,6 +13,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
 
 #include <iostream>
 
@@ -74,6 +75,9 @@ int main(int argc, char **argv) {
   dof_handler.distribute_dofs(FESystem<3>(FE_Q<3>(1), 3));
   DynamicSparsityPattern pattern(dof_handler.n_dofs());
   DoFTools::make_sparsity_pattern(dof_handler, pattern);
+  SparsityTools::distribute_sparsity_pattern(pattern, dof_handler.locally_owned_dofs(),
+                                             MPI_COMM_WORLD,
+                                             complete_index_set(dof_handler.n_dofs()));
   TrilinosWrappers::SparseMatrix K;
   K.reinit(dof_handler.locally_owned_dofs(), pattern, MPI_COMM_WORLD);
   Vector<double> press(dof_handler.n_dofs()), push(press);
@@ -101,8 +105,8 @@ int main(int argc, char **argv) {
   bool passed = true;
   const bool speaks = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   for (const double share : {0., 0.5, 0.9, 1.01}) { // of what friction can hold
-    const contact::Vector load = pressure * contact::to_eigen(press) +
-                                 share * f * pressure * contact::to_eigen(push);
+    const contact::Vector load =
+        pressure * contact::to_eigen(press) + share * f * pressure * contact::to_eigen(push);
     const contact::Report report = solver.solve(load, memory, u, memory);
     if (report.converged) {
       contact::Vector3 floor = contact::Vector3::Zero();
@@ -114,8 +118,7 @@ int main(int argc, char **argv) {
       if (speaks)
         std::cout << "pushed by " << share << " of its friction: " << n_slip << " of "
                   << contacts.size() << " contacts slip, the floor gives " << floor.transpose()
-                  << " N; natural map "
-                  << report.check.natural_map << "\n";
+                  << " N; natural map " << report.check.natural_map << "\n";
       const double weight = pressure * size[0] * size[1];
       passed = passed && std::abs(floor[2] - weight) < 1e-8 * weight &&
                std::abs(floor[0] + share * f * weight) < 1e-8 * weight && share < 1.;
