@@ -97,6 +97,35 @@ System system_of(const Eigen::SparseMatrix<double> &matrix) {
   return free_system(SparseMatrix(matrix));
 }
 
+System join(const System &first, const System &second) {
+  System all = first;
+  std::vector<Eigen::Triplet<double>> entries;
+  int begin = 0;
+  for (const System *system : {&first, &second}) {
+    if (system->matrix.rows() != system->n_unknowns())
+      throw std::invalid_argument(
+          "A system of " + std::to_string(system->n_unknowns()) + " unknowns has a matrix of " +
+          std::to_string(system->matrix.rows()) +
+          " rows\n  allowed: two systems with their matrices\n  try:     a System by hand, whose "
+          "`condense` knows both bodies");
+    for (int i = 0; i < system->matrix.outerSize(); ++i)
+      for (SparseMatrix::InnerIterator entry(system->matrix, i); entry; ++entry)
+        entries.emplace_back(begin + i, begin + entry.col(), entry.value());
+    begin += system->n_unknowns();
+  }
+  for (const int dof : second.dof_of)
+    all.dof_of.push_back(first.dofs.size() + dof);
+  for (System::Resolved dof : second.dofs) {
+    for (System::Term &term : dof.terms)
+      term.unknown += first.n_unknowns();
+    all.dofs.push_back(dof);
+  }
+  all.matrix.resize(begin, begin);
+  all.matrix.setFromTriplets(entries.begin(), entries.end());
+  complete(all);
+  return all;
+}
+
 void complete(System &system) {
   if (system.matrix.rows() != system.matrix.cols() || system.matrix.rows() != system.n_unknowns())
     throw std::invalid_argument("The matrix has " + std::to_string(system.matrix.rows()) +

@@ -107,27 +107,41 @@ void moving_ground() {
   CHECK_NEAR(report.contacts[0].slip[0], 0.15, tolerance);
   CHECK_NEAR(report.energy.dissipated, 5. * 0.15, tolerance);
   CHECK_NEAR(report.energy.ground, 4.5 * 0.16, tolerance); // friction grows from 4 N to 5 N
-  CHECK_NEAR(report.energy.left_over(), report.energy.ground - report.energy.stored - 0.75, tolerance);
+  CHECK_NEAR(report.energy.left_over(), report.energy.ground - report.energy.stored - 0.75,
+             tolerance);
 }
 
 /// Two points whose springs do not couple them, one above the other with a gap.
 void two_bodies_without_places() {
   const LawDescription &law = laws().find("coulomb");
-  contact::Contact contact = contact::between({0, 1, 2}, {3, 4, 5}, {0., 0., 1.}, law, coulomb(0.3));
+  contact::Contact contact =
+      contact::between({0, 1, 2}, {3, 4, 5}, {0., 0., 1.}, law, coulomb(0.3));
   contact.gap = 0.001;
-  contact::Solver solver(contact::system_of(diagonal({1e3, 1e3, 1e3, 1e3, 1e3, 1e3})), {contact});
-  contact::ContactMemory memory = solver.initial_memory();
-  Vector u = Vector::Zero(6);
-  // -21 N on the upper one close the gap with 1 N; the other 20 N are shared by both springs.
-  const contact::Report report =
-      solver.solve(vector_of({0., 0., 0., 1., 0., -21.}), memory, u, memory);
-  CHECK(report.converged && report.contacts[0].status == ContactStatus::stick);
-  CHECK_NEAR(report.contacts[0].normal_force, 10., tolerance);
-  CHECK_NEAR(u[2], -0.01, tolerance);
-  CHECK_NEAR(u[5], -0.011, tolerance);
-  CHECK_NEAR(u[0], 0.0005, tolerance); // they stick to each other
-  CHECK_NEAR(u[3], 0.0005, tolerance);
-  CHECK_NEAR(report.contacts[0].force[2], -10., tolerance); // on the lower one
+  const contact::System one_matrix = contact::system_of(diagonal({1e3, 1e3, 1e3, 1e3, 1e3, 1e3}));
+  // The second of two systems has a dof that is held, before those that are free.
+  contact::System held = contact::system_of(diagonal({1e3, 1e3, 1e3}));
+  held.dofs.insert(held.dofs.begin(), contact::System::Resolved{});
+  held.dof_of = {1, 2, 3};
+  const contact::System two_systems =
+      contact::join(contact::system_of(diagonal({1e3, 1e3, 1e3})), held);
+  for (const contact::System &system : {one_matrix, two_systems}) {
+    const unsigned int second = system.dofs.size() - 3;
+    contact.dofs = {0, 1, 2, second, second + 1, second + 2};
+    contact::Solver solver(system, {contact});
+    contact::ContactMemory memory = solver.initial_memory();
+    Vector u = Vector::Zero(second + 3), f = u;
+    // -21 N on the upper one close the gap with 1 N; the other 20 N are shared by both springs.
+    f[second] = 1.;
+    f[second + 2] = -21.;
+    const contact::Report report = solver.solve(f, memory, u, memory);
+    CHECK(report.converged && report.contacts[0].status == ContactStatus::stick);
+    CHECK_NEAR(report.contacts[0].normal_force, 10., tolerance);
+    CHECK_NEAR(u[2], -0.01, tolerance);
+    CHECK_NEAR(u[second + 2], -0.011, tolerance);
+    CHECK_NEAR(u[0], 0.0005, tolerance); // they stick to each other
+    CHECK_NEAR(u[second], 0.0005, tolerance);
+    CHECK_NEAR(report.contacts[0].force[2], -10., tolerance); // on the lower one
+  }
 }
 
 /// A block without springs along the floor.
@@ -145,7 +159,8 @@ void slides_away() {
   CHECK(!report.converged && report.no_equilibrium);
   CHECK(report.free_motion.size() == 3 && report.free_motion[0] > 0.);
   CHECK_NEAR(report.free_motion[1] / report.free_motion[0], 0., 1e-9);
-  CHECK(u == u_before && after.stress == kept.stress && after.sites.internal == kept.sites.internal);
+  CHECK(u == u_before && after.stress == kept.stress &&
+        after.sites.internal == kept.sites.internal);
 }
 
 /// A mass that falls on a floor, obliquely.
@@ -155,7 +170,7 @@ void impact() {
   const Vector momentum = 2. * v;
   contact::Report report = solver.strike(momentum, {true}, 0.5, v);
   CHECK(report.converged);
-  CHECK_NEAR(v[2], 2., tolerance);                     // -e v
+  CHECK_NEAR(v[2], 2., tolerance);                         // -e v
   CHECK_NEAR(report.contacts[0].force[2], 12., tolerance); // N s
   CHECK_NEAR(v[0], 3. - 0.25 * 12. / 2., tolerance);
   CHECK_NEAR(report.energy.dissipated, 25. - (1.5 * 1.5 + 4.), tolerance);

@@ -45,6 +45,13 @@ struct System {
 System system_of(const SparseMatrix &matrix);
 System system_of(const Eigen::SparseMatrix<double> &matrix);
 
+/**
+ * Two bodies that touch through contacts alone, of two handlers or two programs: the second's
+ * degrees of freedom follow those of the first, from `first.dofs.size()` on.
+ * @throws std::invalid_argument if one has no matrix
+ */
+System join(const System &first, const System &second);
+
 /// Complete a system whose matrix and dofs are there: diagonal and condensation.
 /// @throws std::invalid_argument as system_of()
 void complete(System &system);
