@@ -184,7 +184,9 @@ void Newton::restore(const WarmStart &memory) {
 
 bool Newton::slides_away(const Vector &x, Response &response) {
   constexpr double shift = 1e-9;
-  const Vector forces = evaluate(x, response);
+  Vector forces = evaluate(x, response);
+  if (drag > 0.) // the loads' own
+    forces += drag * diagonal.cwiseProduct(x);
   factored.clear();
   std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
   for (int i = 0; i < tangent.rows(); ++i)
@@ -199,6 +201,10 @@ bool Newton::slides_away(const Vector &x, Response &response) {
   const Vector motion = factors.solve(forces);
   const double work = forces.dot(motion);
   if (!(work > 0.) || motion.dot(S * motion) > 1e-3 * work)
+    return false;
+  // Contacts only take work off what the loads do; where these do less, a pose far off has rounding
+  // for its forces, or ground pushes what floats out of its way.
+  if (loads.dot(motion) < (1. - 1e-3) * work)
     return false;
   return is_resisted_in_vain(motion, response);
 }
@@ -220,7 +226,9 @@ void Newton::set_drag(const double factor) {
 bool Newton::drag_alone_holds(const Vector &x, const Response &response) {
   constexpr double hardly_elastic = 1e-3;
   const double work = drag * x.dot(diagonal.cwiseProduct(x));
-  return work > 0. && x.dot(S * x) <= hardly_elastic * work && is_resisted_in_vain(x, response);
+  // The loads do it, not ground that pushes what floats out of its way.
+  return work > 0. && loads.dot(x) >= (1. - hardly_elastic) * work &&
+         x.dot(S * x) <= hardly_elastic * work && is_resisted_in_vain(x, response);
 }
 
 Outcome Newton::solve_proximal(Vector &x, Response &response, Result &result) {

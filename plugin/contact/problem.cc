@@ -17,8 +17,8 @@ std::string too_much_rounding(const double left, const double largest) {
       text << std::setprecision(2) << value;
     return text.str();
   };
-  return "rounding of the forces, " + number(left) +
-         " N, is too large beside the largest force, " + number(largest) + " N";
+  return "rounding of the forces, " + number(left) + " N, is too large beside the largest force, " +
+         number(largest) + " N";
 }
 
 Vector unbalanced_forces(const Problem &problem, const Vector &unknowns, const Vector &low) {

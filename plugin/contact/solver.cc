@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/contact/solver.h>
+#include <frictionbeam/contact/tolerances.h>
 
 #include "host_sites.h"
 
@@ -74,8 +75,8 @@ public:
   EnergyAccount account(const Vector &f, const Vector &q_before, const Vector &q,
                         const ContactMemory &before, const Response &response) const;
   /// What the memory holds beside what laws return: wear.
-  void remember(const Report &report, const ContactMemory &before, const Response &response,
-                ContactMemory &after) const;
+  void remember(const Vector &f, const Report &report, const ContactMemory &before,
+                const Response &response, ContactMemory &after) const;
 
   const System system;
   const HostSites host;
@@ -221,9 +222,12 @@ EnergyAccount Solver::Implementation::account(const Vector &f, const Vector &q_b
   return energy;
 }
 
-void Solver::Implementation::remember(const Report &report, const ContactMemory &before,
-                                      const Response &response, ContactMemory &after) const {
-  after = {response.state, response.stress};
+void Solver::Implementation::remember(const Vector &f, const Report &report,
+                                      const ContactMemory &before, const Response &response,
+                                      ContactMemory &after) const {
+  const double largest =
+      std::max({before.largest_force, f.lpNorm<Eigen::Infinity>(), sites.largest_force(response)});
+  after = {response.state, response.stress, largest};
   after.sites.wear = before.sites.wear;
   after.sites.impulse = before.sites.impulse;
   for (unsigned int i = 0; i < sites.size(); ++i)
@@ -241,8 +245,10 @@ Report Solver::solve(const Vector &f, const ContactMemory &before, Vector &u, Co
   const Vector forces = of.unknowns_of(f), q_before = of.unknowns_of(u);
   Vector q = q_before;
   Response response;
-  const Result result = of.exact.solve(of.problem_of(forces, increment), of.imposed_motion(),
-                                       before.sites, q, response);
+  Problem problem = of.problem_of(forces, increment);
+  problem.largest_force = least_force * before.largest_force;
+  problem.force_so_far = before.largest_force;
+  const Result result = of.exact.solve(problem, of.imposed_motion(), before.sites, q, response);
   Report report = of.report_of(result);
   if (!report.converged)
     return report;
@@ -251,7 +257,7 @@ Report Solver::solve(const Vector &f, const ContactMemory &before, Vector &u, Co
   report.energy = of.account(forces, q_before, q, before, response);
   if (of.sites.size() <= most_contacts_for_uniqueness)
     report.not_unique = of.exact.beyond_uniqueness(response.status);
-  of.remember(report, before, response, after);
+  of.remember(forces, report, before, response, after);
   u = of.dofs_of(q, false);
   return report;
 }

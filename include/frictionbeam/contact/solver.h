@@ -42,10 +42,11 @@ Contact between(const std::vector<unsigned int> &first, const std::vector<unsign
 struct ContactMemory {
   State sites;
   std::vector<Strains> stress;
+  double largest_force = 0.; ///< of loads and contacts so far, which rounding is judged by [N]
 
   template <class Archive>
   void serialize(Archive &archive, const unsigned int) {
-    archive &sites.internal &sites.dissipated &sites.wear &sites.impulse;
+    archive &sites.internal &sites.dissipated &sites.wear &sites.impulse &largest_force;
     for (std::vector<Strains> *list : {&sites.strain, &sites.touch, &stress})
       transfer(archive, *list);
   }
@@ -124,8 +125,9 @@ public:
    */
   Report solve(const Vector &f, const ContactMemory &before, Vector &u, ContactMemory &after,
                const Increment &increment = {});
-  /// Ground that moves: displacements of the second side of contacts on the ground, in the order of
-  /// the contacts, at the end of the increments that follow. Empty: at rest.
+  /// Ground that moves: displacements of the second side, one for each contact, at the end of the
+  /// increments that follow; zeros for contacts between two bodies, which it would drive apart.
+  /// Empty: at rest.
   void move_ground(const std::vector<Vector3> &displacement);
 
   /**

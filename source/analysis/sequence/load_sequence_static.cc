@@ -6,6 +6,7 @@
 #include "analysis/contact/opposed_contacts.h"
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/increment/report_result.h"
+#include <frictionbeam/contact/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +18,6 @@ constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadr
 /// What an increment with all its halves gets before it is given up: three times as much as any
 /// case that was ever solved has taken.
 constexpr unsigned int most_iterations = 50000, most_halvings = 200;
-/// Forces below this part of the largest so far are judged as if they were as large: at the usual
-/// tolerance of 1e-10 that is rounding.
-constexpr double least_force = 1e-4;
 
 /// More where the user allows more.
 unsigned int most_iterations_of(const SolverSettings &settings) {
@@ -28,8 +26,8 @@ unsigned int most_iterations_of(const SolverSettings &settings) {
 }
 
 /// What of a static step's answer is not the only one.
-std::vector<contact::BeyondUniqueness> several_equilibria(const Model &model, const Statics &statics,
-                                                 const LineState &state) {
+std::vector<contact::BeyondUniqueness>
+several_equilibria(const Model &model, const Statics &statics, const LineState &state) {
   std::vector<ContactStatus> status = state.contact_status;
   const std::vector<bool> idle = idle_halves(model.contacts, state);
   for (unsigned int i = 0; i < status.size(); ++i)
@@ -179,7 +177,8 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   const Factors full = course.factors_at(time, side);
   LineState to = current;
   last_result = statics->solve(
-      current, {course, time, full, least_force * force_so_far, force_so_far, iterations_left}, to,
+      current,
+      {course, time, full, contact::least_force * force_so_far, force_so_far, iterations_left}, to,
       response);
   iterations_left -= std::min(iterations_left, last_result.iterations);
   if (!add_result(last_result, step_reports.back()))
