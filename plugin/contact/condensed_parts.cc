@@ -74,19 +74,6 @@ void CondensedParts::find_parts(const SparseMatrix &stiffness) {
   }
 }
 
-Eigen::MatrixXd CondensedParts::border_of(const Part &part, const SparseMatrix &stiffness) const {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(part.border.size(), part.border.size());
-  for (std::size_t a = 0; a < part.border.size(); ++a)
-    for (SparseMatrix::InnerIterator entry(stiffness, kept[part.border[a]]); entry; ++entry) {
-      const auto found =
-          std::lower_bound(part.border.begin(), part.border.end(), place_of[entry.col()]);
-      if (place_of[entry.col()] >= 0 && found != part.border.end() &&
-          *found == place_of[entry.col()])
-        result(a, found - part.border.begin()) = entry.value();
-    }
-  return result;
-}
-
 void CondensedParts::Part::take_dense(const SparseMatrix &matrix) {
   dense.compute(Eigen::MatrixXd(matrix));
   if (border.empty())
@@ -131,8 +118,7 @@ void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part,
   matrix.setFromTriplets(inner.begin(), inner.end());
 
   if (n > largest_dense && n_border >= widest_of_lines)
-    part.cholesky =
-        std::make_unique<PartCholesky>(matrix, part.to_border, border_of(part, stiffness));
+    part.cholesky = std::make_unique<PartCholesky>(matrix, part.to_border);
   if (part.cholesky && !part.cholesky->ok())
     part.cholesky.reset();
   Eigen::MatrixXd share;

@@ -40,8 +40,6 @@ private:
   };
 
   void find_parts(const SparseMatrix &stiffness);
-  /// K_bb of a part's border.
-  Eigen::MatrixXd border_of(const Part &part, const SparseMatrix &stiffness) const;
   /// Factor K_ii of a part and add its share of S.
   void condense_part(const SparseMatrix &stiffness, Part &part,
                      std::vector<Eigen::Triplet<double>> &entries);
