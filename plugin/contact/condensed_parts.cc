@@ -74,18 +74,31 @@ void CondensedParts::find_parts(const SparseMatrix &stiffness) {
   }
 }
 
-void CondensedParts::Part::take_dense(const SparseMatrix &matrix) {
+int CondensedParts::Part::take_dense(const SparseMatrix &matrix) {
+  constexpr double nothing = 1e-13; // of the diagonal, as in PartCholesky
   dense.compute(Eigen::MatrixXd(matrix));
   if (border.empty())
     influence.resize(inside.size(), 0);
   else
     influence = dense.solve(Eigen::MatrixXd(to_border));
+  Eigen::VectorXi at = Eigen::VectorXi::LinSpaced(matrix.rows(), 0, matrix.rows() - 1);
+  at = dense.transpositionsP() * at;
+  for (Eigen::Index k = 0; k < at.size(); ++k)
+    if (!(dense.vectorD()[k] > nothing * matrix.coeff(at[k], at[k])))
+      return inside[at[k]];
+  return -1;
 }
 
-void CondensedParts::Part::take_sparse(SparseMatrix &matrix) {
+int CondensedParts::Part::take_sparse(SparseMatrix &matrix) {
+  constexpr double suspicious = 1e-9; // of the largest entry of the diagonal
   sparse = std::make_unique<LineFactorization>();
   sparse->analyze(matrix);
-  if (!sparse->factorize(matrix)) { // something turns freely between its ends
+  int free = -1;
+  const bool is_regular = sparse->factorize(matrix);
+  if (!is_regular || sparse->least_pivot() < suspicious * matrix.diagonal().maxCoeff())
+    if (const PartCholesky asked(matrix, to_border); !asked.ok())
+      free = inside[asked.vanishing()];
+  if (!is_regular) { // something turns freely between its ends
     for (int i = 0; i < matrix.rows(); ++i)
       matrix.coeffRef(i, i) *= 1. + 1e-9;
     sparse->factorize(matrix);
@@ -94,6 +107,7 @@ void CondensedParts::Part::take_sparse(SparseMatrix &matrix) {
   influence.resize(inside.size(), border.size());
   for (std::size_t b = 0; b < border.size(); ++b)
     influence.col(b) = sparse->solve(columns.col(b));
+  return free;
 }
 
 void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part,
@@ -119,19 +133,22 @@ void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part,
 
   if (n > largest_dense && n_border >= widest_of_lines)
     part.cholesky = std::make_unique<PartCholesky>(matrix, part.to_border);
-  if (part.cholesky && !part.cholesky->ok())
+  int free = -1;
+  if (part.cholesky && !part.cholesky->ok()) {
+    free = part.inside[part.cholesky->vanishing()];
     part.cholesky.reset();
+  }
   Eigen::MatrixXd share;
   if (part.cholesky)
     share = part.cholesky->share();
   else {
-    if (n <= largest_dense)
-      part.take_dense(matrix);
-    else
-      part.take_sparse(matrix);
+    const int found = n <= largest_dense ? part.take_dense(matrix) : part.take_sparse(matrix);
+    free = free < 0 ? found : free;
     const Eigen::MatrixXd one_sided = part.to_border.transpose() * part.influence;
     share = -(one_sided + one_sided.transpose()) / 2.;
   }
+  if (free >= 0)
+    moves_freely.push_back(free);
   for (std::size_t a = 0; a < n_border; ++a)
     for (std::size_t b = 0; b < n_border; ++b)
       entries.emplace_back(part.border[a], part.border[b], share(a, b));
@@ -189,6 +206,16 @@ Vector CondensedParts::expand(const Vector &kept_unknowns, const Vector &forces)
 std::unique_ptr<Condensation> condense_parts(const SparseMatrix &stiffness,
                                              const std::vector<int> &keep) {
   return std::make_unique<CondensedParts>(stiffness, keep);
+}
+
+std::unique_ptr<Condensation> condense_bodies(const SparseMatrix &stiffness,
+                                              const std::vector<int> &keep) {
+  for (std::vector<int> all = keep;;) {
+    auto result = std::make_unique<CondensedParts>(stiffness, all);
+    if (result->free_unknowns().empty())
+      return result;
+    all.insert(all.end(), result->free_unknowns().begin(), result->free_unknowns().end());
+  }
 }
 
 } // namespace frictionbeam::contact

@@ -19,6 +19,8 @@ public:
 
   Vector condense(const Vector &forces) const override;
   Vector expand(const Vector &kept_unknowns, const Vector &forces) const override;
+  /// An inner unknown of each part that can move freely; the part is not condensed well then.
+  const std::vector<int> &free_unknowns() const { return moves_freely; }
 
 private:
   /// A connected part of the inner unknowns and the kept ones it borders on.
@@ -35,8 +37,9 @@ private:
     Vector solve(const Vector &forces) const;
     /// K_ci K_ii^-1 f on its border.
     Vector condense(const Vector &forces) const;
-    void take_dense(const SparseMatrix &matrix);
-    void take_sparse(SparseMatrix &matrix);
+    /// @return an inner unknown of the part that moves freely; -1 if none does
+    int take_dense(const SparseMatrix &matrix);
+    int take_sparse(SparseMatrix &matrix);
   };
 
   void find_parts(const SparseMatrix &stiffness);
@@ -44,7 +47,7 @@ private:
   void condense_part(const SparseMatrix &stiffness, Part &part,
                      std::vector<Eigen::Triplet<double>> &entries);
 
-  std::vector<int> place_inside;
+  std::vector<int> place_inside, moves_freely;
   std::deque<Part> parts; ///< which never move: Eigen's LDLT is not whole before it has factored
 };
 

@@ -55,6 +55,7 @@ struct Pass {
   /// what rounding takes from them is kept until the increment is judged.
   Vector low = Vector::Zero(unknowns.size());
   double size = 0., largest = 0.; ///< what is left, and the largest force [N]
+  Vector first_forces = {};       ///< to be balanced as the increment begins, without contacts
   std::optional<Accepted> accepted = {};
   unsigned int n_releases = 0;
   bool is_corrected = false;
@@ -96,7 +97,7 @@ private:
   /// released, rounding is corrected.
   bool goes_on(Pass &now);
   /// Say why there is no solution.
-  void explain(const Outcome outcome, Result &result) const;
+  void explain(const Outcome outcome, Pass &now) const;
   /// @return whether the contact laws hold; the result says so.
   bool judge(const Response &response, Result &result) const;
 
@@ -156,10 +157,15 @@ Outcome ExactSolver::Implementation::solve_contacts(const bool is_static, Vector
   return attempts.solve_from_elsewhere(most_restarts, start, x, response, result);
 }
 
-void ExactSolver::Implementation::explain(const Outcome outcome, Result &result) const {
-  result.no_equilibrium = outcome == Outcome::slides_away;
-  if (result.no_equilibrium)
-    result.free_motion = system->expand(newton.free_motion(), Vector::Zero(system->n_unknowns()));
+void ExactSolver::Implementation::explain(const Outcome outcome, Pass &now) const {
+  Result &result = now.result;
+  if (outcome == Outcome::slides_away) {
+    // A later pass may have rounding of a large motion for its forces.
+    const Vector motion = system->expand(newton.free_motion(), Vector::Zero(system->n_unknowns()));
+    result.no_equilibrium = now.first_forces.dot(motion) > 0.;
+    if (result.no_equilibrium)
+      result.free_motion = motion;
+  }
   if (result.no_equilibrium)
     result.remark = "there is no equilibrium: the loads exceed what friction can hold, and "
                     "something slides away";
@@ -181,6 +187,8 @@ bool ExactSolver::Implementation::move(Pass &now) {
   const Problem &problem = now.problem;
   now.result.rounding_bars = false;
   const Vector forces = unbalanced_forces(problem, now.unknowns, now.low);
+  if (now.first_forces.size() == 0)
+    now.first_forces = forces;
   newton.begin(
       forces, std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
       problem.force_so_far, strains_at(now), largest_of(now.unknowns) + now.imposed.displacement,
@@ -191,7 +199,7 @@ bool ExactSolver::Implementation::move(Pass &now) {
                    : solve_contacts(now.is_static(), x, now.response, now.result);
   if (outcome != Outcome::solved) {
     if (!now.accepted)
-      explain(outcome, now.result);
+      explain(outcome, now);
     return false;
   }
   const Vector before = now.unknowns, change = now.low + system->expand(x, forces);

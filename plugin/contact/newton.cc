@@ -202,11 +202,7 @@ bool Newton::slides_away(const Vector &x, Response &response) {
   const double work = forces.dot(motion);
   if (!(work > 0.) || motion.dot(S * motion) > 1e-3 * work)
     return false;
-  // Contacts only take work off what the loads do; where these do less, a pose far off has rounding
-  // for its forces, or ground pushes what floats out of its way.
-  if (loads.dot(motion) < (1. - 1e-3) * work)
-    return false;
-  return is_resisted_in_vain(motion, response);
+  return loads_do(work, motion) && is_resisted_in_vain(motion, response);
 }
 
 bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response) {
@@ -223,12 +219,31 @@ void Newton::set_drag(const double factor) {
   factored.clear();
 }
 
+bool Newton::strains_nothing(const Vector &x) {
+  constexpr double shift = 1e-12, soft = 1e-13;
+  factored.clear();
+  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
+  for (int i = 0; i < tangent.rows(); ++i)
+    tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+  if (!factors.factorize(tangent))
+    return false;
+  Vector part = x;
+  for (int iteration = 0; iteration < 3; ++iteration) // what is strained shrinks by its stiffness
+    part = factors.solve(shift * diagonal.cwiseProduct(part));
+  return part.norm() > x.norm() / 2. &&
+         part.dot(S * part) <= soft * part.dot(diagonal.cwiseProduct(part));
+}
+
 bool Newton::drag_alone_holds(const Vector &x, const Response &response) {
   constexpr double hardly_elastic = 1e-3;
   const double work = drag * x.dot(diagonal.cwiseProduct(x));
-  // The loads do it, not ground that pushes what floats out of its way.
-  return work > 0. && loads.dot(x) >= (1. - hardly_elastic) * work &&
-         x.dot(S * x) <= hardly_elastic * work && is_resisted_in_vain(x, response);
+  return work > 0. && loads_do(work, x) && x.dot(S * x) <= hardly_elastic * work &&
+         strains_nothing(x) && is_resisted_in_vain(x, response);
+}
+
+bool Newton::loads_do(const double work, const Vector &motion) const {
+  constexpr double rounding_of_work = 1e-3;
+  return loads.dot(motion) >= (1. - rounding_of_work) * work;
 }
 
 Outcome Newton::solve_proximal(Vector &x, Response &response, Result &result) {

@@ -53,8 +53,8 @@ public:
    * takes it off. With a small one every problem has a solution.
    */
   void set_drag(const double factor);
-  /// Whether the solution with drag proves that without it there is none: what moves has no elastic
-  /// energy beside the work of the drag, and every contact gives its utmost.
+  /// Whether the solution with drag proves that without it there is none: next to all of it strains
+  /// nothing, every contact that resists it gives its utmost, and the loads do the work.
   bool drag_alone_holds(const Vector &x, const Response &response);
 
   /// Of the kept unknowns, where an outcome is `slides_away`.
@@ -103,6 +103,12 @@ private:
    */
   bool slides_away(const Vector &x, Response &response);
   /// Whether all contacts give their utmost against a motion, which is kept as the proof.
+  /// Whether next to all of a motion of the kept unknowns is softer than 1e-13 of diag S: a soft
+  /// line is not taken for a free body.
+  bool strains_nothing(const Vector &x);
+  /// Contacts only take off what loads do on a motion; where these do less than is left, a pose far
+  /// off has rounding for its forces, or ground pushes what floats out of its way.
+  bool loads_do(const double work, const Vector &motion) const;
   bool is_resisted_in_vain(const Vector &motion, const Response &response);
 
   /// Places of a contact's unknowns in x, and of its block in the values of S.

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam::contact {
 
@@ -18,13 +19,13 @@ PartCholesky::PartCholesky(const SparseMatrix &inner, const SparseMatrix &to_bor
   std::vector<int> row_of(n_inner + n_border);
   for (Front &front : fronts) {
     assemble(front, inner, to_border, row_of);
-    if (!eliminate(front, diagonal))
+    vanishes = eliminate(front, diagonal);
+    if (vanishes >= 0)
       return;
     if (front.parent < 0)
       take_share(front);
   }
   of_border.triangularView<Eigen::StrictlyUpper>() = of_border.transpose();
-  is_factored = true;
 }
 
 void PartCholesky::order(const SparseMatrix &inner) {
@@ -97,19 +98,41 @@ void PartCholesky::assemble(Front &front, const SparseMatrix &inner, const Spars
   front.waiting = {};
 }
 
-bool PartCholesky::eliminate(Front &front, const Vector &diagonal) const {
-  constexpr double vanishes = 1e-13; // of the diagonal entry
+namespace {
+
+constexpr double nothing = 1e-13; // of the diagonal entry that a pivot began as
+
+/// The first column of a lower triangle whose pivot vanishes; -1 if none does.
+int vanishing_column(Eigen::MatrixXd triangle, const Vector &diagonal) {
+  for (Eigen::Index k = 0; k < triangle.cols(); ++k) {
+    const double pivot = triangle(k, k);
+    if (!(pivot > nothing * diagonal[k]))
+      return k;
+    const Eigen::Index left = triangle.cols() - k - 1;
+    const Vector column = triangle.col(k).tail(left) / std::sqrt(pivot);
+    triangle.bottomRightCorner(left, left).selfadjointView<Eigen::Lower>().rankUpdate(column, -1.);
+  }
+  return -1;
+}
+
+} // namespace
+
+int PartCholesky::eliminate(Front &front, const Vector &diagonal) const {
   const int n = front.n();
   auto top = front.factor.topRows(n), below = front.factor.bottomRows(front.rows.size());
+  Vector began(n);
+  for (int k = 0; k < n; ++k)
+    began[k] = diagonal[unknown[front.first + k]];
+  const Eigen::MatrixXd triangle = top;
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> in_place(top);
   if (in_place.info() != Eigen::Success)
-    return false;
+    return unknown[front.first + std::max(0, vanishing_column(triangle, began))];
   for (int k = 0; k < n; ++k)
-    if (!(top(k, k) * top(k, k) > vanishes * diagonal[unknown[front.first + k]]))
-      return false;
+    if (!(top(k, k) * top(k, k) > nothing * began[k]))
+      return unknown[front.first + k];
   top.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
   front.update.selfadjointView<Eigen::Lower>().rankUpdate(below, -1.);
-  return true;
+  return -1;
 }
 
 void PartCholesky::take_share(Front &root) {

@@ -30,7 +30,9 @@ public:
    * 3e-14 of it (measured on free blocks of 45 to 15,147 unknowns), with either sign. Nothing below
    * may be called if not.
    */
-  bool ok() const { return is_factored; }
+  bool ok() const { return vanishes < 0; }
+  /// The inner unknown at which it shows that K_ii is not; -1 if it is.
+  int vanishing() const { return vanishes; }
   /// -K_bi K_ii^-1 K_ib.
   const Eigen::MatrixXd &share() const { return of_border; }
   /// -K_bi K_ii^-1 f.
@@ -56,8 +58,8 @@ private:
   /// @param row_of a place in the front: work space
   void assemble(Front &front, const SparseMatrix &inner, const SparseMatrix &to_border,
                 std::vector<int> &row_of);
-  /// @return false if not positive definite
-  bool eliminate(Front &front, const Vector &diagonal) const;
+  /// @return the inner unknown whose pivot vanishes; -1 if none does
+  int eliminate(Front &front, const Vector &diagonal) const;
   void take_share(Front &root);
   /// L^-1 f on the places of the inner unknowns, and what that leaves on the border.
   Vector forward(const Vector &forces) const;
@@ -66,7 +68,7 @@ private:
   std::vector<int> place, unknown; ///< of an inner unknown in the factor, and the other way round
   std::vector<Front> fronts;       ///< children before their parents
   Eigen::MatrixXd of_border;
-  bool is_factored = false;
+  int vanishes = -1;
 };
 
 } // namespace frictionbeam::contact

@@ -142,7 +142,9 @@ void complete(System &system) {
   system.matrix.makeCompressed();
   system.diagonal = system.matrix.diagonal();
   const SparseMatrix &matrix = system.matrix;
-  system.condense = [matrix](const std::vector<int> &keep) { return condense_parts(matrix, keep); };
+  system.condense = [matrix](const std::vector<int> &keep) {
+    return condense_bodies(matrix, keep);
+  };
 }
 
 std::unique_ptr<Condensation>

@@ -51,4 +51,12 @@ protected:
 std::unique_ptr<Condensation> condense_parts(const SparseMatrix &stiffness,
                                              const std::vector<int> &keep);
 
+/**
+ * The same of bodies that need not be held by the kept unknowns, as one on a single contact, about
+ * which it turns: an unknown that would move freely is kept besides, for each such motion, so that
+ * what carries it is the contact method's to find.
+ */
+std::unique_ptr<Condensation> condense_bodies(const SparseMatrix &stiffness,
+                                              const std::vector<int> &keep);
+
 } // namespace frictionbeam::contact
