@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.18)
 set(sources)
 foreach(file beam_on_support.cc heated_line.cc block_on_floor.cc pipe_on_block.cc solid.h
-    my_law.cc CMakeLists.txt)
+    my_law.cc CMakeLists.txt law_host/law_host.cc law_host/CMakeLists.txt)
   file(READ ${SOURCE}/${file} text)
   string(APPEND sources "${text}")
 endforeach()

@@ -1,5 +1,6 @@
-# cmake -P: install the plugin into an empty folder, build the project in this folder against it, run.
-# Wants BUILD (FrictionBeam's build folder), SOURCE (this folder), WORK (a scratch folder), TYPE.
+# cmake -P: install the plugin into an empty folder, build the project in this folder, as it was
+# installed among the examples, against it, run.
+# Wants BUILD (FrictionBeam's build folder), WORK (a scratch folder), TYPE.
 cmake_minimum_required(VERSION 3.18)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/build)
@@ -11,7 +12,7 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --component plugin --prefix ${WORK}/prefix)
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -DCMAKE_BUILD_TYPE=${TYPE}
+run(${CMAKE_COMMAND} -S ${WORK}/prefix/share/doc/frictionbeam/examples -B ${WORK}/build -DCMAKE_BUILD_TYPE=${TYPE}
   -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_FLAGS=-Werror)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 # By its name alone, as a user in that folder would.

@@ -1,5 +1,5 @@
 # Data flows one way. A file shall include its own room, rooms below it and the plugin only; the plugin
-# shall know nothing of the application, of gmsh and of parameter files; no module (a header with the
+# shall know nothing of the application, of gmsh and of parameter files, and laws nothing of deal.II; no module (a header with the
 # source of its name) shall include itself through others; no file shall have 400 lines or more and no
 # room more than 22 files. (Rules: doc/architecture.md.)
 #   cmake -DROOT=<project> -P layers.cmake
@@ -46,6 +46,9 @@ foreach(file ${plugin_files})
   foreach(name ${names})
     if(EXISTS ${ROOT}/source/${name} OR name MATCHES "gmsh" OR name MATCHES "parameter_handler")
       fault("${file} is part of the plugin and includes ${name}")
+    endif()
+    if(file MATCHES "/(law|bound_law|check_law|disc_projection)[a-z_]*[.](h|cc)$" AND name MATCHES "^(deal[.]II|Eigen)/")
+      fault("${file} is part of the laws, which stand alone, and includes ${name}")
     endif()
   endforeach()
 endforeach()

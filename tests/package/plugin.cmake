@@ -1,0 +1,79 @@
+# cmake -P: the installed plugin, as a project finds it that has none of our sources.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+# Without the application nobody asks for gmsh.
+run(${CMAKE_COMMAND} -S ${ROOT} -B ${WORK}/plugin-alone -G ${GENERATOR} -DFRICTIONBEAM_APPLICATION=OFF
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo)
+file(STRINGS ${WORK}/plugin-alone/CMakeCache.txt lines REGEX "GMSH")
+if(lines)
+  message(FATAL_ERROR "the plugin alone looks for gmsh: ${lines}")
+endif()
+file(STRINGS ${WORK}/plugin-alone/CMakeCache.txt lines REGEX "^CMAKE_BUILD_TYPE:.*=RelWithDebInfo$")
+if(NOT lines)
+  message(FATAL_ERROR "the build type was changed")
+endif()
+# By default in both flavours, and what `all` makes is what is installed.
+run(${CMAKE_COMMAND} --build ${WORK}/plugin-alone --target help)
+foreach(target plugin plugin_debug laws check_law)
+  if(NOT output MATCHES "${target}")
+    message(FATAL_ERROR "the plugin alone does not build ${target}")
+  endif()
+endforeach()
+if(output MATCHES "application")
+  message(FATAL_ERROR "the plugin alone builds the application")
+endif()
+
+set(prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} --install ${BUILD} --component plugin --prefix ${prefix})
+file(GLOB library_folder ${prefix}/lib*)
+set(doc ${prefix}/share/doc/frictionbeam)
+exists(${doc}/LICENSE ${doc}/embedding.md ${doc}/contact_library.md ${doc}/deal_ii_versions.md
+  ${doc}/examples/CMakeLists.txt ${doc}/examples/beam_on_support.cc ${doc}/examples/solid.h
+  ${doc}/examples/law_host/CMakeLists.txt ${prefix}/share/frictionbeam/law_skeleton.cc
+  ${prefix}/include/frictionbeam/contact/solver.h)
+if(EXISTS ${doc}/examples/run.cmake)
+  message(FATAL_ERROR "our tests are installed as examples")
+endif()
+foreach(name frictionbeam frictionbeam.g frictionbeam-laws)
+  file(GLOB_RECURSE library ${prefix}/lib${name}.so)
+  exists(${library}.${VERSION})
+  libraries_of(${library})
+  string(REGEX REPLACE "\\.[0-9]+$" "" minor ${VERSION})
+  if(NOT "[lib${name}.so.${minor}]" IN_LIST libraries)
+    message(FATAL_ERROR "lib${name}.so names itself otherwise than lib${name}.so.${minor}: ${libraries}")
+  endif()
+endforeach()
+file(GLOB_RECURSE library ${prefix}/libfrictionbeam-laws.so)
+needs_nothing(${library})
+needs_nothing(${prefix}/bin/frictionbeam-check-law)
+build_law_host(${prefix})
+
+# The flavour is that of the build type, and a program never loads both.
+set(project ${CMAKE_CURRENT_LIST_DIR}/flavour)
+foreach(pair Debug:frictionbeam.g RelWithDebInfo:frictionbeam)
+  string(REGEX REPLACE ":.*" "" type ${pair})
+  string(REGEX REPLACE ".*:" "" name ${pair})
+  set(build ${WORK}/flavour-${type})
+  run(${CMAKE_COMMAND} -S ${project} -B ${build} -DCMAKE_BUILD_TYPE=${type}
+    -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_FLAGS=-Werror)
+  run(${CMAKE_COMMAND} --build ${build})
+  run(${build}/flavour)
+  libraries_of(${build}/flavour)
+  list(FILTER libraries INCLUDE REGEX "libfrictionbeam[.]")
+  string(REGEX REPLACE "\\.[0-9]+$" "" minor ${VERSION})
+  if(NOT libraries STREQUAL "[lib${name}.so.${minor}]")
+    message(FATAL_ERROR "${type} links ${libraries}")
+  endif()
+endforeach()
+
+# By hand
+flags(frictionbeam ${prefix})
+run(g++ -std=c++17 -o flavour-by-hand ${project}/flavour.cc ${flags})
+run(${WORK}/flavour-by-hand)
+
+# Another deal.II than the one it was built with
+file(WRITE ${WORK}/other/deal.IIConfig.cmake "set(DEAL_II_VERSION 9.99.1)\nset(DEAL_II_PATH /other)\n")
+file(WRITE ${WORK}/other/deal.IIConfigVersion.cmake
+  "set(PACKAGE_VERSION 9.99.1)\nset(PACKAGE_VERSION_COMPATIBLE TRUE)\n")
+refused("was built with deal.II 9[.0-9]+, .* and deal.II 9.99.1, .*/other.* was found" ${CMAKE_COMMAND}
+  -S ${project} -B ${WORK}/refused -DCMAKE_PREFIX_PATH=${prefix} -Ddeal.II_DIR=${WORK}/other)
