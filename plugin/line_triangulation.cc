@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/line_triangulation.h>
 
+#include <deal.II/grid/tria_description.h>
+
 #include <algorithm>
 #include <numeric>
 #include <random>

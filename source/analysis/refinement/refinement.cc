@@ -126,13 +126,20 @@ void refine_flagged(ContinuumBody<dim> &body, ContinuumGuess &guess) {
     body.reinit(finer.displacement);
     body.reinit(finer.traction);
   };
-  if (body.is_parallel) {
-    parallel::distributed::SolutionTransfer<dim, ContinuumVector> transfer(body.dof_handler);
+  const auto carry_over = [&](auto &transfer) {
     body.triangulation->prepare_coarsening_and_refinement();
     transfer.prepare_for_coarsening_and_refinement(fields);
     new_mesh();
     std::vector<ContinuumVector *> results = {&finer.displacement, &finer.traction};
     transfer.interpolate(results);
+  };
+#if DEAL_II_VERSION_GTE(9, 7, 0)
+  SolutionTransfer<dim, ContinuumVector> transfer(body.dof_handler); // of any mesh
+  carry_over(transfer);
+#else
+  if (body.is_parallel) {
+    parallel::distributed::SolutionTransfer<dim, ContinuumVector> transfer(body.dof_handler);
+    carry_over(transfer);
   } else {
     SolutionTransfer<dim, ContinuumVector> transfer(body.dof_handler);
     body.triangulation->prepare_coarsening_and_refinement();
@@ -144,6 +151,7 @@ void refine_flagged(ContinuumBody<dim> &body, ContinuumGuess &guess) {
     finer.displacement = results[0];
     finer.traction = results[1];
   }
+#endif
   guess = finer;
 }
 

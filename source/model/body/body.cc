@@ -76,7 +76,7 @@ template <int dim>
 void ContinuumBody<dim>::distribute_dofs() {
   dof_handler.distribute_dofs(fe);
   owned = dof_handler.locally_owned_dofs();
-  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
 }
 
 template <int dim>

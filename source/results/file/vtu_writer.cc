@@ -57,7 +57,11 @@ void write(PatchesOut<dim> &out, const double time, const std::string &path) {
   DataOutBase::VtkFlags flags;
   flags.time = time;
   flags.print_date_and_time = false;
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+  flags.compression_level = DataOutBase::CompressionLevel::best_speed;
+#else
   flags.compression_level = DataOutBase::VtkFlags::best_speed;
+#endif
   out.set_flags(flags);
   std::ostringstream text; // deal.II has words of its own for a stream that fails
   out.write_vtu(text);
