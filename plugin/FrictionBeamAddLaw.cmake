@@ -5,7 +5,7 @@
 function(frictionbeam_add_law name)
   add_library(${name} MODULE ${ARGN})
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" CXX_STANDARD 17
-    CXX_STANDARD_REQUIRED ON CXX_VISIBILITY_PRESET hidden)
+    CXX_STANDARD_REQUIRED ON CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden)
   target_compile_options(${name} PRIVATE -O2)
   if(FrictionBeam_INCLUDE_DIR)
     target_include_directories(${name} PRIVATE ${FrictionBeam_INCLUDE_DIR})

@@ -53,7 +53,7 @@ set(headers ${PROJECT_SOURCE_DIR}/include/frictionbeam)
 if(package_has_plugin)
   install(DIRECTORY ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 else()
-  foreach(header law law_library law_conformance law_closed_form bound_law disc_projection)
+  foreach(header law law_c law_library law_conformance law_closed_form bound_law disc_projection)
     install(FILES ${headers}/${header}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/frictionbeam)
   endforeach()
 endif()
@@ -61,7 +61,9 @@ endif()
 # Licence, pages, examples
 set(share ${CMAKE_INSTALL_DATAROOTDIR}/frictionbeam)
 set(share_doc ${CMAKE_INSTALL_DATAROOTDIR}/doc/frictionbeam)
-install(FILES law_skeleton.cc DESTINATION ${share})
+install(FILES law_skeleton.cc ${PROJECT_SOURCE_DIR}/prm/cookbook/coulomb_in_c.c
+  ${PROJECT_SOURCE_DIR}/prm/cookbook/bilinear_section.f90 DESTINATION ${share})
+install(FILES ${PROJECT_SOURCE_DIR}/doc/cookbook/own_law.md DESTINATION ${share_doc}/cookbook)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
   ${PROJECT_SOURCE_DIR}/doc/embedding.md ${PROJECT_SOURCE_DIR}/doc/contact_library.md
   ${PROJECT_SOURCE_DIR}/doc/deal_ii_versions.md ${PROJECT_SOURCE_DIR}/doc/theory.md

@@ -2,6 +2,8 @@
 #include <frictionbeam/law_closed_form.h>
 #include <frictionbeam/law_library.h>
 
+#include "bridge/law_in_c.h"
+
 #include <dlfcn.h>
 
 #include <cmath>
@@ -87,6 +89,8 @@ void check_closed_form(const LawDescription &law, const std::string &origin) {
 
 } // namespace
 
+LawLibrary::LawLibrary() = default;
+
 LawLibrary::~LawLibrary() {
   for (void *const handle : handles)
     dlclose(handle);
@@ -107,11 +111,28 @@ const LawDescription &LawLibrary::load(const std::string &file) {
   }
   handles.push_back(handle);
 
+  const std::string whence = "loaded from '" + file + "'";
   const auto *const law = static_cast<const LawDescription *>(dlsym(handle, "frictionbeam_law"));
-  check(law != nullptr, origin,
+  if (law != nullptr)
+    return take(*law, origin, whence);
+  void *const function = dlsym(handle, "frictionbeam_law_c");
+  check(function != nullptr, origin,
         "it does not export the object 'frictionbeam_law'. Define it with extern \"C\", as "
-        "plugin/law_skeleton.cc does.");
-  return take(*law, origin, "loaded from '" + file + "'");
+        "plugin/law_skeleton.cc does, or the function 'frictionbeam_law_c' of frictionbeam/law_c.h "
+        "in C or Fortran.");
+  return take_law_in_c(function, origin, whence);
+}
+
+const LawDescription &LawLibrary::take_law_in_c(void *const function, const std::string &origin,
+                                                const std::string &whence) {
+  const frictionbeam_c_law *const law = reinterpret_cast<decltype(&frictionbeam_law_c)>(function)();
+  const std::string faults = faults_of_law_in_c(law);
+  check(faults.empty(), origin, faults);
+  for (const std::unique_ptr<LawInC> &present : laws_in_c)
+    if (present->is_of(*law))
+      return take(present->description(), origin, whence);
+  laws_in_c.push_back(std::make_unique<LawInC>(*law));
+  return take(laws_in_c.back()->description(), origin, whence);
 }
 
 const LawDescription &LawLibrary::add(const LawDescription &law) {

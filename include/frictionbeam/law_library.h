@@ -4,10 +4,13 @@
 #include <frictionbeam/law.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace frictionbeam {
+
+class LawInC;
 
 /**
  * Constitutive laws, each loaded from a shared library of its own or linked in, and found by name.
@@ -17,18 +20,18 @@ namespace frictionbeam {
  */
 class LawLibrary {
 public:
-  LawLibrary() = default;
+  LawLibrary();
   ~LawLibrary();
   LawLibrary(const LawLibrary &) = delete;
   LawLibrary &operator=(const LawLibrary &) = delete;
 
   /**
-   * Load the law in the shared library @p file. Checked in this order: the library opens, it
-   * exports `frictionbeam_law`, the interface version is one that this program knows, kind and
-   * sizes fit, the name is new, every parameter has a unit and a meaning within its bounds, the
-   * reference is there, a closed form has its places within the state. A library that is loaded
-   * again is the same law. That a closed form is integrate()'s own law, closed_form_faults()
-   * checks, for it depends on the parameters.
+   * Load the law in the shared library @p file, one in C++ (law.h) or in C (law_c.h). Checked in
+   * this order: the library opens, it exports `frictionbeam_law` or `frictionbeam_law_c`, the
+   * interface version is one that this program knows, kind and sizes fit, the name is new, every
+   * parameter has a unit and a meaning within its bounds, the reference is there, a closed form has
+   * its places within the state. A library that is loaded again is the same law. That a closed form
+   * is integrate()'s own law, closed_form_faults() checks, for it depends on the parameters.
    * @throws std::runtime_error saying what was found, what was expected and what to try.
    */
   const LawDescription &load(const std::string &file);
@@ -57,12 +60,16 @@ private:
     std::string whence; ///< it is: loaded from a file, or linked in
   };
 
+  /// @param function frictionbeam_law_c() of a library
+  const LawDescription &take_law_in_c(void *function, const std::string &origin,
+                                      const std::string &whence);
   /// @param origin, whence  of the law, as messages say it
   const LawDescription &take(const LawDescription &law, const std::string &origin,
                              const std::string &whence);
 
   std::map<std::string, Entry> laws; ///< by name
   std::vector<void *> handles;
+  std::vector<std::unique_ptr<LawInC>> laws_in_c;
 };
 
 /// The default values of a law's parameters, in their order.
