@@ -16,6 +16,8 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME plugin)
 install(FILES ${PROJECT_BINARY_DIR}/FrictionBeamConfig.cmake
   ${PROJECT_BINARY_DIR}/FrictionBeamConfigVersion.cmake FrictionBeamAddLaw.cmake
   DESTINATION ${package_directory})
+install(DIRECTORY bridge DESTINATION ${package_directory} FILES_MATCHING # laws of other programs
+  PATTERN AddBridge.cmake PATTERN umat_law.cc)
 
 # For pkg-config: found from where the file lies, so that the folder may be moved.
 file(RELATIVE_PATH path_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)

@@ -1,0 +1,53 @@
+C     SPDX-License-Identifier: LGPL-2.1-or-later
+C     The UMAT of pad_umat.c in Fortran: an interface that is elastic in compression and bears no
+C     tension, with Coulomb friction. PROPS = K_n, K_t, f; STATEV are the two slips.
+      SUBROUTINE UMAT(STRESS,STATEV,DDSDDE,SSE,SPD,SCD,RPL,DDSDDT,
+     1 DRPLDE,DRPLDT,STRAN,DSTRAN,TIME,DTIME,TEMP,DTEMP,PREDEF,DPRED,
+     2 CMNAME,NDI,NSHR,NTENS,NSTATV,PROPS,NPROPS,COORDS,DROT,PNEWDT,
+     3 CELENT,DFGRD0,DFGRD1,NOEL,NPT,LAYER,KSPT,KSTEP,KINC)
+      INCLUDE 'ABA_PARAM.INC'
+      CHARACTER*80 CMNAME
+      DIMENSION STRESS(NTENS),STATEV(NSTATV),DDSDDE(NTENS,NTENS),
+     1 DDSDDT(NTENS),DRPLDE(NTENS),STRAN(NTENS),DSTRAN(NTENS),TIME(2),
+     2 PREDEF(1),DPRED(1),PROPS(NPROPS),COORDS(3),DROT(3,3),
+     3 DFGRD0(3,3),DFGRD1(3,3),TRIAL(2),DIRECTION(2)
+      IF (CMNAME.NE.'PAD'.OR.NDI.NE.1.OR.NSHR.NE.2) THEN
+        PNEWDT = 0.5D0
+        RETURN
+      END IF
+      DO I = 1, 3
+        STRESS(I) = 0.D0
+        DO J = 1, 3
+          DDSDDE(I,J) = 0.D0
+        END DO
+      END DO
+      IF (STRAN(1)+DSTRAN(1).GE.0.D0) THEN
+        STATEV(1) = STRAN(2)+DSTRAN(2)
+        STATEV(2) = STRAN(3)+DSTRAN(3)
+        RETURN
+      END IF
+      STRESS(1) = PROPS(1)*(STRAN(1)+DSTRAN(1))
+      DDSDDE(1,1) = PROPS(1)
+      BOUND = -PROPS(3)*STRESS(1)
+      DO I = 1, 2
+        TRIAL(I) = PROPS(2)*(STRAN(I+1)+DSTRAN(I+1)-STATEV(I))
+      END DO
+      SIZE = SQRT(TRIAL(1)**2+TRIAL(2)**2)
+      DO I = 1, 2
+        STRESS(I+1) = TRIAL(I)
+        DDSDDE(I+1,I+1) = PROPS(2)
+      END DO
+      IF (SIZE.LE.BOUND) RETURN
+      DO I = 1, 2
+        DIRECTION(I) = TRIAL(I)/SIZE
+        STRESS(I+1) = BOUND*DIRECTION(I)
+        STATEV(I) = STATEV(I)+(TRIAL(I)-STRESS(I+1))/PROPS(2)
+        DDSDDE(I+1,1) = -PROPS(3)*PROPS(1)*DIRECTION(I)
+        DO J = 1, 2
+          DDSDDE(I+1,J+1) = -PROPS(2)*BOUND/SIZE*DIRECTION(I)*TRIAL(J)
+     1     /SIZE
+        END DO
+        DDSDDE(I+1,I+1) = DDSDDE(I+1,I+1)+PROPS(2)*BOUND/SIZE
+      END DO
+      SPD = SPD+BOUND*(SIZE-BOUND)/PROPS(2)
+      END
