@@ -17,7 +17,7 @@ install(FILES ${PROJECT_BINARY_DIR}/FrictionBeamConfig.cmake
   ${PROJECT_BINARY_DIR}/FrictionBeamConfigVersion.cmake FrictionBeamAddLaw.cmake
   DESTINATION ${package_directory})
 install(DIRECTORY bridge DESTINATION ${package_directory} FILES_MATCHING # laws of other programs
-  PATTERN AddBridge.cmake PATTERN umat_law.cc)
+  PATTERN AddBridge.cmake PATTERN umat_law.cc PATTERN mgis_law.c)
 
 # For pkg-config: found from where the file lies, so that the folder may be moved.
 file(RELATIVE_PATH path_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
