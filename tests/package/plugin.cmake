@@ -50,6 +50,12 @@ needs_nothing(${library})
 needs_nothing(${prefix}/bin/frictionbeam-check-law)
 build_law_host(${prefix})
 
+# Exact contact, without deal.II
+run(${CMAKE_COMMAND} -S ${doc}/examples/contact_host -B ${WORK}/contact-host
+  -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_DISABLE_FIND_PACKAGE_deal.II=ON -DCMAKE_CXX_FLAGS=-Werror)
+run(${CMAKE_COMMAND} --build ${WORK}/contact-host)
+run(${WORK}/contact-host/contact_host)
+
 # The flavour is that of the build type, and a program never loads both.
 set(project ${CMAKE_CURRENT_LIST_DIR}/flavour)
 foreach(pair Debug:frictionbeam.g RelWithDebInfo:frictionbeam)
