@@ -4,6 +4,8 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace frictionbeam {
 
@@ -208,18 +210,32 @@ Tensor<1, 6> ArcBeam::clamped_motion(const double psi, const Vector3 &line_force
 
 FE_ArcBeam::FE_ArcBeam(const std::map<unsigned int, ArcData> &arcs) : FE_Line(6), arcs(arcs) {}
 
-std::string FE_ArcBeam::get_name() const { return "FE_ArcBeam<1,3>(1)"; }
+std::string FE_ArcBeam::get_name() const {
+  std::ostringstream name;
+  name.precision(std::numeric_limits<double>::max_digits10);
+  name << "FE_ArcBeam<1,3>(1";
+  for (const auto &[material_id, arc] : arcs)
+    name << "; material " << material_id << ": centre " << arc.centre << ", EA " << arc.EA
+         << ", GA " << arc.GA << ", GJ " << arc.GJ << ", EI " << arc.EI;
+  name << ')';
+  return name.str();
+}
 
 std::unique_ptr<FiniteElement<1, 3>> FE_ArcBeam::clone() const {
   return std::make_unique<FE_ArcBeam>(*this);
 }
 
+ArcBeam FE_ArcBeam::arc(const Point<3> &begin, const Point<3> &end,
+                        const types::material_id material_id) const {
+  const auto data = arcs.find(material_id);
+  AssertThrow(data != arcs.end(), ExcMessage("FE_ArcBeam knows no arc of material id " +
+                                             std::to_string(material_id) + "."));
+  return ArcBeam(begin, end, data->second);
+}
+
 void FE_ArcBeam::evaluate(const CellGeometry &cell, const double xi,
                           std::vector<ShapeFunction> &shapes) const {
-  const auto data = arcs.find(cell.material_id);
-  AssertThrow(data != arcs.end(), ExcMessage("FE_ArcBeam knows no arc of material id " +
-                                             std::to_string(cell.material_id) + "."));
-  const ArcBeam arc(cell.begin, cell.end, data->second);
+  const ArcBeam arc = this->arc(cell.begin, cell.end, cell.material_id);
   FullMatrix<double> value, derivative;
   arc.shapes(arc.angle() * xi, value, derivative);
   for (unsigned int i = 0; i < 12; ++i)
@@ -230,24 +246,19 @@ void FE_ArcBeam::evaluate(const CellGeometry &cell, const double xi,
 }
 
 GeneralizedStrain arc_strain(const FEValuesBase<1, 3> &fe_values, const ArcBeam &arc,
-                             const double xi, const unsigned int i, const unsigned int q) {
+                             const double xi, const unsigned int i, const unsigned int q,
+                             const unsigned int first_component) {
   const LocalAxes axes(arc.tangent(arc.angle() * xi));
   const Tensor<1, 3> chord = arc.point(arc.angle()) - arc.point(0.);
-  const double chord_per_arc = chord.norm() / arc.length();
+  const Tensor<1, 3> along = chord / chord.norm() * (chord.norm() / arc.length());
+  const unsigned int first = first_component;
   Tensor<1, 3> turn, du, dtheta;
   for (unsigned int c = 0; c < 3; ++c) {
-    turn[c] = fe_values.shape_value_component(i, q, 3 + c);
-    du[c] = fe_values.shape_grad_component(i, q, c) * chord / chord.norm() * chord_per_arc;
-    dtheta[c] = fe_values.shape_grad_component(i, q, 3 + c) * chord / chord.norm() * chord_per_arc;
+    turn[c] = fe_values.shape_value_component(i, q, first + 3 + c);
+    du[c] = fe_values.shape_grad_component(i, q, first + c) * along;
+    dtheta[c] = fe_values.shape_grad_component(i, q, first + 3 + c) * along;
   }
-  GeneralizedStrain strain;
-  strain[0] = axes.x * du;
-  strain[1] = axes.y * du - axes.z * turn;
-  strain[2] = axes.z * du + axes.y * turn;
-  strain[3] = axes.x * dtheta;
-  strain[4] = axes.y * dtheta;
-  strain[5] = axes.z * dtheta;
-  return strain;
+  return generalized_strain(axes, turn, du, dtheta);
 }
 
 } // namespace frictionbeam

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/fe_timoshenko_beam.h>
 
+#include <limits>
+#include <sstream>
+
 namespace frictionbeam {
 
 using namespace dealii;
@@ -8,7 +11,15 @@ using namespace dealii;
 FE_TimoshenkoBeam::FE_TimoshenkoBeam(const std::vector<double> &shear_flexibility)
     : FE_Line(6), shear_flexibility(shear_flexibility) {}
 
-std::string FE_TimoshenkoBeam::get_name() const { return "FE_TimoshenkoBeam<1,3>(1)"; }
+std::string FE_TimoshenkoBeam::get_name() const {
+  std::ostringstream name;
+  name.precision(std::numeric_limits<double>::max_digits10);
+  name << "FE_TimoshenkoBeam<1,3>(1";
+  for (unsigned int id = 0; id < shear_flexibility.size(); ++id)
+    name << (id == 0 ? "; shear flexibility " : ", ") << shear_flexibility[id];
+  name << ')';
+  return name.str();
+}
 
 std::unique_ptr<FiniteElement<1, 3>> FE_TimoshenkoBeam::clone() const {
   return std::make_unique<FE_TimoshenkoBeam>(*this);

@@ -15,14 +15,8 @@ LocalAxes::LocalAxes(const Tensor<1, 3> &direction) : x(direction / direction.no
   y = cross_product_3d(z, x);
 }
 
-GeneralizedStrain generalized_strain(const FEValuesBase<1, 3> &fe_values, const LocalAxes &axes,
-                                     const unsigned int i, const unsigned int q) {
-  Tensor<1, 3> rotation, du, dtheta;
-  for (unsigned int c = 0; c < 3; ++c) {
-    rotation[c] = fe_values.shape_value_component(i, q, 3 + c);
-    du[c] = fe_values.shape_grad_component(i, q, c) * axes.x;
-    dtheta[c] = fe_values.shape_grad_component(i, q, 3 + c) * axes.x;
-  }
+GeneralizedStrain generalized_strain(const LocalAxes &axes, const Tensor<1, 3> &rotation,
+                                     const Tensor<1, 3> &du, const Tensor<1, 3> &dtheta) {
   GeneralizedStrain strain;
   strain[0] = axes.x * du;
   strain[1] = axes.y * du - axes.z * rotation;
@@ -31,6 +25,19 @@ GeneralizedStrain generalized_strain(const FEValuesBase<1, 3> &fe_values, const 
   strain[4] = axes.y * dtheta;
   strain[5] = axes.z * dtheta;
   return strain;
+}
+
+GeneralizedStrain generalized_strain(const FEValuesBase<1, 3> &fe_values, const LocalAxes &axes,
+                                     const unsigned int i, const unsigned int q,
+                                     const unsigned int first_component) {
+  const unsigned int first = first_component;
+  Tensor<1, 3> rotation, du, dtheta;
+  for (unsigned int c = 0; c < 3; ++c) {
+    rotation[c] = fe_values.shape_value_component(i, q, first + 3 + c);
+    du[c] = fe_values.shape_grad_component(i, q, first + c) * axes.x;
+    dtheta[c] = fe_values.shape_grad_component(i, q, first + 3 + c) * axes.x;
+  }
+  return generalized_strain(axes, rotation, du, dtheta);
 }
 
 GeneralizedStrain generalized_strain(const FEValuesBase<1, 3> &fe_values, const LocalAxes &axes,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace frictionbeam {
@@ -198,6 +199,24 @@ std::vector<double> default_parameters(const LawDescription &law) {
   for (int i = 0; i < law.n_parameters; ++i)
     values[i] = law.parameters[i].default_value;
   return values;
+}
+
+std::vector<double> law_parameters(const LawDescription &law,
+                                   const std::map<std::string, double> &values) {
+  std::vector<double> result = default_parameters(law);
+  for (const auto &[name, value] : values) {
+    const unsigned int i = parameter_index(law, name);
+    const LawParameter &parameter = law.parameters[i];
+    if (!(value >= parameter.minimum && value <= parameter.maximum)) {
+      std::ostringstream message;
+      message << "\n  read:    " << value << " for '" << name << "' of the law '" << law.name
+              << "'\n  allowed: from " << parameter.minimum << " to " << parameter.maximum << " ["
+              << parameter.unit << "]\n  try:     " << parameter.default_value << "\n";
+      throw std::runtime_error(message.str());
+    }
+    result[i] = value;
+  }
+  return result;
 }
 
 unsigned int parameter_index(const LawDescription &law, const std::string &name) {

@@ -24,6 +24,7 @@ public:
   /// @param law must outlive this.
   BoundLaw(const LawDescription &law, const std::vector<double> &parameters);
 
+  bool is_set() const { return law != nullptr; } ///< false of a BoundLaw without a law
   const LawDescription &description() const { return *law; }
   std::string name() const { return law->name; }
   unsigned int n_internal_variables() const { return law->n_internal_variables; }

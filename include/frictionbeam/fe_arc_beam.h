@@ -94,6 +94,10 @@ public:
   std::string get_name() const override;
   std::unique_ptr<dealii::FiniteElement<1, 3>> clone() const override;
 
+  /// The arc of a cell between two vertices. @throws dealii::ExcMessage if the material id has none
+  ArcBeam arc(const dealii::Point<3> &begin, const dealii::Point<3> &end,
+              const dealii::types::material_id material_id) const;
+
 private:
   void evaluate(const CellGeometry &cell, const double xi,
                 std::vector<ShapeFunction> &shapes) const override;
@@ -106,8 +110,10 @@ private:
  * axes of the arc's tangent there (see LocalAxes). Needs update_values and update_gradients.
  * @param arc of the cell that @p fe_values is on
  * @param xi of the quadrature point
+ * @param first_component as of generalized_strain()
  */
 GeneralizedStrain arc_strain(const dealii::FEValuesBase<1, 3> &fe_values, const ArcBeam &arc,
-                             const double xi, const unsigned int i, const unsigned int q);
+                             const double xi, const unsigned int i, const unsigned int q,
+                             const unsigned int first_component = 0);
 
 } // namespace frictionbeam

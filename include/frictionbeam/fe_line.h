@@ -17,6 +17,14 @@ namespace frictionbeam {
  * VectorTools::interpolate_boundary_values (use constrain_vertex_dofs()), no
  * DoFTools::map_dofs_to_support_points; second derivatives are not offered; FEValues views return
  * only the first component (use generalized_strain()).
+ *
+ * What would be wrong silently is refused with a message, in debug and in release:
+ *  - SolutionTransfer and all else that takes matrices from a cell to its children: they depend on
+ *    the cell (use transfer_line_solution());
+ *  - VectorTools::interpolate, since there are no support points (set values at vertices by
+ *    VertexDofs::index());
+ *  - a mapping that curves the cell, along a manifold of the triangulation: these lines are
+ * straight (use MappingQ1, or FE_ArcBeam for a bend).
  */
 class FE_Line : public dealii::FiniteElement<1, 3> {
 public:
@@ -39,6 +47,19 @@ public:
   dealii::FiniteElementDomination::Domination
   compare_for_domination(const dealii::FiniteElement<1, 3> &other,
                          const unsigned int codim = 0) const override;
+
+  /// @throws dealii::ExcMessage always: see above
+  const dealii::FullMatrix<double> &
+  get_prolongation_matrix(const unsigned int child,
+                          const dealii::RefinementCase<1> &refinement_case =
+                              dealii::RefinementCase<1>::isotropic_refinement) const override;
+  const dealii::FullMatrix<double> &
+  get_restriction_matrix(const unsigned int child,
+                         const dealii::RefinementCase<1> &refinement_case =
+                             dealii::RefinementCase<1>::isotropic_refinement) const override;
+  void convert_generalized_support_point_values_to_dof_values(
+      const std::vector<dealii::Vector<double>> &support_point_values,
+      std::vector<double> &nodal_values) const override;
 
 protected:
   /// Geometry of one cell, as the shape functions need it.
@@ -88,9 +109,29 @@ private:
                               const MappingData &, const MappingOutput &, const InternalDataBase &,
                               ElementOutput &) const override;
 
+  /// @throws dealii::ExcMessage if the mapping's lengths or points are not those of a straight cell
+  void check_straight(const Cell &cell, const dealii::Quadrature<1> &quadrature,
+                      const MappingOutput &mapping_output) const;
+
   /// Fill row block of quadrature point @p q with the shape functions at @p xi.
   void fill_point(const Cell &cell, const double xi, const unsigned int q,
                   const InternalDataBase &fe_internal, ElementOutput &output) const;
 };
+
+/// The line in a finite element, which is one itself or an FESystem of one and others.
+struct LinePart {
+  const FE_Line *element = nullptr; ///< null if there is none
+  unsigned int base = 0;            ///< base element of the FESystem
+  unsigned int first_component = 0; ///< of its six
+  /// Degrees of freedom of a cell that are the line's, in its order.
+  std::vector<unsigned int> dofs;
+};
+
+/**
+ * Find it.
+ * @throws dealii::ExcMessage if an FESystem has several lines, or has another FESystem as base
+ * element, where a line is not looked for
+ */
+LinePart line_part(const dealii::FiniteElement<1, 3> &fe);
 
 } // namespace frictionbeam

@@ -29,6 +29,7 @@ public:
   /// have none (Euler-Bernoulli).
   explicit FE_TimoshenkoBeam(const std::vector<double> &shear_flexibility = {});
 
+  /// Tells elements of different shear flexibility apart.
   std::string get_name() const override;
   std::unique_ptr<dealii::FiniteElement<1, 3>> clone() const override;
 

@@ -26,15 +26,26 @@ struct LocalAxes {
 using GeneralizedStrain = dealii::Tensor<1, 6>;
 
 /**
+ * Generalized strain of the motion of a straight line's section.
+ * @param rotation theta, @param du, dtheta derivatives along the line
+ */
+GeneralizedStrain generalized_strain(const LocalAxes &axes, const dealii::Tensor<1, 3> &rotation,
+                                     const dealii::Tensor<1, 3> &du,
+                                     const dealii::Tensor<1, 3> &dtheta);
+
+/**
  * Generalized strain of shape function @p i at quadrature point @p q. Right for the non-primitive
- * functions of FE_Line in 1D-in-3D, where FEValues views of deal.II 9.4 are not. Needs update_values
- * and update_gradients.
+ * functions of FE_Line in 1D-in-3D, where FEValues views of deal.II 9.4 are not. Needs
+ * update_values and update_gradients.
+ * @param first_component of the line's six: not 0 in an FESystem that begins with another element,
+ * see line_part()
  */
 GeneralizedStrain generalized_strain(const dealii::FEValuesBase<1, 3> &fe_values,
                                      const LocalAxes &axes, const unsigned int i,
-                                     const unsigned int q);
+                                     const unsigned int q, const unsigned int first_component = 0);
 
-/// Generalized strain at quadrature point @p q of the cell's solution with the values @p dof_values.
+/// Generalized strain at quadrature point @p q of the cell's solution with the values @p
+/// dof_values.
 GeneralizedStrain generalized_strain(const dealii::FEValuesBase<1, 3> &fe_values,
                                      const LocalAxes &axes, const std::vector<double> &dof_values,
                                      const unsigned int q);

@@ -75,6 +75,14 @@ private:
 /// The default values of a law's parameters, in their order.
 std::vector<double> default_parameters(const LawDescription &law);
 
+/**
+ * The default values, but for those given by name:
+ * law_parameters(law, {{"Friction coefficient", 0.3}}).
+ * @throws std::runtime_error naming the parameters there are, or the bounds of one.
+ */
+std::vector<double> law_parameters(const LawDescription &law,
+                                   const std::map<std::string, double> &values);
+
 /// Position of the parameter called @p name. @throws std::runtime_error naming those there are.
 unsigned int parameter_index(const LawDescription &law, const std::string &name);
 

@@ -4,15 +4,12 @@
 // released. A deal.II program of its own that takes only elements and laws from FrictionBeam.
 #include <frictionbeam/fe_friction_beam.h>
 #include <frictionbeam/fe_timoshenko_beam.h>
-#include <frictionbeam/generalized_strain.h>
 #include <frictionbeam/law_library.h>
+#include <frictionbeam/line/assemble_line.h>
 #include <frictionbeam/line_triangulation.h>
 #include <frictionbeam/vertex_dofs.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -27,19 +24,9 @@ using namespace frictionbeam;
 const double L = 6., EA = 1.2e9, GA = 2.3e8, GJ = 1.5e7, EI = 2.0e7, m = 100.;
 const double l = 0.2, ES = 4e6, GS = 1e6, f = 0.3, half_load = 2e4;
 
-/// A law with its parameters, for the cells of one finite element.
-struct Material {
-  const LawDescription *law;
-  std::vector<double> parameters;
-
-  void set(const std::string &name, const double value) {
-    parameters[parameter_index(*law, name)] = value;
-  }
-};
-
 class BeamOnSupport {
 public:
-  explicit BeamOnSupport(const std::vector<Material> &materials);
+  explicit BeamOnSupport(const LineMaterials &materials);
   /// One increment, or a time step of length @p h.
   void solve(const Tensor<1, 3> &tip_force, const double h = 0.);
   /// Of the motion and of the pipe's elasticity [J].
@@ -47,27 +34,23 @@ public:
   Tensor<1, 3> tip_displacement() const;
 
 private:
-  void assemble();
-  void assemble_mass();
-
   Triangulation<1, 3> triangulation;
   const hp::FECollection<1, 3> fes;
   DoFHandler<1, 3> dof_handler;
-  const std::vector<Material> materials; // by finite element
+  const LineMaterials materials; // by material id
+  LawPointData points;           // what the laws remember
   AffineConstraints<double> constraints;
   SparsityPattern sparsity_pattern;
   SparseMatrix<double> tangent, mass;
-  Vector<double> solution, internal_force, velocity, acceleration;
-  // Internal variables by cell and quadrature point: committed, and of the current iteration.
-  std::vector<std::vector<std::vector<double>>> old_states, new_states;
+  Vector<double> solution, velocity, acceleration;
 };
 
 // [step 1: mesh and elements]
-BeamOnSupport::BeamOnSupport(const std::vector<Material> &materials)
+BeamOnSupport::BeamOnSupport(const LineMaterials &materials)
     : fes(FE_TimoshenkoBeam({12 * EI / GA}), FE_FrictionBeam()), dof_handler(triangulation),
       materials(materials) {
   // The pipe from vertex 0 to its tip 1; the support from the pipe, 1, to the ground, 2. Here the
-  // material id is the number of the finite element and of its law.
+  // material id is the number of the finite element, too.
   create_line_triangulation({Point<3>(0, 0, 0), Point<3>(L, 0, 0), Point<3>(L, 0, -l)},
                             {{{{0, 1}}, 0}, {{{1, 2}}, 1}}, triangulation);
   for (const auto &cell : dof_handler.active_cell_iterators())
@@ -84,100 +67,14 @@ BeamOnSupport::BeamOnSupport(const std::vector<Material> &materials)
   DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints, true);
   sparsity_pattern.copy_from(pattern);
   tangent.reinit(sparsity_pattern);
-  solution.reinit(dof_handler.n_dofs());
   mass.reinit(sparsity_pattern);
-  for (Vector<double> *vector : {&internal_force, &velocity, &acceleration})
+  for (Vector<double> *vector : {&solution, &velocity, &acceleration})
     vector->reinit(dof_handler.n_dofs());
-  assemble_mass();
-  for (const auto &cell : dof_handler.active_cell_iterators())
-    old_states.emplace_back(
-        2, std::vector<double>(materials[cell->active_fe_index()].law->n_internal_variables, 0.));
-  new_states = old_states;
+  // [step 2: states and mass]
+  points = LawPointData(dof_handler, materials);
+  assemble_line_mass(dof_handler, materials, constraints, mass);
+  // [end of step 2]
 }
-
-// [step 2: assembly]
-void BeamOnSupport::assemble() {
-  const hp::MappingCollection<1, 3> mappings{MappingQ1<1, 3>()};
-  const hp::QCollection<1> quadratures(QGauss<1>(2), QGauss<1>(1)); // exact for either element
-  hp::FEValues<1, 3> hp_values(mappings, fes, quadratures,
-                               update_values | update_gradients | update_JxW_values);
-  tangent = 0.;
-  internal_force = 0.;
-  for (const auto &cell : dof_handler.active_cell_iterators()) {
-    hp_values.reinit(cell);
-    const FEValues<1, 3> &values = hp_values.get_present_fe_values();
-    const LocalAxes axes(cell->vertex(1) - cell->vertex(0));
-    const Material &material = materials[cell->active_fe_index()];
-    const LawDescription &law = *material.law;
-    const unsigned int n_dofs = values.dofs_per_cell, n_strains = law.n_strains;
-
-    std::vector<types::global_dof_index> dofs(n_dofs);
-    std::vector<double> dof_values(n_dofs);
-    cell->get_dof_indices(dofs);
-    for (unsigned int i = 0; i < n_dofs; ++i)
-      dof_values[i] = solution[dofs[i]];
-
-    FullMatrix<double> cell_matrix(n_dofs, n_dofs);
-    Vector<double> cell_force(n_dofs);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      const GeneralizedStrain strain = generalized_strain(values, axes, dof_values, q);
-      const double rate[6] = {}; // statics
-      const double displacement[3] = {strain[0] * l, strain[1] * l, strain[2] * l};
-      double stress[6], C[36];
-
-      LawInput input{};
-      input.parameters = material.parameters.data();
-      input.strain = strain.begin_raw();
-      input.strain_rate = rate;
-      input.displacement = law.kind == LawKind::support ? displacement : nullptr;
-      input.length = (cell->vertex(1) - cell->vertex(0)).norm();
-      input.old_state = old_states[cell->active_cell_index()][q].data();
-      input.tangent = LawTangent::consistent;
-      LawOutput output{};
-      output.stress = stress;
-      output.tangent = C;
-      output.new_state = new_states[cell->active_cell_index()][q].data();
-      AssertThrow(law.law->integrate(input, output) == LawStatus::ok,
-                  ExcMessage("The law has no answer: try a smaller increment."));
-
-      for (unsigned int i = 0; i < n_dofs; ++i) {
-        const GeneralizedStrain B_i = generalized_strain(values, axes, i, q);
-        for (unsigned int s = 0; s < n_strains; ++s)
-          cell_force[i] += B_i[s] * stress[s] * values.JxW(q);
-        for (unsigned int j = 0; j < n_dofs; ++j) {
-          const GeneralizedStrain B_j = generalized_strain(values, axes, j, q);
-          for (unsigned int s = 0; s < n_strains; ++s)
-            for (unsigned int t = 0; t < n_strains; ++t)
-              cell_matrix(i, j) += B_i[s] * C[n_strains * s + t] * B_j[t] * values.JxW(q);
-        }
-      }
-    }
-    constraints.distribute_local_to_global(cell_matrix, cell_force, dofs, tangent, internal_force);
-  }
-}
-// [end of step 2]
-
-// [mass]
-void BeamOnSupport::assemble_mass() {
-  FEValues<1, 3> values(fes[0], QGauss<1>(4), update_values | update_JxW_values);
-  for (const auto &cell : dof_handler.active_cell_iterators()) {
-    if (cell->active_fe_index() != 0)
-      continue; // supports have none
-    values.reinit(cell);
-    const unsigned int n_dofs = values.dofs_per_cell;
-    FullMatrix<double> cell_mass(n_dofs, n_dofs);
-    std::vector<types::global_dof_index> dofs(n_dofs);
-    cell->get_dof_indices(dofs);
-    for (const unsigned int q : values.quadrature_point_indices())
-      for (unsigned int i = 0; i < n_dofs; ++i)
-        for (unsigned int j = 0; j < n_dofs; ++j)
-          for (unsigned int d = 0; d < 3; ++d)
-            cell_mass(i, j) += values.shape_value_component(i, q, d) * m *
-                               values.shape_value_component(j, q, d) * values.JxW(q);
-    constraints.distribute_local_to_global(cell_mass, dofs, mass);
-  }
-}
-// [end of mass]
 
 // [step 3: Newton's method]
 void BeamOnSupport::solve(const Tensor<1, 3> &tip_force, const double h) {
@@ -192,11 +89,17 @@ void BeamOnSupport::solve(const Tensor<1, 3> &tip_force, const double h) {
     return a;
   };
   for (unsigned int iteration = 0; iteration < 20; ++iteration) {
-    assemble();
-    Vector<double> residual(internal_force);
-    residual *= -1.;
+    LineIncrement increment;
+    increment.length = h;
+    increment.tangent = newton_tangent(iteration); // elastic in the first, then consistent
+    Vector<double> residual(solution.size());
     for (unsigned int d = 0; d < 3; ++d)
-      residual[vertex_dofs.index(1, d)] += tip_force[d];
+      residual[vertex_dofs.index(1, d)] = tip_force[d];
+    tangent = 0.;
+    const LawStatus status = assemble_line(dof_handler, materials, solution, increment, constraints,
+                                           points, tangent, residual);
+    AssertThrow(status == LawStatus::ok,
+                ExcMessage("The law has no answer: try a smaller increment."));
     if (h > 0.) {
       Vector<double> inertia(residual.size());
       mass.vmult(inertia, new_acceleration());
@@ -205,7 +108,7 @@ void BeamOnSupport::solve(const Tensor<1, 3> &tip_force, const double h) {
     }
     constraints.set_zero(residual);
     if (residual.l2_norm() < 1e-9 * tip_force.norm()) {
-      std::swap(old_states, new_states); // commit
+      points.commit();
       if (h > 0.) {
         const Vector<double> a = new_acceleration();
         velocity.add(h / 2., acceleration, h / 2., a);
@@ -225,8 +128,11 @@ void BeamOnSupport::solve(const Tensor<1, 3> &tip_force, const double h) {
 // [end of step 3]
 
 double BeamOnSupport::energy() {
-  assemble();
-  return mass.matrix_norm_square(velocity) / 2. + internal_force * solution / 2.;
+  Vector<double> residual(solution.size()); // less the internal forces
+  const LawStatus status =
+      assemble_line(dof_handler, materials, solution, {}, constraints, points, residual);
+  AssertThrow(status == LawStatus::ok, ExcInternalError());
+  return mass.matrix_norm_square(velocity) / 2. - residual * solution / 2.;
 }
 
 Tensor<1, 3> BeamOnSupport::tip_displacement() const {
@@ -272,18 +178,20 @@ bool swings(BeamOnSupport &problem) {
 /// Load steps and their closed form. @p threshold is the largest friction force under the force R.
 template <typename Threshold>
 bool run(const std::string &law, const LawLibrary &library, const Threshold &threshold) {
-  std::vector<Material> materials;
-  for (const std::string &name : {std::string("elastic_section"), law})
-    materials.push_back({&library.find(name), default_parameters(library.find(name))});
-  materials[0].set("Axial rigidity", EA);
-  materials[0].set("Shear rigidity", GA);
-  materials[0].set("Torsional rigidity", GJ);
-  materials[0].set("Bending rigidity", EI);
-  materials[1].set("Axial rigidity", ES);
-  materials[1].set("Shear rigidity", GS);
-  materials[1].set("Friction coefficient", f);
+  // [materials]
+  const LawDescription &section = library.find("elastic_section"), &support = library.find(law);
+  std::map<std::string, double> values = {
+      {"Axial rigidity", ES}, {"Shear rigidity", GS}, {"Friction coefficient", f}};
   if (law == "pad")
-    materials[1].set("Half load", half_load);
+    values["Half load"] = half_load;
+  LineMaterials materials;
+  materials[0].law = BoundLaw(section, law_parameters(section, {{"Axial rigidity", EA},
+                                                                {"Shear rigidity", GA},
+                                                                {"Torsional rigidity", GJ},
+                                                                {"Bending rigidity", EI}}));
+  materials[0].mass = m;
+  materials[1].law = BoundLaw(support, law_parameters(support, values));
+  // [end of materials]
   BeamOnSupport problem(materials);
 
   // Stiffness of the cantilever's tip and of the support; reaction and friction limit.

@@ -4,8 +4,8 @@
 // expansion, and a support with friction at the far end. A deal.II program of its own.
 #include <frictionbeam/contact/deal_ii.h>
 #include <frictionbeam/fe_timoshenko_beam.h>
-#include <frictionbeam/generalized_strain.h>
 #include <frictionbeam/law_library.h>
+#include <frictionbeam/line/assemble_line.h>
 #include <frictionbeam/line_triangulation.h>
 #include <frictionbeam/vertex_dofs.h>
 
@@ -97,30 +97,6 @@ double Heat::mean(const typename Triangulation<1, 3>::cell_iterator &cell) const
          2.;
 }
 
-/// The pipe's stiffness; every cell lies along x.
-void assemble(const DoFHandler<1, 3> &dof_handler, const AffineConstraints<double> &constraints,
-              SparseMatrix<double> &K) {
-  const double rigidity[6] = {EA, GA, GA, GJ, EI, EI};
-  FEValues<1, 3> values(dof_handler.get_fe(), QGauss<1>(2),
-                        update_values | update_gradients | update_JxW_values);
-  const unsigned int n = dof_handler.get_fe().n_dofs_per_cell();
-  FullMatrix<double> cell_matrix(n, n);
-  std::vector<types::global_dof_index> dofs(n);
-  for (const auto &cell : dof_handler.active_cell_iterators()) {
-    values.reinit(cell);
-    cell->get_dof_indices(dofs);
-    const LocalAxes axes(cell->vertex(1) - cell->vertex(0));
-    cell_matrix = 0.;
-    for (const unsigned int q : values.quadrature_point_indices())
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int s = 0; s < 6; ++s)
-            cell_matrix(i, j) += generalized_strain(values, axes, i, q)[s] * rigidity[s] *
-                                 generalized_strain(values, axes, j, q)[s] * values.JxW(q);
-    constraints.distribute_local_to_global(cell_matrix, dofs, K);
-  }
-}
-
 int main() {
   std::vector<Point<3>> vertices;
   std::vector<LineCell> cells;
@@ -142,40 +118,50 @@ int main() {
   SparsityPattern pattern;
   pattern.copy_from(places);
   SparseMatrix<double> K(pattern);
-  assemble(dof_handler, constraints, K);
-
-  // [support]
   LawLibrary laws;
   laws.load_builtin();
+  const LawDescription &section = laws.find("elastic_section");
+  const LineMaterials pipe = {
+      {0,
+       {BoundLaw(section, law_parameters(section, {{"Axial rigidity", EA},
+                                                   {"Shear rigidity", GA},
+                                                   {"Torsional rigidity", GJ},
+                                                   {"Bending rigidity", EI}}))}}};
+  assemble_line_stiffness(dof_handler, pipe, constraints, K);
+
+  // [support]
   const LawDescription &law = laws.find("coulomb");
-  std::vector<double> parameters = default_parameters(law);
-  parameters[parameter_index(law, "Friction coefficient")] = f;
   contact::Solver solver(
       contact::system_of(K, constraints),
       {contact::on_ground(contact::translations_at_vertex(dof_handler, n_cells), {0., 0., -1.}, law,
-                          parameters)});
+                          law_parameters(law, {{"Friction coefficient", f}}))});
   contact::ContactMemory memory = solver.initial_memory();
   contact::Vector u;
   // [end of support]
 
   // [steps]
   const auto end = [&](const unsigned int c) { return vertex_dofs.index(n_cells, c); };
+  const Vector<double> at_rest(dof_handler.n_dofs());
+  LawPointData points(dof_handler, pipe);
+  LineIncrement heated;
+  heated.free_strain = [&heat](const LineCellIterator &cell, const Point<3> &) {
+    return GeneralizedStrain({alpha * heat.mean(cell), 0., 0., 0., 0., 0.});
+  };
   double expected = 0., largest = 0.;
   bool passed = true;
   for (unsigned int k = 0; k <= n_steps; ++k) {
-    contact::Vector load = contact::Vector::Zero(dof_handler.n_dofs());
-    load[end(2)] = -P;
-    double expansion = 0.;
     if (k > 0)
       heat.advance(k <= n_steps / 2 ? hot : 0.);
-    for (const auto &cell : dof_handler.active_cell_iterators()) {
-      const double strain = alpha * heat.mean(cell); // free, along the axis
-      expansion += strain * cell->measure();
-      const double direction = cell->vertex(1)[0] > cell->vertex(0)[0] ? 1. : -1.;
-      load[cell->vertex_dof_index(0, 0)] -= direction * EA * strain;
-      load[cell->vertex_dof_index(1, 0)] += direction * EA * strain;
-    }
-    const contact::Report report = solver.solve(load, memory, u, memory);
+    double expansion = 0.;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      expansion += alpha * heat.mean(cell) * cell->measure();
+    Vector<double> load(dof_handler.n_dofs());
+    load[end(2)] = -P;
+    // What free strains push with is the residual of the pipe at rest.
+    passed = assemble_line(dof_handler, pipe, at_rest, heated, constraints, points, load) ==
+                 LawStatus::ok &&
+             passed;
+    const contact::Report report = solver.solve(contact::to_eigen(load), memory, u, memory);
     // The support holds the end where its friction can, and lets it go no farther than it must.
     const double most = f * P * L / EA;
     expected = std::clamp(expected, expansion - most, expansion + most);

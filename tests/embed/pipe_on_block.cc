@@ -6,8 +6,8 @@
 
 #include <frictionbeam/contact/deal_ii.h>
 #include <frictionbeam/fe_timoshenko_beam.h>
-#include <frictionbeam/generalized_strain.h>
 #include <frictionbeam/law_library.h>
+#include <frictionbeam/line/assemble_line.h>
 #include <frictionbeam/line_triangulation.h>
 #include <frictionbeam/vertex_dofs.h>
 
@@ -29,30 +29,6 @@ const double EA = 1.2e9, GA = 2.3e8, GJ = 1.5e7, EI = 6.0e6, alpha = 1.2e-5;
 const double P = 5e3, f = 0.4;  // on the pipe's end [N], [-]
 const unsigned int n_cells = 8; // along the block
 const Lame rubber = {1e6, 4e6};
-
-/// The pipe's stiffness; every cell lies along x.
-void assemble_pipe(const DoFHandler<1, 3> &dof_handler,
-                   const AffineConstraints<double> &constraints, SparseMatrix<double> &K) {
-  const double rigidity[6] = {EA, GA, GA, GJ, EI, EI};
-  FEValues<1, 3> values(dof_handler.get_fe(), QGauss<1>(2),
-                        update_values | update_gradients | update_JxW_values);
-  const unsigned int n = dof_handler.get_fe().n_dofs_per_cell();
-  FullMatrix<double> cell_matrix(n, n);
-  std::vector<types::global_dof_index> dofs(n);
-  for (const auto &cell : dof_handler.active_cell_iterators()) {
-    values.reinit(cell);
-    cell->get_dof_indices(dofs);
-    const LocalAxes axes(cell->vertex(1) - cell->vertex(0));
-    cell_matrix = 0.;
-    for (const unsigned int q : values.quadrature_point_indices())
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int s = 0; s < 6; ++s)
-            cell_matrix(i, j) += generalized_strain(values, axes, i, q)[s] * rigidity[s] *
-                                 generalized_strain(values, axes, j, q)[s] * values.JxW(q);
-    constraints.distribute_local_to_global(cell_matrix, dofs, K);
-  }
-}
 
 int main(int argc, char **argv) {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -91,15 +67,21 @@ int main(int argc, char **argv) {
   SparsityPattern pattern;
   pattern.copy_from(places);
   SparseMatrix<double> K_pipe(pattern);
-  assemble_pipe(pipe_dofs, anchored, K_pipe);
+  LawLibrary laws;
+  laws.load_builtin();
+  const LawDescription &section = laws.find("elastic_section");
+  const LineMaterials steel = {
+      {0,
+       {BoundLaw(section, law_parameters(section, {{"Axial rigidity", EA},
+                                                   {"Shear rigidity", GA},
+                                                   {"Torsional rigidity", GJ},
+                                                   {"Bending rigidity", EI}}))}}};
+  assemble_line_stiffness(pipe_dofs, steel, anchored, K_pipe);
 
   // [between two handlers]
   const unsigned int shift = block_dofs.n_dofs(); // the pipe's dofs follow the block's
-  LawLibrary laws;
-  laws.load_builtin();
   const LawDescription &law = laws.find("coulomb");
-  std::vector<double> parameters = default_parameters(law);
-  parameters[parameter_index(law, "Friction coefficient")] = f;
+  const std::vector<double> parameters = law_parameters(law, {{"Friction coefficient", f}});
   std::vector<contact::Contact> contacts;
   std::vector<double> x; // of each contact
   const Tensor<1, 3> up({0., 0., radius});
