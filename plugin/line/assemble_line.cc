@@ -17,12 +17,11 @@ LawStatus ask_law(const BoundLaw &law, const double length, const LineIncrement 
   GeneralizedStrain rate;
   if (increment.length > 0.)
     rate = (trial.strain - committed.strain) / increment.length;
-  LawOutput output{trial.stress.begin_raw(), tangent, trial.internal_variables.data(), 0.,
+  LawOutput output{&trial.stress[0], tangent, trial.internal_variables.data(), 0.,
                    ContactStatus::none};
-  const LawStatus status =
-      law.integrate(trial.strain.begin_raw(), rate.begin_raw(), length,
-                    {increment.time, increment.length, temperature},
-                    committed.internal_variables.data(), increment.tangent, output);
+  const LawStatus status = law.integrate(
+      &trial.strain[0], &rate[0], length, {increment.time, increment.length, temperature},
+      committed.internal_variables.data(), increment.tangent, output);
   trial.dissipation = committed.dissipation + output.dissipation;
   trial.contact = output.contact;
   return status;

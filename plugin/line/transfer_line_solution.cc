@@ -158,7 +158,8 @@ Vector<double> LineSolutionTransfer::on_child(const Triangulation<1, 3>::cell_it
   Vector<double> result(fe.n_dofs_per_cell());
   const LinePart part = line_part(fe);
   if (part.element != nullptr) {
-    FEValues<1, 3> middle(MappingQ1<1, 3>(), *part.element, QMidpoint<1>(), update_values);
+    const MappingQ1<1, 3> mapping; // FEValues keep a pointer to it
+    FEValues<1, 3> middle(mapping, *part.element, QMidpoint<1>(), update_values);
     middle.reinit(parent);
     const unsigned int n = part.element->n_dofs_per_vertex();
     for (unsigned int c = 0; c < n; ++c) {

@@ -119,7 +119,7 @@ void assemble_line_mass(const dealii::DoFHandler<1, 3> &dof_handler, const LineM
                         const dealii::AffineConstraints<double> &constraints, MatrixType &mass);
 
 // Templates.
-namespace internal {
+namespace line_detail {
 
 /// Go over the locally owned lines: @p residual and then what @p add does with it.
 template <typename SolutionType, typename Add>
@@ -155,7 +155,7 @@ struct NoDisplacement {
   double operator[](const dealii::types::global_dof_index) const { return 0.; }
 };
 
-} // namespace internal
+} // namespace line_detail
 
 template <typename SolutionType, typename MatrixType, typename VectorType>
 LawStatus assemble_line(const dealii::DoFHandler<1, 3> &dof_handler, const LineMaterials &materials,
@@ -166,7 +166,7 @@ LawStatus assemble_line(const dealii::DoFHandler<1, 3> &dof_handler, const LineM
               dealii::ExcMessage("\n  read:    an increment that asks for no tangent, and a matrix"
                                  "\n  allowed: LawTangent::elastic or consistent"
                                  "\n  try:     assemble_line() without the matrix\n"));
-  return internal::for_each_line(
+  return line_detail::for_each_line(
       dof_handler, materials, solution, increment, points,
       [&](const auto &dofs, const auto &cell_tangent, const auto &cell_residual) {
         constraints.distribute_local_to_global(cell_tangent, cell_residual, dofs, tangent,
@@ -181,11 +181,11 @@ LawStatus assemble_line(const dealii::DoFHandler<1, 3> &dof_handler, const LineM
                         VectorType &residual) {
   LineIncrement without(increment);
   without.tangent = LawTangent::none;
-  return internal::for_each_line(dof_handler, materials, solution, without, points,
-                                 [&](const auto &dofs, const auto &, const auto &cell_residual) {
-                                   constraints.distribute_local_to_global(cell_residual, dofs,
-                                                                          residual);
-                                 });
+  return line_detail::for_each_line(dof_handler, materials, solution, without, points,
+                                    [&](const auto &dofs, const auto &, const auto &cell_residual) {
+                                      constraints.distribute_local_to_global(cell_residual, dofs,
+                                                                             residual);
+                                    });
 }
 
 template <typename MatrixType>
@@ -197,10 +197,10 @@ void assemble_line_stiffness(const dealii::DoFHandler<1, 3> &dof_handler,
   LineIncrement rest;
   rest.tangent = LawTangent::elastic;
   const LawStatus status =
-      internal::for_each_line(dof_handler, materials, internal::NoDisplacement(), rest, points,
-                              [&](const auto &dofs, const auto &tangent, const auto &) {
-                                constraints.distribute_local_to_global(tangent, dofs, stiffness);
-                              });
+      line_detail::for_each_line(dof_handler, materials, line_detail::NoDisplacement(), rest,
+                                 points, [&](const auto &dofs, const auto &tangent, const auto &) {
+                                   constraints.distribute_local_to_global(tangent, dofs, stiffness);
+                                 });
   AssertThrow(status == LawStatus::ok,
               dealii::ExcMessage("\n  read:    a law that has no answer at rest"
                                  "\n  allowed: laws that have\n  try:     other parameters\n"));

@@ -13,7 +13,8 @@ namespace frictionbeam {
 struct LineMaterial {
   BoundLaw law;     ///< of kind `section` for beams and arcs, `support` for friction elements
   double mass = 0.; ///< of the line, what it carries included [kg/m]
-  double rotary_inertia = 0.; ///< density times moment of inertia [kg m]; twist has twice of it
+  /// Density times moment of inertia about a diameter [kg m]; twist has twice of it, none if 0.
+  double rotary_inertia = 0.;
 };
 
 /// By the cells' material id.

@@ -21,11 +21,11 @@ bool couples(const double entry, const double diagonal, const double other_diago
   return std::abs(entry) > 1e-14 * std::sqrt(std::abs(diagonal * other_diagonal));
 }
 
-unsigned int rank(const LinePart &part) { return part.has_mass ? part.inside.size() : 0; }
+unsigned int rank(const PartOfLine &part) { return part.has_mass ? part.inside.size() : 0; }
 
 } // namespace
 
-Vector LinePart::inner(const Vector &unknowns) const {
+Vector PartOfLine::inner(const Vector &unknowns) const {
   Vector result(inside.size());
   for (unsigned int i = 0; i < inside.size(); ++i)
     result[i] = unknowns[inside[i]];
@@ -36,7 +36,7 @@ LineParts::LineParts(const Model &model) {
   check_dashpots_have_mass(model, "Time/Modes");
   keep(model);
   find_parts(model);
-  for (LinePart &part : list)
+  for (PartOfLine &part : list)
     fill(model, part);
 }
 
@@ -75,7 +75,7 @@ void LineParts::find_parts(const Model &model) {
   for (unsigned int first = 0; first < homes.size(); ++first) {
     if (place_of_kept[first] >= 0 || homes[first].first >= 0)
       continue;
-    LinePart part;
+    PartOfLine part;
     const auto take = [&](const int unknown) {
       homes[unknown] = {static_cast<int>(list.size()), 0};
       part.inside.push_back(unknown);
@@ -106,7 +106,7 @@ void LineParts::find_parts(const Model &model) {
   }
 }
 
-void LineParts::fill(const Model &model, LinePart &part) {
+void LineParts::fill(const Model &model, PartOfLine &part) {
   const unsigned int n = part.inside.size(), n_border = part.border.size();
   const int number = homes[part.inside.front()].first;
   const auto take = [&](const SparseMatrix &from, Eigen::SparseMatrix<double> &inner,
@@ -146,31 +146,31 @@ void LineParts::fill(const Model &model, LinePart &part) {
 
 unsigned int LineParts::n_modes() const {
   unsigned int n = 0;
-  for (const LinePart &part : list)
+  for (const PartOfLine &part : list)
     n += part.has_all_modes ? part.modes.size() : rank(part);
   return n;
 }
 
-void LineParts::find_more_modes(LinePart &part) {
+void LineParts::find_more_modes(PartOfLine &part) {
   const unsigned int had = part.modes.size(), all = rank(part),
                      wanted = all <= most_at_once ? all : std::min(2 * had + 4, all);
   part.modes = lowest_eigenpairs(part.K, part.M, *part.factors, wanted);
   part.has_all_modes = part.modes.size() < wanted || wanted == all;
 }
 
-void LineParts::find_modes(LinePart &part, const double eigenvalue) {
+void LineParts::find_modes(PartOfLine &part, const double eigenvalue) {
   while (!part.has_all_modes && (part.modes.empty() || part.modes.back().value <= eigenvalue))
     find_more_modes(part);
 }
 
 void LineParts::transfer(Archive &archive) {
-  for (LinePart &part : list)
+  for (PartOfLine &part : list)
     archive(part.modes, part.has_all_modes);
 }
 
 LineParts::Choice LineParts::below(const double eigenvalue) {
   Choice choice;
-  for (LinePart &part : list) {
+  for (PartOfLine &part : list) {
     find_modes(part, eigenvalue);
     unsigned int n = 0;
     while (n < part.modes.size() && part.modes[n].value <= eigenvalue)
@@ -185,20 +185,20 @@ LineParts::Choice LineParts::below(const double eigenvalue) {
 
 LineParts::Choice LineParts::lowest(const unsigned int n) {
   // The n-th lowest of those known is an upper bound; with all below it known, it is the value.
-  for (LinePart &part : list)
+  for (PartOfLine &part : list)
     find_modes(part, 0.);
   double bound = 0.;
   for (;;) {
     std::vector<double> values;
     bool any_left = false;
-    for (const LinePart &part : list) {
+    for (const PartOfLine &part : list) {
       for (const Eigenpair &mode : part.modes)
         values.push_back(mode.value);
       any_left = any_left || !part.has_all_modes;
     }
     std::sort(values.begin(), values.end());
     if (values.size() < n && any_left) {
-      for (LinePart &part : list)
+      for (PartOfLine &part : list)
         if (!part.has_all_modes)
           find_more_modes(part);
       continue;
@@ -207,7 +207,7 @@ LineParts::Choice LineParts::lowest(const unsigned int n) {
     bound = n == 0 || values.empty() ? 0. : values[std::min<std::size_t>(n, values.size()) - 1];
     if (bound == before)
       break;
-    for (LinePart &part : list)
+    for (PartOfLine &part : list)
       find_modes(part, bound);
   }
   Choice choice = below(bound);

@@ -15,7 +15,7 @@ namespace frictionbeam {
  * run of pipe between two contacts does by itself. A straight run falls apart further, into
  * stretching, torsion and bending in two planes.
  */
-struct LinePart {
+struct PartOfLine {
   std::vector<int> inside, border;              ///< unknowns; places among the kept ones
   Eigen::SparseMatrix<double> K, M, C;          ///< inside
   Eigen::MatrixXd K_border, M_border, C_border; ///< rows inside, columns of the border
@@ -46,7 +46,7 @@ public:
   /// Part and place in it of an inner unknown.
   const std::pair<int, int> &home(const int unknown) const { return homes[unknown]; }
   unsigned int size() const { return list.size(); }
-  const LinePart &operator[](const unsigned int p) const { return list[p]; }
+  const PartOfLine &operator[](const unsigned int p) const { return list[p]; }
   unsigned int n_inner() const { return homes.size() - kept_unknowns.size(); }
   unsigned int n_modes() const; ///< there are, of all parts together
 
@@ -69,14 +69,14 @@ public:
 private:
   void keep(const Model &model);
   void find_parts(const Model &model);
-  void fill(const Model &model, LinePart &part);
+  void fill(const Model &model, PartOfLine &part);
   /// Find more modes until the part has one above @p eigenvalue, or all.
-  void find_modes(LinePart &part, const double eigenvalue);
-  void find_more_modes(LinePart &part);
+  void find_modes(PartOfLine &part, const double eigenvalue);
+  void find_more_modes(PartOfLine &part);
 
   std::vector<int> kept_unknowns, place_of_kept;
   std::vector<std::pair<int, int>> homes;
-  std::vector<LinePart> list;
+  std::vector<PartOfLine> list;
 };
 
 } // namespace frictionbeam

@@ -94,7 +94,7 @@ ReducedLine::ReducedLine(const Model &line, const LineParts &parts, const LinePa
 
 void ReducedLine::make_basis(const unsigned int p, const unsigned int n_modes,
                              const LineState &start, const std::vector<bool> &loads) {
-  const LinePart &part = parts[p];
+  const PartOfLine &part = parts[p];
   MatrixXd modes(part.inside.size(), n_modes);
   Vector stiffness(n_modes), mass(n_modes);
   for (unsigned int j = 0; j < n_modes; ++j) {
@@ -185,7 +185,7 @@ std::vector<ReducedSpace::Term> ReducedLine::terms(const int unknown) const {
   if (unknown_places[unknown] >= 0)
     return {{unknown_places[unknown], 1.}};
   const auto &[p, row] = parts.home(unknown);
-  const LinePart &part = parts[p];
+  const PartOfLine &part = parts[p];
   const Basis &basis = bases[p];
   const unsigned int n_border = part.border.size();
   std::vector<ReducedSpace::Term> result;
@@ -233,7 +233,7 @@ struct ReducedLine::Assembly {
 
   /// A part's share, on its border and its own unknowns.
   void add(const unsigned int p, const MatrixXd &share) {
-    const LinePart &part = owner.parts[p];
+    const PartOfLine &part = owner.parts[p];
     const int n_border = part.border.size();
     const auto place = [&](const int i) {
       return i < n_border ? owner.n_eta + part.border[i] : owner.bases[p].first + i - n_border;
@@ -271,7 +271,7 @@ LinearPart::Matrices ReducedLine::make_matrices() const {
   C.add_kept(line.linear.damping());
   const bool damped = line.linear.damping().nonZeros() > 0;
   for (unsigned int p = 0; p < parts.size(); ++p) {
-    const LinePart &part = parts[p];
+    const PartOfLine &part = parts[p];
     const Basis &basis = bases[p];
     const unsigned int n_border = part.border.size(), n_own = basis.mass.size();
     MatrixXd share = MatrixXd::Zero(n_border + n_own, n_border + n_own);
@@ -318,7 +318,7 @@ LineState ReducedLine::reduce(const LineState &state) const {
     result.velocity[n_eta + k] = state.velocity[parts.kept()[k]];
   }
   for (unsigned int p = 0; p < parts.size(); ++p) {
-    const LinePart &part = parts[p];
+    const PartOfLine &part = parts[p];
     const Basis &basis = bases[p];
     const unsigned int n_border = part.border.size(), n_own = basis.mass.size();
     const auto own = basis.shapes.rightCols(n_own);
@@ -345,7 +345,7 @@ Vector ReducedLine::all_unknowns(const Vector &reduced_unknowns) const {
   for (unsigned int k = 0; k < parts.kept().size(); ++k)
     result[parts.kept()[k]] = reduced_unknowns[n_eta + k];
   for (unsigned int p = 0; p < parts.size(); ++p) {
-    const LinePart &part = parts[p];
+    const PartOfLine &part = parts[p];
     const unsigned int n_border = part.border.size(), n_own = bases[p].mass.size();
     Vector local(n_border + n_own);
     for (unsigned int b = 0; b < n_border; ++b)

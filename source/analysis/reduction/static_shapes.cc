@@ -12,7 +12,7 @@ constexpr double same_shape = 1e-7; ///< of its norm: less of a shape is in the 
 constexpr double rounding = 1e-12;  ///< of what a shape is the difference of
 } // namespace
 
-StaticShapes::StaticShapes(const LinePart &part, const Eigen::MatrixXd &modes,
+StaticShapes::StaticShapes(const PartOfLine &part, const Eigen::MatrixXd &modes,
                            const Vector &stiffness)
     : part(part), modes(modes), stiffness(stiffness) {}
 

@@ -10,7 +10,7 @@ namespace frictionbeam {
 class StaticShapes {
 public:
   /// @param modes columns, of these stiffnesses x^T K x
-  StaticShapes(const LinePart &part, const Eigen::MatrixXd &modes, const Vector &stiffness);
+  StaticShapes(const PartOfLine &part, const Eigen::MatrixXd &modes, const Vector &stiffness);
 
   /**
    * Add what is new in a shape, if anything is.
@@ -32,7 +32,7 @@ public:
   Eigen::MatrixXd orthogonal() const;
 
 private:
-  const LinePart &part;
+  const PartOfLine &part;
   const Eigen::MatrixXd &modes;
   const Vector &stiffness;
   std::vector<Vector> shapes;
