@@ -82,7 +82,8 @@ int CondensedParts::Part::take_dense(const SparseMatrix &matrix) {
   else
     influence = dense.solve(Eigen::MatrixXd(to_border));
   Eigen::VectorXi at = Eigen::VectorXi::LinSpaced(matrix.rows(), 0, matrix.rows() - 1);
-  at = dense.transpositionsP() * at;
+  for (Eigen::Index k = 0; k < at.size(); ++k)
+    std::swap(at[k], at[dense.transpositionsP().coeff(k)]);
   for (Eigen::Index k = 0; k < at.size(); ++k)
     if (!(dense.vectorD()[k] > nothing * matrix.coeff(at[k], at[k])))
       return inside[at[k]];
