@@ -233,7 +233,7 @@ void refusals() {
   });
   // In debug mode deal.II itself asserts before it comes to us.
   CHECK(interpolated.find("VertexDofs::index()") != std::string::npos ||
-        interpolated.find("support points") != std::string::npos);
+        interpolated.find("zero quadrature points") != std::string::npos);
 
   const Point<3> begin(2, 0, 0), end(0, 2, 0);
   Line arc({begin, end}, {{{{0, 1}}, 0}},
@@ -257,7 +257,8 @@ void refusals() {
   // A mapping that follows it gives other lengths than a straight line's; MappingQ1 does not.
   const auto on_mapping = [&](const unsigned int degree, const UpdateFlags flags) {
     return message_of([&]() {
-      FEValues<1, 3> values(MappingQ<1, 3>(degree), bent.fes[0], QGauss<1>(2), flags);
+      const MappingQ<1, 3> mapping(degree); // FEValues keep a pointer to it
+      FEValues<1, 3> values(mapping, bent.fes[0], QGauss<1>(2), flags);
       values.reinit(bent.dof_handler.begin_active());
     });
   };
