@@ -44,11 +44,11 @@ function(libraries_of file)
   set(libraries ${libraries} PARENT_SCOPE)
 endfunction()
 
-# needs_nothing(FILE): it asks for C++ and the laws' library alone.
+# needs_nothing(FILE ["LIBRARY|"]): it asks for C++, the laws' library and that one alone.
 function(needs_nothing file)
   libraries_of(${file})
   foreach(name ${libraries})
-    if(NOT name MATCHES "^.(libfrictionbeam-laws|libstdc.*|libm|libgcc_s|libc|libdl|ld-linux.*)\\.so")
+    if(NOT name MATCHES "^.(${ARGN}libfrictionbeam-laws|libstdc.*|libm|libgcc_s|libc|libdl|ld-linux.*)\\.so")
       message(FATAL_ERROR "${file} needs ${name}, and should do with C++ and the laws")
     endif()
   endforeach()

@@ -46,7 +46,7 @@ endforeach()
 file(GLOB_RECURSE library ${prefix}/libfrictionbeam-laws.so)
 needs_nothing(${library})
 file(GLOB_RECURSE library ${prefix}/libfrictionbeam-contact.so)
-needs_nothing(${library})
+needs_nothing(${library} "libfrictionbeam-contact|")
 needs_nothing(${prefix}/bin/frictionbeam-check-law)
 build_law_host(${prefix})
 
