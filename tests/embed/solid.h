@@ -23,11 +23,11 @@ inline void assemble_solid(const dealii::DoFHandler<3> &dof_handler,
                            const dealii::AffineConstraints<double> &constraints,
                            const Lame &material, dealii::TrilinosWrappers::SparseMatrix &K) {
   const dealii::FiniteElement<3> &fe = dof_handler.get_fe();
-  dealii::DynamicSparsityPattern pattern(dof_handler.n_dofs());
+  const dealii::IndexSet relevant = dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
+  dealii::DynamicSparsityPattern pattern(relevant);
   dealii::DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints);
-  dealii::SparsityTools::distribute_sparsity_pattern(
-      pattern, dof_handler.locally_owned_dofs(), MPI_COMM_WORLD,
-      dealii::complete_index_set(dof_handler.n_dofs()));
+  dealii::SparsityTools::distribute_sparsity_pattern(pattern, dof_handler.locally_owned_dofs(),
+                                                     MPI_COMM_WORLD, relevant);
   K.reinit(dof_handler.locally_owned_dofs(), pattern, MPI_COMM_WORLD);
   const dealii::FEValuesExtractors::Vector u(0);
   dealii::FEValues<3> values(fe, dealii::QGauss<3>(fe.degree + 1),
