@@ -1,8 +1,9 @@
 # For the tests of what is installed. BUILD is FrictionBeam's build folder, ROOT its sources, WORK a
-# scratch folder.
+# scratch folder, GENERATOR what CMake writes for.
 cmake_minimum_required(VERSION 3.18)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
+set(ENV{CMAKE_GENERATOR} ${GENERATOR})
 
 # run(COMMAND...): it shall succeed; what it printed is in `output`.
 function(run)

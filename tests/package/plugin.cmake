@@ -2,7 +2,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 # Without the application nobody asks for gmsh.
-run(${CMAKE_COMMAND} -S ${ROOT} -B ${WORK}/plugin-alone -G ${GENERATOR} -DFRICTIONBEAM_APPLICATION=OFF
+run(${CMAKE_COMMAND} -S ${ROOT} -B ${WORK}/plugin-alone -DFRICTIONBEAM_APPLICATION=OFF
   -DCMAKE_BUILD_TYPE=RelWithDebInfo)
 file(STRINGS ${WORK}/plugin-alone/CMakeCache.txt lines REGEX "GMSH")
 if(lines)
