@@ -27,7 +27,8 @@ enum class LawKind : int {
   /// N, T_y, T_z [N], torsional moment M_x [N m]. Axis x from the pipe (first node) to the ground.
   support = 0,
   /// Beam section: 6 strains eps, gamma_y, gamma_z, chi, kappa_y, kappa_z [-, -, -, rad/m (3)];
-  /// 6 stresses N, V_y, V_z [N], M_x, M_y, M_z [N m].
+  /// 6 stresses N, V_y, V_z [N], M_x, M_y, M_z [N m]. The strain is what causes stress and flow:
+  /// the host has taken the free thermal strain off. N is the force in the wall.
   section = 1
 };
 
@@ -71,6 +72,7 @@ struct LawInput {
   double temperature;         ///< of the support's pipe, at the end of the increment [degC]
   const double *old_state;    ///< internal variables at the start of the increment; zero at first
   LawTangent tangent;         ///< which tangent to write
+  double pressure = 0.; ///< kind section: inside the pipe over that outside, at the end [Pa]
 };
 
 /// What integrate() writes. All arrays belong to the caller.
@@ -80,6 +82,17 @@ struct LawOutput {
   double *new_state;  ///< n_internal_variables values; never aliases old_state
   double dissipation; ///< energy dissipated in the increment per unit length [J/m], >= 0
   ContactStatus contact; ///< state at the end of the increment
+  double stored_energy = 0.; ///< kind section: free energy per unit length at the end [J/m]; what
+                             ///< stored energy gains and dissipation is the work of the stress
+  double error = 0.; ///< estimate of what the increment's length leaves in the stress, as a share
+                     ///< of it; 0 where the answer does not depend on it
+};
+
+/// What a law of kind `section` tells of its state, for results: at its worst point.
+struct SectionReport {
+  double utilization = 0.;    ///< equivalent stress over the yield stress that is reached by now
+  double plastic_strain = 0.; ///< accumulated equivalent plastic strain [-]
+  double creep_strain = 0.;   ///< accumulated equivalent creep strain [-]
 };
 
 /// A law. Objects are stateless and constant: all data comes in through LawInput.
@@ -137,6 +150,22 @@ struct LawDescription {
   /// The law's closed form, or null if it has none. It is given what integrate() is given, with
   /// strain and displacement zero.
   void (*threshold)(const LawInput &input, FrictionThreshold &threshold);
+
+  // What follows is of version 2, of laws of kind `section`, and may be left out.
+
+  /// How many of n_internal_variables these parameters need; null: all.
+  int (*n_states)(const double *parameters) = nullptr;
+  /**
+   * Bound of the elastic response: below 1, a section whose internal variables are all zero answers
+   * to this strain with `tangent elastic` times strain, and keeps them. Null: never known. A host
+   * asks it before it integrates, so that a section without plastic history costs nothing.
+   */
+  double (*elastic_bound)(const LawInput &input) = nullptr;
+  /// Integrate @p n sections at once, each as integrate() does; failed if one of them failed. Null:
+  /// one by one.
+  LawStatus (*integrate_all)(int n, const LawInput *inputs, LawOutput *outputs) = nullptr;
+  /// What the state at the end of an increment is like. @p input is that of the increment.
+  void (*report)(const LawInput &input, const double *new_state, SectionReport &report) = nullptr;
 };
 
 /// Closed form of a law of any version that is loaded; zeros if it has none.
