@@ -72,7 +72,7 @@ struct LawInput {
   double temperature;         ///< of the support's pipe, at the end of the increment [degC]
   const double *old_state;    ///< internal variables at the start of the increment; zero at first
   LawTangent tangent;         ///< which tangent to write
-  double pressure = 0.; ///< kind section: inside the pipe over that outside, at the end [Pa]
+  double pressure = 0.;       ///< kind section: inside the pipe over that outside, at the end [Pa]
 };
 
 /// What integrate() writes. All arrays belong to the caller.
@@ -81,7 +81,7 @@ struct LawOutput {
   double *tangent;    ///< n_strains x n_strains, row-major: tangent[i*n+j] = d stress_i/d strain_j
   double *new_state;  ///< n_internal_variables values; never aliases old_state
   double dissipation; ///< energy dissipated in the increment per unit length [J/m], >= 0
-  ContactStatus contact; ///< state at the end of the increment
+  ContactStatus contact;     ///< state at the end of the increment
   double stored_energy = 0.; ///< kind section: free energy per unit length at the end [J/m]; what
                              ///< stored energy gains and dissipation is the work of the stress
   double error = 0.; ///< estimate of what the increment's length leaves in the stress, as a share
