@@ -13,6 +13,9 @@ namespace frictionbeam::contact {
 namespace {
 
 constexpr AttemptLimits limits = {{1e-4, 1e-3, 1e-5, 1e-2}, 30};
+/// The stiffness of a body at a contact is nearly the diagonal's: with a small c few contacts
+/// change their state in an iteration. That of a line, bent between supports, is far below it.
+constexpr AttemptLimits limits_of_body = {{1e-1, 1e-2, 1e-3, 1e-4}, 30};
 constexpr unsigned int most_refinements = 5, most_releases = 5;
 constexpr double in_common_least = 1e-9; // of the larger force of a pair
 constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing is left to correct
@@ -74,7 +77,8 @@ public:
                  const Vector &of_matrix)
       : settings(std::move(of_solver)), sites(std::move(list)),
         system(with_places(std::move(condensation), sites)), proximal(sites, of_matrix),
-        newton(settings, sites, *system, proximal), attempts(newton, proximal, limits),
+        newton(settings, sites, *system, proximal),
+        attempts(newton, proximal, newton.is_of_body() ? limits_of_body : limits),
         diagonal(of_matrix), pairs(rigid_pairs(sites)) {}
 
   Result solve(const Problem &problem, const ImposedMotion &imposed, const State &committed,

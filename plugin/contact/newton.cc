@@ -59,6 +59,12 @@ Newton::Newton(const Settings &settings, const SiteList &contacts, const Condens
         places[i].values.push_back(std::lower_bound(begin, end, column) - S.innerIndexPtr());
       }
   }
+  if (factors.is_of_body()) {
+    std::vector<std::vector<int>> unknowns;
+    for (const Places &of_contact : places)
+      unknowns.push_back(of_contact.unknowns);
+    reduced.emplace(S, contacts, unknowns);
+  }
 }
 
 void Newton::begin(const Vector &forces, const double largest, const double so_far,
@@ -74,19 +80,19 @@ void Newton::begin(const Vector &forces, const double largest, const double so_f
   start_strain = std::move(strain);
 }
 
-Vector Newton::evaluate(const Vector &x, Response &response) {
+void Newton::evaluate(const Vector &x, Response &response) {
   contacts.prepare(response);
   for (unsigned int i = 0; i < contacts.size(); ++i)
     response.state.strain[i] = start_strain[i] + strain_of(i, x);
   largest_displacement = start_displacement + (x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.);
   proximal.evaluate(*committed, increment, LawTangent::consistent, response);
-  return forces_left(x, response);
+  left_by_body = loads - S * x;
+  if (drag > 0.)
+    left_by_body -= drag * diagonal.cwiseProduct(x);
 }
 
-Vector Newton::forces_left(const Vector &x, const Response &response) const {
-  Vector forces = loads - S * x;
-  if (drag > 0.)
-    forces -= drag * diagonal.cwiseProduct(x);
+Vector Newton::forces_left(const Response &response) const {
+  Vector forces = left_by_body;
   for (unsigned int i = 0; i < contacts.size(); ++i)
     subtract_force(i, response.stress[i], forces);
   return forces;
@@ -121,10 +127,8 @@ double Newton::energy(const Vector &forces) const {
   return forces.cwiseProduct(forces).cwiseQuotient(diagonal).sum();
 }
 
-double Newton::energy_together(const Vector &x, const Response &response) const {
-  Vector forces = loads - S * x;
-  if (drag > 0.)
-    forces -= drag * diagonal.cwiseProduct(x);
+double Newton::energy_together(const Response &response) const {
+  Vector forces = left_by_body;
   double misfit = 0.;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     Strains stress = response.stress[i];
@@ -154,6 +158,20 @@ void Newton::add_block(const unsigned int i, const Block &stiffness) {
 bool Newton::factor(const Response &response, Result &result) {
   if (response.tangent == factored) // nothing slides, nothing opened or closed
     return true;
+  is_reduced = reduced && drag == 0.;
+  if (!is_reduced)
+    return factor_all(response, result);
+  factored.clear();
+  ++result.factorizations;
+  is_reduced = reduced->factorize(response.tangent);
+  if (!is_reduced)
+    return factor_all(response, result);
+  factored = response.tangent;
+  return true;
+}
+
+bool Newton::factor_all(const Response &response, Result &result) {
+  is_reduced = false;
   factored.clear();
   std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
   for (unsigned int i = 0; i < contacts.size(); ++i)
@@ -172,6 +190,18 @@ bool Newton::factor(const Response &response, Result &result) {
   return false;
 }
 
+bool Newton::solve(const Vector &forces, const Response &response, Result &result,
+                   Vector &direction) {
+  if (is_reduced) {
+    if (reduced->solve(forces, direction))
+      return true;
+    if (!factor_all(response, result))
+      return false;
+  }
+  direction = factors.solve(forces);
+  return true;
+}
+
 void Newton::restore(const WarmStart &memory) {
   factored.clear();
   if (memory.factored.empty())
@@ -184,7 +214,8 @@ void Newton::restore(const WarmStart &memory) {
 
 bool Newton::slides_away(const Vector &x, Response &response) {
   constexpr double shift = 1e-9;
-  Vector forces = evaluate(x, response);
+  evaluate(x, response);
+  Vector forces = forces_left(response);
   if (drag > 0.) // the loads' own
     forces += drag * diagonal.cwiseProduct(x);
   factored.clear();
@@ -247,7 +278,8 @@ bool Newton::loads_do(const double work, const Vector &motion) const {
 }
 
 Outcome Newton::solve_proximal(Vector &x, Response &response, Result &result) {
-  Vector forces = evaluate(x, response);
+  evaluate(x, response);
+  Vector forces = forces_left(response), direction;
   for (unsigned int iteration = 0;; ++iteration) {
     if (settings.in_each_iteration)
       settings.in_each_iteration();
@@ -258,15 +290,17 @@ Outcome Newton::solve_proximal(Vector &x, Response &response, Result &result) {
     if (balanced(forces, x, response, result))
       return Outcome::solved;
     ++result.iterations;
-    const bool regular = iteration < most_proximal && factor(response, result);
+    const bool regular = iteration < most_proximal && factor(response, result) &&
+                         solve(forces, response, result, direction);
     if (!regular) {
       result.remark = "no convergence in " + std::to_string(most_proximal) + " iterations";
       return slides_away(x, response) ? Outcome::slides_away : Outcome::stalled;
     }
-    const Vector direction = factors.solve(forces), start = x;
+    const Vector start = x;
     const auto go = [&](const double length) {
       x = start + length * direction;
-      forces = evaluate(x, response);
+      evaluate(x, response);
+      forces = forces_left(response);
       return energy(forces);
     };
     search_by_halving(go, energy(forces), 0.0625);
@@ -294,7 +328,8 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
                                Result &result) {
   std::vector<Strains> step(contacts.size());
   evaluate(x, response);
-  double before = energy_together(x, response);
+  double before = energy_together(response);
+  Vector direction;
   unsigned int stalls = 0;
   struct Solved {
     Vector x;
@@ -307,7 +342,8 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
       return Outcome::solved;
     x = solved->x;
     proximal.centre = solved->centre;
-    balanced(evaluate(x, response), x, response, result);
+    evaluate(x, response);
+    balanced(forces_left(response), x, response, result);
     return Outcome::solved;
   };
   for (unsigned int iteration = 0;; ++iteration) {
@@ -318,7 +354,7 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
     // A tenth of the tolerance is aimed at, and the whole accepted where rounding bars the way.
     // From there a step or two more, on the same states of contact, reach rounding.
     const bool last = iteration == most_iterations || stalls == most_stalls;
-    const bool is_balanced = balanced(forces_left(x, response), x, response, result);
+    const bool is_balanced = balanced(forces_left(response), x, response, result);
     const double natural_map = check(response).natural_map;
     const bool holds = is_balanced && natural_map <= (last ? 1. : 0.1) * settings.contact_tolerance;
     if (solved && (before > least_gain * solved->merit || (last && !holds))) {
@@ -346,13 +382,13 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
 
     eliminate_centre(response, step);
     ++result.iterations;
-    if (!factor(response, result)) {
+    if (!factor(response, result) || !solve(forces_left(response), response, result, direction)) {
       before = std::numeric_limits<double>::max();
       if (solved)
         return take();
       return slides_away(x, response) ? Outcome::slides_away : Outcome::stalled;
     }
-    const Vector direction = factors.solve(forces_left(x, response)), start = x;
+    const Vector start = x;
     for (unsigned int i = 0; i < contacts.size(); ++i)
       if (proximal.is_exact(i))
         step[i] += response.tangent[i] * strain_of(i, direction);
@@ -363,7 +399,7 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
       for (unsigned int i = 0; i < contacts.size(); ++i)
         proximal.centre[i] = centre[i] + length * step[i];
       evaluate(x, response);
-      return energy_together(x, response);
+      return energy_together(response);
     };
     before = take_step_of_both(go, before, stalls);
   }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "proximal_sites.h"
+#include "reduced_tangent.h"
 #include "tangent_factors.h"
 #include <frictionbeam/contact/attempts.h>
 #include <frictionbeam/contact/condensation.h>
+
+#include <optional>
 
 namespace frictionbeam::contact {
 
@@ -26,6 +29,9 @@ public:
   void begin(const Vector &forces, const double largest_load, const double force_so_far,
              std::vector<Strains> strain, const double displacement, const State &committed,
              const Increment &increment);
+
+  /// Whether the contacts are all coupled.
+  bool is_of_body() const { return factors.is_of_body(); }
 
   /// Newton's method on the contacts around a fixed centre, with a line search.
   Outcome solve_proximal(Vector &x, Response &response, Result &result);
@@ -76,9 +82,10 @@ public:
   Check check(const Response &response) const;
 
 private:
-  /// Evaluate the contacts and return the forces left over.
-  Vector evaluate(const Vector &x, Response &response);
-  Vector forces_left(const Vector &x, const Response &response) const;
+  /// Evaluate the contacts, and the forces that the body leaves to them.
+  void evaluate(const Vector &x, Response &response);
+  /// Left over by body and contacts, at the last x evaluated.
+  Vector forces_left(const Response &response) const;
   bool balanced(const Vector &forces, const Vector &x, const Response &response, Result &result);
   Strains strain_of(const unsigned int i, const Vector &motion) const {
     return contacts[i].strain_by_unknowns(motion, places[i].unknowns);
@@ -87,15 +94,19 @@ private:
     contacts[i].add_to(forces, stress, -1., places[i].unknowns);
   }
   double energy(const Vector &forces) const;
-  double energy_together(const Vector &x, const Response &response) const;
+  double energy_together(const Response &response) const;
 
   /// Add a contact's stiffness, of its strains, to the tangent.
   void add_block(const unsigned int i, const Block &stiffness);
   /// Add to the stresses and their tangents what the centre as an unknown makes of them, and to
   /// @p step what the centre moves by itself (doc/theory.md).
   void eliminate_centre(Response &response, std::vector<Strains> &step) const;
-  /// Factor S with the contacts' tangents, and a small multiple of the diagonal where that fails.
+  /// Factor S with the contacts' tangents: for a body the directions alone that are free.
   bool factor(const Response &response, Result &result);
+  /// All directions, and a small multiple of the diagonal where that fails.
+  bool factor_all(const Response &response, Result &result);
+  /// With what factor() has left; where the reduced factors do not do, with all.
+  bool solve(const Vector &forces, const Response &response, Result &result, Vector &direction);
   /**
    * Whether an iterate proves that there is no equilibrium: a motion without elastic forces that
    * presses on no contact, along which every contact gives its utmost resistance or none, and the
@@ -125,11 +136,14 @@ private:
   std::vector<int> diagonal_places; ///< in the values of S
   Vector diagonal;                  ///< of S, positive
   TangentFactors factors;
+  std::optional<ReducedTangent> reduced; ///< of a body
+  bool is_reduced = false;               ///< which of the two holds the factors
   SparseMatrix tangent;
   std::vector<Block> factored; ///< the contacts' tangents that factors hold
 
   // of the increment
-  Vector loads; ///< g
+  Vector loads;        ///< g
+  Vector left_by_body; ///< g - S x without the contacts' forces, at the last x evaluated
   double largest_load = 0., force_so_far = 0.;
   double force_left = 0., rounding = 0., largest_force = 0.; ///< as last judged [N]
   bool is_barred = false;

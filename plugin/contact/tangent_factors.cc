@@ -21,8 +21,7 @@ bool TangentFactors::factorize(const SparseMatrix &matrix) {
   scale = matrix.diagonal().cwiseAbs();
   for (double &s : scale)
     s = s > 0. ? 1. / std::sqrt(s) : 1.;
-  const SparseMatrix scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
-  dense.compute(Eigen::MatrixXd(scaled));
+  dense.compute(scale.asDiagonal() * Eigen::MatrixXd(matrix) * scale.asDiagonal());
   return dense.matrixLU().diagonal().cwiseAbs().minCoeff() > vanishes;
 }
 

@@ -12,6 +12,7 @@ namespace frictionbeam::contact {
 class TangentFactors {
 public:
   void analyze(const SparseMatrix &matrix);
+  bool is_of_body() const { return is_dense; }
   /// @return false if a pivot vanishes: no factors then.
   bool factorize(const SparseMatrix &matrix);
   Vector solve(const Vector &right_hand_side) const;
