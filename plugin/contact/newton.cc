@@ -53,11 +53,8 @@ Newton::Newton(const Settings &settings, const SiteList &contacts, const Condens
     for (const int unknown : contacts[i].unknowns)
       places[i].unknowns.push_back(line.place(unknown));
     for (const int row : places[i].unknowns)
-      for (const int column : places[i].unknowns) {
-        const int *const begin = S.innerIndexPtr() + S.outerIndexPtr()[row],
-                         *const end = S.innerIndexPtr() + S.outerIndexPtr()[row + 1];
-        places[i].values.push_back(std::lower_bound(begin, end, column) - S.innerIndexPtr());
-      }
+      for (const int column : places[i].unknowns)
+        places[i].values.push_back(place_of(S, row, column));
   }
   if (factors.is_of_body()) {
     std::vector<std::vector<int>> unknowns;
@@ -155,6 +152,13 @@ void Newton::add_block(const unsigned int i, const Block &stiffness) {
       tangent.valuePtr()[places[i].values[v]] += block(a, b);
 }
 
+void Newton::begin_tangent(const double shift) {
+  factored.clear();
+  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
+  for (int i = 0; i < tangent.rows(); ++i)
+    tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+}
+
 bool Newton::factor(const Response &response, Result &result) {
   if (response.tangent == factored) // nothing slides, nothing opened or closed
     return true;
@@ -172,8 +176,7 @@ bool Newton::factor(const Response &response, Result &result) {
 
 bool Newton::factor_all(const Response &response, Result &result) {
   is_reduced = false;
-  factored.clear();
-  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
+  begin_tangent(0.);
   for (unsigned int i = 0; i < contacts.size(); ++i)
     add_block(i, response.tangent[i]);
   double shifted = -drag;
@@ -218,10 +221,7 @@ bool Newton::slides_away(const Vector &x, Response &response) {
   Vector forces = forces_left(response);
   if (drag > 0.) // the loads' own
     forces += drag * diagonal.cwiseProduct(x);
-  factored.clear();
-  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
-  for (int i = 0; i < tangent.rows(); ++i)
-    tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+  begin_tangent(shift);
   const double stiff = diagonal.size() > 0 ? diagonal.maxCoeff() : 1.;
   for (unsigned int i = 0; i < contacts.size(); ++i) // what is closed holds along its normal
     if (response.status[i] != ContactStatus::open)
@@ -252,10 +252,7 @@ void Newton::set_drag(const double factor) {
 
 bool Newton::strains_nothing(const Vector &x) {
   constexpr double shift = 1e-12, soft = 1e-13;
-  factored.clear();
-  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
-  for (int i = 0; i < tangent.rows(); ++i)
-    tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+  begin_tangent(shift);
   if (!factors.factorize(tangent))
     return false;
   Vector part = x;

@@ -96,6 +96,8 @@ private:
   double energy(const Vector &forces) const;
   double energy_together(const Response &response) const;
 
+  /// S and a multiple of its diagonal, without the contacts.
+  void begin_tangent(const double shift);
   /// Add a contact's stiffness, of its strains, to the tangent.
   void add_block(const unsigned int i, const Block &stiffness);
   /// Add to the stresses and their tangents what the centre as an unknown makes of them, and to
@@ -113,13 +115,13 @@ private:
    * loads still do work.
    */
   bool slides_away(const Vector &x, Response &response);
-  /// Whether all contacts give their utmost against a motion, which is kept as the proof.
   /// Whether next to all of a motion of the kept unknowns is softer than 1e-13 of diag S: a soft
   /// line is not taken for a free body.
   bool strains_nothing(const Vector &x);
   /// Contacts only take off what loads do on a motion; where these do less than is left, a pose far
   /// off has rounding for its forces, or ground pushes what floats out of its way.
   bool loads_do(const double work, const Vector &motion) const;
+  /// Whether all contacts give their utmost against a motion, which is kept as the proof.
   bool is_resisted_in_vain(const Vector &motion, const Response &response);
 
   /// Places of a contact's unknowns in x, and of its block in the values of S.
