@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "newton.h"
 #include <frictionbeam/contact/halving_search.h>
-
 #include <frictionbeam/contact/tolerances.h>
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace frictionbeam::contact {
 
@@ -24,11 +22,9 @@ constexpr double sharp = 1e-4, least_gain = 0.25;
 
 Vector positive_diagonal(const SparseMatrix &matrix) {
   Vector diagonal = matrix.diagonal();
-  double mean = diagonal.size() > 0 ? diagonal.sum() / diagonal.size() : 1.;
-  if (!(mean > 0.))
-    mean = 1.;
+  const double mean = diagonal.size() > 0 ? diagonal.mean() : 1.;
   for (double &d : diagonal)
-    d = d > 0. ? d : mean;
+    d = d > 0. ? d : mean > 0. ? mean : 1.;
   return diagonal;
 }
 
@@ -231,9 +227,8 @@ bool Newton::slides_away(const Vector &x, Response &response) {
     return false;
   const Vector motion = factors.solve(forces);
   const double work = forces.dot(motion);
-  if (!(work > 0.) || motion.dot(S * motion) > 1e-3 * work)
-    return false;
-  return loads_do(work, motion) && is_resisted_in_vain(motion, response);
+  return work > 0. && motion.dot(S * motion) <= 1e-3 * work && loads_do(work, motion) &&
+         is_resisted_in_vain(motion, response);
 }
 
 bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response) {
