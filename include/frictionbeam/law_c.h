@@ -76,15 +76,19 @@ typedef struct frictionbeam_c_input {
   double temperature;         /**< at the end of the increment [degC] */
   const double *old_state;    /**< at the start of the increment */
   int tangent;                /**< which tangent to write */
+  double pressure;            /**< section: inside the pipe over that outside, at the end [Pa] */
 } frictionbeam_c_input;
 
 /** What integrate() writes. The arrays belong to the caller. */
 typedef struct frictionbeam_c_output {
-  double *stress;     /**< n_strains values */
-  double *tangent;    /**< tangent[i * n_strains + j] = d stress_i / d strain_j */
-  double *new_state;  /**< n_states values; never old_state */
-  double dissipation; /**< in the increment, per unit length [J/m], >= 0; 0 at first */
-  int contact;        /**< state at the end of the increment */
+  double *stress;       /**< n_strains values */
+  double *tangent;      /**< tangent[i * n_strains + j] = d stress_i / d strain_j */
+  double *new_state;    /**< n_states values; never old_state */
+  double dissipation;   /**< in the increment, per unit length [J/m], >= 0; 0 at first */
+  int contact;          /**< state at the end of the increment */
+  double stored_energy; /**< section: free energy per unit length at the end [J/m]; 0 at first */
+  double error; /**< estimate of what the increment's length leaves in the stress, as a share of
+                     it; 0 at first */
 } frictionbeam_c_output;
 
 /** Closed form of a Coulomb law, as frictionbeam::FrictionThreshold has it; zeros at first. */

@@ -24,6 +24,7 @@ SAME_PLACE(LawInput, frictionbeam_c_input, time_increment);
 SAME_PLACE(LawInput, frictionbeam_c_input, temperature);
 SAME_PLACE(LawInput, frictionbeam_c_input, old_state);
 SAME_PLACE(LawInput, frictionbeam_c_input, tangent);
+SAME_PLACE(LawInput, frictionbeam_c_input, pressure);
 static_assert(sizeof(FrictionThreshold) == sizeof(frictionbeam_c_threshold));
 SAME_PLACE(FrictionThreshold, frictionbeam_c_threshold, static_friction);
 SAME_PLACE(FrictionThreshold, frictionbeam_c_threshold, dynamic_friction);
@@ -150,13 +151,19 @@ LawStatus LawInC::integrate(const LawInput &in, LawOutput &out) const noexcept {
                                       in.strain_rate,    in.displacement,
                                       in.length,         in.time,
                                       in.time_increment, in.temperature,
-                                      old_state,         static_cast<int>(in.tangent)};
-  frictionbeam_c_output output = {out.stress, out.tangent, out.new_state, 0., FRICTIONBEAM_NONE};
+                                      old_state,         static_cast<int>(in.tangent),
+                                      in.pressure};
+  frictionbeam_c_output output = {};
+  output.stress = out.stress;
+  output.tangent = out.tangent;
+  output.new_state = out.new_state;
   const int status = law.integrate(&input, &output);
   if (output.contact < FRICTIONBEAM_NONE || output.contact > FRICTIONBEAM_CLOSED)
     return LawStatus::failed;
   out.dissipation = output.dissipation;
   out.contact = static_cast<ContactStatus>(output.contact);
+  out.stored_energy = output.stored_energy;
+  out.error = output.error;
   return status == FRICTIONBEAM_OK ? LawStatus::ok : LawStatus::failed;
 }
 

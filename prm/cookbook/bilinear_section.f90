@@ -20,11 +20,13 @@ module bilinear_section
     real(c_double) :: length, time, time_increment, temperature
     type(c_ptr) :: old_state
     integer(c_int) :: tangent
+    real(c_double) :: pressure
   end type
   type, bind(c) :: output_type
     type(c_ptr) :: stress, tangent, new_state
     real(c_double) :: dissipation
     integer(c_int) :: contact
+    real(c_double) :: stored_energy, error
   end type
   type, bind(c) :: law_type
     integer(c_int) :: version, size
