@@ -126,9 +126,8 @@ double Newton::energy_together(const Response &response) const {
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     Strains stress = response.stress[i];
     if (proximal.is_exact(i)) {
-      const Strains scale = proximal.by_centre(i);
       stress.head<3>() = proximal.centre[i].head<3>();
-      misfit += contacts[i].weight * proximal.misfit[i].cwiseAbs2().dot(scale);
+      misfit += contacts[i].weight * proximal.misfit[i].cwiseAbs2().dot(proximal.by_centre(i));
     }
     subtract_force(i, stress, forces);
   }
