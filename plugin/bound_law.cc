@@ -39,6 +39,7 @@ LawStatus BoundLaw::integrate(const double *strain, const double *strain_rate,
   input.temperature = increment.temperature;
   input.old_state = old_state;
   input.tangent = tangent;
+  input.pressure = increment.pressure;
   return law->law->integrate(input, output);
 }
 

@@ -22,6 +22,7 @@ struct LineState {
   Vector dofs;                   ///< all degrees of freedom u = C q + imposed motions
   Vector velocity, acceleration; ///< of the unknowns; zero in statics
   Vector turns;                  ///< of the line's vertices (Pose); empty in linear kinematics
+  Vector sections;               ///< states of sections that yield or creep (PipeSections)
   ContactState contacts;         ///< committed
   std::vector<Contact::Strains> contact_stress;
   std::vector<ContactStatus> contact_status;

@@ -8,17 +8,20 @@
 
 namespace frictionbeam {
 
-const LawDescription &find_support_law(const ParameterReader &in, const LawLibrary &laws,
-                                       const std::string &otherwise) {
-  const std::vector<std::string> known = laws.names(LawKind::support),
-                                 of_sections = laws.names(LawKind::section);
+const LawDescription &find_law(const ParameterReader &in, const LawLibrary &laws,
+                               const LawKind kind, const std::string &otherwise) {
+  const bool is_support = kind == LawKind::support;
+  const std::vector<std::string> known = laws.names(kind),
+                                 others =
+                                     laws.names(is_support ? LawKind::section : LawKind::support);
   const std::string name = in.raw("Law", otherwise);
-  if (std::count(of_sections.begin(), of_sections.end(), name) > 0)
+  if (std::count(others.begin(), others.end(), name) > 0)
     in.fail("Law",
-            "the name of a support law: " + join(known) + "; '" + name +
-                "' is a law of beam sections",
+            std::string("the name of a ") + (is_support ? "support" : "section") +
+                " law: " + join(known) + "; '" + name + "' is a law of " +
+                (is_support ? "beam sections" : "supports"),
             "'" + otherwise + "'", "'" + name + "'");
-  return laws.find(known[in.find("Law", name, known, "support law")]);
+  return laws.find(known[in.find("Law", name, known, is_support ? "support law" : "section law")]);
 }
 
 void check_closed_form(const ParameterReader &in, const LawDescription &law,
@@ -40,20 +43,12 @@ void load_laws(const ParameterReader &in, LawLibrary &laws) {
               "the working folder",
               "the path from " + fs::absolute(in.file().name()).parent_path().string(),
               "'" + library + "'");
-    const LawDescription *law = nullptr;
     try {
-      law = &laws.load(fs::absolute(path).string());
+      laws.load(fs::absolute(path).string());
     } catch (const std::runtime_error &error) {
       in.fail("Law libraries", "shared libraries that each export a law of this version",
               error.what(), "'" + library + "'");
     }
-    if (law->kind == LawKind::section)
-      in.fail("Law libraries",
-              "laws of supports, each for the entry Law of a Support; the law '" +
-                  std::string(law->name) +
-                  "' is one of beam sections, and all pipes take elastic_section",
-              "leaving it out: a program of your own can take it (doc/embedding.md)",
-              "'" + library + "'");
   }
 }
 

@@ -7,18 +7,18 @@
 namespace frictionbeam {
 
 /**
- * The law of supports that entry Law of the current section names, which need not be declared yet.
+ * The law of a kind that entry Law of the current section names, which need not be declared yet.
  * @param otherwise its name if the entry is not there
- * @throws UserError that says which laws there are, and of a law of sections that it is one.
+ * @throws UserError that says which laws there are, and of a law of the other kind that it is one.
  */
-const LawDescription &find_support_law(const ParameterReader &in, const LawLibrary &laws,
-                                       const std::string &otherwise);
+const LawDescription &find_law(const ParameterReader &in, const LawLibrary &laws,
+                               const LawKind kind, const std::string &otherwise);
 
 /// The method exact believes a law's closed form, the others its integrate(): they must agree.
 void check_closed_form(const ParameterReader &in, const LawDescription &law,
                        const std::vector<double> &parameters);
 
-/// Load the shared libraries that entry Law libraries names: laws that a scene can use.
+/// Load the shared libraries that entry Law libraries names.
 void load_laws(const ParameterReader &in, LawLibrary &laws);
 
 } // namespace frictionbeam

@@ -43,7 +43,6 @@ struct SimplePart {
 /// Parts that need nothing but their section.
 const std::vector<SimplePart> simple_parts = {
     {"Material", &parts::declare_material, &parts::parse_material},
-    {"Section", &parts::declare_section, &parts::parse_section},
     {"Point", &parts::declare_point, &parts::parse_point},
     {"Pipe", &parts::declare_pipe, &parts::parse_pipe},
     {"Spring", &parts::declare_spring, &parts::parse_spring},
@@ -67,6 +66,8 @@ void declare_part(ParameterReader &in, const LawLibrary &laws, const std::string
     part->declare(in);
   else if (kind == "Support")
     parts::declare_support(in, laws);
+  else if (kind == "Section")
+    parts::declare_section(in, laws);
   else if (kind == "Load")
     parts::declare_load(in);
   else
@@ -79,6 +80,8 @@ void parse_part(const ParameterReader &in, const LawLibrary &laws, const std::st
     part->parse(in, name, scene);
   else if (kind == "Support")
     parts::parse_support(in, laws, name, scene);
+  else if (kind == "Section")
+    parts::parse_section(in, laws, name, scene);
   else if (kind == "Load")
     parts::parse_load(in, name, installation_temperature, scene);
   else
@@ -231,6 +234,8 @@ void check_whole(ParameterReader &in, Scene &scene) {
   parts::check_model(in, scene);
   parts::parse_monitors(in, scene);
   parts::check_kinematics(in, scene);
+  parts::check_inelastic(in, scene);
+  in.enter("");
   parts::remark_on_free_motions(scene);
   parts::remark_on_unused(in, scene);
   in.enter("");

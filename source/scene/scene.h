@@ -12,6 +12,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -60,6 +61,10 @@ struct Section {
   double insulation = 0.;         ///< thickness [m]
   double insulation_density = 0.; ///< [kg/m3], in added_mass as well
   double corrosion = 0.;          ///< allowance, off the wall's inside in sustained stresses [m]
+  std::string law = "elastic_section"; ///< of kind section
+  /// Of the law, in its order; without a value: not in the file.
+  std::vector<std::optional<double>> law_parameters;
+  bool is_inelastic() const { return law != "elastic_section"; }
 
   double bore_area() const; ///< [m2]; 0 where the wall is not known
   /// Contents and insulation, by their densities [kg/m].
@@ -185,6 +190,11 @@ struct Load {
   std::vector<AtPoint> at;        ///< force, displacement
   bool follows = false;           ///< force: turns with its point
   TimeFunction history;           ///< by which it is multiplied
+
+  /// Of those that act on whole pipes: whether on this one.
+  bool is_on(const std::string &pipe) const {
+    return pipes.empty() || std::find(pipes.begin(), pipes.end(), pipe) != pipes.end();
+  }
 };
 
 /// One step of the declared load sequence: all loads active at its end, with factors; they change

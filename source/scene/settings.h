@@ -49,6 +49,7 @@ inline constexpr SolverMethodRow solver_methods[] = {
 struct SolverSettings {
   SolverMethod method = SolverMethod::exact;
   double tolerance = 1e-10;         ///< of the residual, relative to the largest force
+  double creep_tolerance = 1e-3;    ///< of stresses of sections that creep, an increment
   double contact_tolerance = 1e-8;  ///< exact: of the contact laws, each contact on its own scale
   unsigned int max_iterations = 50; ///< newton, an increment; elastic: max_elastic_iterations
   unsigned int max_elastic_iterations = 10000;

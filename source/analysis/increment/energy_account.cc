@@ -7,7 +7,7 @@
 namespace frictionbeam {
 
 double EnergyAccount::left_over() const {
-  return external - stored - kinetic - dissipated - gaps - damping - impact;
+  return external - stored - kinetic - dissipated - inelastic - gaps - damping - impact;
 }
 
 double EnergyAccount::imbalance() const {
@@ -19,6 +19,7 @@ EnergyAccount &EnergyAccount::operator+=(const EnergyAccount &other) {
   external += other.external;
   stored += other.stored;
   dissipated += other.dissipated;
+  inelastic += other.inelastic;
   gaps += other.gaps;
   kinetic += other.kinetic;
   damping += other.damping;

@@ -16,6 +16,7 @@ struct EnergyAccount {
   double external = 0.; ///< work of loads (thermal ones included) and of imposed motions [J]
   double stored = 0.;   ///< in the line, its springs and the elastic part of friction elements [J]
   double dissipated = 0.; ///< by friction [J]
+  double inelastic = 0.;  ///< dissipated by pipes that yield or creep [J]
   double gaps = 0.;    ///< of normal forces along gaps that open or close within an increment [J]
   double kinetic = 0.; ///< of the motion [J]
   double damping = 0.; ///< lost in viscous damping [J]

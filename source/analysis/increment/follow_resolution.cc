@@ -50,7 +50,7 @@ void FollowResolution::add_displacement(const LineState &state, Resolution &reso
         std::max(resolution.largest_displacement,
                  std::hypot(state.dofs[translations[i]], state.dofs[translations[i + 1]],
                             state.dofs[translations[i + 2]]));
-  const LineCells::Unbent cells = model.cells.unbent({state.dofs, state.turns});
+  const LineCells::Unbent cells = model.cells.unbent(pose_of(state));
   resolution.unbent = std::max(resolution.unbent, cells.length);
   resolution.largest_displacement = std::max(resolution.largest_displacement, cells.bow);
 }

@@ -30,7 +30,7 @@ Vector impulse_of_inertia(const Model &model, const std::vector<double> &before,
 }
 
 double kinetic_energy(const Model &model, const LineState &state) {
-  return model.cells.kinetic_energy({state.dofs, state.turns}, state.velocity, state.load_rates);
+  return model.cells.kinetic_energy(pose_of(state), state.velocity, state.load_rates);
 }
 
 } // namespace

@@ -39,6 +39,7 @@ void LoadSequence::initialize() {
   current.unknowns = current.velocity = current.acceleration = current.auxiliary = Vector::Zero(n);
   current.load_factors = declared;
   current.turns = model.cells.at_rest().turns;
+  current.sections = model.cells.pipe_sections().at_rest();
   set_initial_motion(true);
   const Vector imposed = course.imposed(0.);
   const auto expand = [&]() {

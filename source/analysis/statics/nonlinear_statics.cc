@@ -2,6 +2,7 @@
 #include "analysis/statics/nonlinear_statics.h"
 
 #include "base/interruption.h"
+#include "base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,19 +31,23 @@ double largest_turn(const Discretization &discretization, const Vector &dofs) {
 
 NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
                                                    const StaticIncrement &increment) const {
-  const Pose pose{from.dofs, from.turns};
+  const Pose pose = pose_of(from);
   LineCells::Balance balance;
   model.cells.evaluate(pose, from.load_factors, balance);
   const double largest_before =
       std::max(increment.least_force, balance.largest); // a line may lose all its forces
   const Vector imposed =
       increment.course.imposed(increment.time) - increment.course.imposed(from.time);
-  return {model.cells.moved(pose, imposed), Vector::Zero(from.unknowns.size()), increment.factors,
+  return {model.cells.moved(pose, imposed),
+          Vector::Zero(from.unknowns.size()),
+          increment.factors,
+          {increment.time, increment.time - from.time},
           largest_before};
 }
 
 void NonlinearStatics::evaluate(Approach &at) const {
-  model.cells.evaluate(at.pose, at.factors, at.balance);
+  model.cells.evaluate({at.pose, at.pose, at.pose, at.pose.dofs, 0., at.clock}, at.factors,
+                       at.balance);
   at.forces = at.balance.forces + model.contacts.platen_forces();
   at.largest = std::max(at.largest_before, at.balance.largest);
 }
@@ -57,10 +62,21 @@ bool NonlinearStatics::is_solved(Approach &at, const ContactResponse &response,
   result.residual = scale > 0. ? size / scale : size;
   const auto rounding = [&]() {
     LineCells::Balance beside;
-    model.cells.evaluate(with_other_digits(model, at.pose), at.factors, beside);
+    const Pose pose = with_other_digits(model, at.pose);
+    model.cells.evaluate({pose, pose, pose, pose.dofs, 0., at.clock}, at.factors, beside);
     return (beside.forces - at.balance.forces).lpNorm<Eigen::Infinity>();
   };
   return is_balanced(model, at.balance.stiffness, size, at.largest, at.pose, rounding, scale);
+}
+
+bool NonlinearStatics::follows_creep(const Approach &at, EquilibriumResult &result) const {
+  const double allowed = model.scene.solver.creep_tolerance;
+  if (at.balance.section_error <= allowed)
+    return true;
+  result.remark = "the increment is too long for creep: a stress would be off by " +
+                  rounded_number(at.balance.section_error, 2) + " of itself, Creep tolerance is " +
+                  rounded_number(allowed, 2);
+  return false;
 }
 
 bool NonlinearStatics::move(const Vector &change, Approach &at) const {
@@ -88,7 +104,10 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       return result;
     }
     if (judged && is_solved(at, response, result)) {
+      if (!follows_creep(at, result))
+        return result;
       result.converged = true;
+      to.sections = at.balance.sections;
       to.unknowns = from.unknowns + at.moved;
       set_pose(model, at.pose, to);
       return result;
@@ -110,14 +129,14 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
 
 Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCourse &) const {
   LineCells::Balance balance;
-  model.cells.evaluate({state.dofs, state.turns}, state.load_factors, balance);
+  model.cells.evaluate(pose_of(state), state.load_factors, balance);
   return balance.forces + model.contacts.platen_forces();
 }
 
 bool NonlinearStatics::is_unstable(const LineState &state) const {
   constexpr double same = 1e-9, stiff = 1e3; // parts of the stiffest
   LineCells::Balance balance;
-  model.cells.evaluate({state.dofs, state.turns}, state.load_factors, balance);
+  model.cells.evaluate(pose_of(state), state.load_factors, balance);
   const SparseMatrix symmetric = symmetric_part(balance.stiffness);
   const double largest = symmetric.diagonal().cwiseAbs().maxCoeff();
   if ((balance.stiffness - symmetric).norm() > same * symmetric.norm())
@@ -145,7 +164,7 @@ bool NonlinearStatics::is_unstable(const LineState &state) const {
 EnergyAccount NonlinearStatics::account(const LineState &before, const LineState &after,
                                         const LoadCourse &course, const Vector &unbalanced) const {
   const LineCells &line = model.cells;
-  const Pose from{before.dofs, before.turns}, to{after.dofs, after.turns};
+  const Pose from = pose_of(before), to = pose_of(after);
   std::vector<double> factors(after.load_factors);
   for (unsigned int l = 0; l < factors.size(); ++l)
     factors[l] = (factors[l] + before.load_factors[l]) / 2.;
@@ -158,7 +177,11 @@ EnergyAccount NonlinearStatics::account(const LineState &before, const LineState
       model.contacts.platen_forces().dot(after.unknowns - before.unknowns) +
       (mean.internal - mean.loads).dot(course.imposed(after.time) - course.imposed(before.time));
   account.stored = line.stored_energy(to) - line.stored_energy(from);
-  account.turnover = std::abs(account.external) + std::abs(account.stored);
+  if (line.pipe_sections().any())
+    account.inelastic = line.pipe_sections().dissipated(after.sections) -
+                        line.pipe_sections().dissipated(before.sections);
+  account.turnover =
+      std::abs(account.external) + std::abs(account.stored) + std::abs(account.inelastic);
   account += account_contacts(model, before, after, {});
   account.external -= unbalanced.dot(after.unknowns - before.unknowns) / 2.;
   return account;

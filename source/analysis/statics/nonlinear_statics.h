@@ -38,6 +38,7 @@ private:
     Pose pose;
     Vector moved; ///< unknowns since the increment began
     const std::vector<double> &factors;
+    PipeSections::Clock clock;
     double largest_before; ///< force on the unknowns as the increment begins
     double largest = 0.;   ///< at the pose
     LineCells::Balance balance;
@@ -47,6 +48,8 @@ private:
   void evaluate(Approach &at) const;
   /// Whether the contacts' forces at this pose balance the line's; how well goes into the result.
   bool is_solved(Approach &at, const ContactResponse &response, EquilibriumResult &result) const;
+  /// Whether the increment is short enough for creep; if not, the result's remark says so.
+  bool follows_creep(const Approach &at, EquilibriumResult &result) const;
   /// Go on by the change of the unknowns, or by a part of it if vertices would turn too far.
   /// @return whether by all of it
   bool move(const Vector &change, Approach &at) const;

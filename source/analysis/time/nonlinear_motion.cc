@@ -35,7 +35,9 @@ void NonlinearMotion::evaluate(const LineState &state, Step &step) const {
   step.change += step.imposed;
   step.to = line.stepped(step.from, step.change);
   step.half = line.halfway(step.from, step.to);
-  line.evaluate({step.from, step.half, step.to, step.change, h}, step.factors, step.balance);
+  line.evaluate(
+      {step.from, step.half, step.to, step.change, h, {step.start + h, h}, &step.factors_at_end},
+      step.factors, step.balance);
 
   // The equation of motion divided by h/2.
   const double lost = model.scene.time.mass_damping * h / 2.; // part of the momentum
@@ -52,7 +54,13 @@ void NonlinearMotion::evaluate(const LineState &state, Step &step) const {
 double NonlinearMotion::rounding_of(const Step &step) const {
   const Pose to = with_other_digits(model, step.to);
   LineCells::Balance beside;
-  model.cells.evaluate({step.from, model.cells.halfway(step.from, to), to, step.change, step.h},
+  model.cells.evaluate({step.from,
+                        model.cells.halfway(step.from, to),
+                        to,
+                        step.change,
+                        step.h,
+                        {step.start + step.h, step.h},
+                        &step.factors_at_end},
                        step.factors, beside);
   return 2. * (beside.forces - step.balance.forces).lpNorm<Eigen::Infinity>();
 }
@@ -156,16 +164,21 @@ void NonlinearMotion::account(const Step &step, const Vector &velocity_after,
                      (step.balance.internal - step.balance.loads).dot(step.imposed) +
                      step.imposed_velocity.dot((1. + lost) * after - (1. - lost) * before);
   account.at_hand = kinetic + stored;
-  account.turnover =
-      std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
+  if (line.pipe_sections().any())
+    account.inelastic = line.pipe_sections().dissipated(*step.to.sections) -
+                        line.pipe_sections().dissipated(*step.from.sections);
+  account.turnover = std::abs(account.external) + std::abs(account.stored) +
+                     std::abs(account.kinetic) + std::abs(account.inelastic);
 }
 
-void NonlinearMotion::finish(const LineState &state, const Step &step, ContactResponse &response,
+void NonlinearMotion::finish(const LineState &state, Step &step, ContactResponse &response,
                              LineState &to, TimeStep &report) {
   const LineCells &line = model.cells;
   const double h = step.h;
   to.unknowns = state.unknowns + step.moved;
   set_pose(model, step.to, to);
+  to.sections = step.balance.sections;
+  step.to.sections = &to.sections;
   to.velocity = 2. / h * step.moved - state.velocity;
   for (int i = 0; i < to.velocity.size(); ++i)
     if (!has_mass[i])
@@ -190,11 +203,12 @@ NonlinearMotion::Step NonlinearMotion::begin(const LineState &from, const LoadCo
                                              const LineState &to) const {
   Step step;
   step.h = to.time - from.time;
-  step.from = {from.dofs, from.turns};
+  step.start = from.time;
+  step.from = pose_of(from);
   step.moved = step.h * from.velocity;
   step.momentum = 2. / step.h * (model.cells.mass() * from.velocity).lpNorm<Eigen::Infinity>();
   step.imposed = loads.imposed(to.time) - loads.imposed(from.time);
-  step.factors = to.load_factors;
+  step.factors = step.factors_at_end = to.load_factors;
   const std::vector<double> before = loads.factors_after(from.time);
   for (unsigned int l = 0; l < step.factors.size(); ++l)
     step.factors[l] = (step.factors[l] + before[l]) / 2.;

@@ -37,10 +37,11 @@ private:
     Vector change;               ///< the same of all degrees of freedom
     Vector imposed;              ///< change that is imposed
     std::vector<double> factors; ///< mean ones of the loads
-    Vector velocity;             ///< of all degrees of freedom, at the start
-    Vector imposed_velocity;     ///< mean of the imposed ones
-    Vector imposed_impulse;      ///< what these take from the unknowns
-    double h = 0.;
+    std::vector<double> factors_at_end;
+    Vector velocity;           ///< of all degrees of freedom, at the start
+    Vector imposed_velocity;   ///< mean of the imposed ones
+    Vector imposed_impulse;    ///< what these take from the unknowns
+    double start = 0., h = 0.; ///< [s]
     LineCells::Balance balance;
     Vector residual;      ///< but for the contacts at the end
     SparseMatrix matrix;  ///< less its derivative by `moved`
@@ -68,7 +69,7 @@ private:
   Step begin(const LineState &from, const LoadCourse &loads, const LineState &to) const;
   /// The step's account but for the contacts.
   void account(const Step &step, const Vector &velocity_after, EnergyAccount &account) const;
-  void finish(const LineState &state, const Step &step, ContactResponse &response, LineState &to,
+  void finish(const LineState &state, Step &step, ContactResponse &response, LineState &to,
               TimeStep &report);
 
   const Model &model;

@@ -57,6 +57,10 @@ public:
   const Eigen::Matrix3d &axes_at_rest() const { return rest; }
   /// Forces on the deformations that forces on the ends of the linear element are.
   Vector7 on_deformations(const Vector12 &forces) const { return motions.transpose() * forces; }
+  /// The same of a stiffness of the ends.
+  Eigen::Matrix<double, 7, 7> on_deformations(const Matrix12 &stiffness) const {
+    return motions.transpose() * stiffness * motions;
+  }
   /// Motions of the linear element's ends that are these deformations, in the axes at rest.
   Vector12 motions_of(const Vector7 &d) const { return motions * d; }
 

@@ -14,6 +14,7 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Vector7 = CorotationalBeam::Vector7;
+using Matrix7 = Eigen::Matrix<double, 7, 7>;
 using Vector12 = CorotationalBeam::Vector12;
 
 namespace {
@@ -122,7 +123,7 @@ bool CorotationalCells::turns(const unsigned int vertex) const {
 }
 
 Pose CorotationalCells::at_rest() const {
-  Pose pose{Vector::Zero(space.n_dofs()), Vector::Zero(4 * n_vertices)};
+  Pose pose{Vector::Zero(space.n_dofs()), Vector::Zero(4 * n_vertices), &sections_at_rest};
   for (unsigned int v = 0; v < n_vertices; ++v)
     pose.turns[4 * v + 3] = 1.;
   return pose;
@@ -139,7 +140,7 @@ void turn_vertex(const Quaterniond &by, double *const turn, const Vector3d &near
 } // namespace
 
 Pose CorotationalCells::moved(const Pose &from, const Vector &change) const {
-  Pose pose{from.dofs + change, from.turns};
+  Pose pose{from.dofs + change, from.turns, from.sections};
   for (unsigned int v = 0; v < n_vertices; ++v)
     if (turns(v)) {
       const Vector3d near = part(pose.dofs, v, 3);
@@ -151,7 +152,7 @@ Pose CorotationalCells::moved(const Pose &from, const Vector &change) const {
 }
 
 Pose CorotationalCells::stepped(const Pose &from, const Vector &change) const {
-  Pose pose{from.dofs + change, from.turns};
+  Pose pose{from.dofs + change, from.turns, from.sections};
   for (unsigned int v = 0; v < n_vertices; ++v)
     if (turns(v)) {
       const Quaterniond by = cayley(part(change, v, 3));
@@ -173,7 +174,7 @@ Vector CorotationalCells::change(const Pose &from, const Pose &to) const {
 }
 
 Pose CorotationalCells::halfway(const Pose &from, const Pose &to) const {
-  Pose pose{(from.dofs + to.dofs) / 2., from.turns};
+  Pose pose{(from.dofs + to.dofs) / 2., from.turns, from.sections};
   for (unsigned int v = 0; v < n_vertices; ++v) {
     Eigen::Map<Quaterniond> rotation(pose.turns.data() + 4 * v);
     rotation = half_of(between_turns(turn(from, v), turn(to, v))) * Quaterniond(rotation);
@@ -223,6 +224,16 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   answer.loads = on_line(cell, mean.axes, factors, free);
   const Vector7 deformed = after.d - before.d;
   Vector7 s = beam.stiffness() * (before.d + after.d) / 2. - free;
+  Matrix7 stiffness = beam.stiffness();
+  answer.free_work = free.dot(deformed);
+  if (sections.has(index)) {
+    PipeSections::Answer inelastic;
+    integrate_sections(index, beam.motions_of(before.d), beam.motions_of(after.d), step, factors,
+                       answer, inelastic);
+    s = beam.on_deformations(is_step ? Vector12((inelastic.before + inelastic.after) / 2.)
+                                     : inelastic.after);
+    stiffness = beam.on_deformations(inelastic.stiffness);
+  }
   if (viscous != 0.)
     s += viscous * (beam.stiffness() * deformed);
   const CorotationalBeam::Matrix7_12 B = beam.derivative(mean, (before.length + after.length) / 2.);
@@ -244,9 +255,8 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   }
   answer.internal = B.transpose() * s;
   answer.free = B.transpose() * free;
-  answer.stiffness = B.transpose() * ((1. + 2. * viscous) * beam.stiffness()) * B_after +
+  answer.stiffness = B.transpose() * (stiffness + 2. * viscous * beam.stiffness()) * B_after +
                      beam.geometric_stiffness(mean, s);
-  answer.free_work = free.dot(deformed);
   answer.damping = viscous * deformed.dot(beam.stiffness() * deformed);
 }
 
@@ -265,6 +275,8 @@ Motion CorotationalCells::nodal_load(const unsigned int load, const unsigned int
 }
 
 double CorotationalCells::stored_in(const unsigned int cell, const Pose &pose) const {
+  if (sections.has(cell))
+    return sections.stored_in(cell, *pose.sections);
   const Vector7 d = cells[cell].beam.deform(ends(cells[cell], pose)).d;
   return d.dot(cells[cell].beam.stiffness() * d) / 2.;
 }
@@ -277,9 +289,10 @@ LineCells::CellState CorotationalCells::state_of(const unsigned int index, const
   Vector7 free;
   const Vector12 loads = on_line(cell, deformed.axes, factors, free);
   CellState state;
-  state.ends = cell.beam.derivative(deformed, deformed.length).transpose() *
-                   (cell.beam.stiffness() * deformed.d - free) -
-               loads;
+  const Vector7 forces = sections.has(index)
+                             ? cell.beam.on_deformations(sections.forces(index, *pose.sections))
+                             : Vector7(cell.beam.stiffness() * deformed.d - free);
+  state.ends = cell.beam.derivative(deformed, deformed.length).transpose() * forces - loads;
   state.motions = cell.beam.motions_of(deformed.d);
   state.frame = CellFrame{deformed.axes * cell.beam.axes_at_rest().transpose(),
                           to_eigen(Vector3(discretization.vertices()[cell.vertices[0]])),

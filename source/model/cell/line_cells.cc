@@ -4,6 +4,7 @@
 #include "model/cell/rotation.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -13,6 +14,7 @@ using Eigen::Vector3d;
 LineCells::LineCells(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
                      const ReducedSpace &space, const LinearPart &linear)
     : scene(scene), mesh(mesh), discretization(discretization), space(space), linear(linear),
+      sections(scene, discretization), sections_at_rest(sections.at_rest()),
       n_vertices(discretization.n_line_vertices()), point_mass(n_vertices, 0.) {
   for (const PointMass &mass : scene.masses)
     for (const std::string &point : mass.points)
@@ -55,7 +57,13 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
   std::fill(balance.stiffness.valuePtr(),
             balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
   balance.largest = balance.free = balance.free_work = balance.damping = 0.;
+  balance.section_error = 0.;
   CellAnswer of_cell;
+  if (sections.any()) {
+    Assert(step.from.sections != nullptr, ExcMessage("A pose of such a line has states."));
+    balance.sections = *step.from.sections;
+    of_cell.sections = &balance.sections;
+  }
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     answer(i, step, factors, of_cell);
     add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
@@ -68,6 +76,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
     balance.free = std::max(balance.free, of_cell.free.lpNorm<Eigen::Infinity>());
     balance.free_work += of_cell.free_work;
     balance.damping += of_cell.damping;
+    balance.section_error = std::max(balance.section_error, of_cell.section_error);
   }
   add_springs(step, balance);
   if (step.duration > 0.)
@@ -217,6 +226,42 @@ CellLoad LineCells::load_on(const PipeCell &cell, const Profile &profile, const 
     load.pressure += factors[l] * one.pressure;
   }
   return load;
+}
+
+Pose pose_of(const LineState &state) { return {state.dofs, state.turns, &state.sections}; }
+
+void LineCells::integrate_sections(const unsigned int cell, const Vector12 &before,
+                                   const Vector12 &after, const Step &step,
+                                   const std::vector<double> &factors, CellAnswer &answer,
+                                   PipeSections::Answer &inelastic) const {
+  const Vector &old = *step.from.sections;
+  if (step.to.sections != step.from.sections)
+    sections.between(cell, before, after, old, *step.to.sections, inelastic);
+  else
+    sections.integrate(cell, before, after,
+                       surroundings(cell, step.factors_at_end ? *step.factors_at_end : factors),
+                       step.clock, old, *answer.sections, inelastic);
+  if (inelastic.failed) // no answer: the iteration sees that it is none
+    inelastic.after.setConstant(std::numeric_limits<double>::quiet_NaN());
+  answer.section_error = inelastic.error;
+  answer.free_work = inelastic.free_work;
+}
+
+PipeSections::Surroundings LineCells::surroundings(const unsigned int cell,
+                                                   const std::vector<double> &factors) const {
+  const PipeCell &pipe_cell = discretization.pipe_cells()[cell];
+  const Profile &profile = discretization.profiles()[discretization.pipe_cell(cell)->material_id()];
+  PipeSections::Surroundings result;
+  const CellLoad load = load_on(pipe_cell, profile, Vector3({1., 0., 0.}), factors);
+  result.axial_strain = load.axial_strain;
+  result.curvature = load.curvature;
+  result.pressure = load.pressure;
+  result.temperature = scene.installation_temperature;
+  const std::string &pipe = scene.pipes[pipe_cell.pipe].name;
+  for (unsigned int l = 0; l < factors.size(); ++l)
+    if (scene.loads[l].kind == Load::Kind::temperature && scene.loads[l].is_on(pipe))
+      result.temperature += factors[l] * scene.loads[l].value;
+  return result;
 }
 
 } // namespace frictionbeam

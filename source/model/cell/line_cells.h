@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "model/cell/pipe_sections.h"
 #include "model/line/linear_part.h"
 #include "model/line/pipe_element.h"
+#include "model/line_state.h"
 
 #include <memory>
 
@@ -16,7 +18,13 @@ struct Pose {
   Vector dofs;
   /// Rotation of each vertex of the line, a quaternion (x, y, z, w); empty where turns are small.
   Vector turns;
+  /// States of the sections that have a law of their own (PipeSections), those that the increment
+  /// began with until it is committed; null where there are none. Not owned.
+  const Vector *sections = nullptr;
 };
+
+/// Of a state that has been committed, which must outlive it.
+Pose pose_of(const LineState &state);
 
 /// Where a cell's frame has gone, in which the cell is the linear element.
 struct CellFrame {
@@ -65,12 +73,19 @@ public:
     double free = 0.;       ///< the same of free strains, which a line may follow without any force
     double free_work = 0.;  ///< of free strains from the first to the last pose [J]
     double damping = 0.;    ///< lost to viscous forces, which are internal ones [J]
+    Vector sections;        ///< states of sections with a law, at the end
+    double section_error =
+        0.; ///< what the increment's length leaves in a section's stress, a share
   };
   /// A motion from one pose to another.
   struct Step {
     const Pose &from, &half, &to;
     const Vector &change; ///< of all degrees of freedom, turns as Cayley vectors
     double duration = 0.; ///< [s]; 0: of a static increment, without viscous forces
+    /// Of sections with a law: the end, and how long they creep on the way [s].
+    PipeSections::Clock clock = {};
+    /// Of the loads at the end, where those at hand are mean ones; null: they are the same.
+    const std::vector<double> *factors_at_end = nullptr;
   };
   /**
    * Forces at a pose, or those of a time step: the mean of the cells' forces at both its ends,
@@ -84,6 +99,8 @@ public:
   void evaluate(const Pose &at, const std::vector<double> &factors, Balance &balance) const {
     evaluate({at, at, at, at.dofs}, factors, balance);
   }
+  /// Sections with a law of their own.
+  const PipeSections &pipe_sections() const { return sections; }
   /// Elastic energy of pipes and springs [J].
   double stored_energy(const Pose &pose) const;
 
@@ -148,7 +165,8 @@ protected:
     std::vector<dealii::types::global_dof_index> dofs;
     Vector12 internal, loads, free; ///< the last: forces that free strains would need, held
     Matrix12 stiffness;
-    double free_work = 0., damping = 0.;
+    double free_work = 0., damping = 0., section_error = 0.;
+    Vector *sections = nullptr; ///< states at the end, where there are any
   };
   virtual void answer(const unsigned int cell, const Step &step, const std::vector<double> &factors,
                       CellAnswer &answer) const = 0;
@@ -162,6 +180,14 @@ protected:
                        const unsigned int first) const;
   void add_part(const Eigen::Vector3d &value, const unsigned int vertex, const unsigned int first,
                 Vector &dofs) const;
+  /// Sections of a cell over a step, between motions of its ends in the axes at rest, or between
+  /// the states of a step that has been taken. The answer gets what does not depend on axes.
+  void integrate_sections(const unsigned int cell, const Vector12 &before, const Vector12 &after,
+                          const Step &step, const std::vector<double> &factors, CellAnswer &answer,
+                          PipeSections::Answer &inelastic) const;
+  /// Free strains and what else the law of a cell's sections is given.
+  PipeSections::Surroundings surroundings(const unsigned int cell,
+                                          const std::vector<double> &factors) const;
   void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
                  const std::vector<dealii::types::global_dof_index> &dofs,
                  SparseMatrix &matrix) const;
@@ -171,6 +197,8 @@ protected:
   const Discretization &discretization;
   const ReducedSpace &space;
   const LinearPart &linear;
+  const PipeSections sections;
+  const Vector sections_at_rest;
   const unsigned int n_vertices;
   std::vector<double> point_mass; ///< of each vertex [kg]
 

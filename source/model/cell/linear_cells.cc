@@ -5,14 +5,14 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-Pose LinearCells::at_rest() const { return {Vector::Zero(space.n_dofs()), {}}; }
+Pose LinearCells::at_rest() const { return {Vector::Zero(space.n_dofs()), {}, &sections_at_rest}; }
 
 Pose LinearCells::moved(const Pose &from, const Vector &change) const {
-  return {from.dofs + change, {}};
+  return {from.dofs + change, {}, from.sections};
 }
 
 Pose LinearCells::halfway(const Pose &from, const Pose &to) const {
-  return {(from.dofs + to.dofs) / 2., {}};
+  return {(from.dofs + to.dofs) / 2., {}, from.sections};
 }
 
 LineCells::Vector12 LinearCells::ends_of(const unsigned int cell, const Vector &dofs) const {
@@ -60,9 +60,19 @@ void LinearCells::answer(const unsigned int index, const Step &step,
   answer.free = forces.free;
   answer.free_work = forces.free.dot(change);
   answer.damping = viscous * change.dot(stiffness * change);
+  if (!sections.has(index))
+    return;
+  PipeSections::Answer inelastic;
+  integrate_sections(index, before, after, step, factors, answer, inelastic);
+  answer.stiffness = inelastic.stiffness + 2. * viscous * stiffness;
+  answer.internal =
+      (&step.from == &step.to ? inelastic.after : (inelastic.before + inelastic.after) / 2.) +
+      viscous * (stiffness * change);
 }
 
 double LinearCells::stored_in(const unsigned int cell, const Pose &pose) const {
+  if (sections.has(cell))
+    return sections.stored_in(cell, *pose.sections);
   PipeElement element(discretization);
   element.reinit(discretization.pipe_cell(cell));
   const Vector12 u = ends_of(cell, pose.dofs);
@@ -94,9 +104,12 @@ LineCells::CellState LinearCells::state_of(const unsigned int index, const PipeE
   const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
   const Vector12 u = ends_of(index, pose.dofs);
   CellState state;
-  state.ends = element.stiffness() * u - element.unit_line_loads() * line_force -
-               load.axial_strain * element.unit_axial_strain() -
-               load.curvature * element.unit_curvature() - load.pressure * element.unit_thrust();
+  state.ends = sections.has(index)
+                   ? sections.forces(index, *pose.sections)
+                   : element.stiffness() * u - load.axial_strain * element.unit_axial_strain() -
+                         load.curvature * element.unit_curvature() -
+                         load.pressure * element.unit_thrust();
+  state.ends -= element.unit_line_loads() * line_force;
   state.motions = u;
   return state;
 }

@@ -12,7 +12,7 @@ class LinearCells final : public LineCells {
 public:
   using LineCells::LineCells;
 
-  bool is_linear() const override { return true; }
+  bool is_linear() const override { return !sections.any(); }
   bool turns_far() const override { return false; }
 
   Pose at_rest() const override;

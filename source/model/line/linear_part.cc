@@ -17,7 +17,7 @@ using namespace dealii;
 CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &profile,
                    const Vector3 &chord) {
   CellLoad result;
-  if (!load.pipes.empty() && std::count(load.pipes.begin(), load.pipes.end(), pipe) == 0)
+  if (!load.is_on(pipe))
     return result;
   switch (load.kind) {
   case Load::Kind::weight:

@@ -68,15 +68,34 @@ PipeElement::Vector12 PipeElement::unit_thrust() const {
   return -plain_stiffness() * beyond * pushed;
 }
 
+Eigen::Matrix<double, 6, 12> PipeElement::strain_matrix(const unsigned int point) const {
+  Eigen::Matrix<double, 6, 12> B;
+  for (unsigned int i = 0; i < 12; ++i)
+    for (unsigned int c = 0; c < 6; ++c)
+      B(c, i) = strains[point][i][c];
+  return B;
+}
+
+double PipeElement::length_at(const unsigned int point) const {
+  return stretch * values->JxW(point);
+}
+
+Eigen::Matrix<double, 6, 1> PipeElement::curvature_strain(const unsigned int point) const {
+  Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();
+  if (bend) {
+    const LocalAxes axes(bend->tangent(bend->angle() * values->get_quadrature().point(point)[0]));
+    strain[4] = axes.y * bend->axis();
+    strain[5] = axes.z * bend->axis();
+  }
+  return strain;
+}
+
 PipeElement::Matrix12 PipeElement::plain_stiffness() const {
   Matrix12 result = Matrix12::Zero();
   for (unsigned int q = 0; q < strains.size(); ++q) {
-    Eigen::Matrix<double, 6, 12> B;
-    for (unsigned int i = 0; i < 12; ++i)
-      for (unsigned int c = 0; c < 6; ++c)
-        B(c, i) = strains[q][i][c];
+    const Eigen::Matrix<double, 6, 12> B = strain_matrix(q);
     const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> D(&section->tangent(0, 0));
-    result.noalias() += stretch * values->JxW(q) * (B.transpose() * (D * B).eval());
+    result.noalias() += length_at(q) * (B.transpose() * (D * B).eval());
   }
   return result;
 }
@@ -105,13 +124,8 @@ PipeElement::Vector12 PipeElement::unit_axial_strain() const {
 PipeElement::Vector12 PipeElement::unit_curvature() const {
   Vector12 result = Vector12::Zero();
   if (bend)
-    for (unsigned int q = 0; q < strains.size(); ++q) {
-      const LocalAxes axes(bend->tangent(bend->angle() * values->get_quadrature().point(q)[0]));
-      for (unsigned int i = 0; i < 12; ++i)
-        result[i] += section->EI * stretch * values->JxW(q) *
-                     (strains[q][i][4] * (axes.y * bend->axis()) +
-                      strains[q][i][5] * (axes.z * bend->axis()));
-    }
+    for (unsigned int q = 0; q < strains.size(); ++q)
+      result += section->EI * length_at(q) * (strain_matrix(q).transpose() * curvature_strain(q));
   if (jointed)
     return beyond.transpose() * result;
   return result;

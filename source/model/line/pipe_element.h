@@ -44,6 +44,16 @@ public:
   /// Consistent mass with rotary inertia, exact with four Gauss points (twelve for an arc).
   Matrix12 mass(const Discretization::Cell &cell);
 
+  /// Where stiffness() is integrated: two points of a straight cell, twelve of an arc.
+  unsigned int n_points() const { return strains.size(); }
+  /// Generalized strains there by the motions of the cell's ends, joints left out.
+  Eigen::Matrix<double, 6, 12> strain_matrix(const unsigned int point) const;
+  /// Length that the point stands for [m].
+  double length_at(const unsigned int point) const;
+  /// Strains of a unit change of curvature about an arc's axis; zero in a straight cell.
+  Eigen::Matrix<double, 6, 1> curvature_strain(const unsigned int point) const;
+  bool has_joints() const { return jointed; }
+
   const Profile &profile() const { return *section; }
   /// The cell as an exact arc; empty for a straight one.
   const std::optional<ArcBeam> &arc() const { return bend; }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/unknowns/discretization.h"
 
-#include <frictionbeam/bound_law.h>
-
 #include "base/numbers.h"
 #include "base/user_error.h"
+#include "model/unknowns/section_law.h"
 #include "scene/file/parameter_reader.h"
 #include <frictionbeam/fe_timoshenko_beam.h>
 #include <frictionbeam/generalized_strain.h>
@@ -68,24 +67,6 @@ Vector3 resolve(const Direction &direction, const Vector3 &tangent, const std::s
 
 namespace {
 
-/// The section law's tangent at zero strain, through the law interface.
-Table<2, double> section_tangent(const LawDescription &law, const Profile &profile) {
-  std::vector<double> parameters = default_parameters(law);
-  const std::pair<const char *, double> values[] = {{"Axial rigidity", profile.EA},
-                                                    {"Shear rigidity", profile.GA},
-                                                    {"Torsional rigidity", profile.GJ},
-                                                    {"Bending rigidity", profile.EI}};
-  for (const auto &[name, value] : values)
-    parameters[parameter_index(law, name)] = value;
-  const BoundLaw::Answer answer =
-      BoundLaw(law, parameters)
-          .answer_at_rest(std::vector<double>(n_section_strains, 0.), 1., LawTangent::consistent,
-                          LawIncrement().temperature);
-  Table<2, double> result(n_section_strains, n_section_strains);
-  result.fill(answer.tangent.begin(), true);
-  return result;
-}
-
 /// Options of the friction element; in a turned cell the pipe is the second node.
 std::pair<FE_FrictionBeam::Rotations, bool> element_option(const FrictionSupport &support,
                                                            const bool reversed) {
@@ -121,7 +102,7 @@ void give_mass(const double mass, const Section &section, Profile &profile) {
 
 Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
                      const double bend_radius, const std::optional<Point3> &arc_centre,
-                     const LawDescription &law) {
+                     const LawLibrary &laws) {
   const double E = material.youngs_modulus, G = E / (2. * (1. + material.poissons_ratio));
   Profile profile;
   profile.EA = E * section.area;
@@ -147,7 +128,12 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
           (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (bend_radius * bend_radius)) / bend_radius;
     profile.arc_centre = arc_centre;
   }
-  profile.tangent = section_tangent(law, profile);
+  profile.bore_area = section.bore_area();
+  const BoundLaw law = bind_section_law(laws.find(pipe.rigid ? "elastic_section" : section.law),
+                                        section, profile, bend_radius, pipe.name);
+  profile.tangent = elastic_tangent(law);
+  if (law.name() != "elastic_section")
+    profile.law = law;
   return profile;
 }
 
@@ -266,7 +252,6 @@ std::optional<ArcBeam> Discretization::arc(const Cell &cell) const {
 
 void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
                                   const LawLibrary &laws) {
-  const LawDescription &law = laws.find("elastic_section");
   std::map<std::pair<unsigned int, double>, unsigned int> known; // pipe, bend radius
   for (unsigned int p = 0; p < mesh.pipes.size(); ++p) {
     const MeshedPipe &meshed = mesh.pipes[p];
@@ -281,7 +266,7 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
         const Section section = section_of(scene, pipe, meshed, i);
         sections.push_back(
             make_profile(pipe, section, scene.materials[pipe.material], meshed.bend_radius[i],
-                         is_arc ? std::optional<Point3>(arc->second) : std::nullopt, law));
+                         is_arc ? std::optional<Point3>(arc->second) : std::nullopt, laws));
         if (pipe.total_mass)
           give_mass(*pipe.total_mass / meshed.s.back(), section, sections[id]);
       }

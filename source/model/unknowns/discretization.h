@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/line_mesh.h"
+#include <frictionbeam/bound_law.h>
 #include <frictionbeam/fe_arc_beam.h>
 #include <frictionbeam/fe_friction_beam.h>
 #include <frictionbeam/law_library.h>
@@ -23,8 +24,10 @@ struct Profile {
   double wind_diameter = 0.;                 ///< outer, with insulation [m]
   double pressure_strain = 0.;               ///< axial strain of a closed pipe per pressure [1/Pa]
   double pressure_curvature = 0.;            ///< of an arc about its axis [1/(m Pa)]
-  dealii::Table<2, double> tangent;          ///< of the section law, 6 x 6
-  std::optional<Point3> arc_centre;          ///< of a cell that is an arc
+  dealii::Table<2, double> tangent;          ///< elastic, of the section law, 6 x 6
+  BoundLaw law; ///< of an inelastic section; not set of an elastic one, nor of a rigid part
+  double bore_area = 0.; ///< pressure times it is what the wall carries beyond the beam [m2]
+  std::optional<Point3> arc_centre; ///< of a cell that is an arc
 
   ArcData arc() const { return {*arc_centre, EA, GA, GJ, EI}; }
 };

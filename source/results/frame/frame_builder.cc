@@ -181,7 +181,7 @@ SupportState FrameBuilder::support_state(const LineState &state, const unsigned 
 Frame FrameBuilder::make(const LineState &state) {
   Frame frame;
   frame.time = state.time;
-  const Pose pose{state.dofs, state.turns};
+  const Pose pose = pose_of(state);
   vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
   for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
     add_pipe(state, pose, p, frame.line);

@@ -14,7 +14,7 @@ Eigen::Vector3d to_eigen(const Vector3 &v) { return {v[0], v[1], v[2]}; }
 } // namespace
 
 std::array<double, 7> FrameBuilder::momentum_and_energy(const LineState &state) const {
-  const Pose pose{state.dofs, state.turns};
+  const Pose pose = pose_of(state);
   const Motion momentum =
       model.cells.momentum(pose, model.cells.velocities(state.velocity, state.load_rates));
   std::array<double, 7> result{};

@@ -58,7 +58,7 @@ std::vector<Motion> FrameBuilder::reactions(const LineState &state) {
       for (unsigned int c = 0; c < 6; ++c)
         vertex_forces[cell.vertices[v]][c] += ends[6 * v + c];
   }
-  add_vertex_forces(state, {state.dofs, state.turns});
+  add_vertex_forces(state, pose_of(state));
   add_inertia(state);
   return reactions_of_vertices(state);
 }

@@ -80,7 +80,7 @@ void declare_body(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text("Law", "coulomb", join(laws.names(LawKind::support)),
                   "Of friction, a law of supports: its elements are those on one square metre, 1 m "
                   "long.");
-  const LawDescription &law = find_support_law(in, laws, "coulomb");
+  const LawDescription &law = find_law(in, laws, LawKind::support, "coulomb");
   for (int i = 0; i < law.n_parameters; ++i) {
     const LawParameter &p = law.parameters[i];
     in.declare_number(p.name, p.default_value, p.unit, p.minimum, p.maximum,

@@ -55,6 +55,36 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
          "an initial displacement", "a static step before");
 }
 
+void check_inelastic(ParameterReader &in, Scene &scene) {
+  const auto found = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &pipe) {
+    return scene.sections[pipe.section].is_inelastic() && !pipe.rigid;
+  });
+  if (found == scene.pipes.end())
+    return;
+  const Section &section = scene.sections[found->section];
+  in.enter("Section " + section.name);
+  const auto refuse = [&](const bool is_there, const std::string &what, const std::string &hint) {
+    if (is_there)
+      in.fail("Law", "elastic_section with " + what, hint, section.law + " with " + what);
+  };
+  refuse(scene.model != ModelKind::line, "Model = continuum", "Model = line");
+  refuse(!scene.solver.has_tangent(), "Method = elastic",
+         "Method = exact or newton in section Solver");
+  refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");
+  for (const LoadStep &step : scene.steps)
+    if (step.transient) {
+      refuse(!scene.time.row().is_for_turning, "another integrator than moreau_jean",
+             "Integrator = moreau_jean in section Time, the midpoint rule");
+      refuse(scene.time.reduction.modes != ReductionSettings::Modes::all, "Modes",
+             "Modes = all in section Time");
+      refuse(scene.time.theta != 0.5, "Theta above 0.5", "Theta = 0.5 in section Time");
+    }
+  if (scene.modal.n_modes > 0)
+    scene.remarks.push_back("Section " + section.name +
+                            ": modes and spectra take its elastic "
+                            "stiffness, whatever it yields or creeps.");
+}
+
 void remark_on_free_motions(Scene &scene) {
   const auto &free = scene.free_motions;
   for (const Pipe &pipe : scene.pipes)

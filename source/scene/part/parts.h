@@ -16,8 +16,10 @@ namespace frictionbeam::parts {
 
 void declare_material(ParameterReader &in);
 void parse_material(const ParameterReader &in, const std::string &name, Scene &scene);
-void declare_section(ParameterReader &in);
-void parse_section(const ParameterReader &in, const std::string &name, Scene &scene);
+/// The section's own law brings its parameters along as entries.
+void declare_section(ParameterReader &in, const LawLibrary &laws);
+void parse_section(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
+                   Scene &scene);
 void declare_point(ParameterReader &in);
 void parse_point(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_pipe(ParameterReader &in);
@@ -94,6 +96,8 @@ void parse_monitors(const ParameterReader &in, Scene &scene);
 
 /// What does not go with Kinematics = corotational.
 void check_kinematics(const ParameterReader &in, const Scene &scene);
+/// What sections that yield or creep do not go with.
+void check_inelastic(ParameterReader &in, Scene &scene);
 /// Says where pipes may be displaced but points not turned, so that the answer depends on the
 /// points.
 void remark_on_free_motions(Scene &scene);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/law_entries.h"
 #include "scene/part/parts.h"
 #include "scene/part/pipe_library.h"
 
@@ -69,7 +70,11 @@ Section between(const Section &begin, const Section &end, const double part) {
 
 namespace parts {
 
-void declare_section(ParameterReader &in) {
+namespace {
+const std::string elastic_law = "elastic_section";
+}
+
+void declare_section(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text("Size", "", "NPS or DN and a number, or a name in Size table",
                   "Standard pipe of ASME B36.10M (its table in mm, or in inches where 'Units' has "
                   "in or ft), such as 'NPS 6' or 'DN 150', instead of diameter "
@@ -100,6 +105,16 @@ void declare_section(ParameterReader &in) {
                     "Taken off the inside of the wall in sustained and occasional stresses.");
   in.declare_number("Insulation", 0., "m", 0., 1e300, "Thickness.");
   in.declare_number("Insulation density", 0., "kg/m3", 0., 1e300, "With its cladding.");
+  in.declare_text("Law", elastic_law, join(laws.names(LawKind::section)),
+                  "Of the section: elastic, or one that yields or creeps (doc/inelastic.md). Its "
+                  "parameters are entries of the section; those that diameter, wall, material and "
+                  "bend say already may be left out.");
+  const LawDescription &law = find_law(in, laws, LawKind::section, elastic_law);
+  for (int i = 0; law.name != elastic_law && i < law.n_parameters; ++i) {
+    const LawParameter &p = law.parameters[i];
+    in.declare_number(p.name, p.default_value, p.unit, p.minimum, p.maximum,
+                      "Law " + std::string(law.name) + ": " + p.meaning + ".");
+  }
 }
 
 namespace {
@@ -177,7 +192,8 @@ void set_shear_area(const ParameterReader &in, const double D, const double t, S
 
 } // namespace
 
-void parse_section(const ParameterReader &in, const std::string &name, Scene &scene) {
+void parse_section(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
+                   Scene &scene) {
   Section section;
   section.name = name;
   const auto [D, t] = parse_diameter_and_wall(in);
@@ -198,6 +214,12 @@ void parse_section(const ParameterReader &in, const std::string &name, Scene &sc
   section.contents = in.number("Contents");
   section.insulation_density = in.number("Insulation density");
   section.added_mass = in.number("Added mass") + section.filling();
+  section.law = in.text("Law");
+  const LawDescription &law = laws.find(section.law);
+  for (int i = 0; section.is_inelastic() && i < law.n_parameters; ++i)
+    section.law_parameters.push_back(in.given(law.parameters[i].name)
+                                         ? std::optional<double>(in.number(law.parameters[i].name))
+                                         : std::nullopt);
   scene.sections.push_back(section);
 }
 

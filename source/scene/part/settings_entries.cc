@@ -55,6 +55,9 @@ void declare_solver(ParameterReader &in) {
   in.declare_number(
       "Contact tolerance", 1e-8, "-", positive, 1.,
       "Of exact: how far the contact laws may be missed, each contact on its own scale.");
+  in.declare_number("Creep tolerance", 1e-3, "-", positive, 1.,
+                    "Of sections that creep: what an increment may leave in a stress, as a share "
+                    "of it. Longer ones are halved.");
   in.declare_count("Max iterations", 50, 1, "Of newton, in one increment.", 1000000000);
   in.declare_count("Max elastic iterations", 10000, 1, "Of elastic, in one increment.", 1000000000);
   in.declare_count("Max halvings", 10, 0, "How often an increment that fails may be halved.", 50);
@@ -73,6 +76,7 @@ void parse_solver(const ParameterReader &in, Scene &scene) {
   };
   scene.solver.contact_tolerance = tolerance("Contact tolerance");
   scene.solver.tolerance = tolerance("Tolerance");
+  scene.solver.creep_tolerance = in.number("Creep tolerance");
   scene.solver.max_iterations = in.count("Max iterations");
   scene.solver.max_elastic_iterations = in.count("Max elastic iterations");
   scene.solver.max_halvings = in.count("Max halvings");

@@ -130,7 +130,7 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
       "Pad", no_pad, pads,
       "What steel slides on, which gives 'Friction coefficient' a default: steel 0.3, "
       "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03.");
-  const LawDescription &law = find_support_law(in, laws, default_law(kind));
+  const LawDescription &law = find_law(in, laws, LawKind::support, default_law(kind));
   for (int i = 0; i < law.n_parameters; ++i) {
     const LawParameter &p = law.parameters[i];
     double value = p.default_value;

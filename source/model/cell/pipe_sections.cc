@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/cell/pipe_sections.h"
+
+#include "base/user_error.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+using Vector6 = PipeSections::Vector6;
+using Vector12 = PipeSections::Vector12;
+using Tangent = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+using Values = Eigen::Map<const Vector6>;
+
+Vector6 PipeSections::beam_stress(const double *const values) {
+  Vector6 result = Values(values + stress);
+  result[0] -= values[thrust];
+  return result;
+}
+
+PipeSections::PipeSections(const Scene &scene, const Discretization &discretization) {
+  const auto &profiles = discretization.profiles();
+  if (std::none_of(profiles.begin(), profiles.end(),
+                   [](const Profile &profile) { return profile.law.is_set(); }))
+    return;
+  PipeElement element(discretization);
+  for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
+    element.reinit(discretization.pipe_cell(i));
+    Cell &cell = cells.emplace_back();
+    if (!element.profile().law.is_set())
+      continue;
+    if (element.has_joints())
+      throw UserError("Pipe " + scene.pipes[discretization.pipe_cells()[i].pipe].name +
+                      ": a joint stands in its cell, whose section has the law '" +
+                      element.profile().law.name() +
+                      "'.\n  read:    a joint beside a section that yields or creeps\n  allowed: "
+                      "joints between cells of elastic sections\n  try:     a short pipe of its "
+                      "own with an elastic section at the joint");
+    cell.profile = &element.profile();
+    cell.first = points.size();
+    cell.n_points = element.n_points();
+    cell.first_value = n_values;
+    double along = 0., length = 0.;
+    for (unsigned int q = 0; q < cell.n_points; ++q)
+      length += element.length_at(q);
+    for (unsigned int q = 0; q < cell.n_points; ++q) {
+      const double own = element.length_at(q);
+      points.push_back({element.strain_matrix(q), element.curvature_strain(q), own,
+                        (along + own / 2.) / length});
+      along += own;
+    }
+    n_values += cell.n_points * n_values_of(cell);
+  }
+}
+
+bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundings,
+                                 const Clock &clock, const Vector6 &total, const double *const old,
+                                 double *const now, Tangent &tangent, double &error) const {
+  const Profile &profile = *cell.profile;
+  const BoundLaw &law = profile.law;
+  const double pushes = surroundings.pressure * profile.bore_area;
+  Eigen::Map<Vector6> of_wall(now + strain);
+  of_wall = total;
+  of_wall[0] += pushes / profile.EA;
+  const Vector6 rate = clock.length > 0. ? Vector6((of_wall - Values(old + strain)) / clock.length)
+                                         : Vector6(Vector6::Zero());
+  LawIncrement increment;
+  increment.time = clock.time;
+  increment.length = clock.length;
+  increment.temperature = surroundings.temperature;
+  increment.pressure = surroundings.pressure;
+  LawOutput output{now + stress, tangent.data(), now + internal, 0., ContactStatus::none};
+  if (law.integrate(of_wall.data(), rate.data(), 1., increment, old + internal,
+                    LawTangent::consistent, output) != LawStatus::ok)
+    return false;
+  now[thrust] = pushes;
+  now[dissipated] = old[dissipated] + output.dissipation;
+  now[stored] = old[stored] - output.dissipation +
+                (Values(old + stress) + Values(now + stress))
+                        .dot(Values(now + strain) - Values(old + strain)) /
+                    2.;
+  error = std::max(error, output.error);
+  return true;
+}
+
+void PipeSections::integrate(const unsigned int index, const Vector12 &from, const Vector12 &to,
+                             const Surroundings &surroundings, const Clock &clock,
+                             const Vector &old, Vector &now, Answer &answer) const {
+  const Cell &cell = cells[index];
+  answer = {};
+  answer.stiffness.setZero();
+  Tangent tangent;
+  for (unsigned int q = 0; q < cell.n_points; ++q) {
+    const Point &point = points[cell.first + q];
+    const unsigned int place = cell.first_value + q * n_values_of(cell);
+    const double *const before = old.data() + place;
+    double *const after = now.data() + place;
+    Vector6 free = surroundings.curvature * point.curvature;
+    free[0] += surroundings.axial_strain;
+    if (!answer_of_law(cell, surroundings, clock, point.B * to - free, before, after, tangent,
+                       answer.error)) {
+      answer.failed = true;
+      return;
+    }
+    answer.stiffness.noalias() += point.length * (point.B.transpose() * (tangent * point.B).eval());
+  }
+  between(index, from, to, old, now, answer);
+}
+
+void PipeSections::between(const unsigned int index, const Vector12 &from, const Vector12 &to,
+                           const Vector &old, const Vector &now, Answer &answer) const {
+  const Cell &cell = cells[index];
+  answer.before = forces(index, old);
+  answer.after = forces(index, now);
+  answer.free_work = sum(cell, now, stored) - sum(cell, old, stored) + sum(cell, now, dissipated) -
+                     sum(cell, old, dissipated) -
+                     (answer.before + answer.after).dot(to - from) / 2.;
+}
+
+double PipeSections::sum(const Cell &cell, const Vector &states, const Value value) const {
+  double result = 0.;
+  for (unsigned int q = 0; q < cell.n_points; ++q)
+    result +=
+        points[cell.first + q].length * states[cell.first_value + q * n_values_of(cell) + value];
+  return result;
+}
+
+Vector12 PipeSections::forces(const unsigned int index, const Vector &states) const {
+  const Cell &cell = cells[index];
+  Vector12 result = Vector12::Zero();
+  for (unsigned int q = 0; q < cell.n_points; ++q) {
+    const Point &point = points[cell.first + q];
+    const double *const values = states.data() + cell.first_value + q * n_values_of(cell);
+    result += point.length * (point.B.transpose() * beam_stress(values));
+  }
+  return result;
+}
+
+double PipeSections::stored_in(const unsigned int index, const Vector &states) const {
+  return sum(cells[index], states, stored);
+}
+
+double PipeSections::dissipated(const Vector &states) const {
+  double result = 0.;
+  for (const Cell &cell : cells)
+    if (cell.n_points > 0)
+      result += sum(cell, states, dissipated);
+  return result;
+}
+
+} // namespace frictionbeam

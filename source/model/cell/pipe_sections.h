@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/line/linear_part.h"
+#include "model/line/pipe_element.h"
+
+namespace frictionbeam {
+
+/**
+ * The sections of pipes that have a law of their own, plastic or creeping: two of a straight cell,
+ * twelve of an arc, where PipeElement is integrated. Each is given the strain that causes stress,
+ *   e = B u - e_free + p A_bore / EA,
+ * u the motions of the cell's ends in the axes at rest, e_free the free strains of temperature and
+ * pressure of a closed pipe, so that a hoop stress strains an elastic wall as it does there; the
+ * last term is along the axis. The law answers with the force in the wall, the beam's is less by
+ * p A_bore.
+ *
+ * States of all sections stand in one vector, zero at rest.
+ */
+class PipeSections {
+public:
+  using Vector12 = PipeElement::Vector12;
+  using Matrix12 = PipeElement::Matrix12;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+  explicit PipeSections(const Scene &scene, const Discretization &discretization);
+
+  bool any() const { return n_values > 0; }
+  /// Whether a pipe cell has a law of its own.
+  bool has(const unsigned int cell) const { return !cells.empty() && cells[cell].n_points > 0; }
+  /// States of all sections at rest.
+  Vector at_rest() const { return Vector::Zero(n_values); }
+
+  /// The end of an increment, and how long it is [s].
+  struct Clock {
+    double time = 0., length = 0.;
+  };
+  /// What a cell's sections stand in at the increment's end.
+  struct Surroundings {
+    double axial_strain = 0., curvature = 0.; ///< free ones [-, 1/m]
+    double pressure = 0.;                     ///< [Pa]
+    double temperature = 20.;                 ///< [degC]
+  };
+  /// Of a cell.
+  struct Answer {
+    Vector12 before, after; ///< forces on its ends, in the axes at rest
+    Matrix12 stiffness;     ///< derivative of the last by the motions
+    /// Of the mean stress: less what the ends do, that on free strains [J].
+    double free_work = 0.;
+    double error = 0.; ///< what the increment's length leaves in the stress, a share
+    bool failed = false;
+  };
+  /**
+   * Integrate a cell's sections to the end of an increment.
+   * @param from, to motions of its ends before and after
+   * @param old states before; @param now in: of any; out: this cell's sections after
+   */
+  void integrate(const unsigned int cell, const Vector12 &from, const Vector12 &to,
+                 const Surroundings &surroundings, const Clock &clock, const Vector &old,
+                 Vector &now, Answer &answer) const;
+  /// The same of a state that has been committed: from one to the other.
+  void between(const unsigned int cell, const Vector12 &from, const Vector12 &to, const Vector &old,
+               const Vector &now, Answer &answer) const;
+  /// Forces of the committed stresses on a cell's ends, in the axes at rest.
+  Vector12 forces(const unsigned int cell, const Vector &states) const;
+  /// Of what a cell's sections were given by their mean stresses: what the law has not dissipated
+  /// is stored [J].
+  double stored_in(const unsigned int cell, const Vector &states) const;
+  /// By all sections, as their laws say [J].
+  double dissipated(const Vector &states) const;
+
+  /// A section's place on the line and what its law tells of its state.
+  struct Report {
+    double part = 0.; ///< of the way along the cell, from its deal.II vertex 0
+    Vector6 strain, stress;
+    SectionReport state;
+  };
+  std::vector<Report> reports(const unsigned int cell, const Surroundings &surroundings,
+                              const Vector &states) const;
+
+private:
+  struct Point {
+    Eigen::Matrix<double, 6, 12> B;
+    Vector6 curvature; ///< strain of a unit change of curvature
+    double length;     ///< [m]
+    double part;       ///< of the way along the cell
+  };
+  struct Cell {
+    unsigned int first = 0, n_points = 0; ///< in points
+    unsigned int first_value = 0;         ///< in the states
+    const Profile *profile = nullptr;
+  };
+  /// Values of a section's state: strain and stress of the wall, p A_bore, energy that it has
+  /// stored and dissipated [J/m]; then the law's internal variables.
+  enum Value { strain = 0, stress = 6, thrust = 12, stored = 13, dissipated = 14, internal = 15 };
+  unsigned int n_values_of(const Cell &cell) const {
+    return internal + cell.profile->law.n_internal_variables();
+  }
+  /// Stress of the beam.
+  static Vector6 beam_stress(const double *values);
+  double sum(const Cell &cell, const Vector &states, const Value value) const;
+  bool answer_of_law(const Cell &cell, const Surroundings &surroundings, const Clock &clock,
+                     const Vector6 &total, const double *old, double *now,
+                     Eigen::Matrix<double, 6, 6, Eigen::RowMajor> &tangent, double &error) const;
+
+  std::vector<Cell> cells; ///< as the pipe cells; empty if none has a law
+  std::vector<Point> points;
+  unsigned int n_values = 0;
+};
+
+} // namespace frictionbeam
