@@ -4,7 +4,7 @@
 #include <frictionbeam/contact/line_factorization.h>
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/step_helpers.h"
-#include "model/cell/line_cells.h"
+#include "model/line_pose.h"
 
 #include <cmath>
 

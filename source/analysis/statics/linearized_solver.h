@@ -3,8 +3,7 @@
 
 #include <frictionbeam/contact/line_factorization.h>
 #include "analysis/contact/equilibrium.h"
-#include "model/cell/line_cells.h"
-#include "model/line_state.h"
+#include "model/line_pose.h"
 #include "model/model.h"
 
 #include <functional>

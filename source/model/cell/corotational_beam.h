@@ -58,7 +58,7 @@ public:
   /// Forces on the deformations that forces on the ends of the linear element are.
   Vector7 on_deformations(const Vector12 &forces) const { return motions.transpose() * forces; }
   /// The same of a stiffness of the ends.
-  Eigen::Matrix<double, 7, 7> on_deformations(const Matrix12 &stiffness) const {
+  Eigen::Matrix<double, 7, 7> stiffness_on_deformations(const Matrix12 &stiffness) const {
     return motions.transpose() * stiffness * motions;
   }
   /// Motions of the linear element's ends that are these deformations, in the axes at rest.

@@ -232,7 +232,7 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
                        answer, inelastic);
     s = beam.on_deformations(is_step ? Vector12((inelastic.before + inelastic.after) / 2.)
                                      : inelastic.after);
-    stiffness = beam.on_deformations(inelastic.stiffness);
+    stiffness = beam.stiffness_on_deformations(inelastic.stiffness);
   }
   if (viscous != 0.)
     s += viscous * (beam.stiffness() * deformed);

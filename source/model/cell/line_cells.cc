@@ -228,8 +228,6 @@ CellLoad LineCells::load_on(const PipeCell &cell, const Profile &profile, const 
   return load;
 }
 
-Pose pose_of(const LineState &state) { return {state.dofs, state.turns, &state.sections}; }
-
 void LineCells::integrate_sections(const unsigned int cell, const Vector12 &before,
                                    const Vector12 &after, const Step &step,
                                    const std::vector<double> &factors, CellAnswer &answer,

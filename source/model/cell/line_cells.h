@@ -4,7 +4,6 @@
 #include "model/cell/pipe_sections.h"
 #include "model/line/linear_part.h"
 #include "model/line/pipe_element.h"
-#include "model/line_state.h"
 
 #include <memory>
 
@@ -22,9 +21,6 @@ struct Pose {
   /// began with until it is committed; null where there are none. Not owned.
   const Vector *sections = nullptr;
 };
-
-/// Of a state that has been committed, which must outlive it.
-Pose pose_of(const LineState &state);
 
 /// Where a cell's frame has gone, in which the cell is the linear element.
 struct CellFrame {

@@ -74,7 +74,7 @@ bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundi
                     LawTangent::consistent, output) != LawStatus::ok)
     return false;
   now[thrust] = pushes;
-  now[dissipated] = old[dissipated] + output.dissipation;
+  now[lost] = old[lost] + output.dissipation;
   now[stored] = old[stored] - output.dissipation +
                 (Values(old + stress) + Values(now + stress))
                         .dot(Values(now + strain) - Values(old + strain)) /
@@ -112,9 +112,8 @@ void PipeSections::between(const unsigned int index, const Vector12 &from, const
   const Cell &cell = cells[index];
   answer.before = forces(index, old);
   answer.after = forces(index, now);
-  answer.free_work = sum(cell, now, stored) - sum(cell, old, stored) + sum(cell, now, dissipated) -
-                     sum(cell, old, dissipated) -
-                     (answer.before + answer.after).dot(to - from) / 2.;
+  answer.free_work = sum(cell, now, stored) - sum(cell, old, stored) + sum(cell, now, lost) -
+                     sum(cell, old, lost) - (answer.before + answer.after).dot(to - from) / 2.;
 }
 
 double PipeSections::sum(const Cell &cell, const Vector &states, const Value value) const {
@@ -144,7 +143,7 @@ double PipeSections::dissipated(const Vector &states) const {
   double result = 0.;
   for (const Cell &cell : cells)
     if (cell.n_points > 0)
-      result += sum(cell, states, dissipated);
+      result += sum(cell, states, lost);
   return result;
 }
 

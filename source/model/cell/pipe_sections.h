@@ -92,7 +92,7 @@ private:
   };
   /// Values of a section's state: strain and stress of the wall, p A_bore, energy that it has
   /// stored and dissipated [J/m]; then the law's internal variables.
-  enum Value { strain = 0, stress = 6, thrust = 12, stored = 13, dissipated = 14, internal = 15 };
+  enum Value { strain = 0, stress = 6, thrust = 12, stored = 13, lost = 14, internal = 15 };
   unsigned int n_values_of(const Cell &cell) const {
     return internal + cell.profile->law.n_internal_variables();
   }

@@ -2,35 +2,15 @@
 #pragma once
 
 #include "mesh/line_mesh.h"
-#include <frictionbeam/bound_law.h>
-#include <frictionbeam/fe_arc_beam.h>
+#include "model/unknowns/profile.h"
 #include <frictionbeam/fe_friction_beam.h>
 #include <frictionbeam/law_library.h>
 #include <frictionbeam/line_triangulation.h>
 #include <frictionbeam/vertex_dofs.h>
 
-#include <deal.II/base/table.h>
 #include <deal.II/hp/fe_collection.h>
 
 namespace frictionbeam {
-
-/// Elastic and mass data of a pipe's cross section, one for each material id of the triangulation.
-struct Profile {
-  double EA = 0., GA = 0., GJ = 0., EI = 0.; ///< [N, N, N m2, N m2]; EI divided by a bend's factor
-  double mass = 0.;                          ///< [kg/m], with contents
-  double rotary_inertia = 0.;                ///< about a diameter, where it is not left out [kg m]
-  double twist_inertia = 0.;                 ///< about the axis: never 0 where there is mass [kg m]
-  Material material;                         ///< for its expansion
-  double wind_diameter = 0.;                 ///< outer, with insulation [m]
-  double pressure_strain = 0.;               ///< axial strain of a closed pipe per pressure [1/Pa]
-  double pressure_curvature = 0.;            ///< of an arc about its axis [1/(m Pa)]
-  dealii::Table<2, double> tangent;          ///< elastic, of the section law, 6 x 6
-  BoundLaw law; ///< of an inelastic section; not set of an elastic one, nor of a rigid part
-  double bore_area = 0.; ///< pressure times it is what the wall carries beyond the beam [m2]
-  std::optional<Point3> arc_centre; ///< of a cell that is an arc
-
-  ArcData arc() const { return {*arc_centre, EA, GA, GJ, EI}; }
-};
 
 /// Joints at the two ends of a pipe cell, in the order of its deal.II vertices.
 struct CellJoints {

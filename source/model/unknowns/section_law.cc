@@ -42,10 +42,6 @@ const KnownFigure *known_figure(const std::string &parameter) {
 
 } // namespace
 
-bool is_known_to_section(const std::string &parameter) {
-  return parameter == bend_radius_of_law || known_figure(parameter) != nullptr;
-}
-
 BoundLaw bind_section_law(const LawDescription &law, const Section &section, const Profile &profile,
                           const double bend_radius, const std::string &pipe) {
   std::vector<double> values;

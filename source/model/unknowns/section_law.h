@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "model/unknowns/discretization.h"
+#include "model/unknowns/profile.h"
 
 namespace frictionbeam {
 
@@ -18,8 +18,5 @@ BoundLaw bind_section_law(const LawDescription &law, const Section &section, con
 
 /// Its elastic tangent, 6 x 6.
 dealii::Table<2, double> elastic_tangent(const BoundLaw &law);
-
-/// Whether a law's parameter is one that section or material know.
-bool is_known_to_section(const std::string &parameter);
 
 } // namespace frictionbeam

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "model/cell/line_cells.h"
-#include "model/line_state.h"
+#include "model/line_pose.h"
 #include "model/model.h"
 #include "results/results.h"
 
