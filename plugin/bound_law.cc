@@ -4,11 +4,28 @@
 #include <frictionbeam/law_closed_form.h>
 
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
+namespace {
+
+/// Whether a law is compiled with what version 2 tells of sections: an older one ends before it.
+bool tells_of_sections(const LawDescription &law) {
+  return law.interface_version >= 2 && law.kind == LawKind::section;
+}
+
+} // namespace
+
+unsigned int n_internal_variables(const LawDescription &law,
+                                  const std::vector<double> &parameters) {
+  return tells_of_sections(law) && law.n_states != nullptr ? law.n_states(parameters.data())
+                                                           : law.n_internal_variables;
+}
+
 BoundLaw::BoundLaw(const LawDescription &law, const std::vector<double> &parameters)
-    : law(&law), values(parameters) {
+    : law(&law), values(parameters),
+      n_variables(frictionbeam::n_internal_variables(law, parameters)) {
   if (law.threshold == nullptr)
     return;
   form = closed_form_at_rest(law, values);
@@ -21,6 +38,19 @@ bool BoundLaw::is_rigid_along_normal() const {
   return has_closed_form() && std::isinf(form.axial_rigidity);
 }
 
+LawInput BoundLaw::input_of(const double *strain, const double element_length,
+                            const LawIncrement &increment) const {
+  LawInput input{};
+  input.parameters = values.data();
+  input.strain = strain;
+  input.length = element_length;
+  input.time = increment.time;
+  input.time_increment = increment.length;
+  input.temperature = increment.temperature;
+  input.pressure = increment.pressure;
+  return input;
+}
+
 LawStatus BoundLaw::integrate(const double *strain, const double *strain_rate,
                               const double element_length, const LawIncrement &increment,
                               const double *old_state, const LawTangent tangent,
@@ -28,19 +58,35 @@ LawStatus BoundLaw::integrate(const double *strain, const double *strain_rate,
   double displacement[3];
   for (int d = 0; d < 3; ++d)
     displacement[d] = strain[d] * element_length;
-  LawInput input{};
-  input.parameters = values.data();
-  input.strain = strain;
+  LawInput input = input_of(strain, element_length, increment);
   input.strain_rate = strain_rate;
   input.displacement = law->kind == LawKind::support ? displacement : nullptr;
-  input.length = element_length;
-  input.time = increment.time;
-  input.time_increment = increment.length;
-  input.temperature = increment.temperature;
   input.old_state = old_state;
   input.tangent = tangent;
   input.pressure = increment.pressure;
   return law->law->integrate(input, output);
+}
+
+double BoundLaw::elastic_bound(const double *strain, const double element_length,
+                               const LawIncrement &increment) const {
+  if (!tells_of_sections(*law) || law->elastic_bound == nullptr)
+    return std::numeric_limits<double>::infinity();
+  const double no_rate[n_section_strains] = {};
+  LawInput input = input_of(strain, element_length, increment);
+  input.strain_rate = no_rate;
+  return law->elastic_bound(input);
+}
+
+SectionReport BoundLaw::report(const double *strain, const double element_length,
+                               const LawIncrement &increment, const double *new_state) const {
+  SectionReport result;
+  if (!tells_of_sections(*law) || law->report == nullptr)
+    return result;
+  const double no_rate[n_section_strains] = {};
+  LawInput input = input_of(strain, element_length, increment);
+  input.strain_rate = no_rate;
+  law->report(input, new_state, result);
+  return result;
 }
 
 BoundLaw::Answer BoundLaw::answer_at_rest(const std::vector<double> &strain,

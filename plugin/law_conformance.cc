@@ -1,34 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "law_driver.h"
+
 #include <frictionbeam/law_closed_form.h>
 #include <frictionbeam/law_conformance.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace frictionbeam {
 
 namespace {
 
-using Vector = std::vector<double>;
+using namespace conformance;
 
-struct Result {
-  Vector stress, tangent, state;
-  double dissipation = 0.;
-  LawStatus status = LawStatus::ok;
-  ContactStatus contact = ContactStatus::none;
-};
-
-/// One increment of a strain path.
-struct Increment {
-  Vector strain, previous_strain, old_state;
-  double time;
-};
-
-class Checker {
+class Checker : public LawDriver {
 public:
-  Checker(const LawDescription &law, const Vector &parameters) : law(law), parameters(parameters) {}
+  using LawDriver::LawDriver;
 
   std::vector<std::string> violations;
   LawReach reached;
@@ -36,16 +24,16 @@ public:
   void walk(const double magnitude, const unsigned int seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1., 1.);
-    Increment increment{Vector(law.n_strains, 0.), Vector(law.n_strains, 0.),
-                        Vector(law.n_internal_variables, 0.), 0.};
+    Increment increment = from_rest();
+    pressure = pressures[seed % 3];
     for (unsigned int step = 0; step < 40; ++step) {
       increment.previous_strain = increment.strain;
       if (step % 3 == 2) // a little way from where it is: what slips may stick
-        for (double &e : increment.strain)
-          e += 0.05 * magnitude * uniform(random);
+        for (int i = 0; i < law.n_strains; ++i)
+          increment.strain[i] += 0.05 * magnitude * scale[i] * uniform(random);
       else {
-        for (double &e : increment.strain)
-          e = magnitude * uniform(random);
+        for (int i = 0; i < law.n_strains; ++i)
+          increment.strain[i] = magnitude * scale[i] * uniform(random);
         increment.strain[0] -= 0.5 * magnitude; // more often in compression than open
       }
       increment.time += time_increment;
@@ -60,7 +48,111 @@ public:
     }
   }
 
+  /// What a law of sections tells besides: its elastic bound, its energies, many at once.
+  void check_section(const double magnitude, const unsigned int seed) {
+    if (!is_section)
+      return;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    pressure = pressures[seed % 3];
+    Increment increment = from_rest();
+    for (unsigned int draw = 0; draw < 20; ++draw) {
+      for (int i = 0; i < law.n_strains; ++i)
+        increment.strain[i] = magnitude * scale[i] * uniform(random);
+      check_elastic_bound(increment);
+      check_all_at_once(increment);
+    }
+    for (const double dt : {0., time_increment})
+      check_energy(increment.strain, dt);
+  }
+
 private:
+  void check_elastic_bound(const Increment &increment) {
+    if (law.elastic_bound == nullptr)
+      return;
+    Arrays arrays(*this, increment, time_increment);
+    if (!(law.elastic_bound(arrays.input) < 1.))
+      return;
+    const Result result = evaluate(increment, LawTangent::elastic);
+    const double tolerance = 1e-10 * size(result.stress) + 2. * rounding(increment);
+    bool is_elastic = result.status == LawStatus::ok && result.dissipation == 0. &&
+                      result.state == increment.old_state;
+    for (int i = 0; i < law.n_strains && is_elastic; ++i) {
+      double stress = 0.;
+      for (int j = 0; j < law.n_strains; ++j)
+        stress += result.tangent[law.n_strains * i + j] * increment.strain[j];
+      is_elastic = std::abs(stress - result.stress[i]) <= tolerance;
+    }
+    if (!is_elastic)
+      violated("its elastic bound is below 1 where it does not answer by its elastic tangent, or "
+               "does not keep a state of zero");
+  }
+
+  void check_all_at_once(const Increment &increment) {
+    if (law.integrate_all == nullptr)
+      return;
+    constexpr int n = 3;
+    std::vector<Increment> increments(n, increment);
+    std::vector<Arrays> arrays; // what each reads
+    std::vector<LawInput> inputs;
+    std::vector<Result> results(n, blank());
+    std::vector<LawOutput> outputs;
+    arrays.reserve(n);
+    for (int k = 0; k < n; ++k) {
+      for (double &e : increments[k].strain)
+        e *= 1. - 0.4 * k;
+      arrays.emplace_back(*this, increments[k], time_increment);
+      inputs.push_back(arrays.back().input);
+      inputs.back().tangent = LawTangent::consistent;
+      outputs.push_back({results[k].stress.data(), results[k].tangent.data(),
+                         results[k].state.data(), 0., ContactStatus::none});
+    }
+    law.integrate_all(n, inputs.data(), outputs.data());
+    for (int k = 0; k < n; ++k) {
+      results[k].state.resize(n_states);
+      const Result one = evaluate(increments[k], LawTangent::consistent);
+      if (one.status == LawStatus::ok &&
+          (one.stress != results[k].stress || one.tangent != results[k].tangent ||
+           one.state != results[k].state || one.dissipation != outputs[k].dissipation))
+        violated("many at once are not what each is by itself");
+    }
+  }
+
+  /// Work of the stress less dissipation and gain of stored energy there and half way back, over
+  /// the sum of what the work moved; halves with the increments.
+  double lost_energy(const Vector &strain, const double dt, const int n_steps) const {
+    Increment increment = from_rest();
+    Result last = evaluate(increment, LawTangent::none, 0.);
+    const double at_rest = last.stored;
+    double kept = 0., moved = 0.;
+    for (int step = 1; step <= n_steps; ++step) {
+      const double place = 1.5 * step / n_steps;
+      increment.previous_strain = increment.strain;
+      for (int i = 0; i < law.n_strains; ++i)
+        increment.strain[i] = (place < 1. ? place : 2. - place) * strain[i];
+      increment.old_state = last.state;
+      increment.time += dt / n_steps;
+      const Result now = evaluate(increment, LawTangent::none, dt / n_steps);
+      if (now.status != LawStatus::ok || std::isnan(now.stored))
+        return 0.; // no answer, or it is not told
+      double work = 0.;
+      for (int i = 0; i < law.n_strains; ++i)
+        work += (last.stress[i] + now.stress[i]) / 2. *
+                (increment.strain[i] - increment.previous_strain[i]);
+      kept += work - now.dissipation;
+      moved += std::abs(work);
+      last = now;
+    }
+    return moved > 0. ? (kept - (last.stored - at_rest)) / moved : 0.;
+  }
+
+  void check_energy(const Vector &strain, const double dt) {
+    const double once = lost_energy(strain, dt, 300), twice = lost_energy(strain, dt, 600);
+    if (std::abs(2. * twice - once) > 2e-3 || std::abs(twice) > 2e-2)
+      violated("the work of the stress is not what stored_energy gains and dissipation, however "
+               "small the increments");
+  }
+
   void count(const Result &result) {
     ++reached.increments;
     const ContactStatus contact = result.contact;
@@ -73,59 +165,9 @@ private:
     reached.elastic += !dissipates && size(result.stress) > 0.;
   }
 
-  static constexpr double length = 0.5, time_increment = 0.25;
-
-  Result evaluate(const Increment &increment, const LawTangent tangent,
-                  const double dt = time_increment) const {
-    Vector rate(law.n_strains), displacement(3, 0.);
-    for (int i = 0; i < law.n_strains; ++i)
-      rate[i] = (increment.strain[i] - increment.previous_strain[i]) / time_increment;
-    for (int i = 0; i < 3; ++i)
-      displacement[i] = increment.strain[i] * length;
-    // Not a number until the law writes it.
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    Result result{Vector(law.n_strains, nan), Vector(law.n_strains * law.n_strains, nan),
-                  Vector(law.n_internal_variables, nan)};
-    const LawInput input{parameters.data(),
-                         increment.strain.data(),
-                         rate.data(),
-                         law.kind == LawKind::support ? displacement.data() : nullptr,
-                         length,
-                         increment.time,
-                         dt,
-                         20.,
-                         increment.old_state.data(),
-                         tangent};
-    LawOutput output{result.stress.data(), result.tangent.data(), result.state.data(), 0.,
-                     ContactStatus::none};
-    result.status = law.law->integrate(input, output);
-    result.dissipation = output.dissipation;
-    result.contact = output.contact;
-    return result;
-  }
-
   void violated(const std::string &what) {
     if (std::find(violations.begin(), violations.end(), what) == violations.end())
       violations.push_back(what);
-  }
-
-  /// Rounding of stresses that are differences of strains times a rigidity.
-  double rounding(const Increment &increment) const {
-    double rigidity = 0.;
-    for (const double x : evaluate(increment, LawTangent::elastic).tangent)
-      rigidity = std::max(rigidity, std::abs(x));
-    return 1e-15 * rigidity * size(increment.strain);
-  }
-
-  static bool all_finite(const Vector &v) {
-    return std::all_of(v.begin(), v.end(), [](const double x) { return std::isfinite(x); });
-  }
-
-  static double size(const Vector &v) {
-    double sum = 0.;
-    for (const double x : v)
-      sum += x * x;
-    return std::sqrt(sum);
   }
 
   void check_increment(const Increment &increment, const Result &result) {
@@ -133,6 +175,8 @@ private:
     for (const Vector *values : {&result.stress, &result.tangent, &result.state})
       if (!all_finite(*values))
         return violated("a result is not a finite number, or not written");
+    if (result.behind)
+      violated("more internal variables are written than there are");
     const Result again = evaluate(increment, LawTangent::consistent);
     if (again.stress != result.stress || again.tangent != result.tangent ||
         again.state != result.state || again.dissipation != result.dissipation)
@@ -158,7 +202,8 @@ private:
   void check_commit(const Increment &increment, const Result &result) {
     Increment committed = increment;
     committed.old_state = result.state;
-    const Result repeated = evaluate(committed, LawTangent::none);
+    // What creeps does not stand still while time passes.
+    const Result repeated = evaluate(committed, LawTangent::none, is_section ? 0. : time_increment);
     const double tolerance = 1e-9 * size(result.stress) + 2. * rounding(increment);
     for (int i = 0; i < law.n_strains; ++i)
       if (std::abs(repeated.stress[i] - result.stress[i]) > tolerance)
@@ -176,7 +221,7 @@ private:
                "slip of the wrong sign?");
     committed.old_state = held.state;
     const Result still = evaluate(committed, LawTangent::none, 0.);
-    for (int i = 0; i < law.n_internal_variables; ++i) {
+    for (int i = 0; i < n_states; ++i) {
       const double first = result.state[i] - increment.old_state[i];
       const double again = held.state[i] - result.state[i];
       const double further = still.state[i] - held.state[i]; // a rate falls to zero once
@@ -217,19 +262,23 @@ private:
           violated("the tangent is announced as symmetric and is not");
     }
   }
-
-  const LawDescription &law;
-  const Vector &parameters;
 };
 
 } // namespace
 
 std::vector<std::string> check_law(const LawDescription &law, const std::vector<double> &parameters,
                                    LawReach &reached) {
+  const int n_states = n_internal_variables(law, parameters);
+  if (n_states < 0 || n_states > law.n_internal_variables)
+    return {"it needs " + std::to_string(n_states) + " internal variables and announces " +
+            std::to_string(law.n_internal_variables)};
   Checker checker(law, parameters);
   for (const double magnitude : {1e-6, 1e-3, 0.1, 1.})
     for (const unsigned int seed : {1u, 2u, 3u})
       checker.walk(magnitude, seed);
+  for (const double magnitude : {1e-6, 1e-4, 1e-3, 1e-2})
+    for (const unsigned int seed : {1u, 2u, 3u})
+      checker.check_section(magnitude, seed);
   reached = checker.reached;
   if (reached.increments == 0)
     checker.violations.push_back("it fails in every increment of the test");

@@ -32,12 +32,17 @@ public:
         out.tangent[(n_section_strains + 1) * i] = rigidity[i];
     }
     out.dissipation = 0.;
+    out.stored_energy = 0.;
+    for (int i = 0; i < n_section_strains; ++i)
+      out.stored_energy += out.stress[i] * in.strain[i] / 2.;
     out.contact = ContactStatus::none;
     return LawStatus::ok;
   }
 };
 
 constexpr ElasticSection law;
+
+double never_inelastic(const LawInput &) { return 0.; }
 
 } // namespace
 
@@ -52,4 +57,6 @@ const frictionbeam::LawDescription frictionbeam_law = {
     n_parameters,
     parameters,
     &law,
-    nullptr};
+    nullptr,
+    nullptr,
+    &never_inelastic};

@@ -40,9 +40,9 @@ void check_description(const LawDescription &law, const std::string &origin) {
   check(law.n_strains == n_strains, origin,
         "it has " + std::to_string(law.n_strains) + " strains, a law of its kind has " +
             std::to_string(n_strains) + ". Set LawDescription::n_strains.");
-  check(law.n_internal_variables >= 0 && law.n_internal_variables <= 1000, origin,
+  check(law.n_internal_variables >= 0 && law.n_internal_variables <= 4000, origin,
         "it has " + std::to_string(law.n_internal_variables) +
-            " internal variables, expected 0 to 1000. Set LawDescription::n_internal_variables.");
+            " internal variables, expected 0 to 4000. Set LawDescription::n_internal_variables.");
   check(law.law != nullptr, origin,
         "it has no law object. Let LawDescription::law point to a constant object.");
   check(law.n_parameters <= 1000, origin,

@@ -15,6 +15,9 @@ struct LawIncrement {
   double pressure = 0.;          ///< at its end, in a pipe over that outside [Pa]
 };
 
+/// How many internal variables these parameters need.
+unsigned int n_internal_variables(const LawDescription &law, const std::vector<double> &parameters);
+
 /**
  * A law with numbers for its parameters. Everything that calls a law calls it here; its closed form
  * is asked for once.
@@ -28,7 +31,8 @@ public:
   bool is_set() const { return law != nullptr; } ///< false of a BoundLaw without a law
   const LawDescription &description() const { return *law; }
   std::string name() const { return law->name; }
-  unsigned int n_internal_variables() const { return law->n_internal_variables; }
+  /// Those that these parameters need.
+  unsigned int n_internal_variables() const { return n_variables; }
   const std::vector<double> &parameters() const { return values; }
 
   /// Whether it has one that depends on its parameters alone: one that varies is not taken.
@@ -50,6 +54,16 @@ public:
                       const LawIncrement &increment, const double *old_state,
                       const LawTangent tangent, LawOutput &output) const;
 
+  /**
+   * Below 1, a section whose internal variables are all zero answers to this strain with its
+   * elastic tangent times strain, and keeps them. Infinity if the law does not say.
+   */
+  double elastic_bound(const double *strain, const double element_length,
+                       const LawIncrement &increment) const;
+  /// What the state at the end of an increment is like; zeros if the law does not say.
+  SectionReport report(const double *strain, const double element_length,
+                       const LawIncrement &increment, const double *new_state) const;
+
   /// What a law answers at rest, from internal variables of zero.
   struct Answer {
     std::vector<double> stress, tangent, state;
@@ -58,8 +72,13 @@ public:
                         const LawTangent tangent, const double temperature) const;
 
 private:
+  /// All but displacement, rate, old state and the tangent that is wanted.
+  LawInput input_of(const double *strain, const double element_length,
+                    const LawIncrement &increment) const;
+
   const LawDescription *law = nullptr;
   std::vector<double> values;
+  unsigned int n_variables = 0;
   bool is_constant = false; ///< whether it has a closed form, of the parameters alone
   FrictionThreshold form{};
 };

@@ -28,7 +28,8 @@ enum class LawKind : int {
   support = 0,
   /// Beam section: 6 strains eps, gamma_y, gamma_z, chi, kappa_y, kappa_z [-, -, -, rad/m (3)];
   /// 6 stresses N, V_y, V_z [N], M_x, M_y, M_z [N m]. The strain is what causes stress and flow:
-  /// the host has taken the free thermal strain off. N is the force in the wall.
+  /// the host has taken free strains of temperature and pressure off, so that no strain is no
+  /// stress. N is the force in the wall.
   section = 1
 };
 
@@ -158,13 +159,15 @@ struct LawDescription {
   /**
    * Bound of the elastic response: below 1, a section whose internal variables are all zero answers
    * to this strain with `tangent elastic` times strain, and keeps them. Null: never known. A host
-   * asks it before it integrates, so that a section without plastic history costs nothing.
+   * asks it before it integrates, so that a section without plastic history costs nothing. Of the
+   * input neither old state nor rate is set.
    */
   double (*elastic_bound)(const LawInput &input) = nullptr;
   /// Integrate @p n sections at once, each as integrate() does; failed if one of them failed. Null:
   /// one by one.
   LawStatus (*integrate_all)(int n, const LawInput *inputs, LawOutput *outputs) = nullptr;
-  /// What the state at the end of an increment is like. @p input is that of the increment.
+  /// What the state at the end of an increment is like. @p input is that of the increment, without
+  /// old state and rate.
   void (*report)(const LawInput &input, const double *new_state, SectionReport &report) = nullptr;
 };
 

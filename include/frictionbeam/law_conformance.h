@@ -29,7 +29,11 @@ struct LawReach {
  *  - dissipation is never negative,
  *  - stress and state do not depend on the tangent asked for, and none is written unasked,
  *  - the old state is not written, and all results are written and finite,
+ *  - no more internal variables are written than these parameters need,
  *  - it does not fail everywhere,
+ *  - of a law of sections: where its elastic bound is below 1 it answers by its elastic tangent and
+ *    keeps a state of zero; if it tells what it stores, then the work of the stress is what that
+ *    gains and the dissipation, to the first order of the increment; many at once are what each is,
  *  - its closed form, if it has one, is the same law (closed_form_faults()).
  *
  * @param parameters values in the order of the law's list.

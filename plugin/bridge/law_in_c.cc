@@ -138,7 +138,7 @@ LawInC::LawInC(const frictionbeam_c_law &law) : law(law) {
 
 LawStatus LawInC::integrate(const LawInput &in, LawOutput &out) const noexcept {
   const std::size_t n_states = law.n_states;
-  double begin[1000]; // the most that the loader takes
+  double begin[1000]; // faults_of_law_in_c() lets no more pass
   const double *old_state = in.old_state;
   if (law.initialize != nullptr) {
     if (in.old_state[n_states] == 0.) {

@@ -49,7 +49,7 @@ void broken_laws() {
                            "from 1 on", "Compile it again"});
   broken("KIND_WRONG", {"kind is 5", "expected 0 (support) or 1 (section)"});
   broken("STRAINS_WRONG", {"3 strains", "has 4", "Set LawDescription::n_strains"});
-  broken("STATES_WRONG", {"-2 internal variables", "expected 0 to 1000"});
+  broken("STATES_WRONG", {"-2 internal variables", "expected 0 to 4000"});
   broken("LAW_MISSING", {"no law object", "constant object"});
   broken("LIST_MISSING", {"1 parameters without a list"});
   broken("LIST_TOO_LONG", {"announces 2000000000 parameters", "expected 0 to 1000"});
