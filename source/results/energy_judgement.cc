@@ -93,8 +93,8 @@ void remark_on_gains(Results &results) {
 namespace {
 /// Of a transient step: the largest energy in motion, or that came or went [J].
 double largest_term(const EnergyAccount &energy) {
-  return std::max({energy.at_hand, std::abs(energy.external), energy.dissipated, energy.damping,
-                   std::abs(energy.impact)});
+  return std::max({energy.at_hand, std::abs(energy.external), energy.dissipated, energy.inelastic,
+                   energy.damping, std::abs(energy.impact)});
 }
 } // namespace
 

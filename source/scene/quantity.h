@@ -29,6 +29,7 @@ struct QuantityKind {
     change,   ///< the state of a friction support, of which the first time is asked
     mode,     ///< a mode of the line
     stress,   ///< the line by its stress code
+    wall,     ///< a section that yields or creeps, the nearest to a point
     line,     ///< all of it
     exact     ///< the scene's exact solution
   };
@@ -93,6 +94,17 @@ inline constexpr QuantityKind quantity_kinds[] = {
     {"SE", QuantityKind::Of::stress, 4, "Pa", "a displacement stress range"},
     {"utilization", QuantityKind::Of::stress, 5, "-", "the largest of the line without a point",
      QuantityKind::Measure::amount, true, true},
+    {"plastic_strain", QuantityKind::Of::wall, 0, "-",
+     "accumulated, of the nearest section that yields; the largest of the line without a point",
+     QuantityKind::Measure::amount, true, true},
+    {"creep_strain", QuantityKind::Of::wall, 1, "-", "likewise, of creep",
+     QuantityKind::Measure::amount, true, true},
+    {"yield_ratio", QuantityKind::Of::wall, 2, "-", "likewise, equivalent stress over yield stress",
+     QuantityKind::Measure::amount, true, true},
+    {"eps", QuantityKind::Of::wall, 3, "-", "strain along the axis there that causes stress"},
+    {"chi", QuantityKind::Of::wall, 6, "rad/m", "twist"},
+    {"kappa_y", QuantityKind::Of::wall, 7, "rad/m", "curvature"},
+    {"kappa_z", QuantityKind::Of::wall, 8, "rad/m", "curvature"},
     {"momentum_x", QuantityKind::Of::line, 0, "N s"},
     {"momentum_y", QuantityKind::Of::line, 1, "N s"},
     {"momentum_z", QuantityKind::Of::line, 2, "N s"},

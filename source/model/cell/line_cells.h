@@ -95,6 +95,9 @@ public:
   void evaluate(const Pose &at, const std::vector<double> &factors, Balance &balance) const {
     evaluate({at, at, at, at.dofs}, factors, balance);
   }
+  /// Free strains and what else the law of a cell's sections is given.
+  PipeSections::Surroundings surroundings(const unsigned int cell,
+                                          const std::vector<double> &factors) const;
   /// Sections with a law of their own.
   const PipeSections &pipe_sections() const { return sections; }
   /// Elastic energy of pipes and springs [J].
@@ -181,9 +184,6 @@ protected:
   void integrate_sections(const unsigned int cell, const Vector12 &before, const Vector12 &after,
                           const Step &step, const std::vector<double> &factors, CellAnswer &answer,
                           PipeSections::Answer &inelastic) const;
-  /// Free strains and what else the law of a cell's sections is given.
-  PipeSections::Surroundings surroundings(const unsigned int cell,
-                                          const std::vector<double> &factors) const;
   void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
                  const std::vector<dealii::types::global_dof_index> &dofs,
                  SparseMatrix &matrix) const;

@@ -53,6 +53,16 @@ PipeSections::PipeSections(const Scene &scene, const Discretization &discretizat
   }
 }
 
+void PipeSections::set_energies(const double pushes, const double dissipation,
+                                const double *const old, double *const now) {
+  now[thrust] = pushes;
+  now[lost] = old[lost] + dissipation;
+  now[stored] = old[stored] - dissipation +
+                (Values(old + stress) + Values(now + stress))
+                        .dot(Values(now + strain) - Values(old + strain)) /
+                    2.;
+}
+
 bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundings,
                                  const Clock &clock, const Vector6 &total, const double *const old,
                                  double *const now, Tangent &tangent, double &error) const {
@@ -69,16 +79,22 @@ bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundi
   increment.length = clock.length;
   increment.temperature = surroundings.temperature;
   increment.pressure = surroundings.pressure;
+  const unsigned int n = law.n_internal_variables();
+  const bool is_virgin = std::all_of(old + internal, old + internal + n,
+                                     [](const double value) { return value == 0.; });
+  const bool is_cold = increment.temperature == LawIncrement().temperature; // as the tangent
+  if (is_virgin && is_cold && law.elastic_bound(of_wall.data(), 1., increment) < 1.) {
+    tangent = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
+    Eigen::Map<Vector6>(now + stress) = tangent * of_wall;
+    std::fill(now + internal, now + internal + n, 0.);
+    set_energies(pushes, 0., old, now);
+    return true;
+  }
   LawOutput output{now + stress, tangent.data(), now + internal, 0., ContactStatus::none};
   if (law.integrate(of_wall.data(), rate.data(), 1., increment, old + internal,
                     LawTangent::consistent, output) != LawStatus::ok)
     return false;
-  now[thrust] = pushes;
-  now[lost] = old[lost] + output.dissipation;
-  now[stored] = old[stored] - output.dissipation +
-                (Values(old + stress) + Values(now + stress))
-                        .dot(Values(now + strain) - Values(old + strain)) /
-                    2.;
+  set_energies(pushes, output.dissipation, old, now);
   error = std::max(error, output.error);
   return true;
 }
@@ -144,6 +160,22 @@ double PipeSections::dissipated(const Vector &states) const {
   for (const Cell &cell : cells)
     if (cell.n_points > 0)
       result += sum(cell, states, lost);
+  return result;
+}
+
+std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index,
+                                                        const Surroundings &surroundings,
+                                                        const Vector &states) const {
+  const Cell &cell = cells[index];
+  LawIncrement increment;
+  increment.temperature = surroundings.temperature;
+  increment.pressure = surroundings.pressure;
+  std::vector<Report> result;
+  for (unsigned int q = 0; q < cell.n_points; ++q) {
+    const double *const values = states.data() + cell.first_value + q * n_values_of(cell);
+    result.push_back({points[cell.first + q].part, Values(values + strain), Values(values + stress),
+                      cell.profile->law.report(values + strain, 1., increment, values + internal)});
+  }
   return result;
 }
 

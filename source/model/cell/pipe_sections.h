@@ -98,6 +98,9 @@ private:
   }
   /// Stress of the beam.
   static Vector6 beam_stress(const double *values);
+  /// Where strain and stress are known.
+  static void set_energies(const double thrust, const double dissipation, const double *old,
+                           double *now);
   double sum(const Cell &cell, const Vector &states, const Value value) const;
   bool answer_of_law(const Cell &cell, const Surroundings &surroundings, const Clock &clock,
                      const Vector6 &total, const double *old, double *now,

@@ -113,11 +113,17 @@ Json summary_of(const StepEnvelope &envelope, const Scene &scene, const Results 
 }
 
 Json summary_of(const EnergyAccount &energy) {
-  return {{"external", energy.external},     {"stored", energy.stored},
-          {"dissipated", energy.dissipated}, {"gaps", energy.gaps},
-          {"kinetic", energy.kinetic},       {"damping", energy.damping},
-          {"impact", energy.impact},         {"left_over", energy.left_over()},
-          {"at_hand", energy.at_hand},       {"missed_friction", energy.missed_friction},
+  return {{"external", energy.external},
+          {"stored", energy.stored},
+          {"dissipated", energy.dissipated},
+          {"inelastic", energy.inelastic},
+          {"gaps", energy.gaps},
+          {"kinetic", energy.kinetic},
+          {"damping", energy.damping},
+          {"impact", energy.impact},
+          {"left_over", energy.left_over()},
+          {"at_hand", energy.at_hand},
+          {"missed_friction", energy.missed_friction},
           {"imbalance", energy.imbalance()}};
 }
 

@@ -2,6 +2,7 @@
 #include "results/quantity/impact_forces.h"
 #include "results/quantity/point_forces.h"
 #include "results/quantity/support_quantities.h"
+#include "results/quantity/wall_quantities.h"
 
 #include "results/quantity/collector.h"
 #include "results/stress/stresses.h"
@@ -84,6 +85,8 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
       return force_at(quantity, state, kind.component);
     case Of::section:
       return section_force(quantity, current_frame(state), kind.component);
+    case Of::wall:
+      return value_of_wall(model, quantity, state);
     case Of::line:
       return builder.momentum_and_energy(state)[kind.component];
     case Of::exact:

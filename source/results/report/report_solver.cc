@@ -19,13 +19,13 @@ std::string energy_table(const Results &results) {
          HtmlTable()
              .text("all steps",
                    {"work of loads and imposed motions", "kinetic", "stored",
-                    "dissipated by friction", "by damping", "by impact",
-                    "along gaps that open or close", "left over", "largest at hand in motion",
-                    "friction work missed by static steps"})
+                    "dissipated by friction", "by pipes that yield or creep", "by damping",
+                    "by impact", "along gaps that open or close", "left over",
+                    "largest at hand in motion", "friction work missed by static steps"})
              .right("", {joule(energy.external), joule(energy.kinetic), joule(energy.stored),
-                         joule(energy.dissipated), joule(energy.damping), joule(energy.impact),
-                         joule(energy.gaps), joule(energy.left_over()), joule(energy.at_hand),
-                         joule(energy.missed_friction)})
+                         joule(energy.dissipated), joule(energy.inelastic), joule(energy.damping),
+                         joule(energy.impact), joule(energy.gaps), joule(energy.left_over()),
+                         joule(energy.at_hand), joule(energy.missed_friction)})
              .str();
 }
 

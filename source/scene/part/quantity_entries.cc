@@ -116,6 +116,14 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
     if (!where.empty() || !quantity.kind().is_of_line_too)
       check_point(in, entry, where, scene);
     return;
+  case Of::wall:
+    if (std::none_of(scene.sections.begin(), scene.sections.end(),
+                     [](const Section &section) { return section.is_inelastic(); }))
+      in.fail(entry, what + " of sections that yield or creep",
+              "a Section with 'Law = fibre_pipe' or another such law");
+    if (!where.empty() || !quantity.kind().is_of_line_too)
+      check_point(in, entry, where, scene);
+    return;
   case Of::line:
     if (scene.kinematics == Kinematics::linear || !where.empty())
       in.fail(entry, what + " of the whole line, with Kinematics = corotational",
