@@ -77,6 +77,8 @@ private:
   /// Forces that a state before the first static increment, or the motion before it, leaves
   /// unbalanced; zero if it is in equilibrium.
   Vector unbalanced_at_start() const;
+  /// Whether a step that has stopped has done so at the collapse of its pipes.
+  void judge_collapse(StepReport &report) const;
   /// Take the present forces into account for force_so_far.
   void measure_forces(const Vector &loads);
   /// Of the sections Initial. @param displaced or velocities only

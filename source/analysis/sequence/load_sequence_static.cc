@@ -128,6 +128,7 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
   if (halvings == model.scene.solver.max_halvings) {
     report.remark = "stopped at time " + rounded_number(start, 6) + ": " + report.remark +
                     ", also after halving the increment " + std::to_string(halvings) + " times";
+    judge_collapse(report);
     return false;
   }
   ++report.halvings;
@@ -137,6 +138,27 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
     middle[l] = (from[l] + to[l]) / 2.;
   return advance(from, middle, (start + time) / 2., halvings + 1) &&
          advance(middle, to, time, halvings + 1);
+}
+
+void LoadSequence::judge_collapse(StepReport &report) const {
+  constexpr double share_of_elastic = 1e-3; // which the bound leaves out
+  const double duration = model.scene.steps[position.step].duration;
+  const auto collapse = statics->collapse(current, course.factors_at(position.start, side),
+                                          course.factors_at(position.start + duration, side));
+  if (!collapse)
+    return;
+  const std::string reached = rounded_number((current.time - position.start) / duration, 6);
+  if (collapse->bound * (1. + share_of_elastic) < 1.) {
+    report.no_equilibrium = true;
+    report.remark =
+        "the pipes yield: " + reached + " of the way of this step's loads was carried, " +
+        rounded_number(collapse->bound, 6) +
+        " is the most that any state of stress carries (rigid-plastic bound of the last "
+        "motion); " +
+        collapse->mechanism;
+  } else
+    report.remark +=
+        "; " + reached + " of the way of this step's loads was carried; " + collapse->mechanism;
 }
 
 void LoadSequence::measure_forces(const Vector &loads) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/continuum_newton.h"
 
-#include <frictionbeam/contact/halving_search.h>
-#include <frictionbeam/contact/tolerances.h>
 #include "base/interruption.h"
 #include "base/numbers.h"
+#include <frictionbeam/contact/halving_search.h>
+#include <frictionbeam/contact/tolerances.h>
 
 #include <Eigen/LU>
 
@@ -133,8 +133,8 @@ ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
 
 template <int dim>
 contact::Outcome ContinuumNewton<dim>::solve_contacts(ContinuumVector &u,
-                                                    FoundationResponse &response,
-                                                    ContinuumNewtonResult &result) {
+                                                      FoundationResponse &response,
+                                                      ContinuumNewtonResult &result) {
   if (!contacts.are_exact()) // no centre, no rho: nothing else to try
     return solve_together(body_limits.most_together, u, response, result);
   const ContinuumVector start = u;
@@ -176,8 +176,8 @@ double ContinuumNewton<dim>::energy_together(const FoundationResponse &response,
 template <int dim>
 contact::Check ContinuumNewton<dim>::check(const FoundationResponse &response) const {
   contact::Check check = contacts.check(displacement, response.state, *committed,
-                                      largest(response.state.stress).second,
-                                      epsilon_of_rounding * largest_displacement);
+                                        largest(response.state.stress).second,
+                                        epsilon_of_rounding * largest_displacement);
   check.natural_map = Utilities::MPI::max(check.natural_map, body.communicator);
   check.penetration = Utilities::MPI::max(check.penetration, body.communicator);
   check.cone_violation = Utilities::MPI::max(check.cone_violation, body.communicator);
@@ -195,9 +195,9 @@ bool ContinuumNewton<dim>::balanced(const ContinuumVector &u, const ContinuumVec
   result.residual = largest_force > 0. ? size / largest_force : size;
   ContinuumVector stiff(u);
   stiff.scale(diagonal);
-  return size <=
-         std::max(settings.tolerance * largest_force,
-                  std::min(epsilon_of_rounding * largest_of(stiff), contact::most_excused * largest_force));
+  return size <= std::max(settings.tolerance * largest_force,
+                          std::min(epsilon_of_rounding * largest_of(stiff),
+                                   contact::most_excused * largest_force));
 }
 
 template <int dim>
@@ -283,8 +283,8 @@ bool ContinuumNewton<dim>::moves_away(const FoundationResponse &response, const 
 
 template <int dim>
 contact::Outcome ContinuumNewton<dim>::solve_proximal(ContinuumVector &u,
-                                                    FoundationResponse &response,
-                                                    ContinuumNewtonResult &result) {
+                                                      FoundationResponse &response,
+                                                      ContinuumNewtonResult &result) {
   const double shift = std::min(shift_of_step, shift_below_rho * contacts.stiffness_factor);
   ContinuumVector left, direction;
   body.reinit(left);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/algebra/elastic_system.h"
-#include <frictionbeam/contact/attempts.h>
 #include "analysis/statics/foundation_contacts.h"
+#include <frictionbeam/contact/attempts.h>
 
 namespace frictionbeam {
 
@@ -17,10 +17,10 @@ struct ContinuumNewtonResult {
 };
 
 /**
- * One increment of a body on its foundation: the two Newton's methods of contact::ExactSolver for a body,
- * in the order of contact::Attempts. What differs is the linear algebra: with a factorization on one
- * process an iteration costs two triangular solves and a dense system of the contacts; unknowns are
- * distributed among processes, and what is judged is judged by all of them.
+ * One increment of a body on its foundation: the two Newton's methods of contact::ExactSolver for a
+ * body, in the order of contact::Attempts. What differs is the linear algebra: with a factorization
+ * on one process an iteration costs two triangular solves and a dense system of the contacts;
+ * unknowns are distributed among processes, and what is judged is judged by all of them.
  */
 template <int dim>
 class ContinuumNewton {
@@ -47,10 +47,10 @@ public:
 
   /// Newton's method on motions and tractions together.
   contact::Outcome solve_together(const unsigned int most_iterations, ContinuumVector &u,
-                                FoundationResponse &response, ContinuumNewtonResult &result);
+                                  FoundationResponse &response, ContinuumNewtonResult &result);
   /// Newton's method on the contacts around a fixed centre.
   contact::Outcome solve_proximal(ContinuumVector &u, FoundationResponse &response,
-                                ContinuumNewtonResult &result);
+                                  ContinuumNewtonResult &result);
   void take_forces_as_centre(const FoundationResponse &response) {
     contacts.centre = response.state.stress;
   }
@@ -60,7 +60,7 @@ public:
 
 private:
   contact::Outcome solve_contacts(ContinuumVector &u, FoundationResponse &response,
-                                ContinuumNewtonResult &result);
+                                  ContinuumNewtonResult &result);
   /// Evaluate contacts and elastic forces at u.
   void evaluate(const ContinuumVector &u, FoundationResponse &response);
   /// Loads minus elastic forces, stiffness times u, plus forces of tractions.

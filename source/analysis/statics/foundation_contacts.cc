@@ -94,11 +94,11 @@ void FoundationContacts::evaluate_exact(const unsigned int i, const LocalVector 
   Contact::Strains strain, around;
   strain << -u, 0.; // of elements 1 m long to the ground
   around << centre[i], 0.;
-  const contact::ProximalAnswer answer =
-      contact::proximal_law(law,
-                   {strain, 1., friction[i], law.gap, stiffness_factor * point.normal_diagonal,
-                    stiffness_factor * point.shear_diagonal, around, surface.pressure},
-                   contact::Slip::read(law, committed.internal.data() + offset[i]));
+  const contact::ProximalAnswer answer = contact::proximal_law(
+      law,
+      {strain, 1., friction[i], law.gap, stiffness_factor * point.normal_diagonal,
+       stiffness_factor * point.shear_diagonal, around, surface.pressure},
+      contact::Slip::read(law, committed.internal.data() + offset[i]));
   FoundationState &state = response.state;
   state.stress[i] = answer.stress.head<3>();
   response.misfit[i] = answer.misfit.head<3>();
@@ -193,9 +193,9 @@ LocalVector FoundationContacts::slip(const unsigned int i, const LocalVector &di
 }
 
 contact::Check FoundationContacts::check(const std::vector<LocalVector> &displacement,
-                                       const FoundationState &state,
-                                       const FoundationState &committed, const double largest,
-                                       const double rounding) const {
+                                         const FoundationState &state,
+                                         const FoundationState &committed, const double largest,
+                                         const double rounding) const {
   contact::Check result;
   for (unsigned int i = 0; i < points.size(); ++i) {
     if (!is_exact(i))

@@ -40,17 +40,18 @@ struct FoundationState {
 struct FoundationResponse {
   FoundationState state;
   std::vector<LocalMatrix> tangent; ///< d stress / d displacement
-  std::vector<LocalVector> misfit;  ///< of exact contacts: stress less centre (contact::ProximalAnswer)
+  std::vector<LocalVector>
+      misfit; ///< of exact contacts: stress less centre (contact::ProximalAnswer)
   bool failed = false;
 };
 
 /**
  * Friction on the foundation, point by point: the law that a support has, of a friction element
  * from the body to the ground for each square metre. A law with a threshold in closed form is exact
- * contact in the proximal form of contact::proximal_law(). Any other law, and all of them with the method
- * `newton`, is integrated as it is: return mapping with the consistent tangent. On a surface with a
- * prescribed pressure the compression is that pressure; a law that is integrated is then solved for
- * the normal strain that gives it.
+ * contact in the proximal form of contact::proximal_law(). Any other law, and all of them with the
+ * method `newton`, is integrated as it is: return mapping with the consistent tangent. On a surface
+ * with a prescribed pressure the compression is that pressure; a law that is integrated is then
+ * solved for the normal strain that gives it.
  */
 class FoundationContacts {
 public:
@@ -79,8 +80,8 @@ public:
 
   /// Judge tractions and displacements by the exact laws. @p largest traction of all.
   contact::Check check(const std::vector<LocalVector> &displacement, const FoundationState &state,
-                     const FoundationState &committed, const double largest,
-                     const double rounding) const;
+                       const FoundationState &committed, const double largest,
+                       const double rounding) const;
 
   unsigned int size() const { return points.size(); }
   const FoundationPoint &operator[](const unsigned int i) const { return points[i]; }

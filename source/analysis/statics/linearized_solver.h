@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/contact/equilibrium.h"
 #include "model/line_pose.h"
 #include "model/model.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 #include <functional>
 

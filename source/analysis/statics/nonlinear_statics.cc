@@ -109,6 +109,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       result.converged = true;
       to.sections = at.balance.sections;
       to.unknowns = from.unknowns + at.moved;
+      model.space.expand(at.moved, last_motion);
       set_pose(model, at.pose, to);
       return result;
     }
@@ -125,6 +126,14 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     contact_forces = response.stress;
     judged = move(change, at);
   }
+}
+
+std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
+                                                   const std::vector<double> &begin,
+                                                   const std::vector<double> &end) const {
+  if (!model.cells.pipe_sections().any() || last_motion.size() == 0)
+    return {};
+  return find_collapse(model, at, last_motion, begin, end);
 }
 
 Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCourse &) const {

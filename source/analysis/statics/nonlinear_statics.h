@@ -30,6 +30,8 @@ public:
   beyond_uniqueness(const std::vector<ContactStatus> &) const override {
     return {};
   }
+  std::optional<Collapse> collapse(const LineState &at, const std::vector<double> &begin,
+                                   const std::vector<double> &end) const override;
   void transfer(Archive &) override {} // every increment begins anew
 
 private:
@@ -56,6 +58,7 @@ private:
 
   const Model &model;
   LinearizedSolver linearized;
+  Vector last_motion; ///< of the last increment that was solved, without what was imposed
 };
 
 } // namespace frictionbeam

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "analysis/contact/equilibrium.h"
-#include <frictionbeam/contact/exact_solver.h>
 #include "analysis/increment/energy_account.h"
 #include "analysis/increment/load_course.h"
+#include "analysis/statics/collapse.h"
+#include <frictionbeam/contact/exact_solver.h>
 
 #include <memory>
 
@@ -41,6 +42,12 @@ public:
   /// Whether the line would leave a state by itself, at the least push, even if every contact that
   /// is closed held it.
   virtual bool is_unstable(const LineState &) const { return false; }
+  /// Of a line that has found no equilibrium any more on the way between two load cases: whether
+  /// its last motion is that of a mechanism.
+  virtual std::optional<Collapse> collapse(const LineState &, const std::vector<double> &,
+                                           const std::vector<double> &) const {
+    return {};
+  }
   /// What the increments to come depend on, besides the line's state.
   virtual void transfer(Archive &archive) = 0;
 };

@@ -300,6 +300,16 @@ LineCells::CellState CorotationalCells::state_of(const unsigned int index, const
   return state;
 }
 
+Vector12 CorotationalCells::motions_of_cell(const unsigned int index, const Pose &pose,
+                                            const Vector &motion) const {
+  const Cell &cell = cells[index];
+  const CorotationalBeam::Deformed deformed = cell.beam.deform(ends(cell, pose));
+  Vector12 of_ends;
+  for (int i = 0; i < 12; ++i)
+    of_ends[i] = motion[cell.dofs[i]];
+  return cell.beam.motions_of(cell.beam.derivative(deformed, deformed.length) * of_ends);
+}
+
 LineCells::Unbent CorotationalCells::unbent(const Pose &pose) const {
   Unbent unbent;
   for (const Cell &cell : cells) {

@@ -43,6 +43,8 @@ public:
 
   CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
                      const std::vector<double> &factors) const override;
+  Vector12 motions_of_cell(const unsigned int cell, const Pose &pose,
+                           const Vector &motion) const override;
   /// Without rotary inertia.
   Matrix12 mass_of(const unsigned int cell, PipeElement &element) const override;
   Motion nodal_load(const unsigned int load, const unsigned int vertex,

@@ -95,6 +95,10 @@ public:
   void evaluate(const Pose &at, const std::vector<double> &factors, Balance &balance) const {
     evaluate({at, at, at, at.dofs}, factors, balance);
   }
+  /// Motions of a cell's ends, in its axes at rest, that a small motion of all degrees of freedom
+  /// from a pose makes.
+  virtual Vector12 motions_of_cell(const unsigned int cell, const Pose &pose,
+                                   const Vector &motion) const = 0;
   /// Free strains and what else the law of a cell's sections is given.
   PipeSections::Surroundings surroundings(const unsigned int cell,
                                           const std::vector<double> &factors) const;

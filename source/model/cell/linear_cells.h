@@ -38,6 +38,10 @@ public:
 
   CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
                      const std::vector<double> &factors) const override;
+  Vector12 motions_of_cell(const unsigned int cell, const Pose &,
+                           const Vector &motion) const override {
+    return ends_of(cell, motion);
+  }
   Matrix12 mass_of(const unsigned int cell, PipeElement &element) const override;
 
 private:

@@ -4,6 +4,8 @@
 #include "base/user_error.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -161,6 +163,47 @@ double PipeSections::dissipated(const Vector &states) const {
     if (cell.n_points > 0)
       result += sum(cell, states, lost);
   return result;
+}
+
+double PipeSections::plastic_power(const unsigned int index, const Vector12 &motions,
+                                   const Surroundings &surroundings) const {
+  constexpr double far = 1e5; // of the strain at which it begins to yield
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const Cell &cell = cells[index];
+  const BoundLaw &law = cell.profile->law;
+  LawIncrement increment;
+  increment.temperature = surroundings.temperature;
+  increment.pressure = surroundings.pressure;
+  const std::vector<double> rest(law.n_internal_variables() + 1, 0.);
+  std::vector<double> states(rest.size());
+  const Vector6 no_rate = Vector6::Zero();
+  double power = 0.;
+  for (unsigned int q = 0; q < cell.n_points; ++q) {
+    const Point &point = points[cell.first + q];
+    Vector6 direction = point.B * motions;
+    direction.segment<2>(1).setZero();
+    const double bound = law.elastic_bound(direction.data(), 1., increment);
+    if (!(bound > 0.)) // nothing is strained
+      continue;
+    if (std::isinf(bound))
+      return none;
+    double of_point[2];
+    for (const int further : {0, 1}) { // hardening shows in twice the strain
+      const double length = (1 + further) * far / bound;
+      const Vector6 there = length * direction;
+      Vector6 result;
+      LawOutput output{result.data(), nullptr, states.data(), 0., ContactStatus::none};
+      if (law.integrate(there.data(), no_rate.data(), 1., increment, rest.data(), LawTangent::none,
+                        output) != LawStatus::ok)
+        return none;
+      of_point[further] = result.dot(direction);
+    }
+    constexpr double same = 1e-3;
+    if (!(of_point[1] <= (1. + same) * of_point[0]))
+      return none;
+    power += point.length * of_point[1];
+  }
+  return power;
 }
 
 std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index,

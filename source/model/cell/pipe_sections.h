@@ -69,6 +69,15 @@ public:
   /// By all sections, as their laws say [J].
   double dissipated(const Vector &states) const;
 
+  /**
+   * What a cell's sections dissipate at the utmost at strains of this direction: the stress at
+   * strains so large that the elastic ones do not count, times the strains [J per unit of them].
+   * Infinite where a section hardens without end, or does not say when it is elastic.
+   * @param motions of the ends; shear strains that they make are left out
+   */
+  double plastic_power(const unsigned int cell, const Vector12 &motions,
+                       const Surroundings &surroundings) const;
+
   /// A section's place on the line and what its law tells of its state.
   struct Report {
     double part = 0.; ///< of the way along the cell, from its deal.II vertex 0

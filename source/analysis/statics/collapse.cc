@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/statics/collapse.h"
+
+#include "base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+/// A pipe's cell in a mechanism.
+struct Hinge {
+  unsigned int cell;
+  double power; ///< dissipated on the motion [J]
+};
+
+Vector loads_at(const Model &model, const LineState &at, const std::vector<double> &factors) {
+  LineCells::Balance balance;
+  model.cells.evaluate(pose_of(at), factors, balance);
+  return balance.loads;
+}
+
+/// What contacts dissipate at their present forces.
+double contact_power(const Model &model, const LineState &at, const Vector &motion) {
+  double power = 0.;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Vector moved = at.dofs + motion;
+    power +=
+        contact.weight * at.contact_stress[i].dot(contact.strain(moved) - contact.strain(at.dofs));
+  }
+  return power;
+}
+
+/// Of an elastic pipe, the work of its present forces: it takes next to no part in a mechanism.
+double pipe_power(const Model &model, const unsigned int index, const LineState &at,
+                  const Vector &motion) {
+  const LineCells &cells = model.cells;
+  const Pose pose = pose_of(at);
+  if (cells.pipe_sections().has(index))
+    return cells.pipe_sections().plastic_power(index, cells.motions_of_cell(index, pose, motion),
+                                               cells.surroundings(index, at.load_factors));
+  PipeElement element(model.discretization);
+  const auto cell = model.discretization.pipe_cell(index);
+  element.reinit(cell);
+  const LineCells::Vector12 ends = cells.state_of(index, element, pose, at.load_factors).ends;
+  std::vector<dealii::types::global_dof_index> dofs(12);
+  cell->get_dof_indices(dofs);
+  double work = 0.;
+  for (unsigned int i = 0; i < 12; ++i)
+    work += ends[i] * motion[dofs[i]];
+  return std::abs(work);
+}
+
+std::string place_of(const Model &model, const unsigned int index) {
+  const PipeCell &cell = model.discretization.pipe_cells()[index];
+  const MeshedPipe &pipe = model.mesh.pipes[cell.pipe];
+  return "pipe " + model.scene.pipes[cell.pipe].name +
+         " at s = " + rounded_number((pipe.s[cell.position] + pipe.s[cell.position + 1]) / 2., 3) +
+         " m";
+}
+
+/// Where most is dissipated: cells side by side are one hinge.
+std::string words_of(const Model &model, std::vector<Hinge> hinges, const LineState &at,
+                     const double power) {
+  constexpr double least_share = 0.02;
+  constexpr std::size_t most_named = 6;
+  std::vector<Hinge> named;
+  for (const Hinge &hinge : hinges) {
+    const bool follows = !named.empty() && named.back().cell + 1 == hinge.cell;
+    if (follows && hinge.power > named.back().power)
+      named.back() = hinge;
+    else if (!follows && hinge.power > least_share * power)
+      named.push_back(hinge);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(named.size(), most_named); ++i)
+    text += (i == 0 ? "" : ", ") + place_of(model, named[i].cell);
+  if (named.size() > most_named)
+    text += " and " + std::to_string(named.size() - most_named) + " more";
+  std::string slipping;
+  unsigned int n_slipping = 0;
+  for (unsigned int i = 0; i < at.contact_status.size(); ++i)
+    if (at.contact_status[i] == ContactStatus::slip && ++n_slipping <= most_named)
+      slipping +=
+          (slipping.empty() ? "" : ", ") + model.scene.supports[model.contacts[i].support].name;
+  if (n_slipping > most_named)
+    slipping += " and " + std::to_string(n_slipping - most_named) + " more";
+  return "hinges: " + (text.empty() ? "none" : text) +
+         (slipping.empty() ? "" : "; supports that slip: " + slipping);
+}
+
+} // namespace
+
+std::optional<Collapse> find_collapse(const Model &model, const LineState &at, const Vector &motion,
+                                      const std::vector<double> &begin,
+                                      const std::vector<double> &end) {
+  const Vector first = loads_at(model, at, begin), last = loads_at(model, at, end);
+  const double by_first = first.dot(motion), gain = (last - first).dot(motion);
+  if (!(gain > 0.))
+    return {};
+  std::vector<Hinge> hinges;
+  double power = contact_power(model, at, motion), of_pipes = 0.;
+  for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i) {
+    hinges.push_back({i, pipe_power(model, i, at, motion)});
+    of_pipes += hinges.back().power;
+  }
+  power += of_pipes;
+  return Collapse{(power - by_first) / gain, words_of(model, hinges, at, of_pipes)};
+}
+
+} // namespace frictionbeam
