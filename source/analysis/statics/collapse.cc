@@ -25,9 +25,9 @@ Vector loads_at(const Model &model, const LineState &at, const std::vector<doubl
 /// What contacts dissipate at their present forces.
 double contact_power(const Model &model, const LineState &at, const Vector &motion) {
   double power = 0.;
+  const Vector moved = at.dofs + motion;
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    const Vector moved = at.dofs + motion;
     power +=
         contact.weight * at.contact_stress[i].dot(contact.strain(moved) - contact.strain(at.dofs));
   }
@@ -54,7 +54,7 @@ double pipe_power(const Model &model, const unsigned int index, const LineState 
   return std::abs(work);
 }
 
-std::string place_of(const Model &model, const unsigned int index) {
+std::string place_in_words(const Model &model, const unsigned int index) {
   const PipeCell &cell = model.discretization.pipe_cells()[index];
   const MeshedPipe &pipe = model.mesh.pipes[cell.pipe];
   return "pipe " + model.scene.pipes[cell.pipe].name +
@@ -77,7 +77,7 @@ std::string words_of(const Model &model, std::vector<Hinge> hinges, const LineSt
   }
   std::string text;
   for (std::size_t i = 0; i < std::min(named.size(), most_named); ++i)
-    text += (i == 0 ? "" : ", ") + place_of(model, named[i].cell);
+    text += (i == 0 ? "" : ", ") + place_in_words(model, named[i].cell);
   if (named.size() > most_named)
     text += " and " + std::to_string(named.size() - most_named) + " more";
   std::string slipping;

@@ -106,7 +106,6 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
                              const Vector &old, Vector &now, Answer &answer) const {
   const Cell &cell = cells[index];
   answer = {};
-  answer.stiffness.setZero();
   Tangent tangent;
   for (unsigned int q = 0; q < cell.n_points; ++q) {
     const Point &point = points[cell.first + q];

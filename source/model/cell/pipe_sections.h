@@ -43,8 +43,9 @@ public:
   };
   /// Of a cell.
   struct Answer {
-    Vector12 before, after; ///< forces on its ends, in the axes at rest
-    Matrix12 stiffness;     ///< derivative of the last by the motions
+    /// Forces on its ends, in the axes at rest, and the derivative of the last by the motions.
+    Vector12 before = Vector12::Zero(), after = Vector12::Zero();
+    Matrix12 stiffness = Matrix12::Zero();
     /// Of the mean stress: less what the ends do, that on free strains [J].
     double free_work = 0.;
     double error = 0.; ///< what the increment's length leaves in the stress, a share
