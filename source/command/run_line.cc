@@ -304,6 +304,7 @@ void LineRun::pause() {
 }
 
 void LineRun::conclude(const bool converged) {
+  results.steps = sequence.reports();
   if (converged)
     add_derived_cases(model, modal_state, collector, results);
   std::map<std::pair<std::string, unsigned int>, double> pressures; // by step and pipe
@@ -327,7 +328,6 @@ void LineRun::conclude(const bool converged) {
 /// How the steps were solved, and at what cost.
 void report_steps(const Scene &scene, const LoadSequence &sequence, const bool converged,
                   Results &results) {
-  results.steps = sequence.reports();
   results.status = converged                                  ? RunStatus::converged
                    : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
                                                               : RunStatus::failed;

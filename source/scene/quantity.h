@@ -29,6 +29,7 @@ struct QuantityKind {
     change,   ///< the state of a friction support, of which the first time is asked
     mode,     ///< a mode of the line
     stress,   ///< the line by its stress code
+    limit,    ///< a step that finds the largest load
     wall,     ///< a section that yields or creeps, the nearest to a point
     line,     ///< all of it
     exact     ///< the scene's exact solution
@@ -46,7 +47,7 @@ struct QuantityKind {
   bool is_of_line_too = false; ///< a point is not needed: the largest of the line
 
   /// Known only when everything else is.
-  bool is_of_the_end() const { return of == Of::mode || of == Of::stress; }
+  bool is_of_the_end() const { return of == Of::mode || of == Of::stress || of == Of::limit; }
 };
 
 inline constexpr QuantityKind quantity_kinds[] = {
@@ -84,8 +85,10 @@ inline constexpr QuantityKind quantity_kinds[] = {
     {"slip2", QuantityKind::Of::support, 5, "m"},
     {"work", QuantityKind::Of::support, 6, "J", "of friction"},
     {"mt", QuantityKind::Of::support, 7, "N m", "about the normal, of Torsion"},
-    {"wear", QuantityKind::Of::support, 8, "J", "the integral of fn |slip rate| over transient steps"},
-    {"impulse", QuantityKind::Of::support, 9, "N s", "of fn over transient steps, impacts included"},
+    {"wear", QuantityKind::Of::support, 8, "J",
+     "the integral of fn |slip rate| over transient steps"},
+    {"impulse", QuantityKind::Of::support, 9, "N s",
+     "of fn over transient steps, impacts included"},
     {"frequency", QuantityKind::Of::mode, 0, "Hz"},
     {"flexibility", QuantityKind::Of::stress, 0, "-"},
     {"sif_in", QuantityKind::Of::stress, 1, "-"},
@@ -105,6 +108,9 @@ inline constexpr QuantityKind quantity_kinds[] = {
     {"chi", QuantityKind::Of::wall, 6, "rad/m", "twist"},
     {"kappa_y", QuantityKind::Of::wall, 7, "rad/m", "curvature"},
     {"kappa_z", QuantityKind::Of::wall, 8, "rad/m", "curvature"},
+    {"limit_factor", QuantityKind::Of::limit, 0, "-", "part of the step's loads that was carried"},
+    {"limit_bound", QuantityKind::Of::limit, 1, "-",
+     "rigid-plastic bound of that part by the last motion"},
     {"momentum_x", QuantityKind::Of::line, 0, "N s"},
     {"momentum_y", QuantityKind::Of::line, 1, "N s"},
     {"momentum_z", QuantityKind::Of::line, 2, "N s"},

@@ -204,8 +204,9 @@ struct LoadStep {
   std::vector<std::pair<unsigned int, double>> loads; ///< load, factor
   unsigned int n_increments = 1;                      ///< static
   bool transient = false;
-  double duration = 1.; ///< [s]; of a static step, the pseudo-time it takes
-  double ramp = 0.;     ///< transient: time in which the loads reach their values [s]; 0: at once
+  double duration = 1.;     ///< [s]; of a static step, the pseudo-time it takes
+  bool finds_limit = false; ///< static: whether it ends at the largest part of its loads
+  double ramp = 0.; ///< transient: time in which the loads reach their values [s]; 0: at once
 };
 
 struct InitialCondition {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/contact/exact_solver.h>
 #include "analysis/increment/energy_account.h"
 #include "analysis/increment/reduction_account.h"
 #include "analysis/increment/resolution.h"
+#include <frictionbeam/contact/exact_solver.h>
 
 #include <limits>
 #include <string>
@@ -21,16 +21,25 @@ struct ContactMargin {
   double closing = none; ///< of an open one, its gap [m]
 };
 
+/// Where a static step ended whose pipes give way.
+struct LimitLoad {
+  double reached = 0.;   ///< part of the step's loads that is carried, with the equilibrium at hand
+  double bound = 0.;     ///< part that no state of stress exceeds; infinite if none is known
+  std::string mechanism; ///< where it yields and slips
+  void transfer(Archive &archive) { archive(reached, bound, mechanism); }
+};
+
 /// What the solver did in one step of the load sequence.
 struct StepReport {
   std::string step;
   unsigned int increments = 0, halvings = 0, iterations = 0, factorizations = 0;
   std::size_t back_substitutions = 0; ///< with a matrix of the whole line
   double residual = 0.;               ///< largest of its increments, relative to the largest force
-  contact::Check contact;               ///< worst of its increments (exact method)
+  contact::Check contact;             ///< worst of its increments (exact method)
   EnergyAccount energy;               ///< of static steps
   bool converged = false;
-  bool no_equilibrium = false;                      ///< proved that there is none
+  std::optional<LimitLoad> limit;                            ///< of pipes that yield
+  bool no_equilibrium = false;                               ///< proved that there is none
   std::vector<contact::BeyondUniqueness> several_equilibria; ///< at its end
   /// Contacts whose shares of force nothing determines at its end.
   std::vector<unsigned int> undetermined_forces;
@@ -47,8 +56,8 @@ struct StepReport {
 
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
-            contact, energy, converged, no_equilibrium, several_equilibria, undetermined_forces,
-            remark, warning, reduction, margins, struck, resolution, torn_off);
+            contact, energy, converged, limit, no_equilibrium, several_equilibria,
+            undetermined_forces, remark, warning, reduction, margins, struck, resolution, torn_off);
   }
 };
 

@@ -55,8 +55,14 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     const double end = i == declared_step.n_increments
                            ? start + declared_step.duration
                            : start + declared_step.duration * i / declared_step.n_increments;
-    if (!follow_to(end, i == declared_step.n_increments, target))
-      return false;
+    if (!follow_to(end, i == declared_step.n_increments, target)) {
+      StepReport &report = step_reports.back();
+      if (!declared_step.finds_limit || !report.limit)
+        return false;
+      report.no_equilibrium = false;
+      report.remark.clear();
+      i = declared_step.n_increments; // it ends here
+    }
     observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
     if (between_increments)
       between_increments();
@@ -147,7 +153,8 @@ void LoadSequence::judge_collapse(StepReport &report) const {
                                           course.factors_at(position.start + duration, side));
   if (!collapse)
     return;
-  const std::string reached = rounded_number((current.time - position.start) / duration, 6);
+  report.limit = {(current.time - position.start) / duration, collapse->bound, collapse->mechanism};
+  const std::string reached = rounded_number(report.limit->reached, 6);
   if (collapse->bound * (1. + share_of_elastic) < 1.) {
     report.no_equilibrium = true;
     report.remark =

@@ -23,6 +23,7 @@ constexpr Word<QuantityKind::Of> places[] = {
     {"of all friction supports or of one part", QuantityKind::Of::supports},
     {"of a mode, by its number: 'frequency 1'", QuantityKind::Of::mode},
     {"at a point, by the stress code", QuantityKind::Of::stress},
+    {"of a step with Find = limit", QuantityKind::Of::limit},
     {"of pipes whose section yields or creeps", QuantityKind::Of::wall},
     {"of the whole line, with Kinematics = corotational", QuantityKind::Of::line},
     {"in scenes with an exact solution", QuantityKind::Of::exact}};

@@ -219,6 +219,14 @@ void parse_load(const ParameterReader &in, const std::string &name,
   scene.loads.push_back(load);
 }
 
+namespace {
+constexpr Word<bool> searches[] = {
+    {"nothing", false, "the step ends with all of its loads"},
+    {"limit", true,
+     "with the largest part of them that pipes which yield carry, to 'Max halvings' of an "
+     "increment; quantities limit_factor and limit_bound say what it is"}};
+}
+
 void declare_step(ParameterReader &in) {
   in.declare_text(
       "Loads", "", "names of loads, separated by commas, each with a factor [-] if not 1",
@@ -227,6 +235,7 @@ void declare_step(ParameterReader &in) {
       "of the file.");
   in.declare_count("Increments", 1, 1, "Of a static step: how many pieces the change is cut into.");
   in.declare_choice("Analysis", false, analyses, "Without or with inertia.");
+  in.declare_choice("Find", false, searches, "");
   in.declare_number("Duration", 1., "s", positive, 1e300,
                     "Of a static step, the time that laws and quantities see.");
   in.declare_number("Ramp", 0., "s", 0., 1e300,
@@ -250,10 +259,13 @@ void parse_step(const ParameterReader &in, const std::string &name, Scene &scene
   }
   step.n_increments = in.count("Increments");
   step.transient = in.choice("Analysis", analyses);
+  step.finds_limit = in.choice("Find", searches);
   step.duration = in.number("Duration");
   step.ramp = in.number("Ramp");
   if (step.transient && in.given("Increments"))
     in.fail("Increments", "Increments of static steps", "'Step' in section Time instead");
+  if (step.finds_limit && step.transient)
+    in.fail("Find", "nothing, for a transient step", "Analysis = static");
   if (!step.transient && in.given("Ramp"))
     in.fail("Ramp", "Ramp of transient steps; a static one changes evenly to its end",
             "Analysis = transient, or removing 'Ramp'");

@@ -116,6 +116,13 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
     if (!where.empty() || !quantity.kind().is_of_line_too)
       check_point(in, entry, where, scene);
     return;
+  case Of::limit:
+    if (!where.empty() ||
+        std::none_of(scene.steps.begin(), scene.steps.end(), [&](const LoadStep &step) {
+          return step.finds_limit && (quantity.step.empty() || step.name == quantity.step);
+        }))
+      in.fail(entry, what + " of a step with Find = limit", "'set Find = limit' in that step");
+    return;
   case Of::wall:
     if (std::none_of(scene.sections.begin(), scene.sections.end(),
                      [](const Section &section) { return section.is_inelastic(); }))
