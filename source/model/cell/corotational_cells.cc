@@ -229,7 +229,7 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   if (sections.has(index)) {
     PipeSections::Answer inelastic;
     integrate_sections(index, beam.motions_of(before.d), beam.motions_of(after.d), step, factors,
-                       answer, inelastic);
+                       answer, inelastic, after.axes * beam.axes_at_rest().transpose());
     s = beam.on_deformations(is_step ? Vector12((inelastic.before + inelastic.after) / 2.)
                                      : inelastic.after);
     stiffness = beam.stiffness_on_deformations(inelastic.stiffness);

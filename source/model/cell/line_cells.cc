@@ -231,14 +231,17 @@ CellLoad LineCells::load_on(const PipeCell &cell, const Profile &profile, const 
 void LineCells::integrate_sections(const unsigned int cell, const Vector12 &before,
                                    const Vector12 &after, const Step &step,
                                    const std::vector<double> &factors, CellAnswer &answer,
-                                   PipeSections::Answer &inelastic) const {
+                                   PipeSections::Answer &inelastic,
+                                   const Eigen::Matrix3d &turn) const {
   const Vector &old = *step.from.sections;
   if (step.to.sections != step.from.sections)
     sections.between(cell, before, after, old, *step.to.sections, inelastic);
-  else
-    sections.integrate(cell, before, after,
-                       surroundings(cell, step.factors_at_end ? *step.factors_at_end : factors),
-                       step.clock, old, *answer.sections, inelastic);
+  else {
+    PipeSections::Surroundings around =
+        surroundings(cell, step.factors_at_end ? *step.factors_at_end : factors);
+    around.line_force = (turn.transpose() * around.line_force).eval();
+    sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic);
+  }
   if (inelastic.failed) // no answer: the iteration sees that it is none
     inelastic.after.setConstant(std::numeric_limits<double>::quiet_NaN());
   answer.section_error = inelastic.error;
@@ -250,8 +253,12 @@ PipeSections::Surroundings LineCells::surroundings(const unsigned int cell,
   const PipeCell &pipe_cell = discretization.pipe_cells()[cell];
   const Profile &profile = discretization.profiles()[discretization.pipe_cell(cell)->material_id()];
   PipeSections::Surroundings result;
-  const CellLoad load = load_on(pipe_cell, profile, Vector3({1., 0., 0.}), factors);
+  const auto deal_cell = discretization.pipe_cell(cell);
+  const CellLoad load =
+      load_on(pipe_cell, profile, deal_cell->vertex(1) - deal_cell->vertex(0), factors);
   result.axial_strain = load.axial_strain;
+  for (unsigned int d = 0; d < 3; ++d)
+    result.line_force[d] = load.line_force[d];
   result.curvature = load.curvature;
   result.pressure = load.pressure;
   result.temperature = scene.installation_temperature;

@@ -185,9 +185,11 @@ protected:
                 Vector &dofs) const;
   /// Sections of a cell over a step, between motions of its ends in the axes at rest, or between
   /// the states of a step that has been taken. The answer gets what does not depend on axes.
+  /// @param turn of the cell from rest
   void integrate_sections(const unsigned int cell, const Vector12 &before, const Vector12 &after,
                           const Step &step, const std::vector<double> &factors, CellAnswer &answer,
-                          PipeSections::Answer &inelastic) const;
+                          PipeSections::Answer &inelastic,
+                          const Eigen::Matrix3d &turn = Eigen::Matrix3d::Identity()) const;
   void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
                  const std::vector<dealii::types::global_dof_index> &dofs,
                  SparseMatrix &matrix) const;

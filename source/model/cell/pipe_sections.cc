@@ -3,6 +3,10 @@
 
 #include "base/user_error.h"
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,45 +18,95 @@ using Vector12 = PipeSections::Vector12;
 using Tangent = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 using Values = Eigen::Map<const Vector6>;
 
-Vector6 PipeSections::beam_stress(const double *const values) {
-  Vector6 result = Values(values + stress);
-  result[0] -= values[thrust];
-  return result;
-}
+namespace {
+
+/// Length of a cell beyond a part of its way, and the integral there of the way from a vertex.
+struct Beyond {
+  double length = 0.;
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();
+
+  Beyond(const PipeElement &element, const Discretization::Cell &cell, const double part,
+         const unsigned int from_vertex) {
+    const dealii::QGauss<1> points(element.arc() ? 12 : 1);
+    for (unsigned int k = 0; k < points.size(); ++k) {
+      const double at = part + (1. - part) * points.point(k)[0];
+      const Vector3 chord = cell->vertex(1) - cell->vertex(0);
+      const Point3 place = element.arc() ? element.arc()->point(at * element.arc()->angle())
+                                         : Point3(cell->vertex(0) + at * chord);
+      const double own =
+          points.weight(k) * (1. - part) * (element.arc() ? element.arc()->length() : chord.norm());
+      length += own;
+      const Vector3 arm = place - cell->vertex(from_vertex);
+      way += own * Eigen::Vector3d(arm[0], arm[1], arm[2]);
+    }
+  }
+  /// Force and moment of a unit load per length there, about the vertex.
+  Eigen::Matrix<double, 6, 3> forces() const {
+    Eigen::Matrix<double, 6, 3> result;
+    result.topRows<3>() = length * Eigen::Matrix3d::Identity();
+    result.bottomRows<3>() << 0., -way[2], way[1], way[2], 0., -way[0], -way[1], way[0], 0.;
+    return result;
+  }
+};
+
+} // namespace
 
 PipeSections::PipeSections(const Scene &scene, const Discretization &discretization) {
   const auto &profiles = discretization.profiles();
   if (std::none_of(profiles.begin(), profiles.end(),
                    [](const Profile &profile) { return profile.law.is_set(); }))
     return;
-  PipeElement element(discretization);
+  const dealii::QGaussLobatto<1> points(scene.mesh.section_points);
+  PipeElement exact(discretization), at_points(discretization, points, points);
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
-    element.reinit(discretization.pipe_cell(i));
-    Cell &cell = cells.emplace_back();
-    if (!element.profile().law.is_set())
+    exact.reinit(discretization.pipe_cell(i));
+    if (!exact.profile().law.is_set()) {
+      cells.push_back(nullptr);
       continue;
-    if (element.has_joints())
+    }
+    if (exact.has_joints())
       throw UserError("Pipe " + scene.pipes[discretization.pipe_cells()[i].pipe].name +
                       ": a joint stands in its cell, whose section has the law '" +
-                      element.profile().law.name() +
+                      exact.profile().law.name() +
                       "'.\n  read:    a joint beside a section that yields or creeps\n  allowed: "
                       "joints between cells of elastic sections\n  try:     a short pipe of its "
                       "own with an elastic section at the joint");
-    cell.profile = &element.profile();
-    cell.first = points.size();
-    cell.n_points = element.n_points();
-    cell.first_value = n_values;
-    double along = 0., length = 0.;
-    for (unsigned int q = 0; q < cell.n_points; ++q)
-      length += element.length_at(q);
-    for (unsigned int q = 0; q < cell.n_points; ++q) {
-      const double own = element.length_at(q);
-      points.push_back({element.strain_matrix(q), element.curvature_strain(q), own,
-                        (along + own / 2.) / length});
-      along += own;
-    }
-    n_values += cell.n_points * n_values_of(cell);
+    cells.push_back(make_cell(discretization, i, exact, at_points));
+    n_values += 12 + cells.back()->chain.size() * n_values_of(*cells.back());
   }
+}
+
+std::unique_ptr<const PipeSections::Cell>
+PipeSections::make_cell(const Discretization &discretization, const unsigned int index,
+                        PipeElement &exact, PipeElement &at_points) const {
+  const auto deal_cell = discretization.pipe_cell(index);
+  at_points.reinit(deal_cell);
+  const Profile &profile = exact.profile();
+  const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
+  // The elastic cell is exact for forces at its ends, so that its stresses by those on the second,
+  // with the first one clamped, are those of equilibrium.
+  const Matrix12 K = exact.stiffness();
+  const SectionChain::Matrix6 compliance = K.bottomRightCorner<6, 6>().inverse();
+  Eigen::Matrix<double, 6, 12> G;
+  G.leftCols<6>() = compliance * K.bottomLeftCorner<6, 6>();
+  G.rightCols<6>().setIdentity();
+  std::vector<SectionChain::Point> points;
+  for (unsigned int q = 0; q < at_points.n_points(); ++q) {
+    SectionChain::Point &point = points.emplace_back();
+    point.b = D * at_points.strain_matrix(q).rightCols<6>() * compliance;
+    point.load_stress = point.b * Beyond(exact, deal_cell, at_points.place_of(q), 1).forces();
+    point.length = at_points.length_at(q);
+  }
+  auto cell = std::make_unique<Cell>(profile, SectionChain(std::move(points), G, D));
+  for (unsigned int q = 0; q < at_points.n_points(); ++q) {
+    cell->B.push_back(at_points.strain_matrix(q));
+    cell->curvature.push_back(at_points.curvature_strain(q));
+    cell->part.push_back(at_points.place_of(q));
+  }
+  cell->carried = exact.unit_line_loads();
+  cell->carried.topRows<6>() -= Beyond(exact, deal_cell, 0., 0).forces();
+  cell->first_value = n_values;
+  return cell;
 }
 
 void PipeSections::set_energies(const double pushes, const double dissipation,
@@ -67,8 +121,9 @@ void PipeSections::set_energies(const double pushes, const double dissipation,
 
 bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundings,
                                  const Clock &clock, const Vector6 &total, const double *const old,
-                                 double *const now, Tangent &tangent, double &error) const {
-  const Profile &profile = *cell.profile;
+                                 double *const now, SectionChain::Matrix6 &stiffness,
+                                 double &error) const {
+  const Profile &profile = cell.profile;
   const BoundLaw &law = profile.law;
   const double pushes = surroundings.pressure * profile.bore_area;
   Eigen::Map<Vector6> of_wall(now + strain);
@@ -86,16 +141,18 @@ bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundi
                                      [](const double value) { return value == 0.; });
   const bool is_cold = increment.temperature == LawIncrement().temperature; // as the tangent
   if (is_virgin && is_cold && law.elastic_bound(of_wall.data(), 1., increment) < 1.) {
-    tangent = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
-    Eigen::Map<Vector6>(now + stress) = tangent * of_wall;
+    stiffness = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
+    Eigen::Map<Vector6>(now + stress) = stiffness * of_wall;
     std::fill(now + internal, now + internal + n, 0.);
     set_energies(pushes, 0., old, now);
     return true;
   }
+  Tangent tangent;
   LawOutput output{now + stress, tangent.data(), now + internal, 0., ContactStatus::none};
   if (law.integrate(of_wall.data(), rate.data(), 1., increment, old + internal,
                     LawTangent::consistent, output) != LawStatus::ok)
     return false;
+  stiffness = tangent;
   set_energies(pushes, output.dissipation, old, now);
   error = std::max(error, output.error);
   return true;
@@ -104,29 +161,40 @@ bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundi
 void PipeSections::integrate(const unsigned int index, const Vector12 &from, const Vector12 &to,
                              const Surroundings &surroundings, const Clock &clock,
                              const Vector &old, Vector &now, Answer &answer) const {
-  const Cell &cell = cells[index];
+  const Cell &cell = *cells[index];
   answer = {};
-  Tangent tangent;
-  for (unsigned int q = 0; q < cell.n_points; ++q) {
-    const Point &point = points[cell.first + q];
-    const unsigned int place = cell.first_value + q * n_values_of(cell);
-    const double *const before = old.data() + place;
-    double *const after = now.data() + place;
-    Vector6 free = surroundings.curvature * point.curvature;
-    free[0] += surroundings.axial_strain;
-    if (!answer_of_law(cell, surroundings, clock, point.B * to - free, before, after, tangent,
-                       answer.error)) {
-      answer.failed = true;
-      return;
-    }
-    answer.stiffness.noalias() += point.length * (point.B.transpose() * (tangent * point.B).eval());
+  SectionChain::Solution solution;
+  std::vector<Vector6> free;
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    free.push_back(surroundings.curvature * cell.curvature[q]);
+    free.back()[0] += surroundings.axial_strain;
+    Vector6 before = Values(old.data() + place_of(cell, q) + strain);
+    before[0] -= old[place_of(cell, q) + thrust] / cell.profile.EA;
+    solution.strain.push_back(before + cell.B[q] * (to - from));
   }
+  const auto law = [&](const unsigned int q, const Vector6 &strain_of_point, Vector6 &result,
+                       SectionChain::Matrix6 &tangent) {
+    double *const values = now.data() + place_of(cell, q);
+    if (!answer_of_law(cell, surroundings, clock, strain_of_point, old.data() + place_of(cell, q),
+                       values, tangent, answer.error))
+      return false;
+    result = Values(values + stress);
+    result[0] -= values[thrust];
+    return true;
+  };
+  cell.chain.solve(law, to, free, surroundings.line_force, solution);
+  answer.failed = !solution.solved;
+  if (answer.failed)
+    return;
+  Eigen::Map<Vector12>(now.data() + cell.first_value) =
+      solution.forces + cell.carried * surroundings.line_force;
+  answer.stiffness = solution.stiffness;
   between(index, from, to, old, now, answer);
 }
 
 void PipeSections::between(const unsigned int index, const Vector12 &from, const Vector12 &to,
                            const Vector &old, const Vector &now, Answer &answer) const {
-  const Cell &cell = cells[index];
+  const Cell &cell = *cells[index];
   answer.before = forces(index, old);
   answer.after = forces(index, now);
   answer.free_work = sum(cell, now, stored) - sum(cell, old, stored) + sum(cell, now, lost) -
@@ -135,32 +203,24 @@ void PipeSections::between(const unsigned int index, const Vector12 &from, const
 
 double PipeSections::sum(const Cell &cell, const Vector &states, const Value value) const {
   double result = 0.;
-  for (unsigned int q = 0; q < cell.n_points; ++q)
-    result +=
-        points[cell.first + q].length * states[cell.first_value + q * n_values_of(cell) + value];
+  for (unsigned int q = 0; q < cell.chain.size(); ++q)
+    result += cell.chain[q].length * states[place_of(cell, q) + value];
   return result;
 }
 
 Vector12 PipeSections::forces(const unsigned int index, const Vector &states) const {
-  const Cell &cell = cells[index];
-  Vector12 result = Vector12::Zero();
-  for (unsigned int q = 0; q < cell.n_points; ++q) {
-    const Point &point = points[cell.first + q];
-    const double *const values = states.data() + cell.first_value + q * n_values_of(cell);
-    result += point.length * (point.B.transpose() * beam_stress(values));
-  }
-  return result;
+  return Eigen::Map<const Vector12>(states.data() + cells[index]->first_value);
 }
 
 double PipeSections::stored_in(const unsigned int index, const Vector &states) const {
-  return sum(cells[index], states, stored);
+  return sum(*cells[index], states, stored);
 }
 
 double PipeSections::dissipated(const Vector &states) const {
   double result = 0.;
-  for (const Cell &cell : cells)
-    if (cell.n_points > 0)
-      result += sum(cell, states, lost);
+  for (const auto &cell : cells)
+    if (cell)
+      result += sum(*cell, states, lost);
   return result;
 }
 
@@ -168,8 +228,8 @@ double PipeSections::plastic_power(const unsigned int index, const Vector12 &mot
                                    const Surroundings &surroundings) const {
   constexpr double far = 1e5; // of the strain at which it begins to yield
   constexpr double none = std::numeric_limits<double>::infinity();
-  const Cell &cell = cells[index];
-  const BoundLaw &law = cell.profile->law;
+  const Cell &cell = *cells[index];
+  const BoundLaw &law = cell.profile.law;
   LawIncrement increment;
   increment.temperature = surroundings.temperature;
   increment.pressure = surroundings.pressure;
@@ -177,9 +237,8 @@ double PipeSections::plastic_power(const unsigned int index, const Vector12 &mot
   std::vector<double> states(rest.size());
   const Vector6 no_rate = Vector6::Zero();
   double power = 0.;
-  for (unsigned int q = 0; q < cell.n_points; ++q) {
-    const Point &point = points[cell.first + q];
-    Vector6 direction = point.B * motions;
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    Vector6 direction = cell.B[q] * motions;
     direction.segment<2>(1).setZero();
     const double bound = law.elastic_bound(direction.data(), 1., increment);
     if (!(bound > 0.)) // nothing is strained
@@ -200,7 +259,7 @@ double PipeSections::plastic_power(const unsigned int index, const Vector12 &mot
     constexpr double same = 1e-3;
     if (!(of_point[1] <= (1. + same) * of_point[0]))
       return none;
-    power += point.length * of_point[1];
+    power += cell.chain[q].length * of_point[1];
   }
   return power;
 }
@@ -208,15 +267,15 @@ double PipeSections::plastic_power(const unsigned int index, const Vector12 &mot
 std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index,
                                                         const Surroundings &surroundings,
                                                         const Vector &states) const {
-  const Cell &cell = cells[index];
+  const Cell &cell = *cells[index];
   LawIncrement increment;
   increment.temperature = surroundings.temperature;
   increment.pressure = surroundings.pressure;
   std::vector<Report> result;
-  for (unsigned int q = 0; q < cell.n_points; ++q) {
-    const double *const values = states.data() + cell.first_value + q * n_values_of(cell);
-    result.push_back({points[cell.first + q].part, Values(values + strain), Values(values + stress),
-                      cell.profile->law.report(values + strain, 1., increment, values + internal)});
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    const double *const values = states.data() + place_of(cell, q);
+    result.push_back({cell.part[q], Values(values + strain), Values(values + stress),
+                      cell.profile.law.report(values + strain, 1., increment, values + internal)});
   }
   return result;
 }

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "model/cell/section_chain.h"
 #include "model/line/linear_part.h"
 #include "model/line/pipe_element.h"
+
+#include <memory>
 
 namespace frictionbeam {
 
 /**
- * The sections of pipes that have a law of their own, plastic or creeping: two of a straight cell,
- * twelve of an arc, where PipeElement is integrated. Each is given the strain that causes stress,
- *   e = B u - e_free + p A_bore / EA,
- * u the motions of the cell's ends in the axes at rest, e_free the free strains of temperature and
- * pressure of a closed pipe, so that a hoop stress strains an elastic wall as it does there; the
- * last term is along the axis. The law answers with the force in the wall, the beam's is less by
- * p A_bore.
+ * The sections of pipes that have a law of their own, plastic or creeping, some along each cell in
+ * a SectionChain. Each is given the strain that causes stress,
+ *   e = total - e_free + p A_bore / EA,
+ * e_free the free strains of temperature and pressure of a closed pipe, so that a hoop stress
+ * strains an elastic wall as it does there; the last term is along the axis. The law answers with
+ * the force in the wall, the beam's is less by p A_bore.
  *
  * States of all sections stand in one vector, zero at rest.
  */
@@ -23,11 +25,11 @@ public:
   using Matrix12 = PipeElement::Matrix12;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-  explicit PipeSections(const Scene &scene, const Discretization &discretization);
+  PipeSections(const Scene &scene, const Discretization &discretization);
 
   bool any() const { return n_values > 0; }
   /// Whether a pipe cell has a law of its own.
-  bool has(const unsigned int cell) const { return !cells.empty() && cells[cell].n_points > 0; }
+  bool has(const unsigned int cell) const { return !cells.empty() && cells[cell] != nullptr; }
   /// States of all sections at rest.
   Vector at_rest() const { return Vector::Zero(n_values); }
 
@@ -37,9 +39,10 @@ public:
   };
   /// What a cell's sections stand in at the increment's end.
   struct Surroundings {
-    double axial_strain = 0., curvature = 0.; ///< free ones [-, 1/m]
-    double pressure = 0.;                     ///< [Pa]
-    double temperature = 20.;                 ///< [degC]
+    double axial_strain = 0., curvature = 0.;             ///< free ones [-, 1/m]
+    double pressure = 0.;                                 ///< [Pa]
+    double temperature = 20.;                             ///< [degC]
+    Eigen::Vector3d line_force = Eigen::Vector3d::Zero(); ///< in the axes at rest [N/m]
   };
   /// Of a cell.
   struct Answer {
@@ -89,35 +92,38 @@ public:
                               const Vector &states) const;
 
 private:
-  struct Point {
-    Eigen::Matrix<double, 6, 12> B;
-    Vector6 curvature; ///< strain of a unit change of curvature
-    double length;     ///< [m]
-    double part;       ///< of the way along the cell
-  };
   struct Cell {
-    unsigned int first = 0, n_points = 0; ///< in points
-    unsigned int first_value = 0;         ///< in the states
-    const Profile *profile = nullptr;
+    Cell(const Profile &profile, SectionChain chain) : profile(profile), chain(std::move(chain)) {}
+    const Profile &profile;
+    SectionChain chain;
+    Eigen::Matrix<double, 12, 3> carried; ///< forces on the ends by a load that beta leaves out
+    std::vector<Eigen::Matrix<double, 6, 12>> B;
+    std::vector<Vector6> curvature; ///< strains of a unit change of curvature
+    std::vector<double> part;       ///< of the way along the cell
+    unsigned int first_value = 0;   ///< in the states: forces on the ends, then the sections
   };
   /// Values of a section's state: strain and stress of the wall, p A_bore, energy that it has
   /// stored and dissipated [J/m]; then the law's internal variables.
   enum Value { strain = 0, stress = 6, thrust = 12, stored = 13, lost = 14, internal = 15 };
   unsigned int n_values_of(const Cell &cell) const {
-    return internal + cell.profile->law.n_internal_variables();
+    return internal + cell.profile.law.n_internal_variables();
   }
-  /// Stress of the beam.
-  static Vector6 beam_stress(const double *values);
+  unsigned int place_of(const Cell &cell, const unsigned int point) const {
+    return cell.first_value + 12 + point * n_values_of(cell);
+  }
   /// Where strain and stress are known.
   static void set_energies(const double thrust, const double dissipation, const double *old,
                            double *now);
   double sum(const Cell &cell, const Vector &states, const Value value) const;
+  std::unique_ptr<const Cell> make_cell(const Discretization &discretization,
+                                        const unsigned int index, PipeElement &exact,
+                                        PipeElement &at_points) const;
+  /// @param total strain less free ones @param now in: its strain; out: all its values
   bool answer_of_law(const Cell &cell, const Surroundings &surroundings, const Clock &clock,
                      const Vector6 &total, const double *old, double *now,
-                     Eigen::Matrix<double, 6, 6, Eigen::RowMajor> &tangent, double &error) const;
+                     SectionChain::Matrix6 &tangent, double &error) const;
 
-  std::vector<Cell> cells; ///< as the pipe cells; empty if none has a law
-  std::vector<Point> points;
+  std::vector<std::unique_ptr<const Cell>> cells; ///< as the pipe cells; empty if none has a law
   unsigned int n_values = 0;
 };
 

@@ -12,17 +12,20 @@ namespace frictionbeam {
 using namespace dealii;
 
 PipeElement::PipeElement(const Discretization &discretization)
+    : PipeElement(discretization, QGauss<1>(2), QGauss<1>(12)) {}
+
+PipeElement::PipeElement(const Discretization &discretization, const Quadrature<1> &straight,
+                         const Quadrature<1> &curved)
     : discretization(discretization),
-      straight_values(discretization.elements()[0], QGauss<1>(2),
+      straight_values(discretization.elements()[0], straight,
                       update_values | update_gradients | update_JxW_values),
       straight_mass_values(discretization.elements()[0], QGauss<1>(4),
                            update_values | update_JxW_values) {
   const auto &profiles = discretization.profiles();
   if (std::any_of(profiles.begin(), profiles.end(),
                   [](const Profile &profile) { return profile.arc_centre.has_value(); }))
-    arc_values =
-        std::make_unique<FEValues<1, 3>>(discretization.elements()[1], QGauss<1>(12),
-                                         update_values | update_gradients | update_JxW_values);
+    arc_values = std::make_unique<FEValues<1, 3>>(
+        discretization.elements()[1], curved, update_values | update_gradients | update_JxW_values);
 }
 
 void PipeElement::reinit(const Discretization::Cell &cell) {

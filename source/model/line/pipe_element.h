@@ -22,6 +22,9 @@ public:
   using Vector12 = Eigen::Matrix<double, 12, 1>;
 
   explicit PipeElement(const Discretization &discretization);
+  /// Integrated at other points.
+  PipeElement(const Discretization &discretization, const dealii::Quadrature<1> &straight,
+              const dealii::Quadrature<1> &curved);
 
   /// Evaluate the shape functions on a cell; the functions below then speak of it.
   void reinit(const Discretization::Cell &cell);
@@ -52,6 +55,10 @@ public:
   double length_at(const unsigned int point) const;
   /// Strains of a unit change of curvature about an arc's axis; zero in a straight cell.
   Eigen::Matrix<double, 6, 1> curvature_strain(const unsigned int point) const;
+  /// Part of the way along the cell.
+  double place_of(const unsigned int point) const {
+    return values->get_quadrature().point(point)[0];
+  }
   bool has_joints() const { return jointed; }
 
   const Profile &profile() const { return *section; }

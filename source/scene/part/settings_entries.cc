@@ -26,6 +26,10 @@ void declare_mesh(ParameterReader &in) {
   in.declare_count("Cells per bend", 8, 1,
                    "Of straight pieces, in 90 degrees; and of arcs that move in large "
                    "displacements in time, whose mass is on their chords.");
+  in.declare_count("Section points", 5, 3,
+                   "Along a cell whose section yields or creeps, those of Gauss and Lobatto: at "
+                   "both ends, where hinges are, and between.",
+                   20);
   in.declare_count("Most cells", 200000, 1,
                    "A scene of more cells and supports would run for very long, and is refused.",
                    100000000);
@@ -45,6 +49,7 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
   scene.mesh.cell_length = in.number("Cell length");
   scene.mesh.arcs = in.choice("Bends", bends);
   scene.mesh.cells_per_bend = in.count("Cells per bend");
+  scene.mesh.section_points = in.count("Section points");
   scene.mesh.most_cells = in.count("Most cells");
 }
 

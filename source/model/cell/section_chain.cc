@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/cell/section_chain.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+using Vector6 = SectionChain::Vector6;
+using Matrix6 = SectionChain::Matrix6;
+
+constexpr unsigned int most_iterations = 60;
+constexpr double solved_to = 1e-13, as_good_as_rounding = 1e-10; // relative
+
+} // namespace
+
+/**
+ * Newton's equations in the changes of all strains and of beta, in units in which sections are of
+ * stiffness 1:
+ *   C_q de_q - b_q dbeta = b_q beta + sigma_load,q - sigma_q,   sum_q w_q b_q^T de_q = what is
+ * missing of the motion. A rigid component has de = 0 in place of the first.
+ */
+struct SectionChain::Linear {
+  explicit Linear(const SectionChain &chain)
+      : chain(chain), n(6 * chain.size()), matrix(Eigen::MatrixXd::Zero(n + 6, n + 6)),
+        right(Eigen::VectorXd::Zero(n + 6)) {}
+
+  void set(const unsigned int q, const Vector6 &left_over, const Matrix6 &tangent) {
+    const Point &point = chain.points[q];
+    for (int i = 0; i < 6; ++i) {
+      const int row = 6 * q + i;
+      const double s = chain.scale[i];
+      matrix.row(row).setZero();
+      right[row] = 0.;
+      if (s == 0.) {
+        matrix(row, row) = 1.;
+        continue;
+      }
+      right[row] = left_over[i] / s;
+      for (int j = 0; j < 6; ++j) {
+        if (chain.scale[j] > 0.)
+          matrix(row, 6 * q + j) = tangent(i, j) / (s * chain.scale[j]);
+        const double b = point.b(i, j) * chain.beta_scale[j] / s;
+        matrix(row, n + j) = -b;
+        matrix(n + j, row) = point.length * b;
+      }
+    }
+  }
+  double residual() const {
+    return std::max(right.head(n).lpNorm<Eigen::Infinity>(),
+                    right.tail<6>().lpNorm<Eigen::Infinity>());
+  }
+
+  const SectionChain &chain;
+  const int n;
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+};
+
+SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 6, 12> &G,
+                           const Matrix6 &elastic)
+    : points(std::move(list)), G(G), scale(elastic.diagonal().cwiseMax(0.).cwiseSqrt()) {
+  Vector6 flexibility = Vector6::Zero();
+  for (const Point &point : points)
+    for (int j = 0; j < 6; ++j)
+      for (int i = 0; i < 6; ++i)
+        if (scale[i] > 0.)
+          flexibility[j] += point.length * std::pow(point.b(i, j) / scale[i], 2);
+  for (int j = 0; j < 6; ++j)
+    beta_scale[j] = flexibility[j] > 0. ? 1. / std::sqrt(flexibility[j]) : 1.;
+}
+
+void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vector<Vector6> &free,
+                         const Eigen::Vector3d &load, Solution &solution) const {
+  const unsigned int n_points = points.size();
+  std::vector<Vector6> &strain = solution.strain;
+  std::vector<Vector6> stress(n_points);
+  std::vector<Matrix6> tangent(n_points);
+  Vector6 beta = Vector6::Zero(), missing;
+  const Vector6 moved = G * motions;
+  double size_of_stress = 0., size_of_motion = 0.;
+  Linear linear(*this);
+  solution.solved = false;
+
+  for (unsigned int q = 0; q < n_points; ++q)
+    for (int i = 0; i < 6; ++i)
+      if (scale[i] == 0.)
+        strain[q][i] = 0.;
+  const auto evaluate = [&]() {
+    missing = moved;
+    size_of_stress = 0.;
+    size_of_motion = moved.cwiseProduct(beta_scale).lpNorm<Eigen::Infinity>();
+    for (unsigned int q = 0; q < n_points; ++q) {
+      const Point &point = points[q];
+      if (!law(q, strain[q], stress[q], tangent[q]))
+        return false;
+      const Vector6 carried = point.b * beta + point.load_stress * load;
+      for (int i = 0; i < 6; ++i) {
+        if (scale[i] == 0.)
+          stress[q][i] = carried[i];
+        else
+          size_of_stress = std::max({size_of_stress, std::abs(stress[q][i]) / scale[i],
+                                     std::abs(strain[q][i]) * scale[i]});
+        for (int j = 0; j < 6; ++j) {
+          const double part = point.length * point.b(i, j) * (strain[q][i] + free[q][i]);
+          missing[j] -= part;
+          size_of_motion = std::max(size_of_motion, std::abs(part) * beta_scale[j]);
+        }
+      }
+      linear.set(q, carried - stress[q], tangent[q]);
+    }
+    for (int j = 0; j < 6; ++j)
+      linear.right[linear.n + j] = missing[j] * beta_scale[j];
+    return true;
+  };
+  const auto merit = [&]() {
+    double sum = linear.right.tail<6>().squaredNorm();
+    for (unsigned int q = 0; q < n_points; ++q)
+      sum += points[q].length * linear.right.segment<6>(6 * q).squaredNorm();
+    return sum;
+  };
+  const auto is_solved = [&](const double to) {
+    return linear.right.head(linear.n).lpNorm<Eigen::Infinity>() <= to * size_of_stress &&
+           linear.right.tail<6>().lpNorm<Eigen::Infinity>() <= to * size_of_motion;
+  };
+
+  if (!evaluate())
+    return;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors;
+  for (unsigned int iteration = 0; iteration < most_iterations && !is_solved(solved_to);
+       ++iteration) {
+    factors.compute(linear.matrix);
+    const Eigen::VectorXd change = factors.solve(linear.right);
+    if (!change.allFinite())
+      return;
+    const std::vector<Vector6> strain_before = strain;
+    const Vector6 beta_before = beta;
+    const double before = merit();
+    bool better = false;
+    for (double length = 1.; length > 1e-3 && !better; length /= 2.) {
+      for (unsigned int q = 0; q < n_points; ++q)
+        for (int i = 0; i < 6; ++i)
+          strain[q][i] =
+              strain_before[q][i] + (scale[i] > 0. ? length * change[6 * q + i] / scale[i] : 0.);
+      beta = beta_before + length * beta_scale.cwiseProduct(change.tail<6>());
+      better = evaluate() && merit() < before;
+    }
+    if (!better) {
+      if (!is_solved(as_good_as_rounding))
+        return;
+      break;
+    }
+  }
+  if (!is_solved(as_good_as_rounding))
+    return;
+  // beta by the motions: the last rows answer to a unit of each.
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(linear.n + 6, 6);
+  for (int j = 0; j < 6; ++j)
+    unit(linear.n + j, j) = beta_scale[j];
+  const Matrix6 by_motion =
+      beta_scale.asDiagonal() * linear.matrix.partialPivLu().solve(unit).bottomRows<6>();
+  solution.forces = G.transpose() * beta;
+  solution.stiffness = G.transpose() * by_motion * G;
+  solution.solved = solution.stiffness.allFinite();
+}
+
+} // namespace frictionbeam
