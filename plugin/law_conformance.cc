@@ -253,7 +253,7 @@ private:
         if (std::abs(forward - backward) > 1e-3 * column + rounding)
           continue; // a kink lies between
         if (std::abs(result.tangent[n * i + j] - (forward + backward) / 2) >
-            1e-4 * column + 10. * rounding)
+            1e-4 * column + std::abs(forward - backward) / 2 + 10. * rounding)
           violated("tangent (" + std::to_string(i) + ", " + std::to_string(j) +
                    ") is not the derivative of the stress");
       }

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "creep.h"
+#include "pipe_material.h"
+
+namespace frictionbeam::section {
+
+/**
+ * One fibre of a pipe's wall, in plane stress: axial s_x, hoop s_h, shear tau. In
+ *
+ *   x = s_x - s_h/2,   s^2 = x^2 + 3/4 s_h^2 + 3 tau^2  (von Mises)
+ *
+ * inelastic strains e (axial), h (hoop plus half the axial) and g (shear) grow apart from each
+ * other: creep by q = d(s)/s as q (x, 3/4 s_h, 3 tau), plastic flow by lambda = dp/R as
+ * lambda (X, 3/4 B, 3 W), where X = x - H e_p, B = s_h - 4/3 H h_p, W = tau - H g_p/3 are free of
+ * the back stress, and X^2 + 3/4 B^2 + 3 W^2 = R(p)^2.
+ */
+struct Fibre {
+  /// At the start of a stage.
+  struct Start {
+    double trial;      ///< x if nothing flows
+    double e, g, h, p; ///< plastic strains of the back stress; accumulated
+    double primary;    ///< creep strain, at the start of the increment
+  };
+
+  /// At its end.
+  struct End {
+    double x, q, lambda; ///< stress; creep and flow
+    double X, W, B, c;   ///< over c = 1 + H lambda
+    double R, R_slope;
+    double s, q_slope; ///< von Mises, dq/ds; 0 without creep
+    double dp, primary;
+  };
+
+  /// Changes of the start and of tau, and what follows of them.
+  struct Change {
+    double trial = 0., e = 0., g = 0., h = 0., p = 0., tau = 0.;
+  };
+  struct Response {
+    double x, e, g;          ///< stress; inelastic strains, all
+    double e_p, g_p, h_p, p; ///< plastic ones
+  };
+
+  const Material &material;
+  const Creep *creep; ///< null: none
+  double E, hoop;
+  double share = 1.; ///< of the increment's creep that belongs to the stage
+
+  void solve(const Start &start, const double tau, End &end) const;
+  Response change(const End &end, const double tau, const Change &given) const;
+
+private:
+  /// Let all but flow be in balance at lambda; the norm of X, B, W.
+  double balance(const Start &start, const double tau, End &end) const;
+  /// Derivative of x by the fibre's balance at constant lambda.
+  double balance_slope(const End &end) const {
+    return 1. + E * (end.q + (end.s > 0. ? end.q_slope * end.x * end.x / end.s : 0.) +
+                     end.lambda / end.c);
+  }
+};
+
+inline double Fibre::balance(const Start &start, const double tau, End &end) const {
+  const double H = material.H;
+  end.c = 1. + H * end.lambda;
+  const double factor = 1. + E * end.lambda / end.c;
+  const double load = start.trial + E * H * end.lambda / end.c * start.e;
+  const double others = 0.75 * hoop * hoop + 3. * tau * tau;
+  end.x = load / factor;
+  end.q = end.q_slope = end.primary = end.s = 0.;
+  if (creep != nullptr)
+    for (int i = 0; i < 100; ++i) { // in the logarithm of x, from above
+      end.s = std::sqrt(end.x * end.x + others);
+      const Creep::Dose dose = (*creep)(end.s, start.primary);
+      end.q = end.s > 0. ? share * dose.total / end.s : share * dose.slope;
+      end.q_slope = end.s > 0. ? (share * dose.slope - end.q) / end.s : 0.;
+      end.primary = share * dose.primary;
+      if (load == 0.)
+        break;
+      const double all = factor + E * end.q;
+      const double slope = 1. + (end.s > 0. ? E * end.q_slope * end.x * end.x / end.s / all : 0.);
+      const double step = std::log(end.x * all / load) / slope;
+      if (!(std::abs(step) > 4e-16))
+        break;
+      end.x *= std::exp(-step);
+    }
+  end.X = (end.x - H * start.e) / end.c;
+  end.W = (tau - H * start.g / 3.) / end.c;
+  end.B = (hoop - 4. / 3. * H * start.h) / end.c;
+  return std::sqrt(end.X * end.X + 0.75 * end.B * end.B + 3. * end.W * end.W);
+}
+
+inline void Fibre::solve(const Start &start, const double tau, End &end) const {
+  const double H = material.H;
+  end.lambda = end.dp = 0.;
+  end.R = material.yield(start.p);
+  end.R_slope = material.slope(start.p);
+  double S = balance(start, tau, end);
+  if (S <= end.R)
+    return;
+  // R/S - 1 = 0 is nearly straight in dp; negative at 0, and it rises. The first guess is right
+  // in tension.
+  double low = 0., high = std::numeric_limits<double>::infinity();
+  end.dp = (S - end.R) / (E + H + end.R_slope);
+  for (int i = 0; i < 200; ++i) {
+    end.R = material.yield(start.p + end.dp);
+    end.R_slope = material.slope(start.p + end.dp);
+    end.lambda = end.dp / end.R;
+    S = balance(start, tau, end);
+    const double residual = end.R / S - 1.;
+    if (std::abs(residual) < 5e-16)
+      return;
+    (residual < 0. ? low : high) = end.dp;
+    const double x_slope = -E * end.X / (end.c * balance_slope(end));
+    const double S_slope = (end.X * (x_slope - H * end.X) / end.c -
+                            H * (0.75 * end.B * end.B + 3. * end.W * end.W) / end.c) /
+                           S;
+    const double slope = end.R_slope / S - end.R * S_slope / (S * S) *
+                                               (end.R - end.dp * end.R_slope) / (end.R * end.R);
+    double next = end.dp - residual / slope;
+    if (!(next > low && next < high))
+      next = std::isinf(high) ? 2. * low : (low + high) / 2.;
+    if (std::abs(next - end.dp) <= 2e-16 * end.dp || !std::isfinite(next))
+      return;
+    end.dp = next;
+  }
+}
+
+inline Fibre::Response Fibre::change(const End &end, const double tau, const Change &given) const {
+  const double H = material.H;
+  const double x_over_s = end.s > 0. ? end.x / end.s : 0.;
+  const double tau_over_s = end.s > 0. ? 3. * tau / end.s : 0.;
+  // Balance: b_x dx + b_l dlambda = b.
+  const double b_x = balance_slope(end), b_l = E * end.X / end.c;
+  const double b = given.trial + E * end.lambda * H / end.c * given.e -
+                   E * end.x * end.q_slope * tau_over_s * given.tau;
+  double dx = b / b_x, dl = 0.;
+  if (end.lambda > 0.) { // and the yield condition, halved: y_x dx + y_l dlambda = y
+    const double own = 1. / (1. - end.lambda * end.R_slope);
+    const double y_x = end.X / end.c;
+    const double y_l = -end.R * end.R * (H / end.c + end.R_slope * own);
+    const double y =
+        (end.X * H * given.e - 3. * end.W * (given.tau - H / 3. * given.g) + end.B * H * given.h) /
+            end.c +
+        end.R * end.R_slope * own * given.p;
+    const double determinant = b_x * y_l - b_l * y_x;
+    dx = (b * y_l - b_l * y) / determinant;
+    dl = (b_x * y - b * y_x) / determinant;
+  }
+  const double dq = end.q_slope * (x_over_s * dx + tau_over_s * given.tau);
+  const double dX = (dx - H * given.e - H * end.X * dl) / end.c;
+  const double dW = (given.tau - H / 3. * given.g - H * end.W * dl) / end.c;
+  const double dB = (-4. / 3. * H * given.h - H * end.B * dl) / end.c;
+  Response r;
+  r.x = dx;
+  r.e_p = dl * end.X + end.lambda * dX;
+  r.g_p = 3. * (dl * end.W + end.lambda * dW);
+  r.h_p = 0.75 * (dl * end.B + end.lambda * dB);
+  r.p = end.lambda > 0.
+            ? (end.R * dl + end.lambda * end.R_slope * given.p) / (1. - end.lambda * end.R_slope)
+            : 0.;
+  r.e = r.e_p + dq * end.x + end.q * dx;
+  r.g = r.g_p + 3. * (dq * tau + end.q * given.tau);
+  return r;
+}
+
+} // namespace frictionbeam::section

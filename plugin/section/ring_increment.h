@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "fibre_section.h"
+
+namespace frictionbeam::section {
+
+/// SDIRK2: the first stage is at gamma; the second begins at the start and carry times what the
+/// first added.
+constexpr double gamma_stage = 0.29289321881345247560, // 1 - 1/sqrt(2)
+    carry = (1. - gamma_stage) / gamma_stage;
+
+using FibreStrains = double[n_fibre_strains];
+
+/**
+ * One ring over an increment: one implicit step, or with creep the two of SDIRK2 (R. Alexander,
+ * SIAM J. Numer. Anal. 14, 1977, 1006-1021, doi:10.1137/0714068): of order 2, L-stable. Strains and
+ * pressure are straight over the increment, time hardening is its mean over it.
+ */
+class RingIncrement {
+public:
+  RingIncrement(const FibrePipe &pipe, const FibrePlaces &places, const int number,
+                const Material &material, const Creep *creep, const double *old_state)
+      : pipe(pipe), places(places), number(number), n(pipe.layout.fibres), r(pipe.radius[number]),
+        ring(n, pipe.G, {material, creep, pipe.E, pipe.hoop}),
+        first(n, pipe.G, {material, creep, pipe.E, pipe.hoop}), old(old_state) {}
+
+  /// One implicit step; whether there is an answer.
+  bool step(const FibreStrains &strain) {
+    begin(ring, strain);
+    return ring.solve(r * strain[twist] - ring_state(0));
+  }
+
+  /// Two stages.
+  bool creep(const FibreStrains &old_strain, const double old_hoop, const FibreStrains &strain) {
+    two_stages = true;
+    FibreStrains middle;
+    for (int k = 0; k < n_fibre_strains; ++k)
+      middle[k] = old_strain[k] + gamma_stage * (strain[k] - old_strain[k]);
+    first.fibre.share = ring.fibre.share = gamma_stage;
+    first.fibre.hoop = old_hoop + gamma_stage * (pipe.hoop - old_hoop);
+    begin(first, middle);
+    if (!first.solve(r * middle[twist] - ring_state(0)))
+      return false;
+    begin(ring, strain);
+    double shear = 0.;
+    for (int i = 0; i < n; ++i) {
+      Fibre::Start &s = ring.start[i];
+      s.trial -= pipe.E * carry * first.axial(i);
+      s.e += carry * first.end[i].lambda * first.end[i].X;
+      s.g += carry * first.plastic_shear(i);
+      s.h += carry * first.plastic_hoop(i);
+      s.p += carry * first.end[i].dp;
+      shear += first.shear(i);
+    }
+    if (!ring.solve(r * strain[twist] - ring_state(0) - carry * shear / n))
+      return false;
+    estimate_error(old_strain, old_hoop);
+    return true;
+  }
+
+  void write(double *state, LawOutput &out) const;
+  void add_tangent(double *tangent) const;
+
+  double error = 0., size = 0.; ///< largest ones of stress [Pa]
+
+private:
+  double ring_state(const int k) const { return old[pipe.layout.of_ring(number) + k]; }
+  double z(const int i) const { return r * places.z[i]; }
+  double y(const int i) const { return r * places.y[i]; }
+  double strain_of(const int i, const FibreStrains &strain) const {
+    return strain[axial_strain] + z(i) * strain[curvature_y] - y(i) * strain[curvature_z];
+  }
+
+  /// Starts of the fibres from the old state.
+  void begin(Ring &stage, const FibreStrains &strain) const {
+    const FibreLayout &at = pipe.layout;
+    for (int i = 0; i < n; ++i) {
+      const double *const f = old + at.of_fibre(number, i);
+      const double e = at.g < 0 ? 0. : at.e < 0 ? f[0] : f[at.e];
+      stage.start[i] = {pipe.E * (strain_of(i, strain) - f[0]) - stage.fibre.hoop / 2.,
+                        e,
+                        at.g < 0 ? 0. : f[at.g],
+                        at.h < 0 ? 0. : f[at.h],
+                        f[1],
+                        at.primary < 0 ? 0. : f[at.primary]};
+    }
+  }
+
+  void estimate_error(const FibreStrains &old_strain, const double old_hoop);
+  double lost_in(const Ring &stage) const;
+
+  const FibrePipe &pipe;
+  const FibrePlaces &places;
+  const int number, n;
+  const double r;
+  Ring ring, first;
+  bool two_stages = false;
+  const double *const old;
+};
+
+/// What the rates of creep at the start and in both stages tell of the next term of the series, or
+/// if that is less, of the term that SDIRK2 has.
+inline void RingIncrement::estimate_error(const FibreStrains &old_strain, const double old_hoop) {
+  const Creep &creep = *ring.fibre.creep;
+  const double old_tau = pipe.G * (r * old_strain[twist] - ring_state(0));
+  const auto smaller = [](const double k0, const double k1, const double k2) {
+    const double bend = (k2 - k1) / (1. - gamma_stage) - (k1 - k0) / gamma_stage;
+    return std::min(0.081 * std::abs(bend), gamma_stage * std::abs(k2 - k1));
+  };
+  double shear[3] = {};
+  for (int i = 0; i < n; ++i) {
+    const double *const f = old + pipe.layout.of_fibre(number, i);
+    const double x = pipe.E * (strain_of(i, old_strain) - f[0]) - old_hoop / 2.;
+    const double s = std::sqrt(x * x + 0.75 * old_hoop * old_hoop + 3. * old_tau * old_tau);
+    const double q = s > 0. ? creep(s, ring.start[i].primary).total / s : 0.;
+    const Fibre::End &a = first.end[i], &b = ring.end[i];
+    error =
+        std::max(error, pipe.E * smaller(q * x, a.q * a.x / gamma_stage, b.q * b.x / gamma_stage));
+    shear[0] += 3. * q * old_tau / n;
+    shear[1] += 3. * a.q * first.tau / gamma_stage / n;
+    shear[2] += 3. * b.q * ring.tau / gamma_stage / n;
+    size = std::max({size, s, b.s});
+  }
+  error = std::max(error, std::sqrt(3.) * pipe.G * smaller(shear[0], shear[1], shear[2]));
+}
+
+/// Work of the stage's stress on the inelastic strains, per area [J/m3].
+inline double RingIncrement::lost_in(const Ring &stage) const {
+  double sum = 0.;
+  for (int i = 0; i < n; ++i)
+    sum += stage.end[i].x * stage.axial(i) + stage.fibre.hoop * stage.hoop(i) +
+           stage.tau * stage.shear(i);
+  return sum / n;
+}
+
+inline void RingIncrement::write(double *state, LawOutput &out) const {
+  const FibreLayout &at = pipe.layout;
+  const Material &m = ring.fibre.material;
+  const double area = pipe.area[number], E = pipe.E, hoop = pipe.hoop;
+  double springs = 0., hardening = 0., old_hardening = 0., shear = 0., hoop_strain = 0.,
+         axial_strain = 0.;
+  bool flows = false;
+  for (int i = 0; i < n; ++i) {
+    const Fibre::End &end = ring.end[i];
+    const double *const f = old + at.of_fibre(number, i);
+    double *const now = state + at.of_fibre(number, i);
+    const auto sum = [&](double (Ring::*part)(int) const) {
+      return (two_stages ? carry * (first.*part)(i) : 0.) + (ring.*part)(i);
+    };
+    const double stress = end.x + hoop / 2.;
+    out.stress[0] += area / n * stress;
+    out.stress[4] += area / n * stress * z(i);
+    out.stress[5] -= area / n * stress * y(i);
+    springs += stress * stress / (2. * E);
+    now[0] = f[0] + sum(&Ring::axial);
+    now[1] = f[1] + (two_stages ? carry * first.end[i].dp : 0.) + end.dp;
+    flows = flows || now[1] != f[1] || two_stages;
+    if (m.hardens_isotropically()) {
+      hardening += m.stored(now[1]);
+      old_hardening += m.stored(f[1]);
+    }
+    shear += sum(&Ring::shear);
+    hoop_strain += sum(&Ring::hoop);
+    axial_strain += now[0];
+    if (at.g >= 0) {
+      now[at.g] = f[at.g] + sum(&Ring::plastic_shear);
+      now[at.h] = f[at.h] + sum(&Ring::plastic_hoop);
+      const int place_of_e = at.e >= 0 ? at.e : 0;
+      if (at.e >= 0)
+        now[at.e] = f[at.e] + (two_stages ? carry * first.end[i].lambda * first.end[i].X : 0.) +
+                    end.lambda * end.X;
+      const auto stored = [&](const double *s) {
+        return m.H * (s[place_of_e] * s[place_of_e] / 2. + 2. / 3. * s[at.h] * s[at.h] +
+                      s[at.g] * s[at.g] / 6.);
+      };
+      hardening += stored(now);
+      old_hardening += stored(f);
+    }
+    if (at.creep >= 0)
+      now[at.creep] =
+          f[at.creep] + (two_stages ? carry * first.end[i].q * first.end[i].s + end.q * end.s : 0.);
+    if (at.primary >= 0)
+      now[at.primary] =
+          f[at.primary] + (two_stages ? carry * first.end[i].primary + end.primary : 0.);
+  }
+  out.stress[3] += area * r * ring.tau;
+  double *const of_ring = state + at.of_ring(number);
+  of_ring[0] = ring_state(0) + shear / n;
+  of_ring[1] = ring_state(1) + hoop_strain / n;
+  out.stored_energy += area * ((springs + hardening) / n + ring.tau * ring.tau / (2. * pipe.G) -
+                               hoop * (of_ring[1] - axial_strain / n / 2.));
+  if (flows)
+    out.dissipation +=
+        area * std::max(0., lost_in(ring) + (two_stages ? carry * lost_in(first) : 0.) -
+                                (hardening - old_hardening) / n);
+}
+
+inline void RingIncrement::add_tangent(double *tangent) const {
+  const double E = pipe.E, area = pipe.area[number];
+  Fibre::Change unit_trial, unit_tau;
+  unit_trial.trial = unit_tau.tau = 1.;
+  // What shear follows at constant tau, per unit of each strain; what one of tau brings.
+  double first_shear[n_fibre_strains] = {}, first_by_tau = 0.;
+  double first_tau[n_fibre_strains] = {};
+  if (two_stages) {
+    for (int i = 0; i < n; ++i) {
+      const double of_strain[n_fibre_strains] = {1., 0., z(i), -y(i)};
+      const double g = first.fibre.change(first.end[i], first.tau, unit_trial).g;
+      for (int k = 0; k < n_fibre_strains; ++k)
+        first_shear[k] += gamma_stage * E * of_strain[k] * g / n;
+      first_by_tau += first.fibre.change(first.end[i], first.tau, unit_tau).g / n;
+    }
+    for (int k = 0; k < n_fibre_strains; ++k)
+      first_tau[k] =
+          ((k == twist ? gamma_stage * r : 0.) - first_shear[k]) / (1. / pipe.G + first_by_tau);
+  }
+  double C[n_fibre_strains][n_fibre_strains] = {}; // at constant tau
+  double of_tau[n_fibre_strains] = {};             // stresses per tau
+  double shear[n_fibre_strains] = {}, by_tau = 1. / pipe.G;
+  for (int i = 0; i < n; ++i) {
+    const double of_strain[n_fibre_strains] = {1., 0., z(i), -y(i)};
+    Fibre::Response tau_response = ring.fibre.change(ring.end[i], ring.tau, unit_tau),
+                    one = ring.fibre.change(ring.end[i], ring.tau, unit_trial);
+    if (ring.at_apex) { // fibres go on as they did
+      tau_response = one = {};
+      one.x = 1. / (1. + E * ring.end[i].lambda);
+    }
+    by_tau += tau_response.g / n;
+    Fibre::Response started, started_by_tau; // first stage, per trial and per tau
+    if (two_stages) {
+      started = first.fibre.change(first.end[i], first.tau, unit_trial);
+      started_by_tau = first.fibre.change(first.end[i], first.tau, unit_tau);
+    }
+    for (int k = 0; k < n_fibre_strains; ++k) {
+      double dx = E * of_strain[k] * one.x, dg = E * of_strain[k] * one.g;
+      if (two_stages) {
+        const double by_trial = gamma_stage * E * of_strain[k];
+        const auto carried = [&](double Fibre::Response::*part) {
+          return carry * (by_trial * started.*part + first_tau[k] * started_by_tau.*part);
+        };
+        Fibre::Change given;
+        given.trial = E * (of_strain[k] - carried(&Fibre::Response::e));
+        given.e = carried(&Fibre::Response::e_p);
+        given.g = carried(&Fibre::Response::g_p);
+        given.h = carried(&Fibre::Response::h_p);
+        given.p = carried(&Fibre::Response::p);
+        const Fibre::Response response = ring.fibre.change(ring.end[i], ring.tau, given);
+        dx = response.x;
+        dg = response.g + carried(&Fibre::Response::g);
+      }
+      shear[k] += dg / n;
+      for (int l = 0; l < n_fibre_strains; ++l)
+        C[l][k] += area / n * of_strain[l] * dx;
+    }
+    for (int l = 0; l < n_fibre_strains; ++l)
+      of_tau[l] += area / n * of_strain[l] * tau_response.x;
+  }
+  of_tau[twist] = area * r;
+  for (int k = 0; k < n_fibre_strains; ++k) {
+    const double tau = ring.at_apex ? 0. : ((k == twist ? r : 0.) - shear[k]) / by_tau;
+    for (int l = 0; l < n_fibre_strains; ++l)
+      tangent[n_section_strains * fibre_strain_place[l] + fibre_strain_place[k]] +=
+          C[l][k] + of_tau[l] * tau;
+  }
+}
+
+} // namespace frictionbeam::section
