@@ -47,8 +47,15 @@ struct Fibre {
   double E, hoop;
   double share = 1.; ///< of the increment's creep that belongs to the stage
 
-  void solve(const Start &start, const double tau, End &end) const;
+  /// @param guess of dp; 0: that of tension.
+  void solve(const Start &start, const double tau, const double guess, End &end) const;
   Response change(const End &end, const double tau, const Change &given) const;
+
+  /// Without creep: stress by trial and by tau; shear by tau. Shear by trial is -x_by_tau / E.
+  struct Tangent {
+    double x_by_trial, x_by_tau, g_by_tau;
+  };
+  Tangent plastic_tangent(const End &end) const;
 
 private:
   /// Let all but flow be in balance at lambda; the norm of X, B, W.
@@ -90,7 +97,7 @@ inline double Fibre::balance(const Start &start, const double tau, End &end) con
   return std::sqrt(end.X * end.X + 0.75 * end.B * end.B + 3. * end.W * end.W);
 }
 
-inline void Fibre::solve(const Start &start, const double tau, End &end) const {
+inline void Fibre::solve(const Start &start, const double tau, const double guess, End &end) const {
   const double H = material.H;
   end.lambda = end.dp = 0.;
   end.R = material.yield(start.p);
@@ -98,32 +105,55 @@ inline void Fibre::solve(const Start &start, const double tau, End &end) const {
   double S = balance(start, tau, end);
   if (S <= end.R)
     return;
-  // R/S - 1 = 0 is nearly straight in dp; negative at 0, and it rises. The first guess is right
-  // in tension.
+  const double X = end.X, others = S * S - X * X;
+  // R/S - 1 = 0 is nearly straight in dp; negative at 0, and it rises.
   double low = 0., high = std::numeric_limits<double>::infinity();
-  end.dp = (S - end.R) / (E + H + end.R_slope);
+  end.dp = guess > 0. ? guess : (S - end.R) / (E + H + end.R_slope);
+  bool is_last = false;
   for (int i = 0; i < 200; ++i) {
     end.R = material.yield(start.p + end.dp);
     end.R_slope = material.slope(start.p + end.dp);
     end.lambda = end.dp / end.R;
-    S = balance(start, tau, end);
+    double S_slope; // times -S, by lambda
+    if (creep == nullptr) {
+      const double of_X = 1. / (1. + (E + H) * end.lambda), of_others = 1. / (1. + H * end.lambda);
+      const double X2 = X * X * of_X * of_X, others2 = others * of_others * of_others;
+      S = std::sqrt(X2 + others2);
+      S_slope = (E + H) * X2 * of_X + H * others2 * of_others;
+    } else {
+      S = balance(start, tau, end);
+      const double x_slope = -E * end.X / (end.c * balance_slope(end));
+      S_slope =
+          (end.X * (H * end.X - x_slope) + H * (0.75 * end.B * end.B + 3. * end.W * end.W)) / end.c;
+    }
     const double residual = end.R / S - 1.;
-    if (std::abs(residual) < 5e-16)
-      return;
+    if (is_last || std::abs(residual) < 5e-16)
+      break;
     (residual < 0. ? low : high) = end.dp;
-    const double x_slope = -E * end.X / (end.c * balance_slope(end));
-    const double S_slope = (end.X * (x_slope - H * end.X) / end.c -
-                            H * (0.75 * end.B * end.B + 3. * end.W * end.W) / end.c) /
-                           S;
-    const double slope = end.R_slope / S - end.R * S_slope / (S * S) *
-                                               (end.R - end.dp * end.R_slope) / (end.R * end.R);
+    const double slope =
+        (end.R_slope + S_slope * (end.R - end.dp * end.R_slope) / (end.R * S * S)) / S;
     double next = end.dp - residual / slope;
-    if (!(next > low && next < high))
+    const bool is_newton = next > low && next < high;
+    if (!is_newton)
       next = std::isinf(high) ? 2. * low : (low + high) / 2.;
-    if (std::abs(next - end.dp) <= 2e-16 * end.dp || !std::isfinite(next))
-      return;
+    // The residual is square in the step: after a small one, it is nothing.
+    is_last = std::abs(next - end.dp) <= (is_newton ? 1e-9 : 2e-16) * end.dp;
     end.dp = next;
   }
+  if (creep == nullptr)
+    balance(start, tau, end);
+}
+
+inline Fibre::Tangent Fibre::plastic_tangent(const End &end) const {
+  if (end.lambda == 0.)
+    return {1., 0., 0.};
+  const double H = material.H, of_X = 1. / (1. + (E + H) * end.lambda), of_others = 1. / end.c;
+  const double X2 = end.X * end.X;
+  const double D = (E + H) * X2 * of_X + H * (end.R * end.R - X2) * of_others +
+                   end.R * end.R * end.R_slope / (1. - end.lambda * end.R_slope);
+  const double x = end.X * of_X, w = 3. * end.W * of_others, of_D = 1. / D;
+  return {1. - E * (end.lambda * of_X + x * x * of_D), -E * x * w * of_D,
+          3. * end.lambda * of_others + w * w * of_D};
 }
 
 inline Fibre::Response Fibre::change(const End &end, const double tau, const Change &given) const {

@@ -46,17 +46,20 @@ private:
 };
 
 inline bool Ring::solve_any(const double trial) {
+  Fibre::Change of_tau;
+  of_tau.tau = 1.;
+  for (int i = 0; i < n; ++i)
+    end[i].dp = 0.;
   const auto residual = [&](double &slope) {
     double sum = 0.;
     slope = 0.;
     for (int i = 0; i < n; ++i) {
-      fibre.solve(start[i], tau, end[i]);
+      fibre.solve(start[i], tau, end[i].dp, end[i]);
       sum += shear(i);
-      if (end[i].lambda > 0. || fibre.creep != nullptr) {
-        Fibre::Change of_tau;
-        of_tau.tau = 1.;
+      if (fibre.creep != nullptr)
         slope += fibre.change(end[i], tau, of_tau).g;
-      }
+      else if (end[i].lambda > 0.)
+        slope += fibre.plastic_tangent(end[i]).g_by_tau;
     }
     slope = 1. / G + slope / n;
     return tau / G + sum / n - trial;
@@ -76,11 +79,12 @@ inline bool Ring::solve_any(const double trial) {
   double low = -std::numeric_limits<double>::infinity(), high = -low;
   tau = fibre.material.H > 0. ? elastic
                               : std::copysign(std::min(std::abs(elastic), least / 2.), elastic);
+  bool is_last = false;
   for (int i = 0; i < 200; ++i) {
     const double rest = residual(slope);
     if (!std::isfinite(rest))
       return false;
-    if (rest == 0.)
+    if (is_last || rest == 0.)
       return true;
     (rest < 0. ? low : high) = tau;
     // The other bound follows from the least slope.
@@ -89,11 +93,12 @@ inline bool Ring::solve_any(const double trial) {
     else
       low = std::max(low, tau - 1.0001 * G * rest);
     double next = tau - rest / slope;
-    if (!(next > low && next < high))
+    const bool is_newton = next > low && next < high;
+    if (!is_newton)
       next = (low + high) / 2.;
-    if (std::abs(next - tau) <= 1e-15 * std::abs(tau) || next == low || next == high ||
-        std::abs(rest) <= 1e-16 * std::abs(trial))
+    if (next == tau || std::abs(rest) <= 1e-16 * std::abs(trial))
       return true;
+    is_last = std::abs(next - tau) <= (is_newton ? 1e-9 : 4e-16) * std::abs(tau);
     tau = next;
   }
   return false;

@@ -220,20 +220,22 @@ inline void RingIncrement::add_tangent(double *tangent) const {
   double shear[n_fibre_strains] = {}, by_tau = 1. / pipe.G;
   for (int i = 0; i < n; ++i) {
     const double of_strain[n_fibre_strains] = {1., 0., z(i), -y(i)};
-    Fibre::Response tau_response = ring.fibre.change(ring.end[i], ring.tau, unit_tau),
-                    one = ring.fibre.change(ring.end[i], ring.tau, unit_trial);
-    if (ring.at_apex) { // fibres go on as they did
-      tau_response = one = {};
-      one.x = 1. / (1. + E * ring.end[i].lambda);
-    }
-    by_tau += tau_response.g / n;
+    Fibre::Tangent one = {0., 0., 0.};
+    if (ring.at_apex) // fibres go on as they did
+      one.x_by_trial = 1. / (1. + E * ring.end[i].lambda);
+    else if (two_stages) {
+      const Fibre::Response more = ring.fibre.change(ring.end[i], ring.tau, unit_tau);
+      one = {0., more.x, more.g};
+    } else
+      one = ring.fibre.plastic_tangent(ring.end[i]);
+    by_tau += one.g_by_tau / n;
     Fibre::Response started, started_by_tau; // first stage, per trial and per tau
     if (two_stages) {
       started = first.fibre.change(first.end[i], first.tau, unit_trial);
       started_by_tau = first.fibre.change(first.end[i], first.tau, unit_tau);
     }
     for (int k = 0; k < n_fibre_strains; ++k) {
-      double dx = E * of_strain[k] * one.x, dg = E * of_strain[k] * one.g;
+      double dx = E * of_strain[k] * one.x_by_trial, dg = -of_strain[k] * one.x_by_tau;
       if (two_stages) {
         const double by_trial = gamma_stage * E * of_strain[k];
         const auto carried = [&](double Fibre::Response::*part) {
@@ -254,7 +256,7 @@ inline void RingIncrement::add_tangent(double *tangent) const {
         C[l][k] += area / n * of_strain[l] * dx;
     }
     for (int l = 0; l < n_fibre_strains; ++l)
-      of_tau[l] += area / n * of_strain[l] * tau_response.x;
+      of_tau[l] += area / n * of_strain[l] * one.x_by_tau;
   }
   of_tau[twist] = area * r;
   for (int k = 0; k < n_fibre_strains; ++k) {
