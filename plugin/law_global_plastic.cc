@@ -165,7 +165,8 @@ public:
     for (int i = 0; i < n; ++i) {
       const double e = old[flow + i] + to.lambda * to.xi[i];
       const double K = section.rigidity[place[i]];
-      out.stress[place[i]] = K * (in.strain[place[i]] - section.A * section.a[i] * e);
+      out.stress[place[i]] =
+          section.a[i] > 0. ? (to.xi[i] + m.H * e) / section.a[i] : K * in.strain[place[i]];
       lost += section.a[i] * out.stress[place[i]] * (e - old[flow + i]);
       squares += e * e;
       old_squares += old[flow + i] * old[flow + i];

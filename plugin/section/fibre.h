@@ -75,8 +75,9 @@ inline double Fibre::balance(const Start &start, const double tau, End &end) con
   const double others = 0.75 * hoop * hoop + 3. * tau * tau;
   end.x = load / factor;
   end.q = end.q_slope = end.primary = end.s = 0.;
+  double low = 0., high = std::abs(end.x);
   if (creep != nullptr)
-    for (int i = 0; i < 100; ++i) { // in the logarithm of x, from above
+    for (int i = 0; i < 200; ++i) { // in the logarithm of x, from above
       end.s = std::sqrt(end.x * end.x + others);
       const Creep::Dose dose = (*creep)(end.s, start.primary);
       end.q = end.s > 0. ? share * dose.total / end.s : share * dose.slope;
@@ -86,10 +87,16 @@ inline double Fibre::balance(const Start &start, const double tau, End &end) con
         break;
       const double all = factor + E * end.q;
       const double slope = 1. + (end.s > 0. ? E * end.q_slope * end.x * end.x / end.s / all : 0.);
-      const double step = std::log(end.x * all / load) / slope;
-      if (!(std::abs(step) > 4e-16))
+      const double residual = std::log(end.x * all / load);
+      (residual < 0. ? low : high) = std::abs(end.x);
+      if (!(std::abs(residual) > 4e-16 * slope) || !(low < high))
         break;
-      end.x *= std::exp(-step);
+      double next = std::abs(end.x) * std::exp(-residual / slope);
+      if (!(next < high && next > low) || i > 30)
+        next = low > 0. ? std::sqrt(low) * std::sqrt(high) : next < high ? next : high / 2.;
+      if (next == std::abs(end.x))
+        break;
+      end.x = std::copysign(next, end.x);
     }
   end.X = (end.x - H * start.e) / end.c;
   end.W = (tau - H * start.g / 3.) / end.c;

@@ -4,9 +4,10 @@
 #include <frictionbeam/bound_law.h>
 #include <frictionbeam/law_conformance.h>
 
-#include "../check.h"
+#include "section_probe.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 using namespace frictionbeam;
@@ -160,9 +161,120 @@ void bound_law() {
   CHECK(std::isinf(BoundLaw(silent, {1e3}).elastic_bound(strain, 1., {})));
 }
 
+void conforms(const LawDescription &law, const SectionProbe::Values &values,
+              const bool dissipates = true) {
+  LawReach reached;
+  for (const std::string &violation : check_law(law, law_parameters(law, values), reached)) {
+    std::cerr << law.name;
+    for (const auto &[name, value] : values)
+      std::cerr << ", " << name << " = " << value;
+    std::cerr << ": " << violation << '\n';
+    CHECK(false);
+  }
+  CHECK(reached.increments == 480);
+  CHECK((reached.dissipating > 100) == dissipates);
+}
+
+using Values = SectionProbe::Values;
+
+const Values isotropic{{"Isotropic modulus", 2e9}}, kinematic{{"Kinematic modulus", 2e9}},
+    curve{{"Hardening strain 1", .01},
+          {"Hardening stress 1", 2.5e8},
+          {"Hardening strain 2", .05},
+          {"Hardening stress 2", 2.6e8}},
+    creep{{"Creep coefficient", 1e-39}, {"Creep exponent", 4.}},
+    primary{{"Primary creep coefficient", 1e-33},
+            {"Primary creep exponent", 3.5},
+            {"Primary time exponent", .4}},
+    by_strain{{"Primary hardening", 1.}}, no_yield{{"Yield stress", 1e30}};
+
+Values all_of(const std::vector<Values> &parts) {
+  Values result;
+  for (const Values &part : parts)
+    for (const auto &[name, value] : part)
+      result[name] = value;
+  return result;
+}
+
+void built_in(const LawDescription &fibre, const LawDescription &whole) {
+  const Values size = Tube().of_the_whole();
+  conforms(whole, {}, false);
+  conforms(whole, size);
+  conforms(whole, all_of({size, isotropic}));
+  conforms(whole, all_of({size, kinematic, curve, {{"Pressure coefficient", .8}}}));
+  conforms(whole, all_of({size, {{"Bend radius", .3}, {"Pressure coefficient", .8}}}));
+  conforms(whole, all_of({size, no_yield}), false);
+
+  const Values few{{"Fibres", 9.}, {"Radii", 1.}}, thick{{"Fibres", 7.}, {"Wall thickness", .03}};
+  conforms(fibre, few);
+  conforms(fibre, thick);
+  conforms(fibre, {{"Fibres", 12.}});
+  conforms(fibre, all_of({few, isotropic}));
+  conforms(fibre, all_of({few, kinematic}));
+  conforms(fibre, all_of({few, curve}));
+  conforms(fibre, all_of({thick, kinematic, curve, isotropic}));
+  conforms(fibre, all_of({few, creep, no_yield}));
+  conforms(fibre, all_of({few, creep}));
+  conforms(fibre, all_of({few, creep, kinematic, curve}));
+  conforms(fibre, all_of({few, creep, primary, isotropic}));
+  conforms(fibre, all_of({few, primary, by_strain, no_yield}));
+  conforms(fibre, all_of({few, creep, primary, by_strain, kinematic, isotropic}));
+  const auto needed = [&](const Values &values) {
+    return BoundLaw(fibre, law_parameters(fibre, values)).n_internal_variables();
+  };
+  CHECK(needed({{"Fibres", 63.}, {"Radii", 1.}}) == 2 + 63 * 2);
+  CHECK(needed(all_of({{{"Fibres", 255.}}, creep, primary, by_strain, kinematic})) <= 4000);
+}
+
+/// Microseconds of a warm increment with tangent; of the elastic bound.
+void speed(const LawDescription &law, const char *what, const Values &values, const double scale,
+           const double dt, const double most) {
+  SectionProbe probe(law, values);
+  probe.increment.pressure = scale < 1. ? 0. : 1e6;
+  probe.strain = {4e-4 * scale, 0., 0., .01 * scale, .02 * scale, .005 * scale};
+  probe.evaluate(dt);
+  if (scale >= 1.)
+    probe.commit();
+  const auto seconds = [](const auto &&call) {
+    constexpr int n = 2000;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < n; ++i)
+      call();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / n;
+  };
+  double sum = 0.;
+  const double one = 1e6 * seconds([&] {
+                       for (double &e : probe.strain)
+                         e *= 1. + 1e-6;
+                       probe.evaluate(dt);
+                     });
+  const double bound = 1e6 * seconds([&] {
+                         probe.strain[0] *= 1. + 1e-12;
+                         sum += probe.law.elastic_bound(probe.strain.data(), 1., probe.increment);
+                       });
+  std::cout << what << ": " << one << " us, elastic bound " << bound << " us\n";
+  CHECK(one < most && bound < 10. && sum > 0.);
+}
+
+void speeds(const LawDescription &fibre, const LawDescription &whole) {
+  const Values thin{{"Radii", 1.}};
+  speed(whole, "the whole, yielding", Tube().of_the_whole(), 1., 0., 100.);
+  speed(fibre, "63 fibres, elastic", thin, 1e-2, 0., 100.);
+  speed(fibre, "63 fibres, perfectly plastic", thin, 1., 0., 1000.);
+  speed(fibre, "63 fibres, isotropic", all_of({thin, isotropic}), 1., 0., 2000.);
+  speed(fibre, "63 fibres, kinematic", all_of({thin, kinematic}), 1., 0., 2000.);
+  speed(fibre, "63 fibres, creep", all_of({thin, creep, no_yield}), 1., 1e-6, 10000.);
+  speed(fibre, "2 x 63 fibres, perfectly plastic", {}, 1., 0., 2000.);
+}
+
 } // namespace
 
 int main() {
+  LawLibrary library;
+  library.load_builtin();
+  const LawDescription &fibre = library.find("fibre_pipe"), &whole = library.find("global_plastic");
+  built_in(fibre, whole);
+  speeds(fibre, whole);
   faults();
   bound_law();
   return check::report();
