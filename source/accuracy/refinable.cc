@@ -134,13 +134,15 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
                  std::any_of(scene.supports.begin(), scene.supports.end(),
                              [](const FrictionSupport &one) { return one.placement.continuous; });
   const bool has_increments = !kind.is_generated() || *kind.increments != '\0';
-  if (has_static && !scene.supports.empty() && has_increments)
+  const bool has_way = !scene.supports.empty() || scene.yields();
+  if (has_static && has_way && has_increments)
     list.push_back(increments_of(scene, kind));
   if (has_transient)
     if (const auto step = time_step_of(scene))
       list.push_back(*step);
   const bool is_large = scene.kinematics == Kinematics::corotational;
-  if ((has_bed || has_transient || is_large) && !scene.pipes.empty() && scene.mesh.file.empty())
+  if ((has_bed || has_transient || is_large || scene.yields()) && !scene.pipes.empty() &&
+      scene.mesh.file.empty())
     list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
   if (kind.has_elements)
     list.push_back({"elements of the slab",

@@ -281,6 +281,13 @@ struct Scene {
   SolverSettings solver;
   TimeSettings time;
   OutputSettings output;
+
+  /// Whether it has pipes whose section has an inelastic law.
+  bool yields() const {
+    return std::any_of(pipes.begin(), pipes.end(), [this](const Pipe &pipe) {
+      return !pipe.rigid && sections[pipe.section].is_inelastic();
+    });
+  }
 };
 
 /// A message about a scene that came after it was read, with the place of the part that it names in

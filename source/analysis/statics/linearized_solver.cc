@@ -20,6 +20,10 @@ SparseMatrix symmetric_part(const SparseMatrix &matrix) {
 
 bool LinearizedSolver::solve_without_contacts(const SparseMatrix &matrix,
                                               const Vector &right_hand_side, Vector &change) {
+  if (matrix.rows() == 0) {
+    change.resize(0);
+    return true;
+  }
   if (!analyzed)
     factorization.analyze(matrix);
   analyzed = true;
@@ -77,6 +81,11 @@ const Point3 &place_of(const Model &model, const unsigned int vertex) {
   return model.discretization.vertices()[vertex];
 }
 
+/// Size of a vector that may have no entries: where all is held.
+double largest_of(const Vector &vector) {
+  return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.;
+}
+
 /// Largest coordinate of the line at rest [m].
 double extent(const Model &model) {
   double largest = 0.;
@@ -110,8 +119,8 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int d = 0; d < 3; ++d)
       moved = std::max(moved, std::abs(pose.dofs[model.discretization.vertex_dofs().index(v, d)]));
-  const double by_metre = 8. * std::numeric_limits<double>::epsilon() *
-                          stiffness.diagonal().lpNorm<Eigen::Infinity>(),
+  const double by_metre =
+                   8. * std::numeric_limits<double>::epsilon() * largest_of(stiffness.diagonal()),
                rounding = by_metre * moved;
   if (size <= std::max(model.scene.solver.tolerance * largest,
                        std::min(rounding, contact::most_excused * std::max(largest, scale))))

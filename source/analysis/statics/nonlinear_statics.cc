@@ -33,7 +33,8 @@ NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
                                                    const StaticIncrement &increment) const {
   const Pose pose = pose_of(from);
   LineCells::Balance balance;
-  model.cells.evaluate(pose, from.load_factors, balance);
+  model.cells.evaluate({pose, pose, pose, pose.dofs, 0., {}, nullptr, &pose, true},
+                       from.load_factors, balance);
   const double largest_before =
       std::max(increment.least_force, balance.largest); // a line may lose all its forces
   const Vector imposed =
@@ -42,12 +43,14 @@ NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
           Vector::Zero(from.unknowns.size()),
           increment.factors,
           {increment.time, increment.time - from.time},
+          pose,
           largest_before};
 }
 
-void NonlinearStatics::evaluate(Approach &at) const {
-  model.cells.evaluate({at.pose, at.pose, at.pose, at.pose.dofs, 0., at.clock}, at.factors,
-                       at.balance);
+void NonlinearStatics::evaluate(Approach &at, const bool is_trial) const {
+  model.cells.evaluate(
+      {at.pose, at.pose, at.pose, at.pose.dofs, 0., at.clock, nullptr, &at.start, is_trial},
+      at.factors, at.balance);
   at.forces = at.balance.forces + model.contacts.platen_forces();
   at.largest = std::max(at.largest_before, at.balance.largest);
 }
@@ -57,13 +60,15 @@ bool NonlinearStatics::is_solved(Approach &at, const ContactResponse &response,
   Vector of_contacts = Vector::Zero(at.forces.size());
   model.contacts.add_forces(response, of_contacts);
   at.largest = std::max(at.largest, largest_contact_force(model.contacts, response));
-  const double size = (at.forces - of_contacts).lpNorm<Eigen::Infinity>();
+  const Vector left = at.forces - of_contacts;
+  const double size = left.size() > 0 ? left.lpNorm<Eigen::Infinity>() : 0.; // 0: all is held
   const double scale = std::max(at.largest, at.balance.free);
   result.residual = scale > 0. ? size / scale : size;
   const auto rounding = [&]() {
     LineCells::Balance beside;
     const Pose pose = with_other_digits(model, at.pose);
-    model.cells.evaluate({pose, pose, pose, pose.dofs, 0., at.clock}, at.factors, beside);
+    model.cells.evaluate({pose, pose, pose, pose.dofs, 0., at.clock, nullptr, &at.start},
+                         at.factors, beside);
     return (beside.forces - at.balance.forces).lpNorm<Eigen::Infinity>();
   };
   return is_balanced(model, at.balance.stiffness, size, at.largest, at.pose, rounding, scale);
@@ -98,7 +103,8 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   std::vector<Contact::Strains> contact_forces = from.contact_stress;
   for (;;) {
     interruption::end_if_overdue();
-    evaluate(at);
+    // Sections that yield begin with what they would do elastically, whatever they did before.
+    evaluate(at, result.iterations == 0);
     if (!at.forces.allFinite()) {
       result.remark = "the iteration diverges";
       return result;
@@ -121,8 +127,10 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       problem.forces_before = &contact_forces;
       return linearized.solve(problem, from.contacts, change, response);
     };
-    if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result))
+    if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result)) {
+      remember_failure(at);
       return result;
+    }
     contact_forces = response.stress;
     judged = move(change, at);
   }
@@ -131,9 +139,32 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
 std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
                                                    const std::vector<double> &begin,
                                                    const std::vector<double> &end) const {
-  if (!model.cells.pipe_sections().any() || last_motion.size() == 0)
+  if (!model.cells.pipe_sections().any())
     return {};
-  return find_collapse(model, at, last_motion, begin, end);
+  std::optional<Collapse> best;
+  for (const Vector *const motion : {&last_motion, &failed_motion, &soft_motion})
+    if (motion->size() > 0)
+      if (const auto found = find_collapse(model, at, *motion, begin, end);
+          found && (!best || found->bound < best->bound))
+        best = found;
+  return best;
+}
+
+void NonlinearStatics::remember_failure(const Approach &at) {
+  constexpr double shift = 1e-8; // of the stiffness: below what is elastic, above a mechanism's
+  if (!model.cells.pipe_sections().any())
+    return;
+  model.space.expand(at.moved, failed_motion);
+  soft_motion.resize(0);
+  if (model.contacts.size() > 0 || at.forces.size() == 0)
+    return; // whose motion contacts would have to allow
+  SparseMatrix matrix = at.balance.stiffness;
+  for (int i = 0; i < matrix.rows(); ++i)
+    matrix.coeffRef(i, i) += shift * std::abs(matrix.coeff(i, i));
+  Vector motion;
+  LinearizedSolver shifted(model);
+  if (shifted.solve_without_contacts(matrix, at.forces, motion))
+    model.space.expand(motion, soft_motion);
 }
 
 Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCourse &) const {
@@ -144,6 +175,8 @@ Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCo
 
 bool NonlinearStatics::is_unstable(const LineState &state) const {
   constexpr double same = 1e-9, stiff = 1e3; // parts of the stiffest
+  if (!model.cells.turns_far())
+    return false;
   LineCells::Balance balance;
   model.cells.evaluate(pose_of(state), state.load_factors, balance);
   const SparseMatrix symmetric = symmetric_part(balance.stiffness);

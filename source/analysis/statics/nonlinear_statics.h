@@ -41,13 +41,14 @@ private:
     Vector moved; ///< unknowns since the increment began
     const std::vector<double> &factors;
     PipeSections::Clock clock;
+    Pose start;
     double largest_before; ///< force on the unknowns as the increment begins
     double largest = 0.;   ///< at the pose
     LineCells::Balance balance;
     Vector forces; ///< left at the pose, but for the contacts
   };
   Approach begin(const LineState &from, const StaticIncrement &increment) const;
-  void evaluate(Approach &at) const;
+  void evaluate(Approach &at, const bool is_trial) const;
   /// Whether the contacts' forces at this pose balance the line's; how well goes into the result.
   bool is_solved(Approach &at, const ContactResponse &response, EquilibriumResult &result) const;
   /// Whether the increment is short enough for creep; if not, the result's remark says so.
@@ -58,7 +59,12 @@ private:
 
   const Model &model;
   LinearizedSolver linearized;
-  Vector last_motion; ///< of the last increment that was solved, without what was imposed
+  /// Keep what an increment that fails has come to, for collapse().
+  void remember_failure(const Approach &at);
+
+  /// Of all degrees of freedom, without what was imposed: of the last increment that was solved, of
+  /// the last that was not, and where its tangent is softest.
+  Vector last_motion, failed_motion, soft_motion;
 };
 
 } // namespace frictionbeam

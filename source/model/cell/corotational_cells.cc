@@ -228,7 +228,8 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   answer.free_work = free.dot(deformed);
   if (sections.has(index)) {
     PipeSections::Answer inelastic;
-    integrate_sections(index, beam.motions_of(before.d), beam.motions_of(after.d), step, factors,
+    const Vector7 began = step.began ? beam.deform(ends(cell, *step.began)).d : before.d;
+    integrate_sections(index, beam.motions_of(began), beam.motions_of(after.d), step, factors,
                        answer, inelastic, after.axes * beam.axes_at_rest().transpose());
     s = beam.on_deformations(is_step ? Vector12((inelastic.before + inelastic.after) / 2.)
                                      : inelastic.after);

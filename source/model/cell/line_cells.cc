@@ -240,7 +240,10 @@ void LineCells::integrate_sections(const unsigned int cell, const Vector12 &befo
     PipeSections::Surroundings around =
         surroundings(cell, step.factors_at_end ? *step.factors_at_end : factors);
     around.line_force = (turn.transpose() * around.line_force).eval();
-    sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic);
+    if (step.is_trial)
+      sections.answer_elastically(cell, before, after, around, old, inelastic);
+    else
+      sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic);
   }
   if (inelastic.failed) // no answer: the iteration sees that it is none
     inelastic.after.setConstant(std::numeric_limits<double>::quiet_NaN());

@@ -82,6 +82,10 @@ public:
     PipeSections::Clock clock = {};
     /// Of the loads at the end, where those at hand are mean ones; null: they are the same.
     const std::vector<double> *factors_at_end = nullptr;
+    /// Of a static increment, whose forces are those at its end alone: where it began. Sections go
+    /// there from it.
+    const Pose *began = nullptr;
+    bool is_trial = false; ///< whether sections answer elastically to the increment
   };
   /**
    * Forces at a pose, or those of a time step: the mean of the cells' forces at both its ends,

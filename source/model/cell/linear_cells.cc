@@ -63,7 +63,8 @@ void LinearCells::answer(const unsigned int index, const Step &step,
   if (!sections.has(index))
     return;
   PipeSections::Answer inelastic;
-  integrate_sections(index, before, after, step, factors, answer, inelastic);
+  integrate_sections(index, step.began ? ends_of(index, step.began->dofs) : before, after, step,
+                     factors, answer, inelastic);
   answer.stiffness = inelastic.stiffness + 2. * viscous * stiffness;
   answer.internal =
       (&step.from == &step.to ? inelastic.after : (inelastic.before + inelastic.after) / 2.) +

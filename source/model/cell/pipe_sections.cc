@@ -72,7 +72,7 @@ PipeSections::PipeSections(const Scene &scene, const Discretization &discretizat
                       "joints between cells of elastic sections\n  try:     a short pipe of its "
                       "own with an elastic section at the joint");
     cells.push_back(make_cell(discretization, i, exact, at_points));
-    n_values += 12 + cells.back()->chain.size() * n_values_of(*cells.back());
+    n_values += n_values_of_cell + cells.back()->chain.size() * n_values_of(*cells.back());
   }
 }
 
@@ -188,8 +188,30 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
     return;
   Eigen::Map<Vector12>(now.data() + cell.first_value) =
       solution.forces + cell.carried * surroundings.line_force;
+  double *const of_cell = now.data() + cell.first_value + 12;
+  of_cell[0] = surroundings.axial_strain;
+  of_cell[1] = surroundings.curvature;
+  Eigen::Map<Eigen::Vector3d>(of_cell + 2) = surroundings.line_force;
   answer.stiffness = solution.stiffness;
   between(index, from, to, old, now, answer);
+}
+
+void PipeSections::answer_elastically(const unsigned int index, const Vector12 &from,
+                                      const Vector12 &to, const Surroundings &surroundings,
+                                      const Vector &old, Answer &answer) const {
+  const Cell &cell = *cells[index];
+  const double *const of_cell = old.data() + cell.first_value + 12;
+  const Eigen::Vector3d load =
+      surroundings.line_force - Eigen::Map<const Eigen::Vector3d>(of_cell + 2);
+  std::vector<Vector6> free;
+  for (const Vector6 &unit : cell.curvature) {
+    free.push_back((surroundings.curvature - of_cell[1]) * unit);
+    free.back()[0] += surroundings.axial_strain - of_cell[0];
+  }
+  answer = {};
+  answer.after =
+      forces(index, old) + cell.carried * load + cell.chain.elastic_change(to - from, free, load);
+  answer.stiffness = cell.chain.elastic_stiffness();
 }
 
 void PipeSections::between(const unsigned int index, const Vector12 &from, const Vector12 &to,

@@ -62,6 +62,10 @@ public:
   void integrate(const unsigned int cell, const Vector12 &from, const Vector12 &to,
                  const Surroundings &surroundings, const Clock &clock, const Vector &old,
                  Vector &now, Answer &answer) const;
+  /// The same as if nothing yielded or crept on the way: forces and stiffness alone.
+  void answer_elastically(const unsigned int cell, const Vector12 &from, const Vector12 &to,
+                          const Surroundings &surroundings, const Vector &old,
+                          Answer &answer) const;
   /// The same of a state that has been committed: from one to the other.
   void between(const unsigned int cell, const Vector12 &from, const Vector12 &to, const Vector &old,
                const Vector &now, Answer &answer) const;
@@ -100,8 +104,11 @@ private:
     std::vector<Eigen::Matrix<double, 6, 12>> B;
     std::vector<Vector6> curvature; ///< strains of a unit change of curvature
     std::vector<double> part;       ///< of the way along the cell
-    unsigned int first_value = 0;   ///< in the states: forces on the ends, then the sections
+    /// In the states: what the whole cell has, then the sections.
+    unsigned int first_value = 0;
   };
+  /// Values of a cell: forces on its ends, free strains and load per length.
+  static constexpr unsigned int n_values_of_cell = 12 + 2 + 3;
   /// Values of a section's state: strain and stress of the wall, p A_bore, energy that it has
   /// stored and dissipated [J/m]; then the law's internal variables.
   enum Value { strain = 0, stress = 6, thrust = 12, stored = 13, lost = 14, internal = 15 };
@@ -109,7 +116,7 @@ private:
     return internal + cell.profile.law.n_internal_variables();
   }
   unsigned int place_of(const Cell &cell, const unsigned int point) const {
-    return cell.first_value + 12 + point * n_values_of(cell);
+    return cell.first_value + n_values_of_cell + point * n_values_of(cell);
   }
   /// Where strain and stress are known.
   static void set_energies(const double thrust, const double dissipation, const double *old,

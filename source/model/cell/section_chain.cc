@@ -16,6 +16,23 @@ using Matrix6 = SectionChain::Matrix6;
 constexpr unsigned int most_iterations = 60;
 constexpr double solved_to = 1e-13, as_good_as_rounding = 1e-10; // relative
 
+/// Of a section's stiffness, zero for its rigid components.
+Matrix6 compliance_of(Matrix6 stiffness) {
+  const Vector6 diagonal = stiffness.diagonal();
+  const auto replace = [&](const double value) {
+    for (int i = 0; i < 6; ++i)
+      if (!(diagonal[i] > 0.)) {
+        stiffness.row(i).setZero();
+        stiffness.col(i).setZero();
+        stiffness(i, i) = value;
+      }
+  };
+  replace(1.);
+  stiffness = stiffness.inverse().eval();
+  replace(0.);
+  return stiffness;
+}
+
 } // namespace
 
 /**
@@ -72,6 +89,24 @@ SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 
           flexibility[j] += point.length * std::pow(point.b(i, j) / scale[i], 2);
   for (int j = 0; j < 6; ++j)
     beta_scale[j] = flexibility[j] > 0. ? 1. / std::sqrt(flexibility[j]) : 1.;
+  const Matrix6 compliance = compliance_of(elastic);
+  Matrix6 by_beta = Matrix6::Zero();
+  by_load.setZero();
+  for (const Point &point : points) {
+    by_beta += point.length * point.b.transpose() * compliance * point.b;
+    by_load += point.length * point.b.transpose() * compliance * point.load_stress;
+  }
+  of_motion = by_beta.inverse();
+  K = G.transpose() * of_motion * G;
+}
+
+SectionChain::Vector12 SectionChain::elastic_change(const Vector12 &motions,
+                                                    const std::vector<Vector6> &free,
+                                                    const Eigen::Vector3d &load) const {
+  Vector6 moved = G * motions - by_load * load;
+  for (std::size_t q = 0; q < points.size(); ++q)
+    moved -= points[q].length * points[q].b.transpose() * free[q];
+  return G.transpose() * of_motion * moved;
 }
 
 void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vector<Vector6> &free,
