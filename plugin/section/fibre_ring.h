@@ -26,10 +26,11 @@ struct Ring {
   Ring(const int n, const double G, const Fibre &fibre) : n(n), G(G), fibre(fibre) {}
 
   /// @param trial shear strain of the ring less the inelastic one at the start.
+  /// @param guess of tau; 0: none
   /// @return whether there is an answer.
-  bool solve(const double trial) {
+  bool solve(const double trial, const double guess) {
     at_apex = false;
-    tau = 0.;
+    tau = guess;
     return fibre.material.is_perfect() ? solve_perfect(trial) : solve_any(trial);
   }
 
@@ -72,13 +73,15 @@ inline bool Ring::solve_any(const double trial) {
   }
   double slope;
   if (!is_sheared) {
+    tau = 0.;
     const double rest = residual(slope);
     return std::isfinite(rest);
   }
   const double elastic = G * trial;
   double low = -std::numeric_limits<double>::infinity(), high = -low;
-  tau = fibre.material.H > 0. ? elastic
-                              : std::copysign(std::min(std::abs(elastic), least / 2.), elastic);
+  if (tau == 0.)
+    tau = fibre.material.H > 0. ? elastic
+                                : std::copysign(std::min(std::abs(elastic), least / 2.), elastic);
   bool is_last = false;
   for (int i = 0; i < 200; ++i) {
     const double rest = residual(slope);
@@ -134,6 +137,7 @@ inline bool Ring::solve_perfect(const double trial) {
     return size_of_tau / G + 3. * size_of_tau * (sum - yielding) / (E * n) - wanted;
   };
 
+  tau = 0.;
   double Q = std::sqrt(largest), value = 0., slope;
   if (wanted > 0.) {
     // From tau as long as it is well below its limit, from Q as soon as that is small.

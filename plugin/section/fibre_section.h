@@ -21,11 +21,14 @@ enum FibreParameter {
 enum FibreStrain { axial_strain, twist, curvature_y, curvature_z, n_fibre_strains };
 constexpr int fibre_strain_place[n_fibre_strains] = {0, 3, 4, 5};
 
+constexpr int n_ring_states = 3;
+
 /**
  * Where the parts of the state stand. A section that creeps keeps the last strains and hoop stress;
- * then each ring its mean shear and hoop strains, each fibre its axial strain, inelastic all, and
- * its accumulated plastic strain; then, if they are needed: plastic strains of the back stress,
- * accumulated creep strain, that of primary creep.
+ * then each ring its mean shear and hoop strains, inelastic, and its shear stress, to begin the
+ * next search with; each fibre its inelastic axial strain and its accumulated plastic strain; then,
+ * if they are needed: plastic strains of the back stress, accumulated creep strain, that of primary
+ * creep.
  */
 struct FibreLayout {
   int fibres, rings, first = 0, per_fibre = 2, e = -1, g = -1, h = -1, creep = -1, primary = -1;
@@ -49,12 +52,14 @@ struct FibreLayout {
     }
   }
 
-  int of_ring(const int ring) const { return first + ring * (2 + fibres * per_fibre); }
-  int of_fibre(const int ring, const int i) const { return of_ring(ring) + 2 + i * per_fibre; }
+  int of_ring(const int ring) const { return first + ring * (n_ring_states + fibres * per_fibre); }
+  int of_fibre(const int ring, const int i) const {
+    return of_ring(ring) + n_ring_states + i * per_fibre;
+  }
   int size() const { return of_ring(rings); }
 };
 
-constexpr int most_fibre_states = n_fibre_strains + 1 + 2 * (2 + most_fibres * 7);
+constexpr int most_fibre_states = n_fibre_strains + 1 + 2 * (n_ring_states + most_fibres * 7);
 
 /// A pipe's figures at a temperature and under a pressure.
 struct FibrePipe {

@@ -28,7 +28,7 @@ public:
   /// One implicit step; whether there is an answer.
   bool step(const FibreStrains &strain) {
     begin(ring, strain);
-    return ring.solve(r * strain[twist] - ring_state(0));
+    return ring.solve(r * strain[twist] - ring_state(0), ring_state(2));
   }
 
   /// Two stages.
@@ -40,7 +40,7 @@ public:
     first.fibre.share = ring.fibre.share = gamma_stage;
     first.fibre.hoop = old_hoop + gamma_stage * (pipe.hoop - old_hoop);
     begin(first, middle);
-    if (!first.solve(r * middle[twist] - ring_state(0)))
+    if (!first.solve(r * middle[twist] - ring_state(0), ring_state(2)))
       return false;
     begin(ring, strain);
     double shear = 0.;
@@ -53,7 +53,7 @@ public:
       s.p += carry * first.end[i].dp;
       shear += first.shear(i);
     }
-    if (!ring.solve(r * strain[twist] - ring_state(0) - carry * shear / n))
+    if (!ring.solve(r * strain[twist] - ring_state(0) - carry * shear / n, first.tau))
       return false;
     estimate_error(old_strain, old_hoop);
     return true;
@@ -188,6 +188,7 @@ inline void RingIncrement::write(double *state, LawOutput &out) const {
   double *const of_ring = state + at.of_ring(number);
   of_ring[0] = ring_state(0) + shear / n;
   of_ring[1] = ring_state(1) + hoop_strain / n;
+  of_ring[2] = ring.tau;
   out.stored_energy += area * ((springs + hardening) / n + ring.tau * ring.tau / (2. * pipe.G) -
                                hoop * (of_ring[1] - axial_strain / n / 2.));
   if (flows)

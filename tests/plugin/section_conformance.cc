@@ -222,7 +222,7 @@ void built_in(const LawDescription &fibre, const LawDescription &whole) {
   const auto needed = [&](const Values &values) {
     return BoundLaw(fibre, law_parameters(fibre, values)).n_internal_variables();
   };
-  CHECK(needed({{"Fibres", 63.}, {"Radii", 1.}}) == 2 + 63 * 2);
+  CHECK(needed({{"Fibres", 63.}, {"Radii", 1.}}) == 3 + 63 * 2);
   CHECK(needed(all_of({{{"Fibres", 255.}}, creep, primary, by_strain, kinematic})) <= 4000);
 }
 
