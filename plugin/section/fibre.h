@@ -58,6 +58,12 @@ struct Fibre {
   Tangent plastic_tangent(const End &end) const;
 
 private:
+  class Search;
+  void solve_plastic(const Start &start, const double tau, const double guess, End &end) const;
+  /// Of R/S - 1 by dp. @param S_slope of S by lambda, times -S
+  static double residual_slope(const End &end, const double S, const double S_slope) {
+    return (end.R_slope + S_slope * (end.R - end.dp * end.R_slope) / (end.R * S * S)) / S;
+  }
   /// Let all but flow be in balance at lambda; the norm of X, B, W.
   double balance(const Start &start, const double tau, End &end) const;
   /// Derivative of x by the fibre's balance at constant lambda.
@@ -104,51 +110,87 @@ inline double Fibre::balance(const Start &start, const double tau, End &end) con
   return std::sqrt(end.X * end.X + 0.75 * end.B * end.B + 3. * end.W * end.W);
 }
 
-inline void Fibre::solve(const Start &start, const double tau, const double guess, End &end) const {
-  const double H = material.H;
-  end.lambda = end.dp = 0.;
-  end.R = material.yield(start.p);
-  end.R_slope = material.slope(start.p);
-  double S = balance(start, tau, end);
-  if (S <= end.R)
-    return;
-  const double X = end.X, others = S * S - X * X;
-  // R/S - 1 = 0 is nearly straight in dp; negative at 0, and it rises.
-  double low = 0., high = std::numeric_limits<double>::infinity();
-  end.dp = guess > 0. ? guess : (S - end.R) / (E + H + end.R_slope);
-  bool is_last = false;
-  for (int i = 0; i < 200; ++i) {
-    end.R = material.yield(start.p + end.dp);
-    end.R_slope = material.slope(start.p + end.dp);
-    end.lambda = end.dp / end.R;
-    double S_slope; // times -S, by lambda
-    if (creep == nullptr) {
-      const double of_X = 1. / (1. + (E + H) * end.lambda), of_others = 1. / (1. + H * end.lambda);
-      const double X2 = X * X * of_X * of_X, others2 = others * of_others * of_others;
-      S = std::sqrt(X2 + others2);
-      S_slope = (E + H) * X2 * of_X + H * others2 * of_others;
-    } else {
-      S = balance(start, tau, end);
-      const double x_slope = -E * end.X / (end.c * balance_slope(end));
-      S_slope =
-          (end.X * (H * end.X - x_slope) + H * (0.75 * end.B * end.B + 3. * end.W * end.W)) / end.c;
-    }
-    const double residual = end.R / S - 1.;
-    if (is_last || std::abs(residual) < 5e-16)
-      break;
-    (residual < 0. ? low : high) = end.dp;
-    const double slope =
-        (end.R_slope + S_slope * (end.R - end.dp * end.R_slope) / (end.R * S * S)) / S;
-    double next = end.dp - residual / slope;
+/// R/S - 1 = 0 is nearly straight in dp; negative at 0, and it rises.
+class Fibre::Search {
+public:
+  explicit Search(const double guess) : dp(guess) {}
+
+  double dp;
+
+  /// The next dp from the residual here and its slope; whether this one is good enough.
+  bool finds(const double residual, const double slope) {
+    if (is_last || std::abs(residual) < 5e-16 || n++ > 200)
+      return true;
+    (residual < 0. ? low : high) = dp;
+    double next = dp - residual / slope;
     const bool is_newton = next > low && next < high;
     if (!is_newton)
       next = std::isinf(high) ? 2. * low : (low + high) / 2.;
     // The residual is square in the step: after a small one, it is nothing.
-    is_last = std::abs(next - end.dp) <= (is_newton ? 1e-9 : 2e-16) * end.dp;
-    end.dp = next;
+    is_last = std::abs(next - dp) <= (is_newton ? 1e-9 : 2e-16) * dp;
+    dp = next;
+    return false;
   }
+
+private:
+  double low = 0., high = std::numeric_limits<double>::infinity();
+  bool is_last = false;
+  int n = 0;
+};
+
+inline void Fibre::solve(const Start &start, const double tau, const double guess, End &end) const {
+  end.lambda = end.dp = 0.;
+  end.R = material.yield(start.p);
+  end.R_slope = material.slope(start.p);
   if (creep == nullptr)
-    balance(start, tau, end);
+    return solve_plastic(start, tau, guess, end);
+  const double H = material.H;
+  double S = balance(start, tau, end);
+  if (S <= end.R)
+    return;
+  for (Search search(guess > 0. ? guess : (S - end.R) / (E + H + end.R_slope));;) {
+    end.dp = search.dp;
+    end.R = material.yield(start.p + end.dp);
+    end.R_slope = material.slope(start.p + end.dp);
+    end.lambda = end.dp / end.R;
+    S = balance(start, tau, end);
+    const double x_slope = -E * end.X / (end.c * balance_slope(end));
+    const double S_slope =
+        (end.X * (H * end.X - x_slope) + H * (0.75 * end.B * end.B + 3. * end.W * end.W)) /
+        end.c; // times -S, by lambda
+    if (search.finds(end.R / S - 1., residual_slope(end, S, S_slope)))
+      return;
+  }
+}
+
+inline void Fibre::solve_plastic(const Start &start, const double tau, const double guess,
+                                 End &end) const {
+  const double H = material.H;
+  const double X = start.trial - H * start.e, W = tau - H / 3. * start.g,
+               B = hoop - 4. / 3. * H * start.h;
+  const double others = 0.75 * B * B + 3. * W * W, square = X * X + others;
+  end.q = end.q_slope = end.primary = end.s = 0.;
+  double of_X = 1., of_others = 1.;
+  if (square > end.R * end.R)
+    for (Search search(guess > 0. ? guess : (std::sqrt(square) - end.R) / (E + H + end.R_slope));
+         ;) {
+      end.dp = search.dp;
+      end.R = material.yield(start.p + end.dp);
+      end.R_slope = material.slope(start.p + end.dp);
+      end.lambda = end.dp / end.R;
+      of_X = 1. / (1. + (E + H) * end.lambda);
+      of_others = 1. / (1. + H * end.lambda);
+      const double X2 = X * X * of_X * of_X, others2 = others * of_others * of_others;
+      const double S = std::sqrt(X2 + others2);
+      const double S_slope = (E + H) * X2 * of_X + H * others2 * of_others;
+      if (search.finds(end.R / S - 1., residual_slope(end, S, S_slope)))
+        break;
+    }
+  end.c = 1. + H * end.lambda;
+  end.X = X * of_X;
+  end.x = end.X * end.c + H * start.e;
+  end.W = W * of_others;
+  end.B = B * of_others;
 }
 
 inline Fibre::Tangent Fibre::plastic_tangent(const End &end) const {

@@ -166,6 +166,37 @@ void stretch_then_twist(const LawDescription &fibre) {
   CHECK_NEAR(exact, .64805427, 1e-7);
 }
 
+/// Torsion alone, at the apex of the limit surface, and what is bent there; and an elbow's limit.
+void torsion(const LawDescription &fibre, const LawDescription &whole) {
+  const Tube tube;
+  const double Tp = tube.A() * tube.r * tube.sy / std::sqrt(3.);
+  for (const char *const modulus : {"Isotropic modulus", "Kinematic modulus"})
+    for (const double H : {0., 2e9}) {
+      P probe(fibre, tube.values({{modulus, H}}));
+      CHECK(probe.move({0., 0., 0., .1, 0., 0.}));
+      // T/A/r = (sy + H g/sqrt3)/sqrt3, g the plastic shear strain r chi - tau/G
+      const double G = tube.E / 2.6;
+      CHECK_NEAR(probe.stress[P::T] / Tp,
+                 (1. + H * tube.r * .1 / (std::sqrt(3.) * tube.sy)) / (1. + H / (3. * G)), 1e-12);
+      CHECK(probe.move({0., 0., 0., .2, 0., 0.}));
+      if (H == 0.)
+        CHECK_NEAR(probe.stress[P::T] / Tp, 1., 1e-12);
+      CHECK(probe.move({0., 0., 0., .2, 1e-9, 0.})); // what is left of Q is as small
+      CHECK_NEAR(probe.stress[P::T] / Tp, H == 0. ? 1. : probe.stress[P::T] / Tp, 1e-9);
+      CHECK(probe.move({0., 0., 0., .3, .1, .05}));
+      const double m = std::hypot(probe.stress[P::My], probe.stress[P::Mz]) / tube.Mp();
+      if (H == 0.)
+        CHECK_NEAR(m * m + std::pow(probe.stress[P::T] / Tp, 2), 1., 3e-3);
+      CHECK(probe.stress[P::My] > 0. && probe.stress[P::Mz] > 0.);
+    }
+  P::Values values = tube.of_the_whole();
+  const double lambda = .2;
+  values["Bend radius"] = lambda * tube.r * tube.r / tube.t;
+  P elbow(whole, values);
+  CHECK(elbow.move({0., 0., 0., 0., 1., 0.}));
+  CHECK_NEAR(elbow.stress[P::My] / tube.Mp(), 1.125 * std::pow(lambda, 2. / 3.), 1e-12);
+}
+
 /// SSNL112: a clamped bar, thermal cycles.
 void thermal_cycles(const LawDescription &fibre, const LawDescription &whole) {
   const double E = 2e11, Et = 2e9, A = 5e-4, D = 0.05, t = D / 2. - std::sqrt(D * D / 4. - A / pi);
@@ -288,6 +319,7 @@ int main() {
   bending(fibre, whole);
   stretch_then_twist(fibre);
   thermal_cycles(fibre, whole);
+  torsion(fibre, whole);
   ratchets(fibre);
   directions(fibre);
   always_returns(whole);
