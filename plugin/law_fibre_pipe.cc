@@ -101,7 +101,10 @@ public:
       size = std::max(size, ring.size);
     }
     out.error = size > 0. ? error / size : 0.;
-    return LawStatus::ok;
+    return std::all_of(out.stress, out.stress + n_section_strains,
+                       [](const double s) { return std::isfinite(s); })
+               ? LawStatus::ok
+               : LawStatus::failed;
   }
 };
 
