@@ -65,11 +65,10 @@ public:
       return LawStatus::ok;
     }
 
-    Material material = pipe.material;
+    if (pipe.bursts)
+      return LawStatus::failed;
     const Creep creep(p + n_fibre_parameters + n_material_parameters, in.time, in.time_increment,
                       in.temperature);
-    if (!material.is_perfect() || creep.is_set)
-      material.raise_level_end(material.H > 0. ? 0. : 1e-8 * pipe.E);
     FibreStrains strain, old_strain = {};
     for (int k = 0; k < n_fibre_strains; ++k)
       strain[k] = in.strain[fibre_strain_place[k]];
@@ -90,7 +89,7 @@ public:
     const FibrePlaces places(at.fibres);
     double error = 0., size = 0.;
     for (int j = 0; j < at.rings; ++j) {
-      RingIncrement ring(pipe, places, j, material, creep.is_on ? &creep : nullptr, in.old_state);
+      RingIncrement ring(pipe, places, j, creep.is_on ? &creep : nullptr, in.old_state);
       if (!(creep.is_on ? ring.creep(old_strain, in.old_state[n_fibre_strains], strain)
                         : ring.step(strain)))
         return LawStatus::failed;

@@ -61,6 +61,9 @@ struct FibreLayout {
 
 constexpr int most_fibre_states = n_fibre_strains + 1 + 2 * (n_ring_states + most_fibres * 7);
 
+/// Over Young's modulus, of a curve with a level end: the shear's equation needs one.
+constexpr double least_slope = 1e-8;
+
 /// A pipe's figures at a temperature and under a pressure.
 struct FibrePipe {
   FibreLayout layout;
@@ -69,6 +72,7 @@ struct FibrePipe {
   double radius[2], area[2]; ///< of the rings, two Gauss points through the wall
   double rigidity[n_section_strains];
   bool is_possible;
+  bool bursts; ///< no stress along the pipe bears this pressure
 
   FibrePipe(const double *p, const double temperature, const double pressure)
       : layout(p), material(p + n_fibre_parameters, temperature) {
@@ -86,6 +90,9 @@ struct FibrePipe {
         area[j] = pi * radius[j] * t;
       }
     hoop = pressure * middle / t;
+    bursts = std::sqrt(0.75) * std::abs(hoop) >= material.largest(least_slope * E);
+    if (!material.is_perfect() || layout.creep >= 0)
+      material.raise_level_end(least_slope * E);
     double second_moment = 0.;
     for (int j = 0; j < layout.rings; ++j)
       second_moment += area[j] * radius[j] * radius[j];

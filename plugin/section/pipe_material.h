@@ -106,9 +106,15 @@ public:
 
   bool is_perfect() const { return H == 0. && n_points == 1 && slopes[0] == 0.; }
   bool hardens_isotropically() const { return n_points > 1 || slopes[0] > 0.; }
-  /// Give a level end of the curve this slope: then there is no largest stress.
-  void raise_level_end(const double slope) {
-    slopes[n_points - 1] = std::max(slopes[n_points - 1], slope);
+  /// Stress that is never reached, if there is no hardening to speak of; else infinity.
+  double largest(const double least_slope) const {
+    return std::max(H, slopes[n_points - 1]) > least_slope ? std::numeric_limits<double>::infinity()
+                                                           : stress[n_points - 1];
+  }
+  /// See to it that the metal hardens by this slope at least.
+  void raise_level_end(const double least_slope) {
+    if (H < least_slope)
+      slopes[n_points - 1] = std::max(slopes[n_points - 1], least_slope);
   }
 
   double first_yield() const { return stress[0]; }

@@ -20,10 +20,10 @@ using FibreStrains = double[n_fibre_strains];
 class RingIncrement {
 public:
   RingIncrement(const FibrePipe &pipe, const FibrePlaces &places, const int number,
-                const Material &material, const Creep *creep, const double *old_state)
+                const Creep *creep, const double *old_state)
       : pipe(pipe), places(places), number(number), n(pipe.layout.fibres), r(pipe.radius[number]),
-        ring(n, pipe.G, {material, creep, pipe.E, pipe.hoop}),
-        first(n, pipe.G, {material, creep, pipe.E, pipe.hoop}), old(old_state) {}
+        ring(n, pipe.G, {pipe.material, creep, pipe.E, pipe.hoop}),
+        first(n, pipe.G, {pipe.material, creep, pipe.E, pipe.hoop}), old(old_state) {}
 
   /// One implicit step; whether there is an answer.
   bool step(const FibreStrains &strain) {
