@@ -157,6 +157,8 @@ LawStatus LawInC::integrate(const LawInput &in, LawOutput &out) const noexcept {
   output.stress = out.stress;
   output.tangent = out.tangent;
   output.new_state = out.new_state;
+  output.stored_energy = out.stored_energy; // what it does not tell stays as it is
+  output.error = out.error;
   const int status = law.integrate(&input, &output);
   if (output.contact < FRICTIONBEAM_NONE || output.contact > FRICTIONBEAM_CLOSED)
     return LawStatus::failed;
