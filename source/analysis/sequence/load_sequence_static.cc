@@ -18,6 +18,7 @@ constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadr
 /// What an increment with all its halves gets before it is given up: three times as much as any
 /// case that was ever solved has taken.
 constexpr unsigned int most_iterations = 50000, most_halvings = 200;
+constexpr unsigned int most_halvings_of_creep = 50; // of an increment: a millionth of a billionth
 
 /// More where the user allows more.
 unsigned int most_iterations_of(const SolverSettings &settings) {
@@ -131,7 +132,8 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
                        std::to_string(most_halvings) + " halvings in all";
     return false;
   }
-  if (halvings == model.scene.solver.max_halvings) {
+  if (halvings >= model.scene.solver.max_halvings &&
+      (!statics->wants_shorter() || halvings == most_halvings_of_creep)) {
     report.remark = "stopped at time " + rounded_number(start, 6) + ": " + report.remark +
                     ", also after halving the increment " + std::to_string(halvings) + " times";
     judge_collapse(report);

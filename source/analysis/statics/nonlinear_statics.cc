@@ -74,9 +74,10 @@ bool NonlinearStatics::is_solved(Approach &at, const ContactResponse &response,
   return is_balanced(model, at.balance.stiffness, size, at.largest, at.pose, rounding, scale);
 }
 
-bool NonlinearStatics::follows_creep(const Approach &at, EquilibriumResult &result) const {
+bool NonlinearStatics::follows_creep(const Approach &at, EquilibriumResult &result) {
   const double allowed = model.scene.solver.creep_tolerance;
-  if (at.balance.section_error <= allowed)
+  too_long = at.balance.section_error > allowed;
+  if (!too_long)
     return true;
   result.remark = "the increment is too long for creep: a stress would be off by " +
                   rounded_number(at.balance.section_error, 2) + " of itself, Creep tolerance is " +
@@ -97,6 +98,7 @@ bool NonlinearStatics::move(const Vector &change, Approach &at) const {
 EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticIncrement &increment,
                                           LineState &to, ContactResponse &response) {
   Approach at = begin(from, increment);
+  too_long = false;
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
@@ -105,8 +107,10 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     interruption::end_if_overdue();
     // Sections that yield begin with what they would do elastically, whatever they did before.
     evaluate(at, result.iterations == 0);
-    if (!at.forces.allFinite()) {
-      result.remark = "the iteration diverges";
+    if (at.balance.failed || !at.forces.allFinite()) {
+      result.remark = at.balance.failed ? "a section that yields or creeps has no answer"
+                                        : "the iteration diverges";
+      remember_failure(at);
       return result;
     }
     if (judged && is_solved(at, response, result)) {

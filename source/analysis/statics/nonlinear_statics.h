@@ -32,6 +32,7 @@ public:
   }
   std::optional<Collapse> collapse(const LineState &at, const std::vector<double> &begin,
                                    const std::vector<double> &end) const override;
+  bool wants_shorter() const override { return too_long; }
   void transfer(Archive &) override {} // every increment begins anew
 
 private:
@@ -52,7 +53,7 @@ private:
   /// Whether the contacts' forces at this pose balance the line's; how well goes into the result.
   bool is_solved(Approach &at, const ContactResponse &response, EquilibriumResult &result) const;
   /// Whether the increment is short enough for creep; if not, the result's remark says so.
-  bool follows_creep(const Approach &at, EquilibriumResult &result) const;
+  bool follows_creep(const Approach &at, EquilibriumResult &result);
   /// Go on by the change of the unknowns, or by a part of it if vertices would turn too far.
   /// @return whether by all of it
   bool move(const Vector &change, Approach &at) const;
@@ -65,6 +66,7 @@ private:
   /// Of all degrees of freedom, without what was imposed: of the last increment that was solved, of
   /// the last that was not, and where its tangent is softest.
   Vector last_motion, failed_motion, soft_motion;
+  bool too_long = false; ///< the last increment, for creep
 };
 
 } // namespace frictionbeam

@@ -42,6 +42,8 @@ public:
   /// Whether the line would leave a state by itself, at the least push, even if every contact that
   /// is closed held it.
   virtual bool is_unstable(const LineState &) const { return false; }
+  /// Whether the last increment had a solution, and was only too long for what creeps.
+  virtual bool wants_shorter() const { return false; }
   /// Of a line that has found no equilibrium any more on the way between two load cases: whether
   /// its last motion is that of a mechanism.
   virtual std::optional<Collapse> collapse(const LineState &, const std::vector<double> &,

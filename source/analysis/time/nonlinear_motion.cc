@@ -118,8 +118,9 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
   for (;;) {
     interruption::end_if_overdue();
     evaluate(state, step);
-    if (!step.residual.allFinite()) {
-      result.remark = "the iteration diverges";
+    if (step.balance.failed || !step.residual.allFinite()) {
+      result.remark = step.balance.failed ? "a section that yields or creeps has no answer"
+                                          : "the iteration diverges";
       return result;
     }
     if (judged) {

@@ -58,6 +58,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
             balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
   balance.largest = balance.free = balance.free_work = balance.damping = 0.;
   balance.section_error = 0.;
+  balance.failed = false;
   CellAnswer of_cell;
   if (sections.any()) {
     Assert(step.from.sections != nullptr, ExcMessage("A pose of such a line has states."));
@@ -76,6 +77,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
     balance.free = std::max(balance.free, of_cell.free.lpNorm<Eigen::Infinity>());
     balance.free_work += of_cell.free_work;
     balance.damping += of_cell.damping;
+    balance.failed = balance.failed || of_cell.failed;
     balance.section_error = std::max(balance.section_error, of_cell.section_error);
   }
   add_springs(step, balance);
@@ -245,8 +247,7 @@ void LineCells::integrate_sections(const unsigned int cell, const Vector12 &befo
     else
       sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic);
   }
-  if (inelastic.failed) // no answer: the iteration sees that it is none
-    inelastic.after.setConstant(std::numeric_limits<double>::quiet_NaN());
+  answer.failed = inelastic.failed;
   answer.section_error = inelastic.error;
   answer.free_work = inelastic.free_work;
 }

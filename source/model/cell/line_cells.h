@@ -70,6 +70,7 @@ public:
     double free_work = 0.;  ///< of free strains from the first to the last pose [J]
     double damping = 0.;    ///< lost to viscous forces, which are internal ones [J]
     Vector sections;        ///< states of sections with a law, at the end
+    bool failed = false;    ///< whether a section has no answer
     double section_error =
         0.; ///< what the increment's length leaves in a section's stress, a share
   };
@@ -173,6 +174,7 @@ protected:
     Vector12 internal, loads, free; ///< the last: forces that free strains would need, held
     Matrix12 stiffness;
     double free_work = 0., damping = 0., section_error = 0.;
+    bool failed = false;
     Vector *sections = nullptr; ///< states at the end, where there are any
   };
   virtual void answer(const unsigned int cell, const Step &step, const std::vector<double> &factors,

@@ -165,12 +165,15 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
   answer = {};
   SectionChain::Solution solution;
   std::vector<Vector6> free;
+  const double *const of_cell_before = old.data() + cell.first_value + 12;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     free.push_back(surroundings.curvature * cell.curvature[q]);
     free.back()[0] += surroundings.axial_strain;
     Vector6 before = Values(old.data() + place_of(cell, q) + strain);
     before[0] -= old[place_of(cell, q) + thrust] / cell.profile.EA;
-    solution.strain.push_back(before + cell.B[q] * (to - from));
+    solution.strain.push_back(before + cell.B[q] * (to - from) -
+                              (surroundings.curvature - of_cell_before[1]) * cell.curvature[q]);
+    solution.strain.back()[0] -= surroundings.axial_strain - of_cell_before[0];
   }
   const auto law = [&](const unsigned int q, const Vector6 &strain_of_point, Vector6 &result,
                        SectionChain::Matrix6 &tangent) {

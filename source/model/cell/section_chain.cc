@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 namespace frictionbeam {
 
@@ -14,6 +15,9 @@ using Vector6 = SectionChain::Vector6;
 using Matrix6 = SectionChain::Matrix6;
 
 constexpr unsigned int most_iterations = 60;
+/// Of the elastic stiffness. Where all sections flow, nothing says which of them goes how far: with
+/// so little more stiffness they share evenly.
+constexpr double least_stiffness = 1e-8;
 constexpr double solved_to = 1e-13, as_good_as_rounding = 1e-10; // relative
 
 /// Of a section's stiffness, zero for its rigid components.
@@ -60,7 +64,8 @@ struct SectionChain::Linear {
       right[row] = left_over[i] / s;
       for (int j = 0; j < 6; ++j) {
         if (chain.scale[j] > 0.)
-          matrix(row, 6 * q + j) = tangent(i, j) / (s * chain.scale[j]);
+          matrix(row, 6 * q + j) =
+              tangent(i, j) / (s * chain.scale[j]) + (i == j ? least_stiffness : 0.);
         const double b = point.b(i, j) * chain.beta_scale[j] / s;
         matrix(row, n + j) = -b;
         matrix(n + j, row) = point.length * b;
@@ -185,6 +190,14 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
       better = evaluate() && merit() < before;
     }
     if (!better) {
+      if (getenv("CHAIN")) {
+        std::cerr << "chain stalls " << iteration << " merit " << before << " r2 "
+                  << linear.right.tail<6>().transpose() << " beta " << beta.transpose() << "\n";
+        for (unsigned q = 0; q < n_points; ++q)
+          std::cerr << " q" << q << " e " << strain[q].transpose() << " r "
+                    << linear.right.segment<6>(6 * q).transpose() << "\n  C "
+                    << tangent[q].diagonal().transpose() << "\n";
+      }
       if (!is_solved(as_good_as_rounding))
         return;
       break;
