@@ -22,10 +22,11 @@ enum CreepParameter {
 };
 
 constexpr LawParameter creep_parameters[n_creep_parameters] = {
-    {"Creep coefficient", "1/(Pa^n s)", 0., 0., 1e300, "B of the creep rate B s^n; 0: none"},
+    {"Creep coefficient", "1/(Pa^n s)", 0., 0., 1e300,
+     "B of the creep rate B s^n, s in Pa whatever the units; 0: none"},
     {"Creep exponent", "-", 1., 1., 100., "n"},
     {"Primary creep coefficient", "1/(Pa^k s^m)", 0., 0., 1e300,
-     "C of the creep strain C s^k t^m at constant stress, which is added; 0: none"},
+     "C of the creep strain C s^k t^m at constant stress, which is added, in Pa and s; 0: none"},
     {"Primary creep exponent", "-", 1., 1., 100., "k"},
     {"Primary time exponent", "-", 1., 1e-3, 1., "m"},
     {"Primary hardening", "-", 0., 0., 1.,

@@ -22,6 +22,7 @@ struct Fibre {
     double trial;      ///< x if nothing flows
     double e, g, h, p; ///< plastic strains of the back stress; accumulated
     double primary;    ///< creep strain, at the start of the increment
+    double share;      ///< of the increment's creep that belongs to the stage
   };
 
   /// At its end.
@@ -45,11 +46,20 @@ struct Fibre {
   const Material &material;
   const Creep *creep; ///< null: none
   double E, hoop;
-  double share = 1.; ///< of the increment's creep that belongs to the stage
 
   /// @param guess of dp; 0: that of tension.
   void solve(const Start &start, const double tau, const double guess, End &end) const;
   Response change(const End &end, const double tau, const Change &given) const;
+
+  /// A stress in tension that creeps away for this share of the increment, implicitly.
+  double relaxed(const double stress, const double primary, const double share) const {
+    Fibre alone = *this;
+    alone.hoop = 0.;
+    End end;
+    end.lambda = 0.;
+    alone.balance({stress, 0., 0., 0., 0., primary, share}, 0., end);
+    return end.x;
+  }
 
   /// Without creep: stress by trial and by tau; shear by tau. Shear by trial is -x_by_tau / E.
   struct Tangent {
@@ -86,9 +96,9 @@ inline double Fibre::balance(const Start &start, const double tau, End &end) con
     for (int i = 0; i < 200; ++i) { // in the logarithm of x, from above
       end.s = std::sqrt(end.x * end.x + others);
       const Creep::Dose dose = (*creep)(end.s, start.primary);
-      end.q = end.s > 0. ? share * dose.total / end.s : share * dose.slope;
-      end.q_slope = end.s > 0. ? (share * dose.slope - end.q) / end.s : 0.;
-      end.primary = share * dose.primary;
+      end.q = end.s > 0. ? start.share * dose.total / end.s : start.share * dose.slope;
+      end.q_slope = end.s > 0. ? (start.share * dose.slope - end.q) / end.s : 0.;
+      end.primary = start.share * dose.primary;
       if (load == 0.)
         break;
       const double all = factor + E * end.q;
