@@ -269,6 +269,49 @@ void directions(const LawDescription &fibre) {
   }
 }
 
+/// Work of the stress less dissipation and gain of stored energy, under a large pressure that
+/// stays, over the work; half of it remains with increments half as long.
+double lost_energy(const LawDescription &law, const P::Values &values, const double pressure,
+                   const int n_steps) {
+  P probe(law, values);
+  probe.increment.pressure = pressure;
+  CHECK(probe.evaluate());
+  double work = 0., kept = 0., begin = probe.stored;
+  P::Six last_stress = probe.stress, last_strain{};
+  for (int step = 1; step <= n_steps; ++step) {
+    const double place = 4. * step / n_steps, bend = std::sin(2. * place), pull = std::sin(place);
+    const P::Six strain{2e-3 * pull, 0., 0., 4e-2 * bend, 3e-2 * pull, 1e-2 * bend};
+    CHECK(probe.move(strain) && probe.dissipation >= 0.);
+    double one = 0.;
+    for (int i = 0; i < 6; ++i)
+      one += (probe.stress[i] + last_stress[i]) / 2. * (strain[i] - last_strain[i]);
+    work += std::abs(one);
+    kept += one - probe.dissipation;
+    last_stress = probe.stress;
+    last_strain = strain;
+  }
+  return (kept - (probe.stored - begin)) / work;
+}
+
+void energies(const LawDescription &fibre, const LawDescription &whole) {
+  const Tube tube;
+  for (const double hoop : {0., .5, -.5})
+    for (const P::Values &hardening :
+         {P::Values{{"Isotropic modulus", 4e10}}, P::Values{{"Kinematic modulus", 4e10}},
+          P::Values{{"Hardening strain 1", 1e-3}, {"Hardening stress 1", 3e8}}})
+      for (const LawDescription *const law : {&fibre, &whole}) {
+        P::Values values = law == &fibre ? tube.values({{"Fibres", 15.}}) : tube.of_the_whole();
+        values.insert(hardening.begin(), hardening.end());
+        if (law == &whole)
+          values["Pressure coefficient"] = .9;
+        const double pressure = tube.pressure(hoop * tube.sy);
+        const double once = lost_energy(*law, values, pressure, 1000),
+                     twice = lost_energy(*law, values, pressure, 2000);
+        near("energy, extrapolated", 2. * twice - once, 0., 5e-5);
+        CHECK(std::abs(twice) < 1e-2);
+      }
+}
+
 /// The return of the global law ends on the yield surface whatever it is given.
 void always_returns(const LawDescription &whole) {
   std::mt19937 random(7);
@@ -322,6 +365,7 @@ int main() {
   torsion(fibre, whole);
   ratchets(fibre);
   directions(fibre);
+  energies(fibre, whole);
   always_returns(whole);
   return check::report();
 }
