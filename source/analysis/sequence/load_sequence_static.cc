@@ -18,6 +18,7 @@ constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadr
 /// What an increment with all its halves gets before it is given up: three times as much as any
 /// case that was ever solved has taken.
 constexpr unsigned int most_iterations = 50000, most_halvings = 200;
+constexpr double widest_limit = 1.1; // bound over what was carried, to be called a limit
 constexpr unsigned int most_halvings_of_creep = 50; // of an increment: a millionth of a billionth
 
 /// More where the user allows more.
@@ -58,8 +59,9 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
                            : start + declared_step.duration * i / declared_step.n_increments;
     if (!follow_to(end, i == declared_step.n_increments, target)) {
       StepReport &report = step_reports.back();
-      if (!declared_step.finds_limit || !report.limit)
-        return false;
+      if (!declared_step.finds_limit || !report.limit ||
+          !(report.limit->bound <= widest_limit * report.limit->reached))
+        return false; // it was not the loads
       report.no_equilibrium = false;
       report.remark.clear();
       i = declared_step.n_increments; // it ends here

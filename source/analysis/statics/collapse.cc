@@ -39,13 +39,15 @@ double pipe_power(const Model &model, const unsigned int index, const LineState 
                   const Vector &motion) {
   const LineCells &cells = model.cells;
   const Pose pose = pose_of(at);
-  if (cells.pipe_sections().has(index))
-    return cells.pipe_sections().plastic_power(index, cells.motions_of_cell(index, pose, motion),
-                                               cells.surroundings(index, at.load_factors));
   PipeElement element(model.discretization);
   const auto cell = model.discretization.pipe_cell(index);
   element.reinit(cell);
-  const LineCells::Vector12 ends = cells.state_of(index, element, pose, at.load_factors).ends;
+  const LineCells::CellState state = cells.state_of(index, element, pose, at.load_factors);
+  if (cells.pipe_sections().has(index))
+    return cells.pipe_sections().plastic_power(
+        index, state.motions, cells.motions_of_cell(index, pose, motion),
+        cells.surroundings(index, at.load_factors), at.sections);
+  const LineCells::Vector12 &ends = state.ends;
   std::vector<dealii::types::global_dof_index> dofs(12);
   cell->get_dof_indices(dofs);
   double work = 0.;

@@ -21,9 +21,8 @@ struct Collapse {
  * The last motion of a line before it found no equilibrium any more, taken for a mechanism: loads
  * P_0 + c (P_1 - P_0) do more work on it than the pipes can dissipate from
  *   c = (D - P_0 . du) / ((P_1 - P_0) . du)
- * on, D what their sections dissipate at the utmost at strains of that direction, without those of
- * shear, which vanish in a mechanism, and what contacts do at their present forces. D is without
- * bound where a section hardens.
+ * on, D what their cells dissipate at the utmost on it, and what contacts do at their present
+ * forces. D is without bound where a section hardens.
  *
  * @param motion of all degrees of freedom @param begin, end factors of the loads
  * @return nothing where that motion does not gain from the loads

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -249,44 +250,35 @@ double PipeSections::dissipated(const Vector &states) const {
   return result;
 }
 
-double PipeSections::plastic_power(const unsigned int index, const Vector12 &motions,
-                                   const Surroundings &surroundings) const {
-  constexpr double far = 1e5; // of the strain at which it begins to yield
-  constexpr double none = std::numeric_limits<double>::infinity();
+double PipeSections::plastic_power(const unsigned int index, const Vector12 &at,
+                                   const Vector12 &motion, const Surroundings &surroundings,
+                                   const Vector &states) const {
+  constexpr double far = 100.; // times the motion at which it begins to yield
+  constexpr double same = 1e-3, none = std::numeric_limits<double>::infinity();
   const Cell &cell = *cells[index];
-  const BoundLaw &law = cell.profile.law;
-  LawIncrement increment;
-  increment.temperature = surroundings.temperature;
-  increment.pressure = surroundings.pressure;
-  const std::vector<double> rest(law.n_internal_variables() + 1, 0.);
-  std::vector<double> states(rest.size());
-  const Vector6 no_rate = Vector6::Zero();
-  double power = 0.;
-  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
-    Vector6 direction = cell.B[q] * motions;
-    direction.segment<2>(1).setZero();
-    const double bound = law.elastic_bound(direction.data(), 1., increment);
-    if (!(bound > 0.)) // nothing is strained
-      continue;
-    if (std::isinf(bound))
-      return none;
-    double of_point[2];
-    for (const int further : {0, 1}) { // hardening shows in twice the strain
-      const double length = (1 + further) * far / bound;
-      const Vector6 there = length * direction;
-      Vector6 result;
-      LawOutput output{result.data(), nullptr, states.data(), 0., ContactStatus::none};
-      if (law.integrate(there.data(), no_rate.data(), 1., increment, rest.data(), LawTangent::none,
-                        output) != LawStatus::ok)
-        return none;
-      of_point[further] = result.dot(direction);
-    }
-    constexpr double same = 1e-3;
-    if (!(of_point[1] <= (1. + same) * of_point[0]))
-      return none;
-    power += cell.chain[q].length * of_point[1];
+  double bound = 0.;
+  for (const auto &B : cell.B) {
+    const Vector6 direction = B * motion;
+    bound = std::max(bound, cell.profile.law.elastic_bound(direction.data(), 1., {}));
   }
-  return power;
+  if (bound == 0. || std::isinf(bound))
+    return bound == 0. ? 0. : none;
+  Vector there = states;
+  Vector12 place = at;
+  const double length = far / bound;
+  std::array<double, 4> work{};
+  for (double &so_far : work) {
+    const Vector begin = there;
+    const Vector12 end = place + length * motion;
+    Answer answer;
+    integrate(index, place, end, surroundings, {}, begin, there, answer);
+    if (answer.failed)
+      return none;
+    place = end;
+    so_far = sum(cell, there, stored) + sum(cell, there, lost);
+  }
+  const double power = (work[2] - work[1]) / length;
+  return work[3] - work[2] <= (1. + same) * (work[2] - work[1]) ? power : none;
 }
 
 std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index,

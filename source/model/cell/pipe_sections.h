@@ -78,13 +78,13 @@ public:
   double dissipated(const Vector &states) const;
 
   /**
-   * What a cell's sections dissipate at the utmost at strains of this direction: the stress at
-   * strains so large that the elastic ones do not count, times the strains [J per unit of them].
-   * Infinite where a section hardens without end, or does not say when it is elastic.
-   * @param motions of the ends; shear strains that they make are left out
+   * What a cell dissipates at the utmost on a motion: work by unit of it, so far along that what is
+   * stored does not count [J]. Infinite where it hardens without end, or does not say when it is
+   * elastic.
+   * @param at motions of the ends at present, @param motion their change
    */
-  double plastic_power(const unsigned int cell, const Vector12 &motions,
-                       const Surroundings &surroundings) const;
+  double plastic_power(const unsigned int cell, const Vector12 &at, const Vector12 &motion,
+                       const Surroundings &surroundings, const Vector &states) const;
 
   /// A section's place on the line and what its law tells of its state.
   struct Report {

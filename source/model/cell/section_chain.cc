@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace frictionbeam {
 
@@ -14,7 +13,8 @@ namespace {
 using Vector6 = SectionChain::Vector6;
 using Matrix6 = SectionChain::Matrix6;
 
-constexpr unsigned int most_iterations = 60;
+constexpr unsigned int most_iterations = 100, most_searches = 40;
+constexpr double most_overshoot = 0.5;
 /// Of the elastic stiffness. Where all sections flow, nothing says which of them goes how far: with
 /// so little more stiffness they share evenly.
 constexpr double least_stiffness = 1e-8;
@@ -72,11 +72,6 @@ struct SectionChain::Linear {
       }
     }
   }
-  double residual() const {
-    return std::max(right.head(n).lpNorm<Eigen::Infinity>(),
-                    right.tail<6>().lpNorm<Eigen::Infinity>());
-  }
-
   const SectionChain &chain;
   const int n;
   Eigen::MatrixXd matrix;
@@ -146,9 +141,11 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
           size_of_stress = std::max({size_of_stress, std::abs(stress[q][i]) / scale[i],
                                      std::abs(strain[q][i]) * scale[i]});
         for (int j = 0; j < 6; ++j) {
-          const double part = point.length * point.b(i, j) * (strain[q][i] + free[q][i]);
-          missing[j] -= part;
-          size_of_motion = std::max(size_of_motion, std::abs(part) * beta_scale[j]);
+          const double lever = point.length * point.b(i, j);
+          missing[j] -= lever * (strain[q][i] + free[q][i]);
+          size_of_motion =
+              std::max(size_of_motion, std::abs(lever) * beta_scale[j] *
+                                           (std::abs(strain[q][i]) + std::abs(free[q][i])));
         }
       }
       linear.set(q, carried - stress[q], tangent[q]);
@@ -157,10 +154,15 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
       linear.right[linear.n + j] = missing[j] * beta_scale[j];
     return true;
   };
-  const auto merit = [&]() {
-    double sum = linear.right.tail<6>().squaredNorm();
+  // Of what the sections store and dissipate less the work of the load, which is least at the
+  // solution among all strains of these motions: its slope along a direction.
+  const auto slope = [&](const std::vector<Vector6> &direction) {
+    double sum = 0.;
     for (unsigned int q = 0; q < n_points; ++q)
-      sum += points[q].length * linear.right.segment<6>(6 * q).squaredNorm();
+      for (int i = 0; i < 6; ++i)
+        if (scale[i] > 0.)
+          sum += points[q].length * direction[q][i] *
+                 (stress[q][i] - points[q].load_stress.row(i).dot(load));
     return sum;
   };
   const auto is_solved = [&](const double to) {
@@ -178,29 +180,37 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
     if (!change.allFinite())
       return;
     const std::vector<Vector6> strain_before = strain;
-    const Vector6 beta_before = beta;
-    const double before = merit();
-    bool better = false;
-    for (double length = 1.; length > 1e-3 && !better; length /= 2.) {
+    std::vector<Vector6> direction(n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+      for (int i = 0; i < 6; ++i)
+        direction[q][i] = scale[i] > 0. ? change[6 * q + i] / scale[i] : 0.;
+    beta += beta_scale.cwiseProduct(change.tail<6>());
+    const auto go = [&](const double length) {
       for (unsigned int q = 0; q < n_points; ++q)
-        for (int i = 0; i < 6; ++i)
-          strain[q][i] =
-              strain_before[q][i] + (scale[i] > 0. ? length * change[6 * q + i] / scale[i] : 0.);
-      beta = beta_before + length * beta_scale.cwiseProduct(change.tail<6>());
-      better = evaluate() && merit() < before;
-    }
-    if (!better) {
-      if (getenv("CHAIN")) {
-        std::cerr << "chain stalls " << iteration << " merit " << before << " r2 "
-                  << linear.right.tail<6>().transpose() << " beta " << beta.transpose() << "\n";
-        for (unsigned q = 0; q < n_points; ++q)
-          std::cerr << " q" << q << " e " << strain[q].transpose() << " r "
-                    << linear.right.segment<6>(6 * q).transpose() << "\n  C "
-                    << tangent[q].diagonal().transpose() << "\n";
-      }
-      if (!is_solved(as_good_as_rounding))
+        strain[q] = strain_before[q] + length * direction[q];
+      return evaluate();
+    };
+    const double at_start = slope(direction);
+    if (!go(1.))
+      return;
+    // Not beyond the least of it by more than a part of the way down; the first step is the one
+    // that gives the sections the motion.
+    const double allowed = most_overshoot * std::abs(at_start);
+    double low = 0., high = 1., of_low = at_start, of_high = slope(direction);
+    for (unsigned int k = 0;
+         iteration > 0 && at_start < 0. && of_high > allowed && k < most_searches; ++k) {
+      double length = low - of_low * (high - low) / (of_high - of_low);
+      if (k % 2 == 1) // a plateau would hold the secant at one end
+        length = std::sqrt(std::max(low, 1e-3 * high) * high);
+      if (!go(length))
         return;
-      break;
+      const double here = slope(direction);
+      if (std::abs(here) <= allowed)
+        break;
+      (here < 0. ? low : high) = length;
+      (here < 0. ? of_low : of_high) = here;
+      if (here < 0. && high - low < 1e-3 * high)
+        break;
     }
   }
   if (!is_solved(as_good_as_rounding))
