@@ -35,8 +35,8 @@ double contact_power(const Model &model, const LineState &at, const Vector &moti
 }
 
 /// Of an elastic pipe, the work of its present forces: it takes next to no part in a mechanism.
-double pipe_power(const Model &model, const unsigned int index, const LineState &at,
-                  const Vector &motion) {
+PipeSections::Flow flow_of(const Model &model, const unsigned int index, const LineState &at,
+                           const Vector &motion) {
   const LineCells &cells = model.cells;
   const Pose pose = pose_of(at);
   PipeElement element(model.discretization);
@@ -44,7 +44,7 @@ double pipe_power(const Model &model, const unsigned int index, const LineState 
   element.reinit(cell);
   const LineCells::CellState state = cells.state_of(index, element, pose, at.load_factors);
   if (cells.pipe_sections().has(index))
-    return cells.pipe_sections().plastic_power(
+    return cells.pipe_sections().plastic_flow(
         index, state.motions, cells.motions_of_cell(index, pose, motion),
         cells.surroundings(index, at.load_factors), at.sections);
   const LineCells::Vector12 &ends = state.ends;
@@ -53,7 +53,7 @@ double pipe_power(const Model &model, const unsigned int index, const LineState 
   double work = 0.;
   for (unsigned int i = 0; i < 12; ++i)
     work += ends[i] * motion[dofs[i]];
-  return std::abs(work);
+  return {std::abs(work)};
 }
 
 std::string place_in_words(const Model &model, const unsigned int index) {
@@ -100,16 +100,21 @@ std::optional<Collapse> find_collapse(const Model &model, const LineState &at, c
                                       const std::vector<double> &begin,
                                       const std::vector<double> &end) {
   const Vector first = loads_at(model, at, begin), last = loads_at(model, at, end);
-  const double by_first = first.dot(motion), gain = (last - first).dot(motion);
-  if (!(gain > 0.))
-    return {};
+  double by_first = first.dot(motion), gain = (last - first).dot(motion);
   std::vector<Hinge> hinges;
   double power = contact_power(model, at, motion), of_pipes = 0.;
   for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i) {
-    hinges.push_back({i, pipe_power(model, i, at, motion)});
+    const PipeSections::Flow flow = flow_of(model, i, at, motion);
+    hinges.push_back({i, flow.power});
+    const Eigen::Vector3d load_first = model.cells.surroundings(i, begin).line_force,
+                          load_last = model.cells.surroundings(i, end).line_force;
+    by_first += load_first.dot(flow.interior);
+    gain += (load_last - load_first).dot(flow.interior);
     of_pipes += hinges.back().power;
   }
   power += of_pipes;
+  if (!(gain > 0.))
+    return {};
   return Collapse{(power - by_first) / gain, words_of(model, hinges, at, of_pipes)};
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -95,6 +96,30 @@ bool NonlinearStatics::move(const Vector &change, Approach &at) const {
   return part == 1.;
 }
 
+void NonlinearStatics::search(const Pose &from, const Vector &moved, const Vector &change,
+                              const double slope, Approach &at) const {
+  constexpr double most_overshoot = 0.5; // of the slope at the start
+  constexpr unsigned int most_searches = 20;
+  Vector dofs;
+  model.space.expand(change, dofs);
+  const auto slope_at = [&](const double length) {
+    at.moved = moved + length * change;
+    at.pose = model.cells.moved(from, length * dofs);
+    evaluate(at, false);
+    return at.balance.failed ? std::numeric_limits<double>::max() : -at.forces.dot(change);
+  };
+  double low = 0., high = 1., of_low = slope, of_high = slope_at(1.);
+  for (unsigned int k = 0; k < most_searches && of_high > most_overshoot * std::abs(slope); ++k) {
+    const double secant = low - of_low * (high - low) / (of_high - of_low),
+                 length = k % 2 == 0 && secant > 0.01 * high ? secant : (low + high) / 2.,
+                 here = slope_at(length);
+    if (std::abs(here) <= most_overshoot * std::abs(slope))
+      return;
+    (here < 0. ? low : high) = length;
+    (here < 0. ? of_low : of_high) = here;
+  }
+}
+
 EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticIncrement &increment,
                                           LineState &to, ContactResponse &response) {
   Approach at = begin(from, increment);
@@ -102,11 +127,16 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
+  // The potential of what yields has one least in small displacements without contacts.
+  const bool may_search =
+      model.cells.pipe_sections().any() && !model.cells.turns_far() && model.contacts.size() == 0;
+  bool is_searched = false;
   std::vector<Contact::Strains> contact_forces = from.contact_stress;
   for (;;) {
     interruption::end_if_overdue();
     // Sections that yield begin with what they would do elastically, whatever they did before.
-    evaluate(at, result.iterations == 0);
+    if (!judged || !is_searched)
+      evaluate(at, result.iterations == 0);
     if (at.balance.failed || !at.forces.allFinite()) {
       result.remark = at.balance.failed ? "a section that yields or creeps has no answer"
                                         : "the iteration diverges";
@@ -136,7 +166,12 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       return result;
     }
     contact_forces = response.stress;
+    const Vector forces = at.forces, moved = at.moved;
+    const Pose pose = at.pose;
     judged = move(change, at);
+    is_searched = judged && result.iterations > 1 && may_search;
+    if (is_searched)
+      search(pose, moved, change, -forces.dot(change), at);
   }
 }
 

@@ -250,11 +250,13 @@ double PipeSections::dissipated(const Vector &states) const {
   return result;
 }
 
-double PipeSections::plastic_power(const unsigned int index, const Vector12 &at,
-                                   const Vector12 &motion, const Surroundings &surroundings,
-                                   const Vector &states) const {
+PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Vector12 &at,
+                                              const Vector12 &motion,
+                                              const Surroundings &surroundings,
+                                              const Vector &states) const {
   constexpr double far = 100.; // times the motion at which it begins to yield
-  constexpr double same = 1e-3, none = std::numeric_limits<double>::infinity();
+  constexpr double same = 1e-3;
+  const Flow none{std::numeric_limits<double>::infinity()};
   const Cell &cell = *cells[index];
   double bound = 0.;
   for (const auto &B : cell.B) {
@@ -262,11 +264,12 @@ double PipeSections::plastic_power(const unsigned int index, const Vector12 &at,
     bound = std::max(bound, cell.profile.law.elastic_bound(direction.data(), 1., {}));
   }
   if (bound == 0. || std::isinf(bound))
-    return bound == 0. ? 0. : none;
+    return bound == 0. ? Flow() : none;
   Vector there = states;
   Vector12 place = at;
   const double length = far / bound;
   std::array<double, 4> work{};
+  Flow flow;
   for (double &so_far : work) {
     const Vector begin = there;
     const Vector12 end = place + length * motion;
@@ -276,9 +279,14 @@ double PipeSections::plastic_power(const unsigned int index, const Vector12 &at,
       return none;
     place = end;
     so_far = sum(cell, there, stored) + sum(cell, there, lost);
+    flow.interior = -cell.carried.transpose() * motion;
+    for (unsigned int q = 0; q < cell.chain.size(); ++q)
+      flow.interior += cell.chain[q].length / length * cell.chain[q].load_stress.transpose() *
+                       (Values(there.data() + place_of(cell, q) + strain) -
+                        Values(begin.data() + place_of(cell, q) + strain));
   }
-  const double power = (work[2] - work[1]) / length;
-  return work[3] - work[2] <= (1. + same) * (work[2] - work[1]) ? power : none;
+  flow.power = (work[2] - work[1]) / length;
+  return work[3] - work[2] <= (1. + same) * (work[2] - work[1]) ? flow : none;
 }
 
 std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index,

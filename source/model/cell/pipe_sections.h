@@ -83,8 +83,14 @@ public:
    * elastic.
    * @param at motions of the ends at present, @param motion their change
    */
-  double plastic_power(const unsigned int cell, const Vector12 &at, const Vector12 &motion,
-                       const Surroundings &surroundings, const Vector &states) const;
+  struct Flow {
+    double power = 0.;
+    /// Integral of the displacement that the ends' motions leave out [m2]: a load per length does
+    /// work on it.
+    Eigen::Vector3d interior = Eigen::Vector3d::Zero();
+  };
+  Flow plastic_flow(const unsigned int cell, const Vector12 &at, const Vector12 &motion,
+                    const Surroundings &surroundings, const Vector &states) const;
 
   /// A section's place on the line and what its law tells of its state.
   struct Report {
