@@ -118,6 +118,15 @@ double fibre_bound(const LawInput &in) {
   return pipe.layout.creep >= 0 ? std::max(1., bound) : bound;
 }
 
+const char *fibre_fault(const double *p) {
+  const int n = static_cast<int>(std::lround(p[section::n_fibres]));
+  if (n < 15 && n % 2 == 0)
+    return "an odd number of fibres, or 15 and more: an even number so small depends on the "
+           "direction of bending, take one more in 'Fibres'";
+  return section::fault_of(p + section::n_fibre_parameters, p[section::outside_diameter],
+                           p[section::wall_thickness]);
+}
+
 void fibre_report(const LawInput &in, const double *state, SectionReport &report) {
   using namespace section;
   const FibrePipe pipe(in.parameters, in.temperature, in.pressure);
@@ -161,4 +170,5 @@ const frictionbeam::LawDescription frictionbeam_law = {
     &n_fibre_states,
     &fibre_bound,
     nullptr,
-    &fibre_report};
+    &fibre_report,
+    &fibre_fault};

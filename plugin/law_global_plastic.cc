@@ -240,6 +240,10 @@ double global_bound(const LawInput &in) {
   return utilization(in, zero);
 }
 
+const char *global_fault(const double *p) {
+  return section::fault_of(p + n_own, p[diameter], p[wall]);
+}
+
 void global_report(const LawInput &in, const double *state, SectionReport &report) {
   report.utilization = utilization(in, state);
   report.plastic_strain = state[accumulated];
@@ -262,4 +266,5 @@ const frictionbeam::LawDescription frictionbeam_law = {
     nullptr,
     &global_bound,
     nullptr,
-    &global_report};
+    &global_report,
+    &global_fault};

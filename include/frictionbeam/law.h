@@ -169,6 +169,9 @@ struct LawDescription {
   /// What the state at the end of an increment is like. @p input is that of the increment, without
   /// old state and rate.
   void (*report)(const LawInput &input, const double *new_state, SectionReport &report) = nullptr;
+  /// What is wrong with these parameters together, each of which is within its bounds: what is
+  /// allowed and what to try, in a few words; null: nothing. A host refuses them with these.
+  const char *(*fault)(const double *parameters) = nullptr;
 };
 
 /// Closed form of a law of any version that is loaded; zeros if it has none.

@@ -163,4 +163,15 @@ private:
                                  slopes[n_curve_points + 1] = {}, energy[n_curve_points + 1] = {};
 };
 
+/// What is wrong with a wall and its material, if anything (LawDescription::fault).
+inline const char *fault_of(const double *material, const double diameter, const double wall) {
+  if (!(diameter > 2. * wall))
+    return "a wall below half the diameter: make 'Wall thickness' smaller";
+  if (!Material(material, 20.).is_possible)
+    return "strains that rise from point to point of the curve, with stresses that do not fall and "
+           "temperatures that rise: put 'Hardening strain', 'Hardening stress' and 'Temperature' "
+           "in order, from 1 on";
+  return nullptr;
+}
+
 } // namespace frictionbeam::section

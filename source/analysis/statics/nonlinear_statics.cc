@@ -89,7 +89,8 @@ bool NonlinearStatics::follows_creep(const Approach &at, EquilibriumResult &resu
 bool NonlinearStatics::move(const Vector &change, Approach &at) const {
   Vector dofs;
   model.space.expand(change, dofs);
-  const double turn = largest_turn(model.discretization, dofs);
+  const double turn =
+      model.cells.turns_far() ? largest_turn(model.discretization, dofs) : 0.; // small ones add up
   const double part = turn > most_turn ? most_turn / turn : 1.;
   at.moved += part * change;
   at.pose = model.cells.moved(at.pose, part * dofs);
@@ -120,6 +121,19 @@ void NonlinearStatics::search(const Pose &from, const Vector &moved, const Vecto
   }
 }
 
+namespace {
+/// Whether the forces left over have hardly changed in several steps, the last of which began with
+/// @p before.
+bool gives_way(const Vector &before, const NonlinearStatics::Approach &at, unsigned int &in_vain) {
+  constexpr double hardly = 0.05;
+  constexpr unsigned int several = 6;
+  const bool is_same =
+      (at.forces - before).lpNorm<Eigen::Infinity>() <= hardly * before.lpNorm<Eigen::Infinity>();
+  in_vain = is_same ? in_vain + 1 : 0;
+  return in_vain == several;
+}
+} // namespace
+
 EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticIncrement &increment,
                                           LineState &to, ContactResponse &response) {
   Approach at = begin(from, increment);
@@ -131,6 +145,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   const bool may_search =
       model.cells.pipe_sections().any() && !model.cells.turns_far() && model.contacts.size() == 0;
   bool is_searched = false;
+  unsigned int steps_in_vain = 0;
   std::vector<Contact::Strains> contact_forces = from.contact_stress;
   for (;;) {
     interruption::end_if_overdue();
@@ -172,6 +187,11 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     is_searched = judged && result.iterations > 1 && may_search;
     if (is_searched)
       search(pose, moved, change, -forces.dot(change), at);
+    if (is_searched && gives_way(forces, at, steps_in_vain)) {
+      result.remark = "the line gives way: it moves on and on without coming nearer to equilibrium";
+      remember_failure(at);
+      return result;
+    }
   }
 }
 

@@ -35,7 +35,6 @@ public:
   bool wants_shorter() const override { return too_long; }
   void transfer(Archive &) override {} // every increment begins anew
 
-private:
   /// An increment on its way to its solution.
   struct Approach {
     Pose pose;
@@ -48,6 +47,8 @@ private:
     LineCells::Balance balance;
     Vector forces; ///< left at the pose, but for the contacts
   };
+
+private:
   Approach begin(const LineState &from, const StaticIncrement &increment) const;
   void evaluate(Approach &at, const bool is_trial) const;
   /// Whether the contacts' forces at this pose balance the line's; how well goes into the result.

@@ -137,25 +137,44 @@ bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundi
   increment.length = clock.length;
   increment.temperature = surroundings.temperature;
   increment.pressure = surroundings.pressure;
-  const unsigned int n = law.n_internal_variables();
-  const bool is_virgin = std::all_of(old + internal, old + internal + n,
-                                     [](const double value) { return value == 0.; });
-  const bool is_cold = increment.temperature == LawIncrement().temperature; // as the tangent
-  if (is_virgin && is_cold && law.elastic_bound(of_wall.data(), 1., increment) < 1.) {
-    stiffness = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
-    Eigen::Map<Vector6>(now + stress) = stiffness * of_wall;
-    std::fill(now + internal, now + internal + n, 0.);
-    set_energies(pushes, 0., old, now);
-    return true;
-  }
   Tangent tangent;
   LawOutput output{now + stress, tangent.data(), now + internal, 0., ContactStatus::none};
   if (law.integrate(of_wall.data(), rate.data(), 1., increment, old + internal,
                     LawTangent::consistent, output) != LawStatus::ok)
     return false;
   stiffness = tangent;
+  now[flowed] = 1.;
   set_energies(pushes, output.dissipation, old, now);
   error = std::max(error, output.error);
+  return true;
+}
+
+bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
+                                 const std::vector<Vector6> &free, const Surroundings &surroundings,
+                                 const Vector &old, Vector &now,
+                                 SectionChain::Solution &solution) const {
+  LawIncrement increment;
+  if (surroundings.temperature != increment.temperature) // the elastic tangent is that of the cold
+    return false;
+  for (unsigned int q = 0; q < cell.chain.size(); ++q)
+    if (old[place_of(cell, q) + flowed] != 0.)
+      return false;
+  increment.pressure = surroundings.pressure;
+  const double pushes = surroundings.pressure * cell.profile.bore_area;
+  const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&cell.profile.tangent(0, 0));
+  cell.chain.solve_elastically(motions, free, surroundings.line_force, solution);
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    const double *const before = old.data() + place_of(cell, q);
+    double *const values = now.data() + place_of(cell, q);
+    Eigen::Map<Vector6> of_wall(values + strain);
+    of_wall = solution.strain[q];
+    of_wall[0] += pushes / cell.profile.EA;
+    if (!(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.))
+      return false;
+    Eigen::Map<Vector6>(values + stress) = D * of_wall;
+    std::fill(values + flowed, values + n_values_of(cell), 0.);
+    set_energies(pushes, 0., before, values);
+  }
   return true;
 }
 
@@ -186,7 +205,11 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
     result[0] -= values[thrust];
     return true;
   };
-  cell.chain.solve(law, to, free, surroundings.line_force, solution);
+  const std::vector<Vector6> guess = solution.strain;
+  if (!stays_elastic(cell, to, free, surroundings, old, now, solution)) {
+    solution.strain = guess;
+    cell.chain.solve(law, to, free, surroundings.line_force, solution);
+  }
   answer.failed = !solution.solved;
   if (answer.failed)
     return;
@@ -254,7 +277,7 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
                                               const Vector12 &motion,
                                               const Surroundings &surroundings,
                                               const Vector &states) const {
-  constexpr double far = 100.; // times the motion at which it begins to yield
+  constexpr double far = 1000.; // times the motion at which it begins to yield
   constexpr double same = 1e-3;
   const Flow none{std::numeric_limits<double>::infinity()};
   const Cell &cell = *cells[index];

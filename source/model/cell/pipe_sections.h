@@ -116,14 +116,28 @@ private:
   /// Values of a cell: forces on its ends, free strains and load per length.
   static constexpr unsigned int n_values_of_cell = 12 + 2 + 3;
   /// Values of a section's state: strain and stress of the wall, p A_bore, energy that it has
-  /// stored and dissipated [J/m]; then the law's internal variables.
-  enum Value { strain = 0, stress = 6, thrust = 12, stored = 13, lost = 14, internal = 15 };
+  /// stored and dissipated [J/m], whether its law has ever been integrated; then the law's internal
+  /// variables.
+  enum Value {
+    strain = 0,
+    stress = 6,
+    thrust = 12,
+    stored = 13,
+    lost = 14,
+    flowed = 15,
+    internal = 16
+  };
   unsigned int n_values_of(const Cell &cell) const {
     return internal + cell.profile.law.n_internal_variables();
   }
   unsigned int place_of(const Cell &cell, const unsigned int point) const {
     return cell.first_value + n_values_of_cell + point * n_values_of(cell);
   }
+  /// Whether a cell that has only been elastic so far is so at the increment's end: its states
+  /// then.
+  bool stays_elastic(const Cell &cell, const Vector12 &motions, const std::vector<Vector6> &free,
+                     const Surroundings &surroundings, const Vector &old, Vector &now,
+                     SectionChain::Solution &solution) const;
   /// Where strain and stress are known.
   static void set_energies(const double thrust, const double dissipation, const double *old,
                            double *now);

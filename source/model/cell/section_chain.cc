@@ -89,7 +89,7 @@ SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 
           flexibility[j] += point.length * std::pow(point.b(i, j) / scale[i], 2);
   for (int j = 0; j < 6; ++j)
     beta_scale[j] = flexibility[j] > 0. ? 1. / std::sqrt(flexibility[j]) : 1.;
-  const Matrix6 compliance = compliance_of(elastic);
+  compliance = compliance_of(elastic);
   Matrix6 by_beta = Matrix6::Zero();
   by_load.setZero();
   for (const Point &point : points) {
@@ -98,6 +98,20 @@ SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 
   }
   of_motion = by_beta.inverse();
   K = G.transpose() * of_motion * G;
+}
+
+void SectionChain::solve_elastically(const Vector12 &motions, const std::vector<Vector6> &free,
+                                     const Eigen::Vector3d &load, Solution &solution) const {
+  Vector6 moved = G * motions - by_load * load;
+  for (std::size_t q = 0; q < points.size(); ++q)
+    moved -= points[q].length * points[q].b.transpose() * free[q];
+  const Vector6 beta = of_motion * moved;
+  solution.strain.resize(points.size());
+  for (std::size_t q = 0; q < points.size(); ++q)
+    solution.strain[q] = compliance * (points[q].b * beta + points[q].load_stress * load);
+  solution.forces = G.transpose() * beta;
+  solution.stiffness = K;
+  solution.solved = true;
 }
 
 SectionChain::Vector12 SectionChain::elastic_change(const Vector12 &motions,

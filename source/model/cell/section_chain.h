@@ -51,6 +51,9 @@ public:
   void solve(const Law &law, const Vector12 &motions, const std::vector<Vector6> &free,
              const Eigen::Vector3d &load, Solution &solution) const;
 
+  /// If sections answer elastically, from rest.
+  void solve_elastically(const Vector12 &motions, const std::vector<Vector6> &free,
+                         const Eigen::Vector3d &load, Solution &solution) const;
   /// What G^T beta changes by if sections answer elastically to changes of motions, free strains
   /// and load.
   Vector12 elastic_change(const Vector12 &motions, const std::vector<Vector6> &free,
@@ -66,6 +69,7 @@ private:
   Eigen::Matrix<double, 6, 12> G;
   Vector6 scale;      ///< square roots of the stiffnesses; 0: rigid
   Vector6 beta_scale; ///< of unit elastic motion
+  Matrix6 compliance; ///< of a section, elastic
   Matrix6 of_motion;  ///< beta by the motion of the second end from the first, elastic
   Eigen::Matrix<double, 6, 3> by_load; ///< that motion by a unit load, at no beta
   Matrix12 K;

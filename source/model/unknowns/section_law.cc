@@ -66,6 +66,10 @@ BoundLaw bind_section_law(const LawDescription &law, const Section &section, con
     else
       values.push_back(figure->value(section, profile));
   }
+  if (law.interface_version >= 2 && law.fault != nullptr)
+    if (const char *const fault = law.fault(values.data()))
+      throw UserError("Section " + section.name + ": its law '" + law.name +
+                      "' cannot take these parameters.\n  allowed: " + fault);
   const double straight = profile.material.youngs_modulus * section.inertia;
   constexpr double rounding = 1e-9;
   if (!knows_bends && profile.EI < (1. - rounding) * straight)
