@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The laws of plastic pipe sections shall have the figures of exact solutions: limit surface,
 // bending beyond yield and back, axial force with moment, stretch then twist, thermal cycles,
-// ratchets; and none of them shall change when the pipe is turned. SPDX-License-Identifier:
-// LGPL-2.1-or-later
+// ratchets; and none of them shall change when the pipe is turned.
 #include "section_probe.h"
 
 #include <algorithm>
