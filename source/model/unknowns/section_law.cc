@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/unknowns/section_law.h"
 
+#include "base/number_text.h"
 #include "base/user_error.h"
-#include "scene/file/parameter_reader.h"
 
 #include <algorithm>
 #include <iterator>
@@ -73,7 +73,7 @@ BoundLaw bind_section_law(const LawDescription &law, const Section &section, con
   const double straight = profile.material.youngs_modulus * section.inertia;
   constexpr double rounding = 1e-9;
   if (!knows_bends && profile.EI < (1. - rounding) * straight)
-    throw UserError("Pipe " + pipe + ": its bends are " + to_text(straight / profile.EI) +
+    throw UserError("Pipe " + pipe + ": its bends are " + rounded_number(straight / profile.EI, 3) +
                     " times as flexible as a straight pipe, which the law '" + law.name +
                     "' of section " + section.name +
                     " knows nothing of.\n  read:    a law of straight pipes\n  allowed: bends with "

@@ -78,7 +78,13 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
       refuse(scene.time.reduction.modes != ReductionSettings::Modes::all, "Modes",
              "Modes = all in section Time");
       refuse(scene.time.theta != 0.5, "Theta above 0.5", "Theta = 0.5 in section Time");
+      refuse(scene.time.modal_damping != 0. && scene.kinematics == Kinematics::linear,
+             "Modal damping", "Stiffness damping in section Time");
     }
+  refuse(
+      std::any_of(scene.initial.begin(), scene.initial.end(),
+                  [](const InitialCondition &initial) { return initial.displacement != Motion{}; }),
+      "an initial displacement", "a static step before");
   if (scene.modal.n_modes > 0)
     scene.remarks.push_back("Section " + section.name +
                             ": modes and spectra take its elastic "
