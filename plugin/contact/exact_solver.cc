@@ -103,7 +103,10 @@ private:
   /// Say why there is no solution.
   void explain(const Outcome outcome, Pass &now) const;
   /// @return whether the contact laws hold; the result says so.
-  bool judge(const Response &response, Result &result) const;
+  bool judge(Pass &now) const;
+  /// Whether contact forces are made by the loads, and not by each other: the certificate measures
+  /// each on its own scale, beside which loads and gaps may be nothing.
+  bool is_made_by_loads(const Pass &now) const;
 
   /// With which both halves press on each other [N]; 0 if they do not.
   double force_in_common(const Pair &pair, const Response &response) const;
@@ -219,7 +222,13 @@ bool ExactSolver::Implementation::is_balanced(Pass &now) const {
   now.size = left.lpNorm<Eigen::Infinity>();
   now.largest = balance.largest_force(now.response);
   now.result.residual = now.largest > 0. ? now.size / now.largest : now.size;
-  return now.size <= balance.tolerance(settings.tolerance, diagonal, now.unknowns, now.response);
+  if (now.size > balance.tolerance(settings.tolerance, diagonal, now.unknowns, now.response))
+    return false;
+  // What rounding of larger forces before excuses, may not be the loads at hand.
+  constexpr double most_of_loads = 1e-2, least_loads = 1e-9;
+  const double loads = largest_of(now.problem.right_hand_side);
+  return !(loads >= least_loads * now.problem.force_so_far) || now.size <= most_of_loads * loads ||
+         now.size <= settings.tolerance * now.largest;
 }
 
 bool ExactSolver::Implementation::goes_on(Pass &now) {
@@ -265,7 +274,7 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
     }
     if (goes_on(now))
       continue;
-    if (judge(response, result))
+    if (judge(now))
       return result;
     break;
   }
@@ -275,7 +284,7 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
     response = now.accepted->response;
     proximal.centre = now.accepted->centre;
     result.residual = now.accepted->residual;
-    if (judge(response, result))
+    if (judge(now))
       return result;
   }
   if (result.iterations >= problem.most_iterations && !result.no_equilibrium)
@@ -285,11 +294,29 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
   return result;
 }
 
-bool ExactSolver::Implementation::judge(const Response &response, Result &result) const {
-  result.check = newton.check(response);
-  result.converged = result.check->holds(settings.contact_tolerance);
-  result.remark = result.converged ? "" : "the contact laws fail their check";
+bool ExactSolver::Implementation::judge(Pass &now) const {
+  Result &result = now.result;
+  result.check = newton.check(now.response);
+  const bool holds = result.check->holds(settings.contact_tolerance);
+  result.converged = holds && is_made_by_loads(now);
+  result.remark = result.converged ? ""
+                  : holds ? "contacts press on each other with forces that the loads do not make"
+                          : "the contact laws fail their check";
   return result.converged;
+}
+
+bool ExactSolver::Implementation::is_made_by_loads(const Pass &now) const {
+  constexpr double most_amplified = 1e6; // by a wedge, say
+  const Problem &problem = now.problem;
+  if (problem.matrix.rows() != now.unknowns.size())
+    return true; // a host's own, whose elastic forces are not known
+  double of_contacts = 0.;
+  for (unsigned int i = 0; i < sites.size(); ++i)
+    if (proximal.is_exact(i))
+      of_contacts = std::max(of_contacts, sites[i].largest_force(now.response.stress[i]));
+  const double made = std::max({largest_of(problem.right_hand_side), problem.largest_force,
+                                problem.force_so_far, largest_of(problem.matrix * now.unknowns)});
+  return of_contacts <= most_amplified * made;
 }
 
 double ExactSolver::Implementation::force_in_common(const Pair &pair,

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace frictionbeam::contact {
 
@@ -227,7 +229,36 @@ LocalSolution LocalIteration::solve() {
 
 } // namespace
 
+namespace {
+void check(const LocalProblem &problem, const double tolerance) {
+  const auto refuse = [](const std::string &read, const std::string &allowed) {
+    throw std::invalid_argument(read + "\n  allowed: " + allowed);
+  };
+  const Eigen::Index d = problem.dimension, n = d * problem.friction.size();
+  if (d != 2 && d != 3)
+    refuse("A local problem of dimension " + std::to_string(d), "2 or 3");
+  if (problem.W.rows() != n || problem.W.cols() != n || problem.q.size() != n)
+    refuse("A local problem of " + std::to_string(problem.friction.size()) +
+               " contacts with W of " + std::to_string(problem.W.rows()) + " x " +
+               std::to_string(problem.W.cols()) + " and q of " + std::to_string(problem.q.size()),
+           "the dimension, " + std::to_string(d) + ", times the number of contacts for each, " +
+               std::to_string(n));
+  if (!problem.q.allFinite() || !problem.friction.allFinite() ||
+      (n > 0 && problem.friction.minCoeff() < 0.))
+    refuse("A local problem whose q or friction is not a number, or friction below 0",
+           "finite numbers, coefficients from 0 on");
+  const Eigen::SparseMatrix<double> transposed = problem.W.transpose();
+  const double size = problem.W.norm();
+  if (!std::isfinite(size) || (problem.W - transposed).norm() > 1e-8 * size)
+    refuse("A local problem whose W is not symmetric, or not finite",
+           "the symmetric W of u = W r + q");
+  if (!(tolerance > 0. && tolerance < 1.))
+    refuse("A tolerance of " + std::to_string(tolerance), "above 0 and below 1");
+}
+} // namespace
+
 LocalSolution solve_local_contact(const LocalProblem &problem, const double tolerance) {
+  check(problem, tolerance);
   return LocalIteration(problem, tolerance).solve();
 }
 

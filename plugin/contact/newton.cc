@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "newton.h"
+#include "free_motion.h"
 #include <frictionbeam/contact/halving_search.h>
 #include <frictionbeam/contact/tolerances.h>
 
 #include <Eigen/LU>
-
 #include <algorithm>
 #include <limits>
 
@@ -52,12 +52,8 @@ Newton::Newton(const Settings &settings, const SiteList &contacts, const Condens
       for (const int column : places[i].unknowns)
         places[i].values.push_back(place_of(S, row, column));
   }
-  if (factors.is_of_body()) {
-    std::vector<std::vector<int>> unknowns;
-    for (const Places &of_contact : places)
-      unknowns.push_back(of_contact.unknowns);
-    reduced.emplace(S, contacts, unknowns);
-  }
+  if (factors.is_of_body())
+    reduced.emplace(S, contacts, unknowns_of_contacts());
 }
 
 void Newton::begin(const Vector &forces, const double largest, const double so_far,
@@ -66,7 +62,7 @@ void Newton::begin(const Vector &forces, const double largest, const double so_f
   loads = line.condense(forces);
   largest_load = largest;
   force_so_far = so_far;
-  is_barred = false;
+  is_barred = is_proved = false;
   committed = &state;
   increment = of_time;
   start_displacement = displacement;
@@ -234,8 +230,12 @@ bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response)
   for (unsigned int i = 0; i < contacts.size(); ++i)
     if (!proximal.gives_utmost(i, response, strain_of(i, motion)))
       return false;
-  motion_of_proof = motion;
-  return true;
+  if (!is_proved) { // once for these loads
+    motion_of_proof = find_free_motion(contacts, unknowns_of_contacts(), S, diagonal, loads, motion)
+                          .value_or(Vector());
+    is_proved = true;
+  }
+  return motion_of_proof.size() > 0;
 }
 
 void Newton::set_drag(const double factor) {

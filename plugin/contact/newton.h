@@ -129,6 +129,13 @@ private:
     std::vector<int> unknowns, values;
   };
 
+  std::vector<std::vector<int>> unknowns_of_contacts() const {
+    std::vector<std::vector<int>> unknowns;
+    for (const Places &of_contact : places)
+      unknowns.push_back(of_contact.unknowns);
+    return unknowns;
+  }
+
   const Settings &settings;
   const SiteList &contacts;
   const SparseMatrix &S;
@@ -152,7 +159,8 @@ private:
   double drag = 0.;
   std::vector<Strains> start_strain;
   double start_displacement = 0., largest_displacement = 0.;
-  Vector motion_of_proof;
+  Vector motion_of_proof; ///< without entries: there is none
+  bool is_proved = false; ///< whether these loads have been looked at
   const State *committed = nullptr;
   Increment increment;
 };

@@ -74,6 +74,8 @@ public:
   ContactState state_of(const unsigned int i, const State &before, const Response &response) const;
   EnergyAccount account(const Vector &f, const Vector &q_before, const Vector &q,
                         const ContactMemory &before, const Response &response) const;
+  /// @throws std::invalid_argument if a memory is not one of these contacts and laws
+  void check_memory(const ContactMemory &memory) const;
   /// What the memory holds beside what laws return: wear.
   void remember(const Vector &f, const Report &report, const ContactMemory &before,
                 const Response &response, ContactMemory &after) const;
@@ -141,6 +143,20 @@ std::vector<Strains> Solver::Implementation::strains_at(const Vector &unknowns,
   for (unsigned int i = 0; i < sites.size(); ++i)
     strain[i] += sites[i].strain_by_unknowns(unknowns);
   return strain;
+}
+
+void Solver::Implementation::check_memory(const ContactMemory &memory) const {
+  const State &state = memory.sites, fresh = sites.initial_state(imposed_motion().strain);
+  const std::size_t n = sites.size();
+  if (memory.stress.size() != n || state.strain.size() != n || state.touch.size() != n ||
+      state.dissipated.size() != n || state.wear.size() != n || state.impulse.size() != n ||
+      state.internal.size() != fresh.internal.size())
+    throw std::invalid_argument("A memory of " + std::to_string(memory.stress.size()) +
+                                " contacts with " + std::to_string(state.internal.size()) +
+                                " internal variables\n  allowed: one of this solver's " +
+                                std::to_string(n) + " contacts, with " +
+                                std::to_string(fresh.internal.size()) +
+                                ", whole\n  try:     initial_memory()");
 }
 
 ContactMemory Solver::initial_memory(const Vector &u) const {
@@ -237,11 +253,7 @@ void Solver::Implementation::remember(const Vector &f, const Report &report,
 Report Solver::solve(const Vector &f, const ContactMemory &before, Vector &u, ContactMemory &after,
                      const Increment &increment) {
   Implementation &of = *implementation;
-  if (before.sites.strain.size() != of.sites.size() || before.stress.size() != of.sites.size())
-    throw std::invalid_argument("A memory of " + std::to_string(before.stress.size()) +
-                                " contacts\n  allowed: one of this "
-                                "solver's " +
-                                std::to_string(of.sites.size()) + "\n  try:     initial_memory()");
+  of.check_memory(before);
   const Vector forces = of.unknowns_of(f), q_before = of.unknowns_of(u);
   Vector q = q_before;
   Response response;

@@ -21,6 +21,8 @@ struct LocalSolution {
  * without that term are tried. Only the residual of the problem itself decides: both measures of
  * LocalResidual below @p tolerance.
  *
+ * @throws std::invalid_argument if sizes do not fit, W is not symmetric or a number is none
+ *
  * With a singular W the forces may not be unique (the compliance then chooses), and there may be no
  * solution.
  */

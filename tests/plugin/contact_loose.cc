@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Bodies that nothing but contacts hold, found by a fresh user: forces that contacts make among
+// themselves are no answer, what can be held is not said to have no equilibrium, and what does not
+// fit is refused.
+#include "../check.h"
+
+#include <frictionbeam/contact/local_solver.h>
+#include <frictionbeam/contact/solver.h>
+#include <frictionbeam/law_library.h>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace frictionbeam;
+using Vector = contact::Vector;
+using contact::Vector3;
+
+namespace {
+
+LawLibrary laws;
+
+contact::Contact on_wall(const Vector3 &normal, const double friction, const double gap = 0.) {
+  const LawDescription &law = laws.find("coulomb");
+  std::vector<double> parameters = default_parameters(law);
+  parameters[parameter_index(law, "Friction coefficient")] = friction;
+  contact::Contact wall = contact::on_ground({0, 1, 2}, normal, law, parameters);
+  wall.gap = gap;
+  return wall;
+}
+
+contact::SparseMatrix stiffness(const double k) {
+  contact::SparseMatrix matrix(3, 3);
+  for (int i = 0; i < 3; ++i)
+    matrix.insert(i, i) = k;
+  return matrix;
+}
+
+contact::Report push(const std::vector<contact::Contact> &walls, const Vector &load) {
+  contact::Solver solver(contact::system_of(stiffness(0.)), walls);
+  const contact::ContactMemory before = solver.initial_memory();
+  contact::ContactMemory after = before;
+  Vector u = Vector::Zero(3);
+  return solver.solve(load, before, u, after);
+}
+
+/// Between a floor and a ceiling that recedes, pushed along beyond friction.
+void walls_that_press_on_each_other() {
+  const contact::Report report =
+      push({on_wall({0., 0., -1.}, 0.3), on_wall({std::sin(0.1), 0., std::cos(0.1)}, 0.3, 0.1)},
+           Vector3(-50., 0., -100.));
+  CHECK(!report.converged);
+}
+
+/// Loads that are the sum of forces inside the cones, at no motion: an equilibrium there is.
+void what_can_be_held() {
+  const Vector3 down(0., 0., -1.);
+  for (const double angle : {0.3, 0.8, 1.3, 2.5})
+    for (const double mu : {0.2, 0.5, 0.8})
+      for (const double part : {-0.9, 0., 0.6}) {
+        const Vector3 side(std::sin(angle), 0., -std::cos(angle)),
+            along_side(std::cos(angle), 0., std::sin(angle));
+        const Vector3 forces = 40. * (-down + part * mu * Vector3(1., 0., 0.)) +
+                               25. * (-side - part * mu * along_side);
+        const contact::Report report = push({on_wall(down, mu), on_wall(side, mu)}, -forces);
+        CHECK(!report.no_equilibrium);
+        if (report.converged)
+          CHECK((report.contacts[0].force + report.contacts[1].force - forces).norm() < 1e-8);
+      }
+  const contact::Report pushed = push({on_wall(down, 0.5)}, Vector3(60., 0., -100.));
+  CHECK(pushed.no_equilibrium); // beyond friction
+  const Vector &w = pushed.free_motion;
+  CHECK(w.size() == 3 && 60. * w[0] - 100. * w[2] > 0.);     // the loads do work on it
+  CHECK(w[2] >= (1. - 1e-3) * 0.5 * std::hypot(w[0], w[1])); // and no friction takes it
+}
+
+template <typename Act>
+bool is_refused(const Act &act) {
+  try {
+    act();
+  } catch (const std::invalid_argument &) {
+    return true;
+  }
+  return false;
+}
+
+void what_does_not_fit() {
+  contact::Solver solver(contact::system_of(stiffness(1e3)), {on_wall({0., 0., -1.}, 0.3)});
+  const contact::ContactMemory whole = solver.initial_memory();
+  const auto with = [&](const auto &spoil) {
+    contact::ContactMemory memory = whole, after = whole;
+    spoil(memory);
+    Vector u = Vector::Zero(3);
+    return is_refused([&]() { solver.solve(Vector3(0., 0., -1.), memory, u, after); });
+  };
+  CHECK(!with([](contact::ContactMemory &) {}));
+  CHECK(with([](contact::ContactMemory &memory) { memory.sites.internal.clear(); }));
+  CHECK(with([](contact::ContactMemory &memory) { memory.sites.wear.clear(); }));
+  CHECK(with([](contact::ContactMemory &memory) { memory.sites.touch.clear(); }));
+
+  contact::LocalProblem local;
+  local.W = stiffness(1.);
+  local.q = Vector3(-1., 0., 0.);
+  local.friction = Vector::Constant(1, 0.3);
+  const auto is_local_refused = [](const contact::LocalProblem &problem) {
+    return is_refused([&]() { contact::solve_local_contact(problem, 1e-10); });
+  };
+  CHECK(!is_local_refused(local) && contact::solve_local_contact(local, 1e-10).converged);
+  contact::LocalProblem wrong = local;
+  wrong.friction = Vector::Constant(2, 0.3);
+  CHECK(is_local_refused(wrong));
+  wrong = local;
+  wrong.q = Vector::Zero(2);
+  CHECK(is_local_refused(wrong));
+  wrong = local;
+  wrong.dimension = 4;
+  CHECK(is_local_refused(wrong));
+  wrong = local;
+  wrong.W.coeffRef(0, 1) = 0.5;
+  CHECK(is_local_refused(wrong));
+}
+
+} // namespace
+
+int main() {
+  laws.load_builtin();
+  walls_that_press_on_each_other();
+  what_can_be_held();
+  what_does_not_fit();
+  return check::report();
+}
