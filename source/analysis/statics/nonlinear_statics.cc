@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/nonlinear_statics.h"
+#include "analysis/statics/slope_search.h"
 
 #include "base/interruption.h"
 #include "base/number_text.h"
@@ -97,28 +98,19 @@ bool NonlinearStatics::move(const Vector &change, Approach &at) const {
   return part == 1.;
 }
 
-void NonlinearStatics::search(const Pose &from, const Vector &moved, const Vector &change,
-                              const double slope, Approach &at) const {
-  constexpr double most_overshoot = 0.5; // of the slope at the start
-  constexpr unsigned int most_searches = 20;
+bool NonlinearStatics::search(const Pose &from, const Vector &moved, const Vector &change,
+                              const Vector &before, const Vector &of_contacts, Approach &at) const {
+  const double slope = -(before - of_contacts).dot(change);
   Vector dofs;
   model.space.expand(change, dofs);
   const auto slope_at = [&](const double length) {
     at.moved = moved + length * change;
     at.pose = model.cells.moved(from, length * dofs);
     evaluate(at, false);
-    return at.balance.failed ? std::numeric_limits<double>::max() : -at.forces.dot(change);
+    return at.balance.failed ? std::numeric_limits<double>::max()
+                             : -(at.forces - of_contacts).dot(change);
   };
-  double low = 0., high = 1., of_low = slope, of_high = slope_at(1.);
-  for (unsigned int k = 0; k < most_searches && of_high > most_overshoot * std::abs(slope); ++k) {
-    const double secant = low - of_low * (high - low) / (of_high - of_low),
-                 length = k % 2 == 0 && secant > 0.01 * high ? secant : (low + high) / 2.,
-                 here = slope_at(length);
-    if (std::abs(here) <= most_overshoot * std::abs(slope))
-      return;
-    (here < 0. ? low : high) = length;
-    (here < 0. ? of_low : of_high) = here;
-  }
+  return search_slope(slope, slope_at) == 1.;
 }
 
 namespace {
@@ -141,16 +133,14 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
-  // The potential of what yields has one least in small displacements without contacts.
-  const bool may_search =
-      model.cells.pipe_sections().any() && !model.cells.turns_far() && model.contacts.size() == 0;
+  const bool may_search = model.cells.pipe_sections().any() && !model.cells.turns_far();
   bool is_searched = false;
   unsigned int steps_in_vain = 0;
   std::vector<Contact::Strains> contact_forces = from.contact_stress;
   for (;;) {
     interruption::end_if_overdue();
     // Sections that yield begin with what they would do elastically, whatever they did before.
-    if (!judged || !is_searched)
+    if (!is_searched)
       evaluate(at, result.iterations == 0);
     if (at.balance.failed || !at.forces.allFinite()) {
       result.remark = at.balance.failed ? "a section that yields or creeps has no answer"
@@ -184,10 +174,16 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     const Vector forces = at.forces, moved = at.moved;
     const Pose pose = at.pose;
     judged = move(change, at);
-    is_searched = judged && result.iterations > 1 && may_search;
-    if (is_searched)
-      search(pose, moved, change, -forces.dot(change), at);
-    if (is_searched && gives_way(forces, at, steps_in_vain)) {
+    // Beyond the limit of supports that slip nothing helps: far motions show the mechanism then.
+    is_searched = judged && result.iterations > 1 && may_search &&
+                  (model.contacts.size() == 0 ||
+                   2 * result.iterations < model.scene.solver.max_iterations);
+    if (is_searched) {
+      Vector of_contacts = Vector::Zero(forces.size());
+      model.contacts.add_forces(response, of_contacts);
+      judged = search(pose, moved, change, forces, of_contacts, at) || model.contacts.size() == 0;
+    }
+    if (is_searched && model.contacts.size() == 0 && gives_way(forces, at, steps_in_vain)) {
       result.remark = "the line gives way: it moves on and on without coming nearer to equilibrium";
       remember_failure(at);
       return result;

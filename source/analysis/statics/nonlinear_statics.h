@@ -55,10 +55,12 @@ private:
   bool is_solved(Approach &at, const ContactResponse &response, EquilibriumResult &result) const;
   /// Whether the increment is short enough for creep; if not, the result's remark says so.
   bool follows_creep(const Approach &at, EquilibriumResult &result);
-  /// Go a part of the change if its whole goes beyond where loads and line do no more work on it.
-  /// @param slope of the potential along the change at its start, < 0
-  void search(const Pose &from, const Vector &moved, const Vector &change, const double slope,
-              Approach &at) const;
+  /// Go a part of the change if its whole goes too far (search_slope()).
+  /// @param before forces at its start but for the contacts, @param of_contacts those of the
+  /// linearized line
+  /// @return whether by all of it
+  bool search(const Pose &from, const Vector &moved, const Vector &change, const Vector &before,
+              const Vector &of_contacts, Approach &at) const;
   /// Go on by the change of the unknowns, or by a part of it if vertices would turn too far.
   /// @return whether by all of it
   bool move(const Vector &change, Approach &at) const;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/time/nonlinear_motion.h"
 
+#include "analysis/statics/slope_search.h"
 #include "analysis/time/step_helpers.h"
 #include "base/interruption.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -130,7 +132,7 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
         return result;
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
       // is left to its own, so that only the contacts' share converges more slowly.
-      if (model.contacts.size() > 0 &&
+      if (model.contacts.size() > 0 && model.cells.turns_far() &&
           linearized.solve_without_contacts(step.matrix, left, change)) {
         ++result.factorizations;
         step.moved += change;
@@ -144,9 +146,26 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
     };
     if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result))
       return result;
-    step.moved += change;
-    judged = true;
+    if (result.iterations > 1 && model.cells.pipe_sections().any() && !model.cells.turns_far())
+      judged = search(state, step, change, response) || model.contacts.size() == 0;
+    else {
+      step.moved += change;
+      judged = true;
+    }
   }
+}
+
+bool NonlinearMotion::search(const LineState &state, Step &step, const Vector &change,
+                             const ContactResponse &response) const {
+  const double slope = -unbalanced(step, response).dot(change);
+  const Vector moved = step.moved;
+  const auto slope_at = [&](const double length) {
+    step.moved = moved + length * change;
+    evaluate(state, step);
+    return step.balance.failed ? std::numeric_limits<double>::max()
+                               : -unbalanced(step, response).dot(change);
+  };
+  return search_slope(slope, slope_at) == 1.;
 }
 
 void NonlinearMotion::account(const Step &step, const Vector &velocity_after,

@@ -62,6 +62,10 @@ private:
   /// Whether that, @p left, counts as zero; its size goes into the result.
   bool is_solved(const Step &step, const Vector &left, const ContactResponse &response,
                  EquilibriumResult &result) const;
+  /// Go a part of the change of a line that yields if its whole goes too far (search_slope()).
+  /// @return whether by all of it
+  bool search(const LineState &state, Step &step, const Vector &change,
+              const ContactResponse &response) const;
   EquilibriumResult solve(const LineState &state, const LoadCourse &loads, const double time,
                           Step &step, ContactResponse &response);
   /// What the step is given: motions and loads from @p from to the time of @p

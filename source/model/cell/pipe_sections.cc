@@ -281,9 +281,13 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
   constexpr double same = 1e-3;
   const Flow none{std::numeric_limits<double>::infinity()};
   const Cell &cell = *cells[index];
+  constexpr double rounding = 1e-12;
   double bound = 0.;
   for (const auto &B : cell.B) {
-    const Vector6 direction = B * motion;
+    Vector6 direction = B * motion;
+    const Vector6 terms = B.cwiseAbs() * motion.cwiseAbs();
+    for (unsigned int c = 0; c < 6; ++c) // a cell that only moves along
+      direction[c] = std::abs(direction[c]) > rounding * terms[c] ? direction[c] : 0.;
     bound = std::max(bound, cell.profile.law.elastic_bound(direction.data(), 1., {}));
   }
   if (bound == 0. || std::isinf(bound))
