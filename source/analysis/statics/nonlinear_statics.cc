@@ -175,9 +175,9 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     const Pose pose = at.pose;
     judged = move(change, at);
     // Beyond the limit of supports that slip nothing helps: far motions show the mechanism then.
-    is_searched = judged && result.iterations > 1 && may_search &&
-                  (model.contacts.size() == 0 ||
-                   2 * result.iterations < model.scene.solver.max_iterations);
+    is_searched =
+        judged && result.iterations > 1 && may_search &&
+        (model.contacts.size() == 0 || 2 * result.iterations < model.scene.solver.max_iterations);
     if (is_searched) {
       Vector of_contacts = Vector::Zero(forces.size());
       model.contacts.add_forces(response, of_contacts);

@@ -5,6 +5,23 @@ namespace frictionbeam {
 
 using namespace dealii;
 
+const std::vector<LinearCells::Element> &LinearCells::elements() const {
+  if (!kept_elements.empty())
+    return kept_elements;
+  PipeElement element(discretization);
+  for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
+    const auto cell = discretization.pipe_cell(i);
+    element.reinit(cell);
+    kept_elements.push_back({std::vector<types::global_dof_index>(12), &element.profile(),
+                             cell->vertex(1) - cell->vertex(0), element.stiffness(),
+                             element.mass(cell), element.unit_line_loads(),
+                             element.unit_axial_strain(), element.unit_curvature(),
+                             element.unit_thrust()});
+    cell->get_dof_indices(kept_elements.back().dofs);
+  }
+  return kept_elements;
+}
+
 Pose LinearCells::at_rest() const { return {Vector::Zero(space.n_dofs()), {}, &sections_at_rest}; }
 
 Pose LinearCells::moved(const Pose &from, const Vector &change) const {
@@ -24,72 +41,52 @@ LineCells::Vector12 LinearCells::ends_of(const unsigned int cell, const Vector &
   return result;
 }
 
-namespace {
-
-/// Forces on a cell's ends that its line forces, and those that its free strains make.
-struct FixedEndForces {
-  LineCells::Vector12 line, free;
-};
-
-FixedEndForces fixed_end_forces(const PipeElement &element, const CellLoad &load) {
-  const Eigen::Vector3d force(load.line_force[0], load.line_force[1], load.line_force[2]);
-  return {element.unit_line_loads() * force, load.axial_strain * element.unit_axial_strain() +
-                                                 load.curvature * element.unit_curvature() +
-                                                 load.pressure * element.unit_thrust()};
-}
-
-} // namespace
-
 void LinearCells::answer(const unsigned int index, const Step &step,
                          const std::vector<double> &factors, CellAnswer &answer) const {
-  const auto cell = discretization.pipe_cell(index);
-  PipeElement element(discretization);
-  element.reinit(cell);
-  const FixedEndForces forces =
-      fixed_end_forces(element, load_on(discretization.pipe_cells()[index], element.profile(),
-                                        cell->vertex(1) - cell->vertex(0), factors));
+  const Element &element = elements()[index];
+  const CellLoad load =
+      load_on(discretization.pipe_cells()[index], *element.profile, element.chord, factors);
   const Vector12 before = ends_of(index, step.from.dofs), after = ends_of(index, step.to.dofs),
                  change = after - before;
-  const Matrix12 stiffness = element.stiffness();
+  const Matrix12 &stiffness = element.stiffness;
   const double viscous = step.duration > 0. ? scene.time.stiffness_damping / step.duration : 0.;
-  answer.dofs.resize(12);
-  cell->get_dof_indices(answer.dofs);
-  answer.stiffness = (1. + 2. * viscous) * stiffness;
-  answer.internal = stiffness * ((before + after) / 2. + viscous * change) - forces.free;
-  answer.loads = forces.line;
-  answer.free = forces.free;
-  answer.free_work = forces.free.dot(change);
+  answer.dofs = element.dofs;
+  answer.loads =
+      element.line * Eigen::Vector3d(load.line_force[0], load.line_force[1], load.line_force[2]);
+  answer.free = load.axial_strain * element.axial + load.curvature * element.curvature +
+                load.pressure * element.thrust;
   answer.damping = viscous * change.dot(stiffness * change);
-  if (!sections.has(index))
+  if (sections.has(index)) {
+    PipeSections::Answer inelastic;
+    integrate_sections(index, step.began ? ends_of(index, step.began->dofs) : before, after, step,
+                       factors, answer, inelastic);
+    answer.stiffness = inelastic.stiffness + 2. * viscous * stiffness;
+    answer.internal =
+        (&step.from == &step.to ? inelastic.after : (inelastic.before + inelastic.after) / 2.) +
+        viscous * (stiffness * change);
     return;
-  PipeSections::Answer inelastic;
-  integrate_sections(index, step.began ? ends_of(index, step.began->dofs) : before, after, step,
-                     factors, answer, inelastic);
-  answer.stiffness = inelastic.stiffness + 2. * viscous * stiffness;
-  answer.internal =
-      (&step.from == &step.to ? inelastic.after : (inelastic.before + inelastic.after) / 2.) +
-      viscous * (stiffness * change);
+  }
+  answer.stiffness = (1. + 2. * viscous) * stiffness;
+  answer.internal = stiffness * ((before + after) / 2. + viscous * change) - answer.free;
+  answer.free_work = answer.free.dot(change);
+  answer.section_error = 0.;
+  answer.failed = false;
 }
 
 double LinearCells::stored_in(const unsigned int cell, const Pose &pose) const {
   if (sections.has(cell))
     return sections.stored_in(cell, *pose.sections);
-  PipeElement element(discretization);
-  element.reinit(discretization.pipe_cell(cell));
   const Vector12 u = ends_of(cell, pose.dofs);
-  return u.dot(element.stiffness() * u) / 2.;
+  return u.dot(elements()[cell].stiffness * u) / 2.;
 }
 
 Vector LinearCells::momenta(const Pose &, const Vector &velocity) const {
   Vector result = Vector::Zero(velocity.size());
-  PipeElement element(discretization);
-  std::vector<types::global_dof_index> dofs(12);
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
-    const auto cell = discretization.pipe_cell(i);
-    cell->get_dof_indices(dofs);
-    const Vector12 share = element.mass(cell) * ends_of(i, velocity);
+    const Element &element = elements()[i];
+    const Vector12 share = element.mass * ends_of(i, velocity);
     for (unsigned int j = 0; j < 12; ++j)
-      result[dofs[j]] += share[j];
+      result[element.dofs[j]] += share[j];
   }
   for (unsigned int v = 0; v < n_vertices; ++v)
     add_part(point_mass[v] * part(velocity, v, 0), v, 0, result);

@@ -48,6 +48,18 @@ private:
   void answer(const unsigned int cell, const Step &step, const std::vector<double> &factors,
               CellAnswer &answer) const override;
   double stored_in(const unsigned int cell, const Pose &pose) const override;
+  /// What a cell's element says of it.
+  struct Element {
+    std::vector<dealii::types::global_dof_index> dofs;
+    const Profile *profile;
+    Vector3 chord;
+    Matrix12 stiffness, mass;
+    Eigen::Matrix<double, 12, 3> line; ///< unit forces per length
+    Vector12 axial, curvature, thrust; ///< unit free strains
+  };
+  /// Of all cells, made when first asked for: a line that yields asks again and again.
+  const std::vector<Element> &elements() const;
+  mutable std::vector<Element> kept_elements;
   /// Motions of a cell's ends, or whatever else belongs to its degrees of freedom.
   Vector12 ends_of(const unsigned int cell, const Vector &dofs) const;
 };
