@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/increment/energy_account.h"
 
+#include "model/line_pose.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -170,6 +172,29 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
   account.turnover = std::abs(account.external) + std::abs(account.stored);
   account += account_imposed(model, before, after, 0.);
   return account += account_contacts(model, before, after, {});
+}
+
+EnergyAccount account_cells(const Model &model, const LineState &before, const LineState &after,
+                            const std::vector<double> &factors_before, const Vector &imposed) {
+  const LineCells &line = model.cells;
+  const Pose from = pose_of(before), to = pose_of(after);
+  std::vector<double> factors(after.load_factors);
+  for (unsigned int l = 0; l < factors.size(); ++l)
+    factors[l] = (factors[l] + factors_before[l]) / 2.;
+  LineCells::Balance mean;
+  const Vector change = line.change(from, to);
+  line.evaluate({from, line.halfway(from, to), to, change}, factors, mean);
+  EnergyAccount account;
+  account.external = mean.loads.dot(change) + mean.free_work +
+                     model.contacts.platen_forces().dot(after.unknowns - before.unknowns) +
+                     (mean.internal - mean.loads).dot(imposed);
+  account.stored = line.stored_energy(to) - line.stored_energy(from);
+  if (line.pipe_sections().any())
+    account.inelastic = line.pipe_sections().dissipated(after.sections) -
+                        line.pipe_sections().dissipated(before.sections);
+  account.turnover =
+      std::abs(account.external) + std::abs(account.stored) + std::abs(account.inelastic);
+  return account;
 }
 
 EnergyAccount account_motion(const Model &model, const LineState &before, const LineState &after,

@@ -43,6 +43,15 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
                                 const Vector &loads_before, const Vector &loads_after);
 
 /**
+ * Account of any cells from one state to the next, without contacts: forces at both ends in the
+ * mean.
+ * @param factors_before of the loads, after any jump
+ * @param imposed change of motions of all degrees of freedom that loads impose
+ */
+EnergyAccount account_cells(const Model &model, const LineState &before, const LineState &after,
+                            const std::vector<double> &factors_before, const Vector &imposed);
+
+/**
  * Work of friction in a static increment [J], from the internal variables and forces at its ends:
  * that where slip begins and that at its end, in the mean. A contact that slips throughout, opens
  * or closes has the trapezoid of its account; one that sticks first slips at the limit only, which

@@ -260,25 +260,9 @@ bool NonlinearStatics::is_unstable(const LineState &state) const {
 
 EnergyAccount NonlinearStatics::account(const LineState &before, const LineState &after,
                                         const LoadCourse &course, const Vector &unbalanced) const {
-  const LineCells &line = model.cells;
-  const Pose from = pose_of(before), to = pose_of(after);
-  std::vector<double> factors(after.load_factors);
-  for (unsigned int l = 0; l < factors.size(); ++l)
-    factors[l] = (factors[l] + before.load_factors[l]) / 2.;
-  LineCells::Balance mean;
-  const Vector change = line.change(from, to);
-  line.evaluate({from, line.halfway(from, to), to, change}, factors, mean);
-  EnergyAccount account;
-  account.external =
-      mean.loads.dot(change) + mean.free_work +
-      model.contacts.platen_forces().dot(after.unknowns - before.unknowns) +
-      (mean.internal - mean.loads).dot(course.imposed(after.time) - course.imposed(before.time));
-  account.stored = line.stored_energy(to) - line.stored_energy(from);
-  if (line.pipe_sections().any())
-    account.inelastic = line.pipe_sections().dissipated(after.sections) -
-                        line.pipe_sections().dissipated(before.sections);
-  account.turnover =
-      std::abs(account.external) + std::abs(account.stored) + std::abs(account.inelastic);
+  EnergyAccount account =
+      account_cells(model, before, after, before.load_factors,
+                    course.imposed(after.time) - course.imposed(before.time));
   account += account_contacts(model, before, after, {});
   account.external -= unbalanced.dot(after.unknowns - before.unknowns) / 2.;
   return account;

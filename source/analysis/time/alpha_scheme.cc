@@ -35,7 +35,7 @@ AlphaScheme::Parameters AlphaScheme::nonsmooth(const Scene &scene) {
 
 AlphaScheme::AlphaScheme(const Model &model, const Parameters &parameters)
     : model(model), p(parameters), ratio((1. - p.alpha_m) / (1. - p.alpha_f)),
-      has_mass(unknowns_with_mass(model.linear.mass())), contacts(model),
+      has_mass(unknowns_with_mass(model.linear.mass())), contacts(model), linearized(model),
       stiff(model.linear.stiffness()), momentum(model.linear.mass()),
       stiffness_diagonal(model.linear.stiffness().diagonal()) {
   if (!p.impulses)
@@ -65,8 +65,10 @@ std::string AlphaScheme::warning() const {
 }
 
 void AlphaScheme::start(LineState &state, const LoadCourse &loads) {
-  Vector forces = loads.forces(loads.factors_after(state.time)) -
-                  model.linear.stiffness() * state.unknowns - contact_forces(state);
+  const LoadCourse::Factors factors = loads.factors_after(state.time);
+  Vector forces = (model.cells.is_linear() ? Vector(loads.forces(factors) - stiff(state.unknowns))
+                                           : forces_at(state, factors)) -
+                  contact_forces(state);
   loads.add_inertia(state.time, forces, LoadCourse::Side::after);
   if (model.linear.damping().nonZeros() > 0)
     forces -= model.linear.damping() * state.velocity;
@@ -199,7 +201,8 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   ContactResponse response;
   to.unknowns = from.unknowns;
   take_over_contacts(from, to);
-  report.result = solve(problem, step, from, loads, to, response);
+  report.result = model.cells.is_linear() ? solve(problem, step, from, loads, to, response)
+                                          : solve_yielding(step, from, loads, time, to, response);
   if (!report.result.converged)
     return report;
 
@@ -213,10 +216,16 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
     contacts.add_histories(from, step.h, to);
   } else
     add_histories(model.contacts, from, to);
-  report.energy = account_motion(
-      model, from, to,
-      {step.stiff_before, stiff(to.unknowns), step.momentum_before, momentum(to.velocity)},
-      step.forces_before, step.forces, p.impulses ? contacts.work() : std::vector<ContactWork>());
+  const std::vector<ContactWork> work = p.impulses ? contacts.work() : std::vector<ContactWork>();
+  if (model.cells.is_linear())
+    report.energy = account_motion(
+        model, from, to,
+        {step.stiff_before, stiff(to.unknowns), step.momentum_before, momentum(to.velocity)},
+        step.forces_before, step.forces, work);
+  else {
+    report.energy = account_yielding(step, from, loads, to);
+    report.energy += account_contacts(model, from, to, work);
+  }
   if (to.auxiliary.size() > 0)
     report.error =
         step.h * step.h / 12. * (to.auxiliary - from.auxiliary).lpNorm<Eigen::Infinity>() + jump;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/statics/linearized_solver.h"
 #include "analysis/time/impulse_contacts.h"
 #include "analysis/time/motion_products.h"
 
@@ -27,6 +28,9 @@ namespace frictionbeam {
  * motion. Without `impulses`, all contacts are friction elements of finite stiffness with their
  * return mapping. Either way elements of finite stiffness are followed to second order. All of it
  * stands in doc/dynamics.md, "The alpha schemes" and "Rigid contact on velocities".
+ *
+ * Of a line whose sections yield or creep (small displacements), the cells' forces at the end of
+ * the step stand in place of K q, and Newton's method solves the step (alpha_yielding.cc).
  */
 class AlphaScheme final : public TimeIntegrator {
 public:
@@ -60,6 +64,13 @@ private:
     Vector forces_before, forces; ///< of loads, at its start and its end
     Vector stiff_before, momentum_before;
     Vector moved; ///< a1, with impulses that of the motion which they are part of
+
+    // Of a line that yields:
+    Pose start, pose;           ///< at its start, and where it is
+    LineCells::Balance balance; ///< there
+    Vector residual;            ///< but for the contacts
+    SparseMatrix matrix;        ///< less its derivative
+    double largest = 0.;        ///< force [N]
   };
 
   void set_step(const double step);
@@ -73,6 +84,24 @@ private:
   /// Find the motion and the contacts' forces at the end of the step.
   EquilibriumResult solve(EquilibriumProblem &problem, const Step &step, const LineState &from,
                           const LoadCourse &loads, LineState &to, ContactResponse &response);
+  /// Of a line that yields: what its cells and their loads leave at a state, elastically from
+  /// there.
+  Vector forces_at(const LineState &state, const LoadCourse::Factors &factors) const;
+  void evaluate(const LoadCourse &loads, const Vector &unknowns, const double time,
+                Step &step) const;
+  /// Solve for the change that the linearized line takes with its contacts.
+  EquilibriumResult solve_linearized(const Step &step, const LineState &from,
+                                     const LoadCourse &loads, const double time,
+                                     const Vector &unknowns, Vector &change,
+                                     ContactResponse &response);
+  /// The residual with the forces and impulses of the contacts.
+  Vector left_over(const Step &step, const ContactResponse &response) const;
+  bool is_solved(const Step &step, const double time, const ContactResponse &response,
+                 EquilibriumResult &result) const;
+  EquilibriumResult solve_yielding(Step &step, const LineState &from, const LoadCourse &loads,
+                                   const double time, LineState &to, ContactResponse &response);
+  EnergyAccount account_yielding(const Step &step, const LineState &from, const LoadCourse &loads,
+                                 const LineState &to) const;
   /// Velocities and accelerations at the end of the step.
   void finish_motion(const Step &step, const LineState &from, LineState &to);
 
@@ -82,6 +111,7 @@ private:
   const std::vector<bool> has_mass;
   std::unique_ptr<EquilibriumSolver> return_mapping; ///< null with impulses
   ImpulseContacts contacts;
+  LinearizedSolver linearized; ///< of lines that yield, without impulses
   contact::LineFactorization mass;
   SparseMatrix effective; ///< K + gamma/(beta h) C + ratio/(beta h^2) M
   Vector diagonal;        ///< of it

@@ -73,8 +73,8 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
   refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");
   for (const LoadStep &step : scene.steps)
     if (step.transient) {
-      refuse(!scene.time.row().is_for_turning, "another integrator than moreau_jean",
-             "Integrator = moreau_jean in section Time, the midpoint rule");
+      refuse(scene.time.is_exact(), "Integrator = event",
+             "Integrator = moreau_jean, newmark or generalized_alpha in section Time");
       refuse(scene.time.reduction.modes != ReductionSettings::Modes::all, "Modes",
              "Modes = all in section Time");
       refuse(scene.time.theta != 0.5, "Theta above 0.5", "Theta = 0.5 in section Time");
