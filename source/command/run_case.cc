@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "command/run_case.h"
 #include "accuracy/accuracy_control.h"
+#include "accuracy/hinge_refinement.h"
 #include "command/run_body.h"
 #include "command/run_folder.h"
 #include "command/run_line.h"
@@ -202,15 +203,14 @@ std::vector<std::string> folders_of_runs(const Scene &scene) {
   return folders;
 }
 
-bool may_be_resumed(const Scene &scene) {
-  return scene.accuracy == 0.; // else there are many runs
-}
+bool may_be_resumed(const Scene &scene) { return !scene.takes_many_runs(); }
 
 void check_resumable(const Scene &scene) {
   if (!may_be_resumed(scene))
-    throw UserError("A run cannot be resumed here.\n  read:    --resume with an Accuracy, which "
-                    "takes many runs\n  allowed: --resume without Accuracy\n  try:     the run "
-                    "without --resume, from its beginning");
+    throw UserError(
+        "A run cannot be resumed here.\n  read:    --resume with an Accuracy or Refine hinges, "
+        "which take many runs\n  allowed: --resume without them\n  try:     the run "
+        "without --resume, from its beginning");
 }
 
 /// The scene of a file, as it will be solved.
@@ -238,7 +238,9 @@ SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scen
     return read_case(options, overrides, folder, laws);
   };
   const auto solve_once = [&](const Scene &one) {
-    return one.model == ModelKind::line        ? run_line(one, laws)
+    const auto solve_line = [&](const Scene &line) { return run_line(line, laws); };
+    return one.mesh.refine_hinges              ? refine_hinges(one, solve_line)
+           : one.model == ModelKind::line      ? run_line(one, laws)
            : one.model == ModelKind::continuum ? run_continuum(one, laws)
                                                : run_both(one, laws);
   };

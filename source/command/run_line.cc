@@ -17,6 +17,7 @@
 #include "results/frame/envelope.h"
 #include "results/how_well_known.h"
 #include "results/quantity/collector.h"
+#include "results/quantity/wall_quantities.h"
 #include "results/report/reduction_text.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
@@ -292,7 +293,7 @@ void LineRun::pause() {
   if (!checkpoint.is_due() && signal == 0)
     return;
   output_timer.start();
-  if (scene.accuracy == 0.) { // else there are many runs, which are not resumed
+  if (!scene.takes_many_runs()) { // else there are many runs, which are not resumed
     Archive archive;
     transfer(archive);
     checkpoint.write(archive);
@@ -350,6 +351,10 @@ void report_steps(const Scene &scene, const LoadSequence &sequence, const bool c
   for (const StepReport &step : results.steps)
     if (!step.warning.empty() && warnings.insert(step.warning).second)
       results.remarks.push_back(step.warning);
+  for (const StepReport &step : results.steps)
+    if (step.cycle && (step.cycle->number == step.cycle->of || &step == &results.steps.back()))
+      results.remarks.push_back("Cycles to the end of step " + step.step + ": " +
+                                step.cycle->words + ".");
 }
 
 } // namespace
@@ -382,6 +387,8 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   judge_energy(scene, results);
   results.known = how_well_known(scene, results);
   add_remarks_on_supports(model, results);
+  if (scene.mesh.refine_hinges)
+    results.yielded = yielded_cells(model, sequence.state());
   results.cost.unknowns = model.space.n_unknowns();
   results.cost.cells = model.discretization.pipe_cells().size();
   results.cost.contacts = model.contacts.size();

@@ -75,6 +75,8 @@ public:
       add_repeated(scene, paths, support.placement);
     for (const Restraint &restraint : scene.restraints)
       add_repeated(scene, paths, restraint.placement);
+    for (const auto &[pipe, place] : scene.mesh.hinge_nodes)
+      s[pipe].push_back(place);
     for (auto &breaks : s) {
       std::sort(breaks.begin(), breaks.end());
       breaks.erase(std::unique(breaks.begin(), breaks.end(),

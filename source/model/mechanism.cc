@@ -2,6 +2,7 @@
 #include "model/mechanism.h"
 
 #include "base/joined.h"
+#include "base/number_text.h"
 #include "base/numbers.h"
 
 #include "base/user_error.h"
@@ -198,6 +199,14 @@ std::vector<std::string> check_mechanisms(const Model &model) {
     }
   }
   return check.judge();
+}
+
+std::string place_in_words(const Model &model, const unsigned int index) {
+  const PipeCell &cell = model.discretization.pipe_cells()[index];
+  const MeshedPipe &pipe = model.mesh.pipes[cell.pipe];
+  return "pipe " + model.scene.pipes[cell.pipe].name +
+         " at s = " + rounded_number((pipe.s[cell.position] + pipe.s[cell.position + 1]) / 2., 3) +
+         " m";
 }
 
 } // namespace frictionbeam

@@ -14,4 +14,7 @@ namespace frictionbeam {
  */
 std::vector<std::string> check_mechanisms(const Model &model);
 
+/// Middle of a pipe cell: "pipe NAME at s = 1.5 m".
+std::string place_in_words(const Model &model, const unsigned int cell);
+
 } // namespace frictionbeam

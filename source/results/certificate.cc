@@ -11,6 +11,7 @@ namespace frictionbeam {
 void Results::certify(const Scene &scene, const bool contacts_are_judged) {
   double residual = 0., imbalance = 0.;
   contact::Check contact;
+  PipeSections::Check sections;
   EnergyAccount account;
   for (const StepReport &step : steps) {
     residual = std::max(residual, step.residual);
@@ -18,6 +19,8 @@ void Results::certify(const Scene &scene, const bool contacts_are_judged) {
     if (step.energy.at_hand == 0. && turnover > 0.)
       imbalance = std::max(imbalance, std::abs(step.energy.left_over()) / turnover);
     contact.include(step.contact);
+    sections.yield_violation = std::max(sections.yield_violation, step.sections.yield_violation);
+    sections.imbalance = std::max(sections.imbalance, step.sections.imbalance);
     account += step.energy;
   }
   for (StepReport &step : steps)
@@ -36,6 +39,15 @@ void Results::certify(const Scene &scene, const bool contacts_are_judged) {
     add("cone_violation", "-", "friction above f N, of N", contact.cone_violation);
     add("slip_angle", "rad", "between slip and friction force", contact.slip_angle);
     add("least_dissipation", "J", "of one contact in one increment", contact.least_dissipation);
+  }
+  if (std::any_of(scene.sections.begin(), scene.sections.end(),
+                  [](const Section &section) { return section.is_inelastic(); })) {
+    certificate.push_back({"yield_violation", "-",
+                           "equivalent stress above the yield stress, of it",
+                           sections.yield_violation});
+    certificate.push_back({"cell_equilibrium", "-",
+                           "of sections that yield or creep with the forces on their cell",
+                           sections.imbalance});
   }
   if (account.turnover == 0.)
     return;

@@ -280,6 +280,8 @@ struct Results {
   std::string method;     ///< in plain words
   std::string integrator; ///< of transient steps, likewise; empty if there is none
   std::vector<ReportSection> sections;
+  /// Cells that have yielded: pipe, and the way along it to their middle [m].
+  std::vector<std::pair<unsigned int, double>> yielded;
   RunStatus status = RunStatus::failed;
   Cost cost;
 

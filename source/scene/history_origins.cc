@@ -26,10 +26,11 @@ std::vector<double> beginnings(const Scene &scene) {
   return result;
 }
 
-/// The first of the steps up to @p step in all of which a load acts.
+/// The first of the steps up to @p step in all of which a load acts; a cycle begins anew.
 unsigned int first_step(const Scene &scene, unsigned int step, const unsigned int load,
                         const bool of_one_kind) {
-  while (step > 0 && acts(scene.steps[step - 1], load) &&
+  while (step > 0 && !(of_one_kind && scene.steps[step].cycle.begins) &&
+         acts(scene.steps[step - 1], load) &&
          !(of_one_kind && scene.steps[step - 1].transient != scene.steps[step].transient))
     --step;
   return step;
@@ -90,7 +91,8 @@ HistoryOrigins::HistoryOrigins(const Scene &scene, const unsigned int step)
     loads[l] = begin[first_step(scene, from, l, true)];
   }
   unsigned int from = step;
-  while (from > 0 && scene.steps[from - 1].transient == scene.steps[step].transient)
+  while (from > 0 && !scene.steps[from].cycle.begins &&
+         scene.steps[from - 1].transient == scene.steps[step].transient)
     --from;
   ground = begin[from];
 }

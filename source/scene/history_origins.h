@@ -11,8 +11,8 @@ namespace frictionbeam {
  * `History time = run`: 0, the beginning of the run. `step`: the beginning of the first of the
  * steps that follow each other up to this one, all static or all transient, and in all of which the
  * load acts; a load that goes back to zero in this step keeps the time that it had. Motions of the
- * ground act in all steps. Static steps begin where the one before has ended, their Duration being
- * their time.
+ * ground act in all steps. Each cycle of steps that repeat themselves is a beginning. Static steps
+ * begin where the one before has ended, their Duration being their time.
  */
 struct HistoryOrigins {
   std::vector<double> loads; ///< beside Scene::loads [s]

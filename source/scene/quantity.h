@@ -30,6 +30,7 @@ struct QuantityKind {
     mode,     ///< a mode of the line
     stress,   ///< the line by its stress code
     limit,    ///< a step that finds the largest load
+    cycle,    ///< a step at whose end a cycle of loads ends
     wall,     ///< a section that yields or creeps, the nearest to a point
     line,     ///< all of it
     exact     ///< the scene's exact solution
@@ -47,7 +48,9 @@ struct QuantityKind {
   bool is_of_line_too = false; ///< a point is not needed: the largest of the line
 
   /// Known only when everything else is.
-  bool is_of_the_end() const { return of == Of::mode || of == Of::stress || of == Of::limit; }
+  bool is_of_the_end() const {
+    return of == Of::mode || of == Of::stress || of == Of::limit || of == Of::cycle;
+  }
 };
 
 inline constexpr QuantityKind quantity_kinds[] = {
@@ -111,6 +114,11 @@ inline constexpr QuantityKind quantity_kinds[] = {
     {"limit_factor", QuantityKind::Of::limit, 0, "-", "part of the step's loads that was carried"},
     {"limit_bound", QuantityKind::Of::limit, 1, "-",
      "rigid-plastic bound of that part by the last motion"},
+    {"cycle_growth", QuantityKind::Of::cycle, 0, "-",
+     "largest growth of a section's strain in the last cycle", QuantityKind::Measure::amount, true},
+    {"cycle_flow", QuantityKind::Of::cycle, 1, "-",
+     "the same of accumulated plastic and creep strain", QuantityKind::Measure::amount, true},
+    {"cycle_dissipation", QuantityKind::Of::cycle, 2, "J", "by pipes in the last cycle"},
     {"momentum_x", QuantityKind::Of::line, 0, "N s"},
     {"momentum_y", QuantityKind::Of::line, 1, "N s"},
     {"momentum_z", QuantityKind::Of::line, 2, "N s"},

@@ -207,6 +207,11 @@ struct LoadStep {
   double duration = 1.;     ///< [s]; of a static step, the pseudo-time it takes
   bool finds_limit = false; ///< static: whether it ends at the largest part of its loads
   double ramp = 0.; ///< transient: time in which the loads reach their values [s]; 0: at once
+  /// Of loads that repeat themselves, which the step is one of: its number from 1 on, or 0.
+  struct Cycle {
+    unsigned int number = 0, of = 0;
+    bool begins = false, ends = false; ///< whether it is the cycle's first or last step
+  } cycle;
 };
 
 struct InitialCondition {
@@ -237,6 +242,8 @@ struct Scene {
   std::vector<std::string> overrides; ///< the --set options
   std::vector<std::string> remarks;   ///< what the user should know about how the file was read
   double accuracy = 0.; ///< demanded of the quantities, relative; 0: the file says how finely
+  /// Whether it is solved several times, until that is so.
+  bool takes_many_runs() const { return accuracy > 0. || mesh.refine_hinges; }
   /// Headings of the file's parts and where they stand ("case.prm:12").
   std::vector<std::pair<std::string, std::string>> origins;
 

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 /**
  * @file
@@ -21,6 +23,9 @@ struct MeshSettings {
   unsigned int cells_per_bend = 8; ///< in 90 degrees
   bool arcs = false;               ///< a bend is one exact arc, not straight cells
   double most_cells = 200000.;     ///< more are refused
+  bool refine_hinges = false;      ///< halve cells that yield until that changes little
+  /// Nodes that this has added, by the number of their pipe and the way along it [m].
+  std::vector<std::pair<unsigned int, double>> hinge_nodes = {};
 };
 
 /// For equilibrium with contact.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/increment/report_result.h"
 
+#include "model/cell/line_cells.h"
+#include "model/model.h"
+
 #include <algorithm>
 
 namespace frictionbeam {
@@ -18,6 +21,13 @@ bool add_result(const EquilibriumResult &result, StepReport &report) {
   if (result.check)
     report.contact.include(*result.check);
   return true;
+}
+
+void check_sections(const Model &model, const LineState &state, StepReport &report) {
+  const PipeSections::Check now = model.cells.check_sections(state.sections, state.load_factors);
+  PipeSections::Check &worst = report.sections;
+  worst.yield_violation = std::max(worst.yield_violation, now.yield_violation);
+  worst.imbalance = std::max(worst.imbalance, now.imbalance);
 }
 
 } // namespace frictionbeam

@@ -9,4 +9,7 @@ namespace frictionbeam {
 /// Add what one solve did to the report of its step. @return whether it converged.
 bool add_result(const EquilibriumResult &result, StepReport &report);
 
+/// Judge pipes that yield or creep at a state of the step.
+void check_sections(const Model &model, const LineState &state, StepReport &report);
+
 } // namespace frictionbeam

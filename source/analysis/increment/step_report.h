@@ -4,6 +4,7 @@
 #include "analysis/increment/energy_account.h"
 #include "analysis/increment/reduction_account.h"
 #include "analysis/increment/resolution.h"
+#include "model/cell/pipe_sections.h"
 #include <frictionbeam/contact/exact_solver.h>
 
 #include <limits>
@@ -29,6 +30,28 @@ struct LimitLoad {
   void transfer(Archive &archive) { archive(reached, bound, mechanism); }
 };
 
+/// What one of several equal cycles of loads did to pipes that yield or creep.
+struct CycleVerdict {
+  enum class Kind {
+    elastic,     ///< nothing ever yielded or crept
+    shakedown,   ///< nothing does any more
+    alternating, ///< sections yield to and fro, and strains close
+    ratchet,     ///< strains grow by the same in each cycle
+    unsettled    ///< none of these yet
+  };
+  Kind kind = Kind::unsettled;
+  unsigned int number = 0, of = 0; ///< of the cycle, from 1 on, and how many there are
+  double dissipated = 0.;          ///< in it [J]
+  double flow = 0.;                ///< by which accumulated plastic and creep strain grew most [-]
+  double growth = 0.;              ///< most of a section's strain from its beginning to its end [-]
+  double growth_before = 0.;       ///< the same of the cycle before
+  unsigned int cell = 0;           ///< where that is, or where `flow` is if strains close
+  std::string words;
+  void transfer(Archive &archive) {
+    archive(kind, number, of, dissipated, flow, growth, growth_before, cell, words);
+  }
+};
+
 /// What the solver did in one step of the load sequence.
 struct StepReport {
   std::string step;
@@ -36,9 +59,11 @@ struct StepReport {
   std::size_t back_substitutions = 0; ///< with a matrix of the whole line
   double residual = 0.;               ///< largest of its increments, relative to the largest force
   contact::Check contact;             ///< worst of its increments (exact method)
+  PipeSections::Check sections;       ///< likewise, of pipes that yield or creep
   EnergyAccount energy;               ///< of static steps
   bool converged = false;
   std::optional<LimitLoad> limit;                            ///< of pipes that yield
+  std::optional<CycleVerdict> cycle;                         ///< that ended with it
   bool no_equilibrium = false;                               ///< proved that there is none
   std::vector<contact::BeyondUniqueness> several_equilibria; ///< at its end
   /// Contacts whose shares of force nothing determines at its end.
@@ -56,8 +81,9 @@ struct StepReport {
 
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
-            contact, energy, converged, limit, no_equilibrium, several_equilibria,
-            undetermined_forces, remark, warning, reduction, margins, struck, resolution, torn_off);
+            contact, sections.yield_violation, sections.imbalance, energy, converged, limit, cycle,
+            no_equilibrium, several_equilibria, undetermined_forces, remark, warning, reduction,
+            margins, struck, resolution, torn_off);
   }
 };
 

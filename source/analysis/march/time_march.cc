@@ -156,6 +156,7 @@ bool TimeMarch::take_time_step(const double time) {
       !is_shortest(time - state->time))
     return false;
   report->energy += step.energy;
+  check_sections(model, next, *report);
   watch_contacts(model, contacts_before, next, *report);
   contacts_before.take(model, next);
   if (watchers->resolution != nullptr)

@@ -18,7 +18,7 @@ using namespace dealii;
 
 LoadSequence::LoadSequence(const Model &model)
     : model(model), statics(make_statics(model)), course(model),
-      declared(model.scene.loads.size(), 0.) {}
+      declared(model.scene.loads.size(), 0.), cycles(model) {}
 
 LoadSequence::~LoadSequence() = default;
 
@@ -89,6 +89,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
       position.from = declared;
       position.start = current.time;
       position.next = 0;
+      cycles.step_begins(declared_step, current);
     }
     const Factors target = target_of(declared_step);
     course.begin_step(position.step, position.from, target, position.start,
@@ -106,6 +107,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
                                                              : run_transient(target, observer);
     if (!step_reports.back().converged)
       return false;
+    step_reports.back().cycle = cycles.step_ends(declared_step, current);
     if (model.scene.solver.is_exact())
       step_reports.back().undetermined_forces =
           contacts_with_undetermined_forces(model.contacts, current);
@@ -117,7 +119,7 @@ void LoadSequence::transfer(Archive &archive) {
   bool has_moved = march != nullptr, has_reduced = reduction != nullptr;
   if (!resolution)
     resolution = std::make_unique<FollowResolution>(model);
-  archive(position, declared, current, step_reports, force_so_far, in_equilibrium, *statics,
+  archive(position, declared, current, step_reports, force_so_far, in_equilibrium, *statics, cycles,
           *resolution, has_moved, has_reduced);
   if (archive.reads() && has_moved)
     march = std::make_unique<TimeMarch>(model, piece_observer);

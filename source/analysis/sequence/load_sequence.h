@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/increment/cycle_watch.h"
 #include "analysis/increment/progress.h"
 #include "analysis/increment/step_report.h"
 #include "analysis/march/time_march.h"
@@ -105,6 +106,7 @@ private:
   NeedsLine observer_needs_line;
   std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for
 
+  CycleWatch cycles;
   std::unique_ptr<FollowResolution> resolution; ///< null on a reduced line
   double force_so_far = 0.;    ///< largest load or contact force of the sequence [N]
   bool in_equilibrium = false; ///< whether the present state is one of statics

@@ -193,6 +193,7 @@ Vector LoadSequence::unbalanced_at_start() const {
 void LoadSequence::judge_increment(const LineState &before, EnergyAccount account) {
   StepReport &report = step_reports.back();
   report.energy += account;
+  check_sections(model, current, report);
   in_equilibrium = true;
   resolution->add_increment(before, current, report.resolution);
   double largest = 0.;

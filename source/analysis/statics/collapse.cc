@@ -2,6 +2,7 @@
 #include "analysis/statics/collapse.h"
 
 #include "base/number_text.h"
+#include "model/mechanism.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,14 +55,6 @@ PipeSections::Flow flow_of(const Model &model, const unsigned int index, const L
   for (unsigned int i = 0; i < 12; ++i)
     work += ends[i] * motion[dofs[i]];
   return {std::abs(work)};
-}
-
-std::string place_in_words(const Model &model, const unsigned int index) {
-  const PipeCell &cell = model.discretization.pipe_cells()[index];
-  const MeshedPipe &pipe = model.mesh.pipes[cell.pipe];
-  return "pipe " + model.scene.pipes[cell.pipe].name +
-         " at s = " + rounded_number((pipe.s[cell.position] + pipe.s[cell.position + 1]) / 2., 3) +
-         " m";
 }
 
 /// Where most is dissipated: cells side by side are one hinge.

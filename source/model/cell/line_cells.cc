@@ -252,6 +252,16 @@ void LineCells::integrate_sections(const unsigned int cell, const Vector12 &befo
   answer.free_work = inelastic.free_work;
 }
 
+PipeSections::Check LineCells::check_sections(const Vector &states,
+                                              const std::vector<double> &factors) const {
+  PipeSections::Check worst;
+  if (sections.any())
+    for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i)
+      if (sections.has(i))
+        sections.check(i, surroundings(i, factors), states, worst);
+  return worst;
+}
+
 PipeSections::Surroundings LineCells::surroundings(const unsigned int cell,
                                                    const std::vector<double> &factors) const {
   const PipeCell &pipe_cell = discretization.pipe_cells()[cell];

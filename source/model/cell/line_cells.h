@@ -107,6 +107,9 @@ public:
   /// Free strains and what else the law of a cell's sections is given.
   PipeSections::Surroundings surroundings(const unsigned int cell,
                                           const std::vector<double> &factors) const;
+  /// How well sections obey their laws in a state, at factors of the loads.
+  PipeSections::Check check_sections(const Vector &states,
+                                     const std::vector<double> &factors) const;
   /// Sections with a law of their own.
   const PipeSections &pipe_sections() const { return sections; }
   /// Elastic energy of pipes and springs [J].

@@ -8,9 +8,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace frictionbeam {
 
@@ -270,65 +267,6 @@ double PipeSections::dissipated(const Vector &states) const {
   for (const auto &cell : cells)
     if (cell)
       result += sum(*cell, states, lost);
-  return result;
-}
-
-PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Vector12 &at,
-                                              const Vector12 &motion,
-                                              const Surroundings &surroundings,
-                                              const Vector &states) const {
-  constexpr double far = 1000.; // times the motion at which it begins to yield
-  constexpr double same = 1e-3;
-  const Flow none{std::numeric_limits<double>::infinity()};
-  const Cell &cell = *cells[index];
-  constexpr double rounding = 1e-12;
-  double bound = 0.;
-  for (const auto &B : cell.B) {
-    Vector6 direction = B * motion;
-    const Vector6 terms = B.cwiseAbs() * motion.cwiseAbs();
-    for (unsigned int c = 0; c < 6; ++c) // a cell that only moves along
-      direction[c] = std::abs(direction[c]) > rounding * terms[c] ? direction[c] : 0.;
-    bound = std::max(bound, cell.profile.law.elastic_bound(direction.data(), 1., {}));
-  }
-  if (bound == 0. || std::isinf(bound))
-    return bound == 0. ? Flow() : none;
-  Vector there = states;
-  Vector12 place = at;
-  const double length = far / bound;
-  std::array<double, 4> work{};
-  Flow flow;
-  for (double &so_far : work) {
-    const Vector begin = there;
-    const Vector12 end = place + length * motion;
-    Answer answer;
-    integrate(index, place, end, surroundings, {}, begin, there, answer);
-    if (answer.failed)
-      return none;
-    place = end;
-    so_far = sum(cell, there, stored) + sum(cell, there, lost);
-    flow.interior = -cell.carried.transpose() * motion;
-    for (unsigned int q = 0; q < cell.chain.size(); ++q)
-      flow.interior += cell.chain[q].length / length * cell.chain[q].load_stress.transpose() *
-                       (Values(there.data() + place_of(cell, q) + strain) -
-                        Values(begin.data() + place_of(cell, q) + strain));
-  }
-  flow.power = (work[2] - work[1]) / length;
-  return work[3] - work[2] <= (1. + same) * (work[2] - work[1]) ? flow : none;
-}
-
-std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index,
-                                                        const Surroundings &surroundings,
-                                                        const Vector &states) const {
-  const Cell &cell = *cells[index];
-  LawIncrement increment;
-  increment.temperature = surroundings.temperature;
-  increment.pressure = surroundings.pressure;
-  std::vector<Report> result;
-  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
-    const double *const values = states.data() + place_of(cell, q);
-    result.push_back({cell.part[q], Values(values + strain), Values(values + stress),
-                      cell.profile.law.report(values + strain, 1., increment, values + internal)});
-  }
   return result;
 }
 

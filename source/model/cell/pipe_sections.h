@@ -92,6 +92,29 @@ public:
   Flow plastic_flow(const unsigned int cell, const Vector12 &at, const Vector12 &motion,
                     const Surroundings &surroundings, const Vector &states) const;
 
+  /// How well states obey their laws, the worst of all sections.
+  struct Check {
+    /// Equivalent stress beyond the yield stress, of it, by the strain, the internal variables and
+    /// nothing that the law's integration has left [-].
+    double yield_violation = 0.;
+    /// Of stresses with the forces on the ends of their cell and the load between, each component
+    /// by the root of its stiffness, of the largest in the cell [-].
+    double imbalance = 0.;
+  };
+  void check(const unsigned int cell, const Surroundings &surroundings, const Vector &states,
+             Check &worst) const;
+
+  /// What happened between two states, where it is most.
+  struct Change {
+    double dissipated = 0.; ///< by all sections [J]
+    /// Of a section's strain, equivalent, in the wall: sqrt((|d eps| + r |d kappa|)^2 + (r d
+    /// chi)^2/3), r = sqrt(2 I/A) [-].
+    double growth = 0.;
+    double flow = 0.;      ///< growth of plastic and creep strain that laws accumulate [-]
+    unsigned int cell = 0; ///< of `growth`, or of `flow` if that is beyond 1000 times as much
+  };
+  Change largest_change(const Vector &before, const Vector &after) const;
+
   /// A section's place on the line and what its law tells of its state.
   struct Report {
     double part = 0.; ///< of the way along the cell, from its deal.II vertex 0

@@ -50,18 +50,19 @@ struct SectionChain::Linear {
       : chain(chain), n(6 * chain.size()), matrix(Eigen::MatrixXd::Zero(n + 6, n + 6)),
         right(Eigen::VectorXd::Zero(n + 6)) {}
 
-  void set(const unsigned int q, const Vector6 &left_over, const Matrix6 &tangent) {
+  void set_right(const unsigned int q, const Vector6 &left_over) {
+    for (int i = 0; i < 6; ++i)
+      right[6 * q + i] = chain.scale[i] > 0. ? left_over[i] / chain.scale[i] : 0.;
+  }
+  void set(const unsigned int q, const Matrix6 &tangent) {
     const Point &point = chain.points[q];
     for (int i = 0; i < 6; ++i) {
       const int row = 6 * q + i;
       const double s = chain.scale[i];
-      matrix.row(row).setZero();
-      right[row] = 0.;
       if (s == 0.) {
         matrix(row, row) = 1.;
         continue;
       }
-      right[row] = left_over[i] / s;
       for (int j = 0; j < 6; ++j) {
         if (chain.scale[j] > 0.)
           matrix(row, 6 * q + j) =
@@ -162,7 +163,7 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
                                            (std::abs(strain[q][i]) + std::abs(free[q][i])));
         }
       }
-      linear.set(q, carried - stress[q], tangent[q]);
+      linear.set_right(q, carried - stress[q]);
     }
     for (int j = 0; j < 6; ++j)
       linear.right[linear.n + j] = missing[j] * beta_scale[j];
@@ -184,12 +185,17 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
            linear.right.tail<6>().lpNorm<Eigen::Infinity>() <= to * size_of_motion;
   };
 
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors;
+  const auto linearize = [&]() {
+    for (unsigned int q = 0; q < n_points; ++q)
+      linear.set(q, tangent[q]);
+    factors.compute(linear.matrix);
+  };
   if (!evaluate())
     return;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors;
   for (unsigned int iteration = 0; iteration < most_iterations && !is_solved(solved_to);
        ++iteration) {
-    factors.compute(linear.matrix);
+    linearize();
     const Eigen::VectorXd change = factors.solve(linear.right);
     if (!change.allFinite())
       return;
@@ -233,8 +239,8 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(linear.n + 6, 6);
   for (int j = 0; j < 6; ++j)
     unit(linear.n + j, j) = beta_scale[j];
-  const Matrix6 by_motion =
-      beta_scale.asDiagonal() * linear.matrix.partialPivLu().solve(unit).bottomRows<6>();
+  linearize();
+  const Matrix6 by_motion = beta_scale.asDiagonal() * factors.solve(unit).bottomRows<6>();
   solution.forces = G.transpose() * beta;
   solution.stiffness = G.transpose() * by_motion * G;
   solution.solved = solution.stiffness.allFinite();

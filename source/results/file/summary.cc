@@ -164,6 +164,14 @@ Json summary_of(const StepReport &step) {
               {"contact", step.contact.natural_map},
               {"converged", step.converged},
               {"remark", step.remark}};
+  if (step.limit)
+    result["limit"] = {{"reached", step.limit->reached},
+                       {"bound", number(step.limit->bound)},
+                       {"mechanism", step.limit->mechanism}};
+  if (step.cycle)
+    result["cycle"] = {{"number", step.cycle->number},         {"of", step.cycle->of},
+                       {"growth", step.cycle->growth},         {"flow", step.cycle->flow},
+                       {"dissipated", step.cycle->dissipated}, {"verdict", step.cycle->words}};
   if (step.reduction)
     result["reduction"] = summary_of(*step.reduction);
   return result;

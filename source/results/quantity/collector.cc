@@ -360,11 +360,9 @@ void Collector::finish(const LineState &state) {
     if (quantity.is(Of::stress))
       if (const auto value = stress_quantity(quantity, model.mesh, results))
         pending[i].value = quantity.scale * *value;
-    if (quantity.is(Of::limit))
-      for (const StepReport &step : results.steps)
-        if (step.limit && (quantity.step.empty() || step.step == quantity.step))
-          pending[i].value = quantity.scale * (quantity.kind().component == 0 ? step.limit->reached
-                                                                              : step.limit->bound);
+    for (const StepReport &step : results.steps)
+      if (const auto value = value_of_step(quantity, step))
+        pending[i].value = quantity.scale * *value;
     if (!pending[i].value) {
       results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
       continue;

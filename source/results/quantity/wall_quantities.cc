@@ -57,4 +57,35 @@ double value_of_wall(const Model &model, const Quantity &quantity, const LineSta
   return value;
 }
 
+std::vector<std::pair<unsigned int, double>> yielded_cells(const Model &model,
+                                                           const LineState &state) {
+  const PipeSections &sections = model.cells.pipe_sections();
+  std::vector<std::pair<unsigned int, double>> result;
+  for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i) {
+    if (!sections.has(i))
+      continue;
+    const PipeCell &cell = model.discretization.pipe_cells()[i];
+    const std::vector<double> &s = model.mesh.pipes[cell.pipe].s;
+    for (const PipeSections::Report &report :
+         sections.reports(i, model.cells.surroundings(i, state.load_factors), state.sections))
+      if (report.state.plastic_strain > 0.) {
+        result.emplace_back(cell.pipe, (s[cell.position] + s[cell.position + 1]) / 2.);
+        break;
+      }
+  }
+  return result;
+}
+
+std::optional<double> value_of_step(const Quantity &quantity, const StepReport &step) {
+  using Of = QuantityKind::Of;
+  const unsigned int which = quantity.kind().component;
+  if (!quantity.step.empty() && step.step != quantity.step)
+    return {};
+  if (quantity.is(Of::limit) && step.limit)
+    return which == 0 ? step.limit->reached : step.limit->bound;
+  if (quantity.is(Of::cycle) && step.cycle)
+    return which == 0 ? step.cycle->growth : which == 1 ? step.cycle->flow : step.cycle->dissipated;
+  return {};
+}
+
 } // namespace frictionbeam

@@ -24,6 +24,7 @@ constexpr Word<QuantityKind::Of> places[] = {
     {"of a mode, by its number: 'frequency 1'", QuantityKind::Of::mode},
     {"at a point, by the stress code", QuantityKind::Of::stress},
     {"of a step with Find = limit", QuantityKind::Of::limit},
+    {"of steps with Repeat, pipes that yield or creep", QuantityKind::Of::cycle},
     {"of pipes whose section yields or creeps", QuantityKind::Of::wall},
     {"of the whole line, with Kinematics = corotational", QuantityKind::Of::line},
     {"in scenes with an exact solution", QuantityKind::Of::exact}};

@@ -59,8 +59,12 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
   const auto found = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &pipe) {
     return scene.sections[pipe.section].is_inelastic() && !pipe.rigid;
   });
-  if (found == scene.pipes.end())
+  if (found == scene.pipes.end()) {
+    in.enter("Mesh");
+    if (scene.mesh.refine_hinges)
+      in.fail("Refine hinges", "pipes whose section yields", "'Law = fibre_pipe' in its Section");
     return;
+  }
   const Section &section = scene.sections[found->section];
   in.enter("Section " + section.name);
   const auto refuse = [&](const bool is_there, const std::string &what, const std::string &hint) {

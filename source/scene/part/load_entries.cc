@@ -236,11 +236,58 @@ void declare_step(ParameterReader &in) {
   in.declare_count("Increments", 1, 1, "Of a static step: how many pieces the change is cut into.");
   in.declare_choice("Analysis", false, analyses, "Without or with inertia.");
   in.declare_choice("Find", false, searches, "");
+  in.declare_count(
+      "Repeat", 1, 1,
+      "How often the steps from 'Repeat from' to this one are taken in all, as cycles "
+      "of loads. Those of the second cycle are called 'NAME (2)', and so on. Pipes that "
+      "yield get a verdict: shakedown, alternating plasticity or ratchet.");
+  in.declare_text("Repeat from", "", "name of a step", "Where the cycle begins; empty: this step.");
   in.declare_number("Duration", 1., "s", positive, 1e300,
                     "Of a static step, the time that laws and quantities see.");
   in.declare_number("Ramp", 0., "s", 0., 1e300,
                     "Of a transient step: time in which the loads reach their values; 0: at once.");
 }
+
+namespace {
+
+/// Append the cycles after the first of the step that was read last.
+void repeat_steps(const ParameterReader &in, Scene &scene) {
+  constexpr unsigned int most_steps = 10000;
+  const unsigned int n = in.count("Repeat"), last = scene.steps.size() - 1;
+  if (n == 1 && in.given("Repeat from"))
+    in.fail("Repeat from", "this entry with Repeat = 2 or more", "'set Repeat = 10'");
+  if (n == 1)
+    return;
+  const unsigned int first = in.text("Repeat from").empty()
+                                 ? last
+                                 : in.find("Repeat from", in.text("Repeat from"),
+                                           names(scene.steps), "step up to this one");
+  if (n * (last + 1 - first) > most_steps)
+    in.fail("Repeat", "at most " + std::to_string(most_steps) + " steps in all", "fewer cycles");
+  const LoadStep &only = scene.steps[last];
+  if (first == last && !only.transient &&
+      std::none_of(only.loads.begin(), only.loads.end(),
+                   [&](const auto &load) { return scene.loads[load.first].history.is_given(); }))
+    in.fail("Repeat", "cycles in which loads change", "'Repeat from = NAME' of an earlier step",
+            "a static step that repeats itself alone, without History");
+  for (unsigned int s = first; s <= last; ++s) {
+    LoadStep &step = scene.steps[s];
+    if (step.cycle.number > 0)
+      in.fail("Repeat from", "steps that are not repeated already", "a later step", step.name);
+    if (step.finds_limit)
+      in.fail("Repeat", "steps with Find = nothing", "a step of its own for the limit", step.name);
+    step.cycle = {1, n, s == first, s == last};
+  }
+  for (unsigned int k = 2; k <= n; ++k)
+    for (unsigned int s = first; s <= last; ++s) {
+      LoadStep step = scene.steps[s];
+      step.name += " (" + std::to_string(k) + ")";
+      step.cycle.number = k;
+      scene.steps.push_back(step);
+    }
+}
+
+} // namespace
 
 void parse_step(const ParameterReader &in, const std::string &name, Scene &scene) {
   LoadStep step;
@@ -273,6 +320,7 @@ void parse_step(const ParameterReader &in, const std::string &name, Scene &scene
     in.fail("Ramp", "at most the step's Duration, " + to_text(step.duration) + " s",
             "a shorter ramp");
   scene.steps.push_back(step);
+  repeat_steps(in, scene);
 }
 
 } // namespace frictionbeam::parts

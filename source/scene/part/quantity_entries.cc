@@ -123,12 +123,20 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
         }))
       in.fail(entry, what + " of a step with Find = limit", "'set Find = limit' in that step");
     return;
+  case Of::cycle:
+    if (!where.empty() ||
+        std::none_of(scene.steps.begin(), scene.steps.end(), [&](const LoadStep &step) {
+          return step.cycle.ends && (quantity.step.empty() || step.name == quantity.step);
+        }))
+      in.fail(entry, what + " of a step with Repeat, at the end of a cycle",
+              "'set Repeat = 10' in that step");
+    [[fallthrough]];
   case Of::wall:
     if (std::none_of(scene.sections.begin(), scene.sections.end(),
                      [](const Section &section) { return section.is_inelastic(); }))
       in.fail(entry, what + " of sections that yield or creep",
               "a Section with 'Law = fibre_pipe' or another such law");
-    if (!where.empty() || !quantity.kind().is_of_line_too)
+    if (quantity.is(Of::wall) && (!where.empty() || !quantity.kind().is_of_line_too))
       check_point(in, entry, where, scene);
     return;
   case Of::line:

@@ -30,6 +30,11 @@ void declare_mesh(ParameterReader &in) {
                    "Along a cell whose section yields or creeps, those of Gauss and Lobatto: at "
                    "both ends, where hinges are, and between.",
                    20);
+  in.declare_flag(
+      "Refine hinges", false,
+      "Solve again with cells halved where their sections have yielded, until no "
+      "quantity changes by more than Accuracy, or 1e-3 without one, relatively. Elastic "
+      "cells stay as they are.");
   in.declare_count("Most cells", 200000, 1,
                    "A scene of more cells and supports would run for very long, and is refused.",
                    100000000);
@@ -50,6 +55,9 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
   scene.mesh.arcs = in.choice("Bends", bends);
   scene.mesh.cells_per_bend = in.count("Cells per bend");
   scene.mesh.section_points = in.count("Section points");
+  scene.mesh.refine_hinges = in.flag("Refine hinges");
+  if (scene.mesh.refine_hinges && !scene.mesh.file.empty())
+    in.fail("Refine hinges", "false with a mesh of your own", "routes in place of 'File'");
   scene.mesh.most_cells = in.count("Most cells");
 }
 

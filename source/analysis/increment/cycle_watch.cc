@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/increment/cycle_watch.h"
+
+#include "base/number_text.h"
+#include "model/cell/line_cells.h"
+#include "model/mechanism.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double nothing = 1e-6; ///< of the largest dissipation of a cycle
+constexpr double closed = 1e-3;  ///< of what yields and creeps within the cycle
+constexpr double steady = 0.02;  ///< by which a rate may differ from that of the cycle before
+
+CycleVerdict::Kind kind_of(const CycleVerdict &cycle, const double largest_loss) {
+  using Kind = CycleVerdict::Kind;
+  if (largest_loss == 0.)
+    return Kind::elastic;
+  if (cycle.dissipated <= nothing * largest_loss)
+    return Kind::shakedown;
+  if (cycle.number == 1)
+    return Kind::unsettled;
+  if (cycle.growth <= closed * cycle.flow)
+    return Kind::alternating;
+  return std::abs(cycle.growth - cycle.growth_before) <= steady * cycle.growth_before
+             ? Kind::ratchet
+             : Kind::unsettled;
+}
+
+std::string words_of(const CycleVerdict &cycle, const Model &model) {
+  using Kind = CycleVerdict::Kind;
+  const auto number = [](const double value) { return rounded_number(value, 4); };
+  const std::string there = " (" + place_in_words(model, cycle.cell) + ")";
+  switch (cycle.kind) {
+  case Kind::elastic:
+    return "elastic: nothing has yielded or crept";
+  case Kind::shakedown:
+    return "shakedown: the last cycle is elastic";
+  case Kind::alternating:
+    return "alternating plasticity: strains close, and " + number(cycle.flow) +
+           " is yielded in a cycle" + there;
+  case Kind::ratchet:
+    return "ratchet: a section strains by " + number(cycle.growth) + " a cycle" + there;
+  case Kind::unsettled:
+    break;
+  }
+  return cycle.number == 1 ? "not settled: one cycle tells nothing"
+                           : "not settled: a section strains by " + number(cycle.growth) +
+                                 " in the last cycle, by " + number(cycle.growth_before) +
+                                 " in the one before" + there + "; take more cycles";
+}
+
+} // namespace
+
+void CycleWatch::step_begins(const LoadStep &step, const LineState &state) {
+  if (!step.cycle.begins || step.cycle.number != 1)
+    return;
+  before = state.sections;
+  growth_before = largest_loss = 0.;
+}
+
+std::optional<CycleVerdict> CycleWatch::step_ends(const LoadStep &step, const LineState &state) {
+  if (!step.cycle.ends || !model.cells.pipe_sections().any())
+    return {};
+  const PipeSections::Change change =
+      model.cells.pipe_sections().largest_change(before, state.sections);
+  CycleVerdict cycle;
+  cycle.number = step.cycle.number;
+  cycle.of = step.cycle.of;
+  cycle.dissipated = change.dissipated;
+  cycle.growth = change.growth;
+  cycle.growth_before = growth_before;
+  cycle.flow = change.flow;
+  cycle.cell = change.cell;
+  largest_loss = std::max(largest_loss, cycle.dissipated);
+  cycle.kind = kind_of(cycle, largest_loss);
+  cycle.words = words_of(cycle, model);
+  before = state.sections;
+  growth_before = cycle.growth;
+  return cycle;
+}
+
+} // namespace frictionbeam

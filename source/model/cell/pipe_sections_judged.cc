@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model/cell/pipe_sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace frictionbeam {
+
+using Vector6 = PipeSections::Vector6;
+using Vector12 = PipeSections::Vector12;
+using Values = Eigen::Map<const Vector6>;
+
+void PipeSections::check(const unsigned int index, const Surroundings &surroundings,
+                         const Vector &states, Check &worst) const {
+  const Cell &cell = *cells[index];
+  LawIncrement increment;
+  increment.temperature = surroundings.temperature;
+  increment.pressure = surroundings.pressure;
+  const double *const of_cell = states.data() + cell.first_value;
+  const Eigen::Map<const Eigen::Vector3d> load(of_cell + 14);
+  const Vector6 beta = (forces(index, states) - cell.carried * load).tail<6>();
+  double largest = 0., off = 0.;
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    const double *const values = states.data() + place_of(cell, q);
+    const double ratio =
+        cell.profile.law.report(values + strain, 1., increment, values + internal).utilization;
+    worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    Vector6 left =
+        Values(values + stress) - cell.chain[q].b * beta - cell.chain[q].load_stress * load;
+    left[0] -= values[thrust];
+    for (unsigned int c = 0; c < 6; ++c)
+      if (const double scale = std::sqrt(cell.profile.tangent(c, c)); scale > 0.) {
+        largest = std::max(largest, std::abs(values[stress + c]) / scale);
+        off = std::max(off, std::abs(left[c]) / scale);
+      }
+  }
+  if (largest > 0.)
+    worst.imbalance = std::max(worst.imbalance, off / largest);
+}
+
+PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Vector12 &at,
+                                              const Vector12 &motion,
+                                              const Surroundings &surroundings,
+                                              const Vector &states) const {
+  constexpr double far = 1000.; // times the motion at which it begins to yield
+  constexpr double same = 1e-3;
+  const Flow none{std::numeric_limits<double>::infinity()};
+  const Cell &cell = *cells[index];
+  constexpr double rounding = 1e-12;
+  double bound = 0.;
+  for (const auto &B : cell.B) {
+    Vector6 direction = B * motion;
+    const Vector6 terms = B.cwiseAbs() * motion.cwiseAbs();
+    for (unsigned int c = 0; c < 6; ++c) // a cell that only moves along
+      direction[c] = std::abs(direction[c]) > rounding * terms[c] ? direction[c] : 0.;
+    bound = std::max(bound, cell.profile.law.elastic_bound(direction.data(), 1., {}));
+  }
+  if (bound == 0. || std::isinf(bound))
+    return bound == 0. ? Flow() : none;
+  Vector there = states;
+  Vector12 place = at;
+  const double length = far / bound;
+  std::array<double, 4> work{};
+  Flow flow;
+  for (double &so_far : work) {
+    const Vector begin = there;
+    const Vector12 end = place + length * motion;
+    Answer answer;
+    integrate(index, place, end, surroundings, {}, begin, there, answer);
+    if (answer.failed)
+      return none;
+    place = end;
+    so_far = sum(cell, there, stored) + sum(cell, there, lost);
+    flow.interior = -cell.carried.transpose() * motion;
+    for (unsigned int q = 0; q < cell.chain.size(); ++q)
+      flow.interior += cell.chain[q].length / length * cell.chain[q].load_stress.transpose() *
+                       (Values(there.data() + place_of(cell, q) + strain) -
+                        Values(begin.data() + place_of(cell, q) + strain));
+  }
+  flow.power = (work[2] - work[1]) / length;
+  return work[3] - work[2] <= (1. + same) * (work[2] - work[1]) ? flow : none;
+}
+
+PipeSections::Change PipeSections::largest_change(const Vector &before, const Vector &after) const {
+  constexpr double closed = 1e-3;
+  Change change;
+  unsigned int cell_of_flow = 0;
+  for (unsigned int i = 0; i < cells.size(); ++i) {
+    if (!cells[i])
+      continue;
+    const Cell &cell = *cells[i];
+    change.dissipated += sum(cell, after, lost) - sum(cell, before, lost);
+    const double radius = std::sqrt(2. * cell.profile.EI / cell.profile.EA);
+    for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+      const double *const from = before.data() + place_of(cell, q), *const to = after.data() +
+                                                                                place_of(cell, q);
+      const Vector6 by = Values(to + strain) - Values(from + strain);
+      const double growth = std::hypot(std::abs(by[0]) + radius * std::hypot(by[4], by[5]),
+                                       radius * by[3] / std::sqrt(3.));
+      const SectionReport then = cell.profile.law.report(from + strain, 1., {}, from + internal),
+                          now = cell.profile.law.report(to + strain, 1., {}, to + internal);
+      const double flow =
+          now.plastic_strain - then.plastic_strain + now.creep_strain - then.creep_strain;
+      if (growth > change.growth) {
+        change.growth = growth;
+        change.cell = i;
+      }
+      if (flow > change.flow) {
+        change.flow = flow;
+        cell_of_flow = i;
+      }
+    }
+  }
+  if (change.growth <= closed * change.flow)
+    change.cell = cell_of_flow;
+  return change;
+}
+
+std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index,
+                                                        const Surroundings &surroundings,
+                                                        const Vector &states) const {
+  const Cell &cell = *cells[index];
+  LawIncrement increment;
+  increment.temperature = surroundings.temperature;
+  increment.pressure = surroundings.pressure;
+  std::vector<Report> result;
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    const double *const values = states.data() + place_of(cell, q);
+    result.push_back({cell.part[q], Values(values + strain), Values(values + stress),
+                      cell.profile.law.report(values + strain, 1., increment, values + internal)});
+  }
+  return result;
+}
+
+} // namespace frictionbeam
