@@ -2,6 +2,7 @@
 #include "model/cell/pipe_sections.h"
 
 #include "base/user_error.h"
+#include "model/unknowns/section_law.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -47,6 +48,18 @@ struct Beyond {
   }
 };
 
+/// Section strains in the axes of an arc, y inwards and z about its centre, of those in local axes.
+SectionChain::Matrix6 to_axes_of(const ArcBeam &arc, const double part) {
+  const double psi = part * arc.angle();
+  const LocalAxes local(arc.tangent(psi));
+  const Vector3 inward = arc.inward(psi), axis = arc.axis();
+  SectionChain::Matrix6 turn = SectionChain::Matrix6::Identity();
+  for (const int first : {1, 4})
+    turn.block<2, 2>(first, first) << inward * local.y, inward * local.z, axis * local.y,
+        axis * local.z;
+  return turn;
+}
+
 } // namespace
 
 PipeSections::PipeSections(const Scene &scene, const Discretization &discretization) {
@@ -88,19 +101,34 @@ PipeSections::make_cell(const Discretization &discretization, const unsigned int
   Eigen::Matrix<double, 6, 12> G;
   G.leftCols<6>() = compliance * K.bottomLeftCorner<6, 6>();
   G.rightCols<6>().setIdentity();
+  std::vector<SectionChain::Matrix6> turn;
+  std::vector<BoundLaw> laws;
   std::vector<SectionChain::Point> points;
+  const bool reversed = discretization.pipe_cells()[index].reversed;
   for (unsigned int q = 0; q < at_points.n_points(); ++q) {
+    const double part = at_points.place_of(q);
+    turn.push_back(exact.arc() ? to_axes_of(*exact.arc(), part)
+                               : SectionChain::Matrix6(SectionChain::Matrix6::Identity()));
     SectionChain::Point &point = points.emplace_back();
-    point.b = D * at_points.strain_matrix(q).rightCols<6>() * compliance;
-    point.load_stress = point.b * Beyond(exact, deal_cell, at_points.place_of(q), 1).forces();
+    point.b = turn[q] * D * at_points.strain_matrix(q).rightCols<6>() * compliance;
+    point.load_stress = point.b * Beyond(exact, deal_cell, part, 1).forces();
     point.length = at_points.length_at(q);
+    point.elastic = D;
+    if (profile.bend.changes_along()) {
+      laws.push_back(law_at(profile, reversed ? 1. - part : part));
+      const auto tangent = elastic_tangent(laws.back());
+      point.elastic = Eigen::Map<const Tangent>(&tangent(0, 0));
+    }
   }
-  auto cell = std::make_unique<Cell>(profile, SectionChain(std::move(points), G, D));
+  auto cell = std::make_unique<Cell>(profile, SectionChain(std::move(points), G));
   for (unsigned int q = 0; q < at_points.n_points(); ++q) {
-    cell->B.push_back(at_points.strain_matrix(q));
-    cell->curvature.push_back(at_points.curvature_strain(q));
+    cell->B.push_back(turn[q] * at_points.strain_matrix(q));
+    cell->curvature.push_back(turn[q] * at_points.curvature_strain(q));
     cell->part.push_back(at_points.place_of(q));
   }
+  cell->laws = std::move(laws);
+  if (exact.arc())
+    cell->turn = std::move(turn);
   cell->carried = exact.unit_line_loads();
   cell->carried.topRows<6>() -= Beyond(exact, deal_cell, 0., 0).forces();
   cell->first_value = n_values;
@@ -117,12 +145,12 @@ void PipeSections::set_energies(const double pushes, const double dissipation,
                     2.;
 }
 
-bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundings,
-                                 const Clock &clock, const Vector6 &total, const double *const old,
-                                 double *const now, SectionChain::Matrix6 &stiffness,
-                                 double &error) const {
+bool PipeSections::answer_of_law(const Cell &cell, const unsigned int point,
+                                 const Surroundings &surroundings, const Clock &clock,
+                                 const Vector6 &total, const double *const old, double *const now,
+                                 SectionChain::Matrix6 &stiffness, double &error) const {
   const Profile &profile = cell.profile;
-  const BoundLaw &law = profile.law;
+  const BoundLaw &law = cell.law(point);
   const double pushes = surroundings.pressure * profile.bore_area;
   Eigen::Map<Vector6> of_wall(now + strain);
   of_wall = total;
@@ -158,7 +186,6 @@ bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
       return false;
   increment.pressure = surroundings.pressure;
   const double pushes = surroundings.pressure * cell.profile.bore_area;
-  const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&cell.profile.tangent(0, 0));
   cell.chain.solve_elastically(motions, free, surroundings.line_force, solution);
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const before = old.data() + place_of(cell, q);
@@ -166,9 +193,9 @@ bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
     Eigen::Map<Vector6> of_wall(values + strain);
     of_wall = solution.strain[q];
     of_wall[0] += pushes / cell.profile.EA;
-    if (!(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.))
+    if (!(cell.law(q).elastic_bound(values + strain, 1., increment) < 1.))
       return false;
-    Eigen::Map<Vector6>(values + stress) = D * of_wall;
+    Eigen::Map<Vector6>(values + stress) = cell.chain[q].elastic * of_wall;
     std::fill(values + flowed, values + n_values_of(cell), 0.);
     set_energies(pushes, 0., before, values);
   }
@@ -195,8 +222,8 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
   const auto law = [&](const unsigned int q, const Vector6 &strain_of_point, Vector6 &result,
                        SectionChain::Matrix6 &tangent) {
     double *const values = now.data() + place_of(cell, q);
-    if (!answer_of_law(cell, surroundings, clock, strain_of_point, old.data() + place_of(cell, q),
-                       values, tangent, answer.error))
+    if (!answer_of_law(cell, q, surroundings, clock, strain_of_point,
+                       old.data() + place_of(cell, q), values, tangent, answer.error))
       return false;
     result = Values(values + stress);
     result[0] -= values[thrust];

@@ -125,11 +125,17 @@ public:
                               const Vector &states) const;
 
 private:
+  /// In a bend its sections' axes y, z are those of the bend: towards its centre, and about it.
   struct Cell {
     Cell(const Profile &profile, SectionChain chain) : profile(profile), chain(std::move(chain)) {}
+    const BoundLaw &law(const unsigned int point) const {
+      return laws.empty() ? profile.law : laws[point];
+    }
     const Profile &profile;
     SectionChain chain;
-    Eigen::Matrix<double, 12, 3> carried; ///< forces on the ends by a load that beta leaves out
+    std::vector<BoundLaw> laws;              ///< of the sections, where they are not all one
+    std::vector<SectionChain::Matrix6> turn; ///< of an arc, to its axes from the local ones
+    Eigen::Matrix<double, 12, 3> carried;    ///< forces on the ends by a load that beta leaves out
     std::vector<Eigen::Matrix<double, 6, 12>> B;
     std::vector<Vector6> curvature; ///< strains of a unit change of curvature
     std::vector<double> part;       ///< of the way along the cell
@@ -169,8 +175,8 @@ private:
                                         const unsigned int index, PipeElement &exact,
                                         PipeElement &at_points) const;
   /// @param total strain less free ones @param now in: its strain; out: all its values
-  bool answer_of_law(const Cell &cell, const Surroundings &surroundings, const Clock &clock,
-                     const Vector6 &total, const double *old, double *now,
+  bool answer_of_law(const Cell &cell, const unsigned int point, const Surroundings &surroundings,
+                     const Clock &clock, const Vector6 &total, const double *old, double *now,
                      SectionChain::Matrix6 &tangent, double &error) const;
 
   std::vector<std::unique_ptr<const Cell>> cells; ///< as the pipe cells; empty if none has a law

@@ -25,7 +25,7 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
     const double ratio =
-        cell.profile.law.report(values + strain, 1., increment, values + internal).utilization;
+        cell.law(q).report(values + strain, 1., increment, values + internal).utilization;
     worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
     Vector6 left =
         Values(values + stress) - cell.chain[q].b * beta - cell.chain[q].load_stress * load;
@@ -50,12 +50,12 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
   const Cell &cell = *cells[index];
   constexpr double rounding = 1e-12;
   double bound = 0.;
-  for (const auto &B : cell.B) {
-    Vector6 direction = B * motion;
-    const Vector6 terms = B.cwiseAbs() * motion.cwiseAbs();
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    Vector6 direction = cell.B[q] * motion;
+    const Vector6 terms = cell.B[q].cwiseAbs() * motion.cwiseAbs();
     for (unsigned int c = 0; c < 6; ++c) // a cell that only moves along
       direction[c] = std::abs(direction[c]) > rounding * terms[c] ? direction[c] : 0.;
-    bound = std::max(bound, cell.profile.law.elastic_bound(direction.data(), 1., {}));
+    bound = std::max(bound, cell.law(q).elastic_bound(direction.data(), 1., {}));
   }
   if (bound == 0. || std::isinf(bound))
     return bound == 0. ? Flow() : none;
@@ -99,8 +99,8 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       const Vector6 by = Values(to + strain) - Values(from + strain);
       const double growth = std::hypot(std::abs(by[0]) + radius * std::hypot(by[4], by[5]),
                                        radius * by[3] / std::sqrt(3.));
-      const SectionReport then = cell.profile.law.report(from + strain, 1., {}, from + internal),
-                          now = cell.profile.law.report(to + strain, 1., {}, to + internal);
+      const SectionReport then = cell.law(q).report(from + strain, 1., {}, from + internal),
+                          now = cell.law(q).report(to + strain, 1., {}, to + internal);
       const double flow =
           now.plastic_strain - then.plastic_strain + now.creep_strain - then.creep_strain;
       if (growth > change.growth) {
@@ -128,8 +128,15 @@ std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index
   std::vector<Report> result;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
-    result.push_back({cell.part[q], Values(values + strain), Values(values + stress),
-                      cell.profile.law.report(values + strain, 1., increment, values + internal)});
+    Report &report = result.emplace_back();
+    report.part = cell.part[q];
+    report.strain = Values(values + strain);
+    report.stress = Values(values + stress);
+    if (!cell.turn.empty()) { // back to the local axes
+      report.strain = cell.turn[q].transpose() * report.strain;
+      report.stress = cell.turn[q].transpose() * report.stress;
+    }
+    report.state = cell.law(q).report(values + strain, 1., increment, values + internal);
   }
   return result;
 }

@@ -79,9 +79,9 @@ struct SectionChain::Linear {
   Eigen::VectorXd right;
 };
 
-SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 6, 12> &G,
-                           const Matrix6 &elastic)
-    : points(std::move(list)), G(G), scale(elastic.diagonal().cwiseMax(0.).cwiseSqrt()) {
+SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 6, 12> &G)
+    : points(std::move(list)), G(G),
+      scale(points.front().elastic.diagonal().cwiseMax(0.).cwiseSqrt()) {
   Vector6 flexibility = Vector6::Zero();
   for (const Point &point : points)
     for (int j = 0; j < 6; ++j)
@@ -90,12 +90,12 @@ SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 
           flexibility[j] += point.length * std::pow(point.b(i, j) / scale[i], 2);
   for (int j = 0; j < 6; ++j)
     beta_scale[j] = flexibility[j] > 0. ? 1. / std::sqrt(flexibility[j]) : 1.;
-  compliance = compliance_of(elastic);
   Matrix6 by_beta = Matrix6::Zero();
   by_load.setZero();
   for (const Point &point : points) {
-    by_beta += point.length * point.b.transpose() * compliance * point.b;
-    by_load += point.length * point.b.transpose() * compliance * point.load_stress;
+    compliance.push_back(compliance_of(point.elastic));
+    by_beta += point.length * point.b.transpose() * compliance.back() * point.b;
+    by_load += point.length * point.b.transpose() * compliance.back() * point.load_stress;
   }
   of_motion = by_beta.inverse();
   K = G.transpose() * of_motion * G;
@@ -109,7 +109,7 @@ void SectionChain::solve_elastically(const Vector12 &motions, const std::vector<
   const Vector6 beta = of_motion * moved;
   solution.strain.resize(points.size());
   for (std::size_t q = 0; q < points.size(); ++q)
-    solution.strain[q] = compliance * (points[q].b * beta + points[q].load_stress * load);
+    solution.strain[q] = compliance[q] * (points[q].b * beta + points[q].load_stress * load);
   solution.forces = G.transpose() * beta;
   solution.stiffness = K;
   solution.solved = true;
