@@ -32,7 +32,8 @@ constexpr LawParameter own_parameters[section::n_oval_parameters] = {
     {"Modes", "-", 8., 2., section::highest_mode, "of ovalisation, from 2 waves round to as many"},
     {"Points round", "-", 31., 7., section::most_stations,
      "the circumference; odd, and 3 and more than twice the modes"},
-    {"Layers", "-", 2., 1., section::most_layers, "of the wall, two points in each"}};
+    {"Layers", "-", 2., 1., section::most_layers,
+     "of the wall, two points in each; an even number has its plastic moment exactly"}};
 
 constexpr auto oval_parameters = section::joined(own_parameters, section::material_parameters);
 

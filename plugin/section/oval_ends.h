@@ -22,10 +22,10 @@ class OvalEnds {
 public:
   /// @param length of the bend [m]; @param beta, gamma decay in the bend and beyond [1/m]
   OvalEnds(const double length, const double beta, const double gamma)
-      : length(std::max(beta * length, shortest)) {
+      : scaled(std::max(beta * length, shortest)) {
     // a = 1 + P (f(x) + f(L - x)) + Q (g(x) + g(L - x)), f = exp(-x) cos x, g = exp(-x) sin x.
-    const double c = gamma / beta, E = std::exp(-this->length), C = E * std::cos(this->length),
-                 S = E * std::sin(this->length);
+    const double c = gamma / beta, E = std::exp(-scaled), C = E * std::cos(scaled),
+                 S = E * std::sin(scaled);
     // Of the sums of f and of g at x = 0: value and derivatives outwards.
     const double of_f[4] = {1. + C, 1. - C - S, 2. * S, -2. + 2. * (C - S)},
                  of_g[4] = {S, -1. + C - S, -2. - 2. * C, -2. + 2. * (C + S)};
@@ -41,14 +41,14 @@ public:
 
   /// a over that of a bend of no end, at a part of the way.
   double share(const double place) const {
-    return 1. + of(place * length) + of((1. - place) * length);
+    return 1. + of(place * scaled) + of((1. - place) * scaled);
   }
 
 private:
   static constexpr double shortest = 1e-2; ///< over 1/beta: what is shorter has no digits
   double of(const double x) const { return std::exp(-x) * (P * std::cos(x) + Q * std::sin(x)); }
 
-  double length, P, Q; ///< length in units of 1/beta
+  double scaled, P, Q; ///< length in units of 1/beta; factors
 };
 
 } // namespace frictionbeam::section

@@ -355,7 +355,8 @@ inline void OvalIncrement::write(LawOutput &out) const {
   std::copy(unknown.mode, unknown.mode + 2 * at.modes, now);
   std::copy(held_given, held_given + 2, now + at.given());
   now[at.shear()] = unknown.shear;
-  double stored = pipe.hoop * pipe.hoop * pipe.rigidity[0] / (pipe.E * pipe.E) / 2., lost = 0.;
+  double stored = pipe.hoop * pipe.hoop * pipe.rigidity[0] / (pipe.E * pipe.E) / 2., lost = 0.,
+         from_hold = 0.;
   for (int i = 0; i < at.stations; ++i) {
     std::copy(unknown.own[i], unknown.own[i] + n_own, now + at.of_station(i));
     const double *const stress = stations[i].stress;
@@ -378,10 +379,10 @@ inline void OvalIncrement::write(LawOutput &out) const {
     stored += pipe.pressure_stiffness(k % at.modes) * unknown.mode[k] * unknown.mode[k] / 2.;
   for (int c = 0; c < 2 && pipe.held > 0.; ++c) {
     stored += held_force[c] * held_force[c] / pipe.held / 2.;
-    lost += held_force[c] * (held_given[c] - old[at.given() + c]);
+    from_hold += held_force[c] * (held_given[c] - old[at.given() + c]);
   }
   out.stored_energy += stored;
-  out.dissipation = lost;
+  out.dissipation = lost + std::max(0., from_hold);
 }
 
 } // namespace frictionbeam::section

@@ -83,7 +83,7 @@ struct OvalPipe {
   double radius[most_points], depth[most_points], area[most_points]; ///< area: of one station
   double station_area;
   double rigidity[n_section_strains];
-  double stiffness[3];                 ///< of a point, see PointStress
+  double stiffness[3];                 ///< of a point, see OvalPoint
   double unit_mode[most_modes] = {};   ///< amplitudes of unit curvature, elastic
   double held = 0., held_at_most = 0.; ///< of mode 2 by the ends: stiffness, largest force
   double free_hoop[oval + 1];          ///< e by along, bending and oval, elastic, no pressure

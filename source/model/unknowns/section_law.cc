@@ -61,10 +61,13 @@ bool has_own_flexibility(const LawDescription &law) {
   return place_of(law, bend_radius) >= 0 && place_of(law, bending_rigidity) < 0;
 }
 
+/// What the file has for a parameter; a rigid part of the pipe has another law than its section.
 std::optional<double> given(const LawDescription &law, const Section &section,
                             const std::string &name) {
   const int place = place_of(law, name);
-  return place < 0 || section.law_parameters.empty() ? std::nullopt : section.law_parameters[place];
+  return place < 0 || section.law != law.name || section.law_parameters.empty()
+             ? std::nullopt
+             : section.law_parameters[place];
 }
 
 double value_of(const LawDescription &law, const int i, const Known &known) {
