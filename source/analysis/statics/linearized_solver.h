@@ -28,6 +28,10 @@ public:
   /// The matrix's own solution; false if it is singular.
   bool solve_without_contacts(const SparseMatrix &matrix, const Vector &right_hand_side,
                               Vector &change);
+  /// The same with the factors of the last matrix.
+  Vector solve_again(const Vector &right_hand_side) const {
+    return factorization.solve(right_hand_side);
+  }
 
 private:
   const Model &model;

@@ -53,9 +53,11 @@ void LineCells::add_part(const Vector3d &value, const unsigned int vertex, const
 void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
                          Balance &balance) const {
   balance.loads = balance.internal = Vector::Zero(space.n_dofs());
-  balance.stiffness = linear.stiffness(); // its pattern
-  std::fill(balance.stiffness.valuePtr(),
-            balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
+  if (!step.without_stiffness) {
+    balance.stiffness = linear.stiffness(); // its pattern
+    std::fill(balance.stiffness.valuePtr(),
+              balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
+  }
   balance.largest = balance.free = balance.free_work = balance.damping = 0.;
   balance.section_error = 0.;
   balance.failed = false;
@@ -67,7 +69,8 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
   }
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     answer(i, step, factors, of_cell);
-    add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
+    if (!step.without_stiffness)
+      add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
     for (unsigned int j = 0; j < 12; ++j) {
       balance.internal[of_cell.dofs[j]] += of_cell.internal[j];
       balance.loads[of_cell.dofs[j]] += of_cell.loads[j];
@@ -83,7 +86,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
   add_springs(step, balance);
   if (step.duration > 0.)
     add_modal_damping(step, balance);
-  add_nodal_loads(step.half, factors, balance);
+  add_nodal_loads(step, factors, balance);
   balance.forces = space.restrict_forces(balance.loads - balance.internal);
 }
 
@@ -124,7 +127,8 @@ void LineCells::add_spring(const Spring &spring, const unsigned int c, const Ste
   for (unsigned int i = 0; i < dofs.size(); ++i)
     balance.internal[dofs[i]] += force[i];
   balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
-  add_local((k + 2. * viscous) * unit, dofs, balance.stiffness);
+  if (!step.without_stiffness)
+    add_local((k + 2. * viscous) * unit, dofs, balance.stiffness);
 }
 
 Motion LineCells::nodal_load(const unsigned int load, const unsigned int vertex,
@@ -132,7 +136,7 @@ Motion LineCells::nodal_load(const unsigned int load, const unsigned int vertex,
   return linear.nodal(load).at(vertex);
 }
 
-void LineCells::add_nodal_loads(const Pose &half, const std::vector<double> &factors,
+void LineCells::add_nodal_loads(const Step &step, const std::vector<double> &factors,
                                 Balance &balance) const {
   for (unsigned int l = 0; l < factors.size(); ++l) {
     if (factors[l] == 0.)
@@ -140,7 +144,7 @@ void LineCells::add_nodal_loads(const Pose &half, const std::vector<double> &fac
     for (const auto &entry : linear.nodal(l)) {
       const unsigned int vertex = entry.first;
       Eigen::Matrix<double, 6, 1> force;
-      const Motion value = nodal_load(l, vertex, half);
+      const Motion value = nodal_load(l, vertex, step.half);
       std::vector<types::global_dof_index> dofs;
       for (unsigned int c = 0; c < 6; ++c) {
         force[c] = factors[l] * value[c];
@@ -151,7 +155,7 @@ void LineCells::add_nodal_loads(const Pose &half, const std::vector<double> &fac
         }
       }
       balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
-      if (!scene.loads[l].follows || dofs.size() < 6)
+      if (step.without_stiffness || !scene.loads[l].follows || dofs.size() < 6)
         continue;
       Eigen::Matrix<double, 6, 6> turning = Eigen::Matrix<double, 6, 6>::Zero();
       turning.block<3, 3>(0, 3) = skew(force.head<3>());

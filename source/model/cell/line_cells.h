@@ -86,7 +86,8 @@ public:
     /// Of a static increment, whose forces are those at its end alone: where it began. Sections go
     /// there from it.
     const Pose *began = nullptr;
-    bool is_trial = false; ///< whether sections answer elastically to the increment
+    bool is_trial = false;          ///< whether sections answer elastically to the increment
+    bool without_stiffness = false; ///< leave Balance::stiffness as it is
   };
   /**
    * Forces at a pose, or those of a time step: the mean of the cells' forces at both its ends,
@@ -124,11 +125,11 @@ public:
    * @param spin_before angular velocities among them [rad/s]
    * @param forces -= 2/h times the change of angular momentum and what damping takes of it, on the
    * unknowns
-   * @param matrix += its derivative by the change
+   * @param matrix += its derivative by the change; null: not asked for
    */
   virtual void add_rotary(const Pose &from, const Pose &to, const Vector &change,
                           const Vector &spin_before, const double step, Vector &forces,
-                          SparseMatrix &matrix) const = 0;
+                          SparseMatrix *matrix) const = 0;
   /// Angular velocities at a step's end, in place of the entries of @p velocity that are spins.
   virtual void set_spins(const Pose &from, const Pose &to, const Vector &change,
                          const Vector &spin_before, const double step, Vector &velocity) const = 0;
@@ -218,7 +219,7 @@ private:
   /// Elastic and viscous force of a spring or dashpot in one direction.
   void add_spring(const Spring &spring, const unsigned int c, const Step &step,
                   Balance &balance) const;
-  void add_nodal_loads(const Pose &half, const std::vector<double> &factors,
+  void add_nodal_loads(const Step &step, const std::vector<double> &factors,
                        Balance &balance) const;
 };
 
