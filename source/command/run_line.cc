@@ -218,7 +218,8 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
     : model(model), scene(model.scene), sequence(sequence), results(results),
       collector(model, results,
                 [this](const Frame &frame) {
-                  const Frame shown = scene.units.is_si() ? frame : in_units(scene.units, frame);
+                  Frame converted;
+                  const Frame &shown = in_units(scene.units, frame, converted);
                   csv->append(shown);
                   if (vtu)
                     vtu->append(shown);
@@ -367,7 +368,6 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   LineMesh mesh = build_line_mesh(scene);
   results.remarks = mesh.remarks;
   results.cost.mesh_seconds = timer.wall_time();
-
   timer.restart();
   const LineModel line(scene, std::move(mesh), laws);
   const Model &model = line.model();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/build_line_mesh.h"
 
-#include "mesh/gmsh_file.h"
-#include "mesh/gmsh_routes.h"
-#include "mesh/gmsh_session.h"
+#include "mesh/gmsh/mesh_file.h"
+#include "mesh/gmsh/session.h"
+#include "mesh/mesh_routes.h"
 
 #include "base/user_error.h"
 #include "scene/file/parameter_file.h"

@@ -17,6 +17,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 /**
@@ -250,6 +251,9 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Section> sections;
   std::vector<Pipe> pipes;
+  /// Positions of all points with a name that sections Point and routes of the file have placed; of
+  /// a rounded corner, its own.
+  std::unordered_map<std::string, Point3> places;
   std::vector<NamedPoint> points;
   std::vector<FrictionSupport> supports;
   std::vector<Restraint> restraints;

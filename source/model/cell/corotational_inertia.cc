@@ -16,14 +16,14 @@ void CorotationalCells::add_mass() {
     Eigen::Matrix<double, 6, 6> local = cell.mass / 3. * Eigen::Matrix<double, 6, 6>::Identity();
     local.topRightCorner<3, 3>() = local.bottomLeftCorner<3, 3>() =
         cell.mass / 6. * Matrix3d::Identity();
-    add_local(local, dofs, M);
+    space.add_local(local, dofs, M);
   }
   for (unsigned int v = 0; v < n_vertices; ++v) {
     std::vector<types::global_dof_index> dofs;
     for (unsigned int d = 0; d < 3; ++d)
       dofs.push_back(discretization.vertex_dofs().index(v, d));
     if (point_mass[v] > 0.)
-      add_local(point_mass[v] * Matrix3d::Identity(), dofs, M);
+      space.add_local(point_mass[v] * Matrix3d::Identity(), dofs, M);
   }
 }
 
@@ -50,7 +50,7 @@ void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vecto
     std::vector<types::global_dof_index> dofs;
     for (unsigned int d = 0; d < 3; ++d)
       dofs.push_back(discretization.vertex_dofs().index(v, 3 + d));
-    add_local(derivative, dofs, *matrix);
+    space.add_local(derivative, dofs, *matrix);
   }
   forces += space.restrict_forces(on_dofs);
 }

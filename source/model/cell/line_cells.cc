@@ -21,17 +21,6 @@ LineCells::LineCells(const Scene &scene, const LineMesh &mesh, const Discretizat
       point_mass[mesh.points.at(point)] += mass.mass;
 }
 
-void LineCells::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
-                          const std::vector<types::global_dof_index> &dofs,
-                          SparseMatrix &matrix) const {
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    for (const auto &row : space.terms(dofs[i]))
-      for (unsigned int j = 0; j < dofs.size(); ++j)
-        for (const auto &column : space.terms(dofs[j]))
-          if (const double value = row.weight * column.weight * local(i, j); value != 0.)
-            add_to(matrix, row.unknown, column.unknown, value);
-}
-
 Vector3d LineCells::part(const Vector &dofs, const unsigned int vertex,
                          const unsigned int first) const {
   Vector3d result = Vector3d::Zero();
@@ -70,7 +59,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     answer(i, step, factors, of_cell);
     if (!step.without_stiffness)
-      add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
+      space.add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
     for (unsigned int j = 0; j < 12; ++j) {
       balance.internal[of_cell.dofs[j]] += of_cell.internal[j];
       balance.loads[of_cell.dofs[j]] += of_cell.loads[j];
@@ -128,7 +117,7 @@ void LineCells::add_spring(const Spring &spring, const unsigned int c, const Ste
     balance.internal[dofs[i]] += force[i];
   balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
   if (!step.without_stiffness)
-    add_local((k + 2. * viscous) * unit, dofs, balance.stiffness);
+    space.add_local((k + 2. * viscous) * unit, dofs, balance.stiffness);
 }
 
 Motion LineCells::nodal_load(const unsigned int load, const unsigned int vertex,
@@ -160,7 +149,7 @@ void LineCells::add_nodal_loads(const Step &step, const std::vector<double> &fac
       Eigen::Matrix<double, 6, 6> turning = Eigen::Matrix<double, 6, 6>::Zero();
       turning.block<3, 3>(0, 3) = skew(force.head<3>());
       turning.block<3, 3>(3, 3) = skew(force.tail<3>());
-      add_local(turning, dofs, balance.stiffness);
+      space.add_local(turning, dofs, balance.stiffness);
     }
   }
 }

@@ -200,9 +200,6 @@ protected:
                           const Step &step, const std::vector<double> &factors, CellAnswer &answer,
                           PipeSections::Answer &inelastic,
                           const Eigen::Matrix3d &turn = Eigen::Matrix3d::Identity()) const;
-  void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
-                 const std::vector<dealii::types::global_dof_index> &dofs,
-                 SparseMatrix &matrix) const;
 
   const Scene &scene;
   const LineMesh &mesh;

@@ -14,7 +14,7 @@ namespace {
 template <typename Numbers>
 void add_numbers(std::string &row, const Numbers &numbers) {
   for (const double number : numbers)
-    (row += ',') += exact_number(number);
+    append_exact_number(number, row += ',');
 }
 
 std::string instant(const Frame &frame) {
@@ -137,10 +137,11 @@ void CsvWriter::append_reactions(const Frame &frame) {
 }
 
 void CsvWriter::append_line(const Frame &frame) {
-  const std::string step = csv_field(frame.name);
+  const std::string step = csv_field(frame.name) + ',';
+  std::string row;
   for (const Station &station : frame.line) {
     AssertIndexRange(station.pipe, scene.pipes.size());
-    std::string row = step + ',' + csv_field(scene.pipes[station.pipe].name);
+    (row = step) += csv_field(scene.pipes[station.pipe].name);
     add_numbers(row, std::array<double, 4>{{station.s, station.position[0], station.position[1],
                                             station.position[2]}});
     add_numbers(row, station.displacement);

@@ -339,8 +339,10 @@ void Collector::put_out(const LineState &state, const bool keep) {
   frame.end_of_step = keep;
   sink(frame);
   is_put_out = true;
-  if (keep)
-    results.frames.push_back(frame);
+  if (!keep)
+    return;
+  results.frames.push_back(std::move(frame));
+  frame_is_current = false;
 }
 
 void Collector::transfer(Archive &archive) {

@@ -2,6 +2,7 @@
 #include "scene/part/parts.h"
 
 #include <algorithm>
+#include <set>
 
 namespace frictionbeam::parts {
 
@@ -26,9 +27,10 @@ Placement parse_placement(const ParameterReader &in, Scene &scene) {
     in.fail_section(placement.pipe.empty() ? "neither 'At' nor 'Pipe'" : "both 'At' and 'Pipe'",
                     "either At, or Pipe with Every, or Pipe with Continuous = true",
                     "set At = <name of a point>");
+  std::set<std::string> points;
   for (const std::string &point : placement.points) {
     check_point(in, "At", point, scene);
-    if (std::count(placement.points.begin(), placement.points.end(), point) > 1)
+    if (!points.insert(point).second)
       in.fail("At", "every point once", "removing one '" + point + "'");
   }
   placement.every = in.number("Every");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "mesh/gmsh_session.h"
+#include "mesh/gmsh/session.h"
 
 #include <gmsh.h>
 

@@ -5,7 +5,8 @@
 
 namespace frictionbeam {
 
-/// Mesh the routes of the scene's pipes: a LineMesh with vertices, pipes and named points.
+/// Mesh the routes of the scene's pipes: a LineMesh with vertices, pipes and named points. Runs and
+/// bends are divided evenly, without gmsh unless Mesh/Mesher asks for it.
 LineMesh mesh_routes(const Scene &scene);
 
 } // namespace frictionbeam

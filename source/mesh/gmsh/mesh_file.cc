@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "mesh/gmsh_file.h"
-#include "mesh/gmsh_session.h"
-#include "mesh/gmsh_vertices.h"
-#include "mesh/own_mesh.h"
+#include "mesh/gmsh/mesh_file.h"
+#include "mesh/gmsh/own_mesh.h"
+#include "mesh/gmsh/session.h"
+#include "mesh/gmsh/vertices.h"
 
 #include "base/user_error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "mesh/own_mesh.h"
+#include "mesh/gmsh/own_mesh.h"
 
 #include "base/child_process.h"
 #include "base/user_error.h"
