@@ -43,6 +43,9 @@ DisplayUnit display_unit(const UnitSystem &units, const std::string &si_unit, co
 /// A frame with all its numbers in the units asked for; a copy only if they are not SI.
 Frame in_units(const UnitSystem &units, const Frame &frame);
 
+/// The same of a section.
+SectionState in_units(const UnitSystem &units, const SectionState &section);
+
 /// Keeps the largest size of the finite numbers given to it.
 class Largest {
 public:
