@@ -11,6 +11,7 @@
 #include "base/processes.h"
 #include "base/user_error.h"
 #include "results/file/checkpoint.h"
+#include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
@@ -147,6 +148,7 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
     results.remarks.push_back("A line is solved by one process: the others have waited.");
   study_friction(scene, laws, results);
   write_stresses(scene, results, scene.output.directory);
+  write_section_histories(scene, results, scene.output.directory);
   write_envelopes(scene, results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
   return results;

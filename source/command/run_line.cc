@@ -16,6 +16,7 @@
 #include "results/frame/derived_cases.h"
 #include "results/frame/envelope.h"
 #include "results/how_well_known.h"
+#include "results/inelastic/section_watch.h"
 #include "results/quantity/collector.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/report/reduction_text.h"
@@ -158,20 +159,6 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
   }
 }
 
-void remark_on_laws(const Model &model, Results &results) {
-  std::map<std::string, std::string> without_threshold;
-  for (unsigned int i = 0; i < model.contacts.size(); ++i)
-    if (const BoundLaw &law = model.contacts[i].law; !law.has_closed_form())
-      without_threshold[law.name()] = law.closed_form_varies()
-                                          ? " has a threshold that varies with more than its "
-                                            "parameters: the exact method does not follow that, and"
-                                          : " has no threshold in closed form: the exact method";
-  if (model.scene.solver.is_exact())
-    for (const auto &[law, what] : without_threshold)
-      results.remarks.push_back("The law '" + law + "'" + what +
-                                " evaluates it as it is, by Newton's method.");
-}
-
 /// Whether there are contacts, and none of them that the exact method could have judged.
 bool no_contact_is_exact(const Model &model) {
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
@@ -207,6 +194,7 @@ private:
   std::unique_ptr<ContactProblemWriter> contact_problems;
   Collector collector;
   Envelope envelope;
+  SectionWatch sections;
   Checkpoint checkpoint;
   std::optional<LineState> modal_state; ///< at the end of the step that modes start from
   bool line_is_known = true;            ///< of a reduced line, not at every instant
@@ -224,7 +212,7 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
                   if (vtu)
                     vtu->append(shown);
                 }),
-      envelope(model, results), checkpoint(model), progress_line(scene) {
+      envelope(model, results), sections(model), checkpoint(model), progress_line(scene) {
   output_timer.reset();
   std::optional<Archive> saved;
   if (scene.output.resume)
@@ -246,7 +234,7 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
 }
 
 void LineRun::transfer(Archive &archive) {
-  archive(sequence, collector, envelope, *csv, modal_state);
+  archive(sequence, collector, envelope, sections, *csv, modal_state);
   if (vtu)
     archive(*vtu);
   if (contact_problems)
@@ -259,6 +247,7 @@ bool LineRun::run() {
       [this](const Progress &progress, const LineState &state) { observe(progress, state); },
       [this](const Progress &progress, const LineState &state) {
         output_timer.start();
+        sections.observe(state);
         if (contact_problems)
           contact_problems->observe(progress, state);
         output_timer.stop();
@@ -320,6 +309,7 @@ void LineRun::conclude(const bool converged) {
   results.nozzles = evaluate_nozzles(scene, results);
   add_envelope_remarks(scene, results);
   collector.finish(sequence.state());
+  results.section_histories = sections.histories(sequence.state());
   csv->finish();
   if (vtu) {
     vtu->append_modes();

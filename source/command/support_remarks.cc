@@ -180,4 +180,18 @@ void add_remarks_on_supports(const Model &model, Results &results) {
       results.remarks.push_back(remark);
 }
 
+void remark_on_laws(const Model &model, Results &results) {
+  std::map<std::string, std::string> without_threshold;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    if (const BoundLaw &law = model.contacts[i].law; !law.has_closed_form())
+      without_threshold[law.name()] = law.closed_form_varies()
+                                          ? " has a threshold that varies with more than its "
+                                            "parameters: the exact method does not follow that, and"
+                                          : " has no threshold in closed form: the exact method";
+  if (model.scene.solver.is_exact())
+    for (const auto &[law, what] : without_threshold)
+      results.remarks.push_back("The law '" + law + "'" + what +
+                                " evaluates it as it is, by Newton's method.");
+}
+
 } // namespace frictionbeam

@@ -135,7 +135,22 @@ const Frame &in_units(const UnitSystem &units, const Frame &frame, Frame &conver
   }
   for (Motion &reaction : converted.reactions)
     scale(reaction, force, force * length);
+  for (SectionState &section : converted.sections)
+    section = in_units(units, section);
   return converted;
+}
+
+SectionState in_units(const UnitSystem &units, const SectionState &section) {
+  SectionState shown = section;
+  const double metre = units.factor("m"), newton = units.factor("N");
+  shown.s /= metre;
+  shown.length /= metre;
+  for (unsigned int c = 0; c < 6; ++c) {
+    shown.strain[c] *= c < 3 ? 1. : metre;
+    shown.force[c] /= c < 3 ? newton : newton * metre;
+  }
+  shown.dissipated /= newton;
+  return shown;
 }
 
 void Largest::operator()(const double value) {

@@ -44,6 +44,9 @@ DisplayUnit display_unit(const UnitSystem &units, const std::string &si_unit, co
 /// @param converted where it stands otherwise
 const Frame &in_units(const UnitSystem &units, const Frame &frame, Frame &converted);
 
+/// The same of a section.
+SectionState in_units(const UnitSystem &units, const SectionState &section);
+
 /// Keeps the largest size of the finite numbers given to it.
 class Largest {
 public:

@@ -119,7 +119,10 @@ struct TimeSettings {
 
 struct OutputSettings {
   std::string directory;
-  unsigned int stations = 3;    ///< between the nodes of a cell
+  unsigned int stations = 3; ///< between the nodes of a cell
+  /// Points whose sections are followed through all increments; empty: where most yields and
+  /// creeps.
+  std::vector<std::string> sections = {};
   bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
   bool vtu = true, report = true;
   bool contact_problems = false;    ///< FCLIB files of every static increment

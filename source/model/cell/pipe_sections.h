@@ -120,6 +120,8 @@ public:
     double part = 0.; ///< of the way along the cell, from its deal.II vertex 0
     Vector6 strain, stress;
     SectionReport state;
+    double length = 0.;     ///< of pipe that it stands for [m]
+    double dissipated = 0.; ///< so far [J/m]
   };
   std::vector<Report> reports(const unsigned int cell, const Surroundings &surroundings,
                               const Vector &states) const;

@@ -129,7 +129,8 @@ std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
     result.push_back({cell.part[q], Values(values + strain), Values(values + stress),
-                      cell.profile.law.report(values + strain, 1., increment, values + internal)});
+                      cell.profile.law.report(values + strain, 1., increment, values + internal),
+                      cell.chain[q].length, values[lost]});
   }
   return result;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/quantity/collector.h"
+
+#include "base/numbers.h"
+#include "base/user_error.h"
+#include "results/inelastic/section_states.h"
 #include "results/quantity/impact_forces.h"
 #include "results/quantity/point_forces.h"
 #include "results/quantity/support_quantities.h"
 #include "results/quantity/wall_quantities.h"
-
-#include "results/quantity/collector.h"
 #include "results/stress/stresses.h"
-
-#include "base/numbers.h"
-#include "base/user_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -337,6 +337,8 @@ void Collector::put_out(const LineState &state, const bool keep) {
   frame.name = model.scene.steps[current_step].name;
   frame.increment = current_increment;
   frame.end_of_step = keep;
+  if (keep)
+    frame.sections = sections_of_line(model, state);
   sink(frame);
   is_put_out = true;
   if (!keep)

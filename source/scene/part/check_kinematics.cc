@@ -59,7 +59,13 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
   const auto found = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &pipe) {
     return scene.sections[pipe.section].is_inelastic() && !pipe.rigid;
   });
+  in.enter("Output");
+  for (const std::string &point : scene.output.sections)
+    check_point(in, "Sections", point, scene);
   if (found == scene.pipes.end()) {
+    if (!scene.output.sections.empty())
+      in.fail("Sections", "points of pipes whose section yields or creeps",
+              "'Law = fibre_pipe' in its Section");
     in.enter("Mesh");
     if (scene.mesh.refine_hinges)
       in.fail("Refine hinges", "pipes whose section yields", "'Law = fibre_pipe' in its Section");

@@ -185,6 +185,11 @@ void parse_exact(const ParameterReader &in, Scene &scene) {
 
 void declare_output(ParameterReader &in) {
   in.declare_count("Stations", 3, 0, "Between the two nodes of a cell, in line.csv.", 1000);
+  in.declare_text(
+      "Sections", "", "names of points, separated by commas",
+      "Of pipes that yield or creep: points whose sections' forces and strains are shown "
+      "and written at every increment, in section_history.csv; of several sections at a "
+      "point that which flows most. Empty: the two of the line that flow most.");
   in.declare_flag("Every increment", false,
                   "Write the state at every increment, not only at the ends of steps.");
   in.declare_flag("VTU", true, "Write files for ParaView.");
@@ -200,6 +205,9 @@ void declare_output(ParameterReader &in) {
 
 void parse_output(const ParameterReader &in, Scene &scene) {
   scene.output.stations = in.count("Stations");
+  for (const std::string &point : in.list("Sections"))
+    if (std::count(scene.output.sections.begin(), scene.output.sections.end(), point) == 0)
+      scene.output.sections.push_back(point); // check_inelastic() looks whether there is one
   scene.output.every_increment = in.flag("Every increment");
   scene.output.vtu = in.flag("VTU");
   scene.output.report = in.flag("Report");
