@@ -218,8 +218,8 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   if (!add_result(last_result, step_reports.back()))
     return false;
   const Vector unbalanced = unbalanced_at_start();
-  const LineState before = current;
-  current = to;
+  const LineState before = std::move(current);
+  current = std::move(to);
   commit(factors, time);
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
     if (model.contacts[i].law.has_closed_form())

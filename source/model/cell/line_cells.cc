@@ -21,6 +21,22 @@ LineCells::LineCells(const Scene &scene, const LineMesh &mesh, const Discretizat
       point_mass[mesh.points.at(point)] += mass.mass;
 }
 
+void LineCells::add_stiffness(const unsigned int cell, const CellAnswer &answer,
+                              SparseMatrix &matrix) const {
+  if (places_in_stiffness.empty())
+    places_in_stiffness.resize(discretization.pipe_cells().size());
+  std::vector<Entry> &entries = places_in_stiffness[cell];
+  if (entries.empty())
+    for (int i = 0; i < 12; ++i)
+      for (const auto &row : space.terms(answer.dofs[i]))
+        for (int j = 0; j < 12; ++j)
+          for (const auto &column : space.terms(answer.dofs[j]))
+            entries.push_back({&matrix.coeffRef(row.unknown, column.unknown) - matrix.valuePtr(),
+                               12 * j + i, row.weight * column.weight});
+  for (const Entry &entry : entries)
+    matrix.valuePtr()[entry.place] += entry.weight * answer.stiffness.data()[entry.local];
+}
+
 Vector3d LineCells::part(const Vector &dofs, const unsigned int vertex,
                          const unsigned int first) const {
   Vector3d result = Vector3d::Zero();
@@ -39,6 +55,13 @@ void LineCells::add_part(const Vector3d &value, const unsigned int vertex, const
       dofs[dof] += value[d];
 }
 
+namespace {
+/// Whether states of sections at the end are to be found: not of a step that has been taken.
+bool integrates_sections(const LineCells::Step &step) {
+  return step.to.sections == step.from.sections && !step.is_trial;
+}
+} // namespace
+
 void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
                          Balance &balance) const {
   balance.loads = balance.internal = Vector::Zero(space.n_dofs());
@@ -53,13 +76,14 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
   CellAnswer of_cell;
   if (sections.any()) {
     Assert(step.from.sections != nullptr, ExcMessage("A pose of such a line has states."));
-    balance.sections = *step.from.sections;
+    if (balance.sections.size() != sections_at_rest.size() && integrates_sections(step))
+      balance.sections = sections_at_rest;
     of_cell.sections = &balance.sections;
   }
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     answer(i, step, factors, of_cell);
     if (!step.without_stiffness)
-      space.add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
+      add_stiffness(i, of_cell, balance.stiffness);
     for (unsigned int j = 0; j < 12; ++j) {
       balance.internal[of_cell.dofs[j]] += of_cell.internal[j];
       balance.loads[of_cell.dofs[j]] += of_cell.loads[j];

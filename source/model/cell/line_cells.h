@@ -69,7 +69,7 @@ public:
     double free = 0.;       ///< the same of free strains, which a line may follow without any force
     double free_work = 0.;  ///< of free strains from the first to the last pose [J]
     double damping = 0.;    ///< lost to viscous forces, which are internal ones [J]
-    Vector sections;        ///< states of sections with a law, at the end
+    Vector sections;        ///< states of sections with a law, at the end of what is integrated
     bool failed = false;    ///< whether a section has no answer
     double section_error =
         0.; ///< what the increment's length leaves in a section's stress, a share
@@ -212,6 +212,15 @@ protected:
   std::vector<double> point_mass; ///< of each vertex [kg]
 
 private:
+  /// An entry of a cell's stiffness, column by column, and what it adds to the line's.
+  struct Entry {
+    std::ptrdiff_t place; ///< among its values
+    int local;
+    double weight;
+  };
+  /// Kept for each cell when first needed: nonlinear lines are assembled again and again.
+  mutable std::vector<std::vector<Entry>> places_in_stiffness;
+  void add_stiffness(const unsigned int cell, const CellAnswer &answer, SparseMatrix &matrix) const;
   void add_springs(const Step &step, Balance &balance) const;
   /// Elastic and viscous force of a spring or dashpot in one direction.
   void add_spring(const Spring &spring, const unsigned int c, const Step &step,

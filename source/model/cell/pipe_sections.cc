@@ -25,7 +25,8 @@ struct Beyond {
 
   Beyond(const PipeElement &element, const Discretization::Cell &cell, const double part,
          const unsigned int from_vertex) {
-    const dealii::QGauss<1> points(element.arc() ? 12 : 1);
+    static const dealii::QGauss<1> straight(1), curved(12); // finding their points takes long
+    const dealii::QGauss<1> &points = element.arc() ? curved : straight;
     for (unsigned int k = 0; k < points.size(); ++k) {
       const double at = part + (1. - part) * points.point(k)[0];
       const Vector3 chord = cell->vertex(1) - cell->vertex(0);
@@ -136,26 +137,44 @@ bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundi
   increment.pressure = surroundings.pressure;
   Tangent tangent;
   LawOutput output{now + stress, tangent.data(), now + internal, 0., ContactStatus::none};
+  now[flowed] = 1.; // whatever it leaves if it fails
   if (law.integrate(of_wall.data(), rate.data(), 1., increment, old + internal,
                     LawTangent::consistent, output) != LawStatus::ok)
     return false;
   stiffness = tangent;
-  now[flowed] = 1.;
+  const double *const variables = now + internal;
+  now[flowed] = std::any_of(variables, variables + law.n_internal_variables(),
+                            [](const double x) { return x != 0.; });
   set_energies(pushes, output.dissipation, old, now);
   error = std::max(error, output.error);
   return true;
+}
+
+bool PipeSections::is_as_stiff_as_cold(const Profile &profile, const LawIncrement &increment,
+                                       const double *const of_wall, const double *const old,
+                                       double *const now) {
+  const LawIncrement cold;
+  if (increment.temperature == cold.temperature && increment.pressure == cold.pressure)
+    return true;
+  const Vector6 no_rate = Vector6::Zero();
+  Vector6 unused;
+  Tangent warm;
+  now[flowed] = 1.;
+  LawOutput output{unused.data(), warm.data(), now + internal, 0., ContactStatus::none};
+  return profile.law.integrate(of_wall, no_rate.data(), 1., increment, old + internal,
+                               LawTangent::elastic, output) == LawStatus::ok &&
+         warm == Eigen::Map<const Tangent>(&profile.tangent(0, 0));
 }
 
 bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
                                  const std::vector<Vector6> &free, const Surroundings &surroundings,
                                  const Vector &old, Vector &now,
                                  SectionChain::Solution &solution) const {
-  LawIncrement increment;
-  if (surroundings.temperature != increment.temperature) // the elastic tangent is that of the cold
-    return false;
   for (unsigned int q = 0; q < cell.chain.size(); ++q)
     if (old[place_of(cell, q) + flowed] != 0.)
       return false;
+  LawIncrement increment;
+  increment.temperature = surroundings.temperature;
   increment.pressure = surroundings.pressure;
   const double pushes = surroundings.pressure * cell.profile.bore_area;
   const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&cell.profile.tangent(0, 0));
@@ -166,10 +185,12 @@ bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
     Eigen::Map<Vector6> of_wall(values + strain);
     of_wall = solution.strain[q];
     of_wall[0] += pushes / cell.profile.EA;
-    if (!(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.))
+    if (!(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.) ||
+        (q == 0 && !is_as_stiff_as_cold(cell.profile, increment, values + strain, before, values)))
       return false;
     Eigen::Map<Vector6>(values + stress) = D * of_wall;
-    std::fill(values + flowed, values + n_values_of(cell), 0.);
+    if (values[flowed] != 0.)
+      std::fill(values + flowed, values + n_values_of(cell), 0.);
     set_energies(pushes, 0., before, values);
   }
   return true;

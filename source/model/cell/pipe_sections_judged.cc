@@ -24,9 +24,12 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
   double largest = 0., off = 0.;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
-    const double ratio =
-        cell.profile.law.report(values + strain, 1., increment, values + internal).utilization;
-    worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    if (values[flowed] != 0. ||
+        !(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.)) {
+      const double ratio =
+          cell.profile.law.report(values + strain, 1., increment, values + internal).utilization;
+      worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    }
     Vector6 left =
         Values(values + stress) - cell.chain[q].b * beta - cell.chain[q].load_stress * load;
     left[0] -= values[thrust];
