@@ -241,7 +241,7 @@ Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCo
 
 bool NonlinearStatics::is_unstable(const LineState &state) const {
   constexpr double same = 1e-9, stiff = 1e3; // parts of the stiffest
-  if (!model.cells.turns_far())
+  if (!model.cells.turns_far() || state.unknowns.size() == 0)
     return false;
   LineCells::Balance balance;
   model.cells.evaluate(pose_of(state), state.load_factors, balance);

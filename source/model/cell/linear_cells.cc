@@ -104,7 +104,8 @@ LineCells::CellState LinearCells::state_of(const unsigned int index, const PipeE
   const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
   const Vector12 u = ends_of(index, pose.dofs);
   CellState state;
-  state.ends = sections.has(index)
+  const bool vibrates = pose.sections == nullptr || pose.sections->size() == 0;
+  state.ends = sections.has(index) && !vibrates
                    ? sections.forces(index, *pose.sections)
                    : element.stiffness() * u - load.axial_strain * element.unit_axial_strain() -
                          load.curvature * element.unit_curvature() -

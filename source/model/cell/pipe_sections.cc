@@ -18,6 +18,13 @@ using Values = Eigen::Map<const Vector6>;
 
 namespace {
 
+/// The matrix of v x.
+Eigen::Matrix3d cross(const Eigen::Vector3d &v) {
+  Eigen::Matrix3d result;
+  result << 0., -v[2], v[1], v[2], 0., -v[0], -v[1], v[0], 0.;
+  return result;
+}
+
 /// Length of a cell beyond a part of its way, and the integral there of the way from a vertex.
 struct Beyond {
   double length = 0.;
@@ -43,10 +50,29 @@ struct Beyond {
   Eigen::Matrix<double, 6, 3> forces() const {
     Eigen::Matrix<double, 6, 3> result;
     result.topRows<3>() = length * Eigen::Matrix3d::Identity();
-    result.bottomRows<3>() << 0., -way[2], way[1], way[2], 0., -way[0], -way[1], way[0], 0.;
+    result.bottomRows<3>() = cross(way);
     return result;
   }
 };
+
+/// Stress of the section at a part of the way by force and moment on the cell's second end: those
+/// of equilibrium, whatever the section is.
+SectionChain::Matrix6 carried_from_end(const PipeElement &element, const Discretization::Cell &cell,
+                                       const double part) {
+  const Vector3 chord = cell->vertex(1) - cell->vertex(0);
+  const auto &arc = element.arc();
+  const Point3 place =
+      arc ? arc->point(part * arc->angle()) : Point3(cell->vertex(0) + part * chord);
+  const LocalAxes axes(arc ? arc->tangent(part * arc->angle()) : chord);
+  Eigen::Matrix3d to_local;
+  to_local << axes.x[0], axes.x[1], axes.x[2], axes.y[0], axes.y[1], axes.y[2], axes.z[0],
+      axes.z[1], axes.z[2];
+  const Vector3 arm = cell->vertex(1) - place;
+  SectionChain::Matrix6 b = SectionChain::Matrix6::Zero();
+  b.topLeftCorner<3, 3>() = b.bottomRightCorner<3, 3>() = to_local;
+  b.bottomLeftCorner<3, 3>() = to_local * cross({arm[0], arm[1], arm[2]});
+  return b;
+}
 
 } // namespace
 
@@ -82,8 +108,6 @@ PipeSections::make_cell(const Discretization &discretization, const unsigned int
   at_points.reinit(deal_cell);
   const Profile &profile = exact.profile();
   const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
-  // The elastic cell is exact for forces at its ends, so that its stresses by those on the second,
-  // with the first one clamped, are those of equilibrium.
   const Matrix12 K = exact.stiffness();
   const SectionChain::Matrix6 compliance = K.bottomRightCorner<6, 6>().inverse();
   Eigen::Matrix<double, 6, 12> G;
@@ -92,7 +116,7 @@ PipeSections::make_cell(const Discretization &discretization, const unsigned int
   std::vector<SectionChain::Point> points;
   for (unsigned int q = 0; q < at_points.n_points(); ++q) {
     SectionChain::Point &point = points.emplace_back();
-    point.b = D * at_points.strain_matrix(q).rightCols<6>() * compliance;
+    point.b = carried_from_end(exact, deal_cell, at_points.place_of(q));
     point.load_stress = point.b * Beyond(exact, deal_cell, at_points.place_of(q), 1).forces();
     point.length = at_points.length_at(q);
   }

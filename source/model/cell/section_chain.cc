@@ -218,7 +218,8 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
           stress[q][i] = carried[i];
         else
           size_of_stress = std::max({size_of_stress, std::abs(stress[q][i]) / scale[i],
-                                     std::abs(strain[q][i]) * scale[i]});
+                                     std::abs(strain[q][i]) * scale[i],
+                                     std::abs(free[q][i]) * scale[i]}); // as if it were clamped
         for (int j = 0; j < 6; ++j) {
           const double lever = point.length * point.b(i, j);
           missing[j] -= lever * (strain[q][i] + free[q][i]);

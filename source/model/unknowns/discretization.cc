@@ -132,9 +132,10 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   profile.bore_area = section.bore_area();
   const BoundLaw law = bind_section_law(laws.find(pipe.rigid ? "elastic_section" : section.law),
                                         section, profile, bend_radius, pipe.name);
-  profile.tangent = elastic_tangent(law);
-  if (law.name() != "elastic_section")
-    profile.law = law;
+  if (law.name() == "elastic_section")
+    profile.tangent = elastic_tangent(law);
+  else
+    take_section_law(law, pipe.name, profile);
   return profile;
 }
 

@@ -230,7 +230,7 @@ double ParameterReader::in_bounds(const std::string &entry, const double si_valu
                                   const std::string &si_unit, const bool is_positive) const {
   const PhysicalBounds bounds = physical_bounds(si_unit);
   // Rounding may leave numbers that are as good as 0, but none that small.
-  const double least = is_positive ? bounds.smallest : 1e-60;
+  const double least = is_positive ? bounds.smallest : std::min(bounds.smallest, 1e-60);
   const double size = std::abs(si_value);
   if ((size == 0. && !is_positive) || (size >= least && size <= bounds.largest))
     return si_value;

@@ -20,6 +20,8 @@ void parse_material(const ParameterReader &in, const std::string &name, Scene &s
 void declare_section(ParameterReader &in, const LawLibrary &laws);
 void parse_section(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
                    Scene &scene);
+/// Whether the section that the reader is in has a coefficient of creep.
+bool has_creep(const ParameterReader &in);
 void declare_point(ParameterReader &in);
 void parse_point(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_pipe(ParameterReader &in);
