@@ -76,7 +76,7 @@ int run(int argc, char **argv) {
   case CommandLine::Command::compare:
     return frictionbeam::compare_runs(line.folders[0], line.folders[1]);
   case CommandLine::Command::contact:
-    return frictionbeam::solve_contact_file(line.contact_file);
+    return frictionbeam::solve_contact_file(line.contact);
   case CommandLine::Command::chart:
     return frictionbeam::chart_command(line.chart_list, line.chart_folder);
   case CommandLine::Command::chart_parameters:

@@ -60,11 +60,22 @@ void declare(CLI::App &app, CommandLine &line) {
     compare->add_option(&folder == line.folders ? "first" : "second", folder, "Folder of results")
         ->type_name("FOLDER")
         ->required();
-  add_command("contact", "Solve a friction-contact problem in the format of FCLIB",
-              Command::contact)
-      ->add_option("file", line.contact_file, "The problem; its solution is written into it")
+  CLI::App *const contact = add_command(
+      "contact", "Solve a friction-contact problem in the format of FCLIB", Command::contact);
+  contact->add_option("file", line.contact.file, "The problem; its solution is written into it")
       ->type_name("FILE.hdf5")
       ->required();
+  contact
+      ->add_option("--tolerance", line.contact.tolerance,
+                   "Of both residuals, from 1e-15 to 1e-2 (1e-8 if not given)")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1e-15, 1e-2));
+  contact
+      ->add_option("--time-limit", line.contact.time_limit,
+                   "Seconds after which the best so far is written, with exit status 2 (none if "
+                   "not given)")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
   CLI::App *const chart = add_command(
       "chart", "Run a list of configurations and draw error against time", Command::chart);
   chart->add_option("list", line.chart_list, "List of configurations")->type_name("LIST.prm");

@@ -42,15 +42,26 @@ void LawProjection::project(const LocalProblem &problem, const Eigen::VectorXd &
   }
 }
 
+Eigen::VectorXd admissible(const LocalProblem &problem, const Eigen::VectorXd &forces) {
+  LawProjection law;
+  law.project(problem, forces);
+  return law.point;
+}
+
 Eigen::VectorXd diagonal_stiffness(const LocalProblem &problem) {
+  const unsigned int d = problem.dimension;
   Eigen::VectorXd diagonal = problem.W.diagonal();
-  const double mean = diagonal.sum() / diagonal.size();
-  for (double &w : diagonal)
-    w = 1. / (w > 1e-14 * mean ? w : mean > 0. ? mean : 1.);
-  if (problem.dimension == 3) // one for both tangential directions, or the disc were an ellipse
-    for (unsigned int i = 0; i < problem.n_contacts(); ++i)
-      diagonal.segment<2>(3 * i + 1).setConstant(diagonal.segment<2>(3 * i + 1).minCoeff());
-  return diagonal;
+  const double sum = diagonal.sum(), mean = sum > 0. ? sum / diagonal.size() : 1.;
+  for (unsigned int i = 0; i < problem.n_contacts(); ++i) {
+    auto normal = diagonal.segment(d * i, 1), shear = diagonal.segment(d * i + 1, d - 1);
+    // One for both tangential directions, or the disc were an ellipse.
+    shear.setConstant(shear.maxCoeff());
+    if (!(shear[0] > least_compliance))
+      shear.setConstant(normal[0] > least_compliance ? normal[0] : mean);
+    if (!(normal[0] > least_compliance))
+      normal[0] = shear[0];
+  }
+  return diagonal.cwiseInverse();
 }
 
 } // namespace frictionbeam::contact

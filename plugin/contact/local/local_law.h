@@ -3,6 +3,7 @@
 
 #include <frictionbeam/contact/local_problem.h>
 
+#include <limits>
 #include <vector>
 
 namespace frictionbeam::contact {
@@ -17,7 +18,14 @@ struct LawProjection {
   void project(const LocalProblem &problem, const Eigen::VectorXd &trial);
 };
 
-/// 1/W_ii, with the mean of the others where W_ii vanishes.
+/// Forces within r_N >= 0, |r_T| <= mu r_N: those given, but for what is beyond.
+Eigen::VectorXd admissible(const LocalProblem &problem, const Eigen::VectorXd &forces);
+
+/// W_ii of which no inverse can be told.
+constexpr double least_compliance = 4. * std::numeric_limits<double>::min();
+
+/// 1/W_ii, however small W_ii is beside those of other contacts; where it vanishes, that of the
+/// contact's other direction, or the mean of all.
 Eigen::VectorXd diagonal_stiffness(const LocalProblem &problem);
 
 } // namespace frictionbeam::contact
