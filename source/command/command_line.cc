@@ -49,11 +49,19 @@ void declare(CLI::App &app, CommandLine &line) {
   app.add_flag("--print-man-page", "Print the man page");
   app.add_flag("--print-completion", "Print completion for bash; source it");
   add_case(app);
-  app.add_flag("--resume", line.options.resume, "Go on where a run into that folder was killed");
+  const auto add_resume = [&line](CLI::App &to) {
+    to.add_flag("--resume", line.options.resume, "Go on where a run into that folder was killed");
+  };
+  add_resume(app);
   app.footer(exit_status);
 
   add_case(*add_command("check", "Draw the model and say what was understood; solve nothing",
                         Command::check));
+  CLI::App *const study = add_command(
+      "study", "Run a case many times with other values, and say what becomes of its results",
+      Command::study);
+  add_case(*study);
+  add_resume(*study);
   CLI::App *const compare = add_command(
       "compare", "What changes between the results of two runs, and where", Command::compare);
   for (std::string &folder : line.folders)
@@ -175,6 +183,9 @@ CommandLine read_command_line(const int argc, const char *const *argv) {
       throw UserError("Which case? Name a parameter file.\n\n" + app.help());
   } else if (line.command == Command::check && line.options.parameter_file.empty())
     throw UserError("Which case? Name a parameter file: frictionbeam check CASE.prm");
+  else if (line.command == Command::study && line.options.parameter_file.empty())
+    throw UserError("Which case? Name a parameter file with sections Vary: frictionbeam study "
+                    "CASE.prm");
   else if (line.command == Command::chart &&
            app.get_subcommand("chart")->count("--print-parameters") > 0)
     line.command = Command::chart_parameters;

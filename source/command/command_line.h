@@ -8,9 +8,9 @@ namespace frictionbeam {
 
 /// What the command line asks for.
 struct CommandLine {
-  enum class Command { run, check, compare, contact, chart, chart_parameters, nothing };
+  enum class Command { run, check, compare, contact, chart, chart_parameters, study, nothing };
   Command command = Command::nothing;
-  RunOptions options;     ///< of run and check
+  RunOptions options;     ///< of run, check and study
   std::string folders[2]; ///< of compare
   ContactOptions contact;
   std::string chart_list;   ///< of chart

@@ -36,6 +36,10 @@ void declare_support(ParameterReader &in, const LawLibrary &laws);
 void print_laws(std::ostream &out, const LawLibrary &laws);
 void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
                    Scene &scene);
+/// Whether a section 'Support rests.3' gives the third place of support 'rests' numbers of its own.
+bool is_support_place(const ParameterFile &file, const ParameterFile::Section &section);
+/// All such sections, after the supports.
+void parse_support_places(ParameterReader &in, const LawLibrary &laws, Scene &scene);
 void declare_spring(ParameterReader &in);
 void parse_spring(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_mass(ParameterReader &in);

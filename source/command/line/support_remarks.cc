@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "command/support_remarks.h"
+#include "command/line/support_remarks.h"
 
 #include "base/user_error.h"
 #include "model/cell/line_cells.h"

@@ -1,41 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "command/run_line.h"
-#include "command/support_remarks.h"
+#include "command/line/line_run.h"
 
-#include "analysis/sequence/load_sequence.h"
 #include "base/interruption.h"
-#include "mesh/build_line_mesh.h"
-#include "model/line_model.h"
-#include "model/mechanism.h"
-#include "results/energy_judgement.h"
-#include "results/file/checkpoint.h"
-#include "results/file/contact_problem_writer.h"
-#include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
-#include "results/file/vtu_writer.h"
 #include "results/frame/derived_cases.h"
-#include "results/frame/envelope.h"
-#include "results/how_well_known.h"
-#include "results/inelastic/section_watch.h"
-#include "results/quantity/collector.h"
-#include "results/quantity/wall_quantities.h"
-#include "results/report/reduction_text.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
-
-#include <deal.II/base/timer.h>
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
 #include <map>
-#include <memory>
-#include <set>
 
 namespace frictionbeam {
-
-namespace {
 
 /// A line that is written over on a terminal; nothing in a log.
 class ProgressLine {
@@ -63,6 +41,8 @@ private:
   const bool on_terminal;
   bool shown = false;
 };
+
+namespace {
 
 /// Whether the end of this step says which supports hold when the line vibrates.
 bool wants_modes_after(const Scene &scene, const unsigned int step) {
@@ -159,69 +139,23 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
   }
 }
 
-/// Whether there are contacts, and none of them that the exact method could have judged.
-bool no_contact_is_exact(const Model &model) {
-  for (unsigned int i = 0; i < model.contacts.size(); ++i)
-    if (model.contacts[i].law.has_closed_form())
-      return false;
-  return model.contacts.size() > 0;
-}
-
-/// Runs a sequence, and has all look on that gather results and write files while it goes.
-class LineRun {
-public:
-  LineRun(const Model &model, LoadSequence &sequence, Results &results);
-
-  /// From the beginning, or from the checkpoint. @return whether every step converged
-  bool run();
-  /// What the states that were seen give together: modes and combinations, stresses, quantities,
-  /// files.
-  void conclude(const bool converged);
-
-private:
-  void transfer(Archive &archive);
-  void observe(const Progress &progress, const LineState &state);
-  /// Between increments: write a checkpoint if it is time, and end if a signal came.
-  void pause();
-  bool needs_line(const Progress &progress, const double time);
-
-  const Model &model;
-  const Scene &scene;
-  LoadSequence &sequence;
-  Results &results;
-  std::unique_ptr<CsvWriter> csv;
-  std::unique_ptr<VtuWriter> vtu;
-  std::unique_ptr<ContactProblemWriter> contact_problems;
-  Collector collector;
-  Envelope envelope;
-  SectionWatch sections;
-  Checkpoint checkpoint;
-  std::optional<LineState> modal_state; ///< at the end of the step that modes start from
-  bool line_is_known = true;            ///< of a reduced line, not at every instant
-  ProgressLine progress_line;
-  dealii::Timer output_timer;
-};
+} // namespace
 
 LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
     : model(model), scene(model.scene), sequence(sequence), results(results),
       collector(model, results,
                 [this](const Frame &frame) {
+                  if (!csv)
+                    return;
                   Frame converted;
                   const Frame &shown = in_units(scene.units, frame, converted);
                   csv->append(shown);
                   if (vtu)
                     vtu->append(shown);
                 }),
-      envelope(model, results), sections(model), checkpoint(model), progress_line(scene) {
+      envelope(model, results), sections(model),
+      progress_line(std::make_unique<ProgressLine>(scene)) {
   output_timer.reset();
-  std::optional<Archive> saved;
-  if (scene.output.resume)
-    saved = checkpoint.read();
-  csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory, saved.has_value());
-  if (scene.output.vtu)
-    vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
-  if (scene.output.contact_problems)
-    contact_problems = std::make_unique<ContactProblemWriter>(model, results, saved.has_value());
   if (scene.time.is_exact())
     sequence.watch([this](const MotionPiece &piece) {
       output_timer.start();
@@ -229,9 +163,25 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
       envelope.observe_piece(piece);
       output_timer.stop();
     });
+  if (!scene.output.directory.empty())
+    open_files();
+}
+
+void LineRun::open_files() {
+  checkpoint.emplace(model);
+  std::optional<Archive> saved;
+  if (scene.output.resume)
+    saved = checkpoint->read();
+  csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory, saved.has_value());
+  if (scene.output.vtu)
+    vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
+  if (scene.output.contact_problems)
+    contact_problems = std::make_unique<ContactProblemWriter>(model, results, saved.has_value());
   if (saved)
     transfer(*saved);
 }
+
+LineRun::~LineRun() = default;
 
 void LineRun::transfer(Archive &archive) {
   archive(sequence, collector, envelope, sections, *csv, modal_state);
@@ -254,7 +204,7 @@ bool LineRun::run() {
       },
       [this]() { pause(); },
       [this](const Progress &progress, const double time) { return needs_line(progress, time); });
-  progress_line.clear();
+  progress_line->clear();
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
   return converged;
 }
@@ -262,7 +212,7 @@ bool LineRun::run() {
 void LineRun::observe(const Progress &progress, const LineState &state) {
   output_timer.start();
   interruption::end_if_overdue();
-  progress_line.show(progress);
+  progress_line->show(progress);
   collector.observe(progress.step, progress.increment, progress.n_increments, state);
   envelope.observe(progress.step, progress.increment, progress.n_increments, state, line_is_known);
   line_is_known = true;
@@ -280,13 +230,13 @@ bool LineRun::needs_line(const Progress &progress, const double time) {
 
 void LineRun::pause() {
   const int signal = interruption::received();
-  if (!checkpoint.is_due() && signal == 0)
+  if (signal == 0 && !(checkpoint && checkpoint->is_due()))
     return;
   output_timer.start();
-  if (!scene.takes_many_runs()) { // else there are many runs, which are not resumed
+  if (checkpoint && !scene.takes_many_runs()) { // else there are many runs, which are not resumed
     Archive archive;
     transfer(archive);
-    checkpoint.write(archive);
+    checkpoint->write(archive);
   }
   output_timer.stop();
   if (signal != 0)
@@ -310,80 +260,12 @@ void LineRun::conclude(const bool converged) {
   add_envelope_remarks(scene, results);
   collector.finish(sequence.state());
   results.section_histories = sections.histories(sequence.state());
-  csv->finish();
+  if (csv)
+    csv->finish();
   if (vtu) {
     vtu->append_modes();
     vtu->finish();
   }
-}
-
-/// How the steps were solved, and at what cost.
-void report_steps(const Scene &scene, const LoadSequence &sequence, const bool converged,
-                  Results &results) {
-  results.status = converged                                  ? RunStatus::converged
-                   : sequence.reports().back().no_equilibrium ? RunStatus::no_equilibrium
-                                                              : RunStatus::failed;
-  const SolverMethodRow &method = scene.solver.row();
-  results.method = std::string(method.word) + ": " + method.in_words;
-  results.integrator = sequence.integrator_name();
-  if (!results.integrator.empty())
-    results.method += "; transient steps by " + results.integrator;
-  for (const StepReport &step : results.steps) {
-    results.cost.iterations += step.iterations;
-    results.cost.factorizations += step.factorizations;
-    results.cost.back_substitutions += step.back_substitutions;
-    results.cost.steps += step.increments;
-  }
-  remark_on_gains(results);
-  for (const StepReport &step : results.steps)
-    if (step.reduction)
-      results.remarks.push_back(describe_reduction(step.step, *step.reduction));
-  std::set<std::string> warnings;
-  for (const StepReport &step : results.steps)
-    if (!step.warning.empty() && warnings.insert(step.warning).second)
-      results.remarks.push_back(step.warning);
-  for (const StepReport &step : results.steps)
-    if (step.cycle && (step.cycle->number == step.cycle->of || &step == &results.steps.back()))
-      results.remarks.push_back("Cycles to the end of step " + step.step + ": " +
-                                step.cycle->words + ".");
-}
-
-} // namespace
-
-Results solve_scene(const Scene &scene, const LawLibrary &laws) {
-  const dealii::Timer wall;
-  Results results;
-  results.units = scene.units;
-  dealii::Timer timer;
-  LineMesh mesh = build_line_mesh(scene);
-  results.remarks = mesh.remarks;
-  results.cost.mesh_seconds = timer.wall_time();
-  timer.restart();
-  const LineModel line(scene, std::move(mesh), laws);
-  const Model &model = line.model();
-  if (!has_transient_step(scene))
-    for (const std::string &warning : check_mechanisms(model))
-      results.remarks.push_back(warning);
-  remark_on_laws(model, results);
-  add_remarks_on_model(model, results);
-  LoadSequence sequence(model);
-  results.cost.setup_seconds = timer.wall_time();
-
-  LineRun run(model, sequence, results);
-  const bool converged = run.run();
-  run.conclude(converged);
-  report_steps(scene, sequence, converged, results);
-  results.certify(scene, !no_contact_is_exact(model));
-  judge_energy(scene, results);
-  results.known = how_well_known(scene, results);
-  add_remarks_on_supports(model, results);
-  if (scene.mesh.refine_hinges)
-    results.yielded = yielded_cells(model, sequence.state());
-  results.cost.unknowns = model.space.n_unknowns();
-  results.cost.cells = model.discretization.pipe_cells().size();
-  results.cost.contacts = model.contacts.size();
-  results.cost.wall_seconds = wall.wall_time();
-  return results;
 }
 
 } // namespace frictionbeam
