@@ -126,13 +126,11 @@ constexpr OvalisingPipe oval_law;
 
 int n_oval_states(const double *p) { return section::OvalLayout(p).size(); }
 
-/// The elastic tangent of a bend depends on its pressure, and a host has that without.
 double oval_bound(const LawInput &in) {
   const OvalPipe pipe(in.parameters, in.temperature, in.pressure);
   if (!pipe.is_possible)
     return std::numeric_limits<double>::infinity();
-  const double bound = elastic_bound_of(pipe, section::OvalStrains(pipe, in.strain));
-  return pipe.layout.modes > 0 && in.pressure != 0. ? std::max(1., bound) : bound;
+  return elastic_bound_of(pipe, section::OvalStrains(pipe, in.strain));
 }
 
 const char *oval_fault(const double *p) {

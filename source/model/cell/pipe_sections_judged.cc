@@ -21,18 +21,24 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
   const double *const of_cell = states.data() + cell.first_value;
   const Eigen::Map<const Eigen::Vector3d> load(of_cell + 14);
   const Vector6 beta = (forces(index, states) - cell.carried * load).tail<6>();
+  constexpr double nothing = 1e-7; // a strain whose stresses are no more than rounding of motions
   double largest = 0., off = 0.;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
-    const double ratio =
-        cell.law(q).report(values + strain, 1., increment, values + internal).utilization;
-    worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    if (values[flowed] != 0. || !(cell.law(q).elastic_bound(values + strain, 1., increment) < 1.)) {
+      const double ratio =
+          cell.law(q).report(values + strain, 1., increment, values + internal).utilization;
+      worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    }
     Vector6 left =
         Values(values + stress) - cell.chain[q].b * beta - cell.chain[q].load_stress * load;
     left[0] -= values[thrust];
+    Vector6 free = of_cell[13] * cell.curvature[q];
+    free[0] += of_cell[12];
     for (unsigned int c = 0; c < 6; ++c)
       if (const double scale = std::sqrt(cell.profile.tangent(c, c)); scale > 0.) {
-        largest = std::max(largest, std::abs(values[stress + c]) / scale);
+        largest = std::max({largest, std::abs(values[stress + c]) / scale,
+                            std::abs(free[c]) * scale, c == 0 ? nothing * scale : 0.});
         off = std::max(off, std::abs(left[c]) / scale);
       }
   }
@@ -128,15 +134,14 @@ std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index
   std::vector<Report> result;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
-    Report &report = result.emplace_back();
-    report.part = cell.part[q];
-    report.strain = Values(values + strain);
-    report.stress = Values(values + stress);
+    Vector6 of_strain = Values(values + strain), of_stress = Values(values + stress);
     if (!cell.turn.empty()) { // back to the local axes
-      report.strain = cell.turn[q].transpose() * report.strain;
-      report.stress = cell.turn[q].transpose() * report.stress;
+      of_strain = cell.turn[q].transpose() * of_strain;
+      of_stress = cell.turn[q].transpose() * of_stress;
     }
-    report.state = cell.law(q).report(values + strain, 1., increment, values + internal);
+    result.push_back({cell.part[q], of_strain, of_stress,
+                      cell.law(q).report(values + strain, 1., increment, values + internal),
+                      cell.chain[q].length, values[lost]});
   }
   return result;
 }

@@ -34,7 +34,7 @@ struct Profile {
   BoundLaw law; ///< of an inelastic section; not set of an elastic one, nor of a rigid part
   double bore_area = 0.; ///< pressure times it is what the wall carries beyond the beam [m2]
   std::optional<Point3> arc_centre; ///< of a cell that is an arc
-  BendPart bend; ///< of a law that is another along its bend; else nothing changes along it
+  BendPart bend; ///< if the law has the flexibility of bends in itself; else left as it is
 
   ArcData arc() const { return {*arc_centre, EA, GA, GJ, EI}; }
 };

@@ -7,6 +7,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace frictionbeam {
@@ -18,22 +19,30 @@ namespace {
 constexpr char bend_radius[] = "Bend radius", place_in_bend[] = "Place in bend",
                bending_rigidity[] = "Bending rigidity";
 
-/// What a parameter is taken from.
+/// How a section has to be given for a figure to be known.
+enum class By { any, diameter, area };
+/// What figures are taken from.
 struct Known {
   const Section &section;
   const Profile &profile;
   const BendPart &bend;
+
+  /// Of the rectangle with this area and inertia.
+  double height() const { return std::sqrt(12. * section.inertia / section.area); }
 };
 struct KnownFigure {
   const char *parameter;
   double (*value)(const Known &);
-  bool needs_diameter = false;
+  By by = By::any;
 };
 constexpr KnownFigure known_figures[] = {
     {"Young's modulus", [](const Known &of) { return of.profile.material.youngs_modulus; }},
     {"Poisson ratio", [](const Known &of) { return of.profile.material.poissons_ratio; }},
-    {"Outside diameter", [](const Known &of) { return 2. * of.section.outer_radius; }, true},
-    {"Wall thickness", [](const Known &of) { return of.section.wall; }, true},
+    {"Outside diameter", [](const Known &of) { return 2. * of.section.outer_radius; },
+     By::diameter},
+    {"Wall thickness", [](const Known &of) { return of.section.wall; }, By::diameter},
+    {"Height", [](const Known &of) { return of.height(); }, By::area},
+    {"Width", [](const Known &of) { return of.section.area / of.height(); }, By::area},
     {"Axial rigidity", [](const Known &of) { return of.profile.EA; }},
     {"Shear rigidity", [](const Known &of) { return of.profile.GA; }},
     {"Torsional rigidity", [](const Known &of) { return of.profile.GJ; }},
@@ -47,6 +56,44 @@ const KnownFigure *known_figure(const std::string &parameter) {
       std::find_if(std::begin(known_figures), std::end(known_figures),
                    [&](const KnownFigure &figure) { return figure.parameter == parameter; });
   return found == std::end(known_figures) ? nullptr : found;
+}
+
+/// What a law says of parameters that it cannot take: what is allowed, ": ", what to try.
+[[noreturn]] void refuse_parameters(const std::string &section, const std::string &law,
+                                    const std::string &fault) {
+  const auto colon = fault.find(": ");
+  throw UserError("Section " + section + ": its law '" + law +
+                  "' cannot take these parameters together.\n  allowed: " + fault.substr(0, colon) +
+                  (colon == std::string::npos ? "" : "\n  try:     " + fault.substr(colon + 2)));
+}
+
+void check_figure(const KnownFigure &figure, const Section &section, const std::string &law) {
+  const bool is_pipe = section.wall > 0.;
+  if (figure.by == By::any || is_pipe == (figure.by == By::diameter))
+    return;
+  const std::string by_diameter = "'Outer diameter' and 'Wall', or a 'Size'",
+                    by_area = "'Area' and 'Inertia'", own = figure.parameter;
+  throw UserError("Section " + section.name + ": its law '" + law + "' needs '" + own +
+                  "'.\n  read:    a section by its " +
+                  (is_pipe ? "diameter and wall\n  allowed: " + by_area +
+                                 "\n  try:     " + by_area + ", or Law = fibre_pipe"
+                           : "area and inertia\n  allowed: " + by_diameter +
+                                 "\n  try:     these, or '" + own + "' itself"));
+}
+
+/// @throws UserError if the law is not made for it.
+double known_value(const KnownFigure &figure, const LawParameter &parameter, const Known &known) {
+  const double value = figure.value(known);
+  if (!(value >= parameter.minimum && value <= parameter.maximum))
+    throw UserError(
+        "Section " + known.section.name + ": '" + parameter.name +
+        "' of its law is taken from section and material.\n  read:    " + rounded_number(value, 6) +
+        "\n  allowed: " + rounded_number(parameter.minimum, 6) + " to " +
+        rounded_number(parameter.maximum, 6) +
+        "\n  try:     another material or "
+        "section, or '" +
+        parameter.name + "' itself");
+  return value;
 }
 
 /// Place of a parameter in a law's list; -1 if it has none of this name.
@@ -68,22 +115,6 @@ std::optional<double> given(const LawDescription &law, const Section &section,
   return place < 0 || section.law != law.name || section.law_parameters.empty()
              ? std::nullopt
              : section.law_parameters[place];
-}
-
-double value_of(const LawDescription &law, const int i, const Known &known) {
-  const LawParameter &parameter = law.parameters[i];
-  if (const auto of_file = given(law, known.section, parameter.name))
-    return *of_file;
-  const KnownFigure *const figure = known_figure(parameter.name);
-  if (figure == nullptr)
-    return parameter.default_value;
-  if (figure->needs_diameter && known.section.wall == 0.)
-    throw UserError("Section " + known.section.name + ": its law '" + law.name + "' needs '" +
-                    parameter.name +
-                    "'.\n  read:    a section by its area and inertia\n  allowed: 'Outer "
-                    "diameter' and 'Wall', or a 'Size'\n  try:     these, or '" +
-                    parameter.name + "' itself");
-  return figure->value(known);
 }
 
 /// A law that knows nothing of bends stands in none that is more flexible than a straight pipe.
@@ -140,29 +171,27 @@ double mean_bending_rigidity(const Profile &profile) {
 
 } // namespace
 
-BoundLaw bind_section_law(const LawDescription &law, const Section &section, const Pipe &pipe,
-                          const BendPart &bend, Profile &profile) {
+BoundLaw bind_section_law(const LawDescription &law, const Pipe &pipe, const Section &section,
+                          const BendPart &bend, const Profile &profile) {
   check_flexibility(law, pipe, section, profile);
   if (has_own_flexibility(law))
     check_bend(law, pipe, section, bend);
   std::vector<double> values;
-  for (int i = 0; i < law.n_parameters; ++i)
-    values.push_back(value_of(law, i, {section, profile, bend}));
+  for (int i = 0; i < law.n_parameters; ++i) {
+    const LawParameter &parameter = law.parameters[i];
+    const std::optional<double> of_file = given(law, section, parameter.name);
+    const KnownFigure *const figure = known_figure(parameter.name);
+    if (figure != nullptr && (!of_file || figure->by == By::area))
+      check_figure(*figure, section, law.name);
+    values.push_back(of_file ? *of_file
+                     : figure == nullptr
+                         ? parameter.default_value
+                         : known_value(*figure, parameter, {section, profile, bend}));
+  }
   if (law.interface_version >= 2 && law.fault != nullptr)
     if (const char *const fault = law.fault(values.data()))
-      throw UserError("Section " + section.name + ": its law '" + law.name +
-                      "' cannot take these parameters.\n  allowed: " + fault);
-  const BoundLaw bound(law, values);
-  profile.tangent = elastic_tangent(bound);
-  if (bend.radius > 0. && has_own_flexibility(law)) {
-    profile.law = bound;
-    profile.bend = bend;
-    if (place_of(law, place_in_bend) < 0 || given(law, section, place_in_bend))
-      profile.bend.begin = profile.bend.end;
-    profile.EI = mean_bending_rigidity(profile);
-    profile.tangent(4, 4) = profile.tangent(5, 5) = profile.EI;
-  }
-  return bound;
+      refuse_parameters(section.name, law.name, fault);
+  return {law, values};
 }
 
 BoundLaw law_at(const Profile &profile, const double part) {
@@ -182,6 +211,40 @@ Table<2, double> elastic_tangent(const BoundLaw &law) {
   Table<2, double> result(n_section_strains, n_section_strains);
   result.fill(answer.tangent.begin(), true);
   return result;
+}
+
+void take_section_law(const BoundLaw &law, const Pipe &pipe, const Section &section,
+                      const BendPart &bend, Profile &profile) {
+  profile.tangent = elastic_tangent(law);
+  profile.law = law;
+  if (bend.radius > 0. && has_own_flexibility(law.description())) {
+    profile.bend = bend;
+    if (place_of(law.description(), place_in_bend) < 0 ||
+        given(law.description(), section, place_in_bend))
+      profile.bend.begin = profile.bend.end;
+    profile.tangent(4, 4) = profile.tangent(5, 5) = mean_bending_rigidity(profile);
+  }
+  const Table<2, double> &D = profile.tangent;
+  constexpr double rounding = 1e-9;
+  if (profile.arc_centre && std::abs(D(4, 4) - D(5, 5)) > rounding * D(4, 4))
+    throw UserError(
+        "Pipe " + pipe.name +
+        ": its section bends differently about its two axes, by its "
+        "law '" +
+        law.name() +
+        "', and stands in a bend.\n  read:    a bend of such a section\n  "
+        "allowed: straight pipes of it\n  try:     'Bends = straight pieces' in section "
+        "Mesh, or a pipe of its own for the bend");
+  const auto take = [&](double &rigidity, const unsigned int component) {
+    if (D(component, component) > 0.)
+      rigidity = D(component, component);
+  };
+  const double EA = profile.EA;
+  take(profile.EA, 0);
+  take(profile.GA, 1);
+  take(profile.GJ, 3);
+  take(profile.EI, 4);
+  profile.pressure_strain *= EA / profile.EA;
 }
 
 } // namespace frictionbeam
