@@ -49,6 +49,13 @@ void Writer::section(const Section &s) {
   number(out, "Insulation density", s.insulation_density / m * std::pow(l, 3));
   if (!s.rotary_inertia)
     set(out, "Rotary inertia", "false");
+  set(out, "Law", s.law);
+  using Unit = LawValue::Unit;
+  for (const LawValue &of : s.law_values)
+    set(out, of.name,
+        text(of.unit == Unit::pascal   ? of.value / units.stress
+             : of.unit == Unit::degree ? units.temperature(of.value)
+                                       : of.value));
   part("Section " + s.name, out);
 }
 

@@ -196,7 +196,8 @@ Values all_of(const std::vector<Values> &parts) {
   return result;
 }
 
-void built_in(const LawDescription &fibre, const LawDescription &whole) {
+void built_in(const LawDescription &fibre, const LawDescription &whole,
+              const LawDescription &rectangle) {
   const Values size = Tube().of_the_whole();
   conforms(whole, {}, false);
   conforms(whole, size);
@@ -219,6 +220,12 @@ void built_in(const LawDescription &fibre, const LawDescription &whole) {
   conforms(fibre, all_of({few, creep, primary, isotropic}));
   conforms(fibre, all_of({few, primary, by_strain, no_yield}));
   conforms(fibre, all_of({few, creep, primary, by_strain, kinematic, isotropic}));
+  const Values strips{{"Fibres along the height", 8.}, {"Fibres along the width", 6.}};
+  conforms(rectangle, strips);
+  conforms(rectangle, all_of({strips, isotropic}));
+  conforms(rectangle, all_of({strips, kinematic, curve}));
+  conforms(rectangle, all_of({strips, no_yield}), false);
+  CHECK(BoundLaw(rectangle, law_parameters(rectangle, strips)).n_internal_variables() == 2 * 8 * 6);
   const auto needed = [&](const Values &values) {
     return BoundLaw(fibre, law_parameters(fibre, values)).n_internal_variables();
   };
@@ -273,7 +280,7 @@ int main() {
   LawLibrary library;
   library.load_builtin();
   const LawDescription &fibre = library.find("fibre_pipe"), &whole = library.find("global_plastic");
-  built_in(fibre, whole);
+  built_in(fibre, whole, library.find("fibre_rectangle"));
   speeds(fibre, whole);
   faults();
   bound_law();

@@ -248,6 +248,7 @@ LineState ModalAnalysis::displaced(const Vector &unknowns) const {
   LineState state = start;
   state.unknowns = unknowns;
   state.with_preload = false;
+  state.sections.resize(0); // pipes answer elastically
   model.space.expand(unknowns, state.dofs);
   state.load_factors.assign(state.load_factors.size(), 0.);
   state.load_rates.clear();

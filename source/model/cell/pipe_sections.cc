@@ -18,6 +18,13 @@ using Values = Eigen::Map<const Vector6>;
 
 namespace {
 
+/// The matrix of v x.
+Eigen::Matrix3d cross(const Eigen::Vector3d &v) {
+  Eigen::Matrix3d result;
+  result << 0., -v[2], v[1], v[2], 0., -v[0], -v[1], v[0], 0.;
+  return result;
+}
+
 /// Length of a cell beyond a part of its way, and the integral there of the way from a vertex.
 struct Beyond {
   double length = 0.;
@@ -25,7 +32,8 @@ struct Beyond {
 
   Beyond(const PipeElement &element, const Discretization::Cell &cell, const double part,
          const unsigned int from_vertex) {
-    const dealii::QGauss<1> points(element.arc() ? 12 : 1);
+    static const dealii::QGauss<1> straight(1), curved(12); // finding their points takes long
+    const dealii::QGauss<1> &points = element.arc() ? curved : straight;
     for (unsigned int k = 0; k < points.size(); ++k) {
       const double at = part + (1. - part) * points.point(k)[0];
       const Vector3 chord = cell->vertex(1) - cell->vertex(0);
@@ -42,10 +50,29 @@ struct Beyond {
   Eigen::Matrix<double, 6, 3> forces() const {
     Eigen::Matrix<double, 6, 3> result;
     result.topRows<3>() = length * Eigen::Matrix3d::Identity();
-    result.bottomRows<3>() << 0., -way[2], way[1], way[2], 0., -way[0], -way[1], way[0], 0.;
+    result.bottomRows<3>() = cross(way);
     return result;
   }
 };
+
+/// Stress of the section at a part of the way by force and moment on the cell's second end: those
+/// of equilibrium, whatever the section is.
+SectionChain::Matrix6 carried_from_end(const PipeElement &element, const Discretization::Cell &cell,
+                                       const double part) {
+  const Vector3 chord = cell->vertex(1) - cell->vertex(0);
+  const auto &arc = element.arc();
+  const Point3 place =
+      arc ? arc->point(part * arc->angle()) : Point3(cell->vertex(0) + part * chord);
+  const LocalAxes axes(arc ? arc->tangent(part * arc->angle()) : chord);
+  Eigen::Matrix3d to_local;
+  to_local << axes.x[0], axes.x[1], axes.x[2], axes.y[0], axes.y[1], axes.y[2], axes.z[0],
+      axes.z[1], axes.z[2];
+  const Vector3 arm = cell->vertex(1) - place;
+  SectionChain::Matrix6 b = SectionChain::Matrix6::Zero();
+  b.topLeftCorner<3, 3>() = b.bottomRightCorner<3, 3>() = to_local;
+  b.bottomLeftCorner<3, 3>() = to_local * cross({arm[0], arm[1], arm[2]});
+  return b;
+}
 
 } // namespace
 
@@ -81,8 +108,6 @@ PipeSections::make_cell(const Discretization &discretization, const unsigned int
   at_points.reinit(deal_cell);
   const Profile &profile = exact.profile();
   const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
-  // The elastic cell is exact for forces at its ends, so that its stresses by those on the second,
-  // with the first one clamped, are those of equilibrium.
   const Matrix12 K = exact.stiffness();
   const SectionChain::Matrix6 compliance = K.bottomRightCorner<6, 6>().inverse();
   Eigen::Matrix<double, 6, 12> G;
@@ -91,7 +116,7 @@ PipeSections::make_cell(const Discretization &discretization, const unsigned int
   std::vector<SectionChain::Point> points;
   for (unsigned int q = 0; q < at_points.n_points(); ++q) {
     SectionChain::Point &point = points.emplace_back();
-    point.b = D * at_points.strain_matrix(q).rightCols<6>() * compliance;
+    point.b = carried_from_end(exact, deal_cell, at_points.place_of(q));
     point.load_stress = point.b * Beyond(exact, deal_cell, at_points.place_of(q), 1).forces();
     point.length = at_points.length_at(q);
   }
@@ -136,26 +161,44 @@ bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundi
   increment.pressure = surroundings.pressure;
   Tangent tangent;
   LawOutput output{now + stress, tangent.data(), now + internal, 0., ContactStatus::none};
+  now[flowed] = 1.; // whatever it leaves if it fails
   if (law.integrate(of_wall.data(), rate.data(), 1., increment, old + internal,
                     LawTangent::consistent, output) != LawStatus::ok)
     return false;
   stiffness = tangent;
-  now[flowed] = 1.;
+  const double *const variables = now + internal;
+  now[flowed] = std::any_of(variables, variables + law.n_internal_variables(),
+                            [](const double x) { return x != 0.; });
   set_energies(pushes, output.dissipation, old, now);
   error = std::max(error, output.error);
   return true;
+}
+
+bool PipeSections::is_as_stiff_as_cold(const Profile &profile, const LawIncrement &increment,
+                                       const double *const of_wall, const double *const old,
+                                       double *const now) {
+  const LawIncrement cold;
+  if (increment.temperature == cold.temperature && increment.pressure == cold.pressure)
+    return true;
+  const Vector6 no_rate = Vector6::Zero();
+  Vector6 unused;
+  Tangent warm;
+  now[flowed] = 1.;
+  LawOutput output{unused.data(), warm.data(), now + internal, 0., ContactStatus::none};
+  return profile.law.integrate(of_wall, no_rate.data(), 1., increment, old + internal,
+                               LawTangent::elastic, output) == LawStatus::ok &&
+         warm == Eigen::Map<const Tangent>(&profile.tangent(0, 0));
 }
 
 bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
                                  const std::vector<Vector6> &free, const Surroundings &surroundings,
                                  const Vector &old, Vector &now,
                                  SectionChain::Solution &solution) const {
-  LawIncrement increment;
-  if (surroundings.temperature != increment.temperature) // the elastic tangent is that of the cold
-    return false;
   for (unsigned int q = 0; q < cell.chain.size(); ++q)
     if (old[place_of(cell, q) + flowed] != 0.)
       return false;
+  LawIncrement increment;
+  increment.temperature = surroundings.temperature;
   increment.pressure = surroundings.pressure;
   const double pushes = surroundings.pressure * cell.profile.bore_area;
   const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&cell.profile.tangent(0, 0));
@@ -166,10 +209,12 @@ bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
     Eigen::Map<Vector6> of_wall(values + strain);
     of_wall = solution.strain[q];
     of_wall[0] += pushes / cell.profile.EA;
-    if (!(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.))
+    if (!(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.) ||
+        (q == 0 && !is_as_stiff_as_cold(cell.profile, increment, values + strain, before, values)))
       return false;
     Eigen::Map<Vector6>(values + stress) = D * of_wall;
-    std::fill(values + flowed, values + n_values_of(cell), 0.);
+    if (values[flowed] != 0.)
+      std::fill(values + flowed, values + n_values_of(cell), 0.);
     set_energies(pushes, 0., before, values);
   }
   return true;

@@ -57,7 +57,8 @@ public:
   /**
    * Integrate a cell's sections to the end of an increment.
    * @param from, to motions of its ends before and after
-   * @param old states before; @param now in: of any; out: this cell's sections after
+   * @param old states before; @param now in: at rest, or what this has made of any; out: this
+   * cell's sections after
    */
   void integrate(const unsigned int cell, const Vector12 &from, const Vector12 &to,
                  const Surroundings &surroundings, const Clock &clock, const Vector &old,
@@ -120,6 +121,8 @@ public:
     double part = 0.; ///< of the way along the cell, from its deal.II vertex 0
     Vector6 strain, stress;
     SectionReport state;
+    double length = 0.;     ///< of pipe that it stands for [m]
+    double dissipated = 0.; ///< so far [J/m]
   };
   std::vector<Report> reports(const unsigned int cell, const Surroundings &surroundings,
                               const Vector &states) const;
@@ -139,7 +142,7 @@ private:
   /// Values of a cell: forces on its ends, free strains and load per length.
   static constexpr unsigned int n_values_of_cell = 12 + 2 + 3;
   /// Values of a section's state: strain and stress of the wall, p A_bore, energy that it has
-  /// stored and dissipated [J/m], whether its law has ever been integrated; then the law's internal
+  /// stored and dissipated [J/m], whether an internal variable of its law is not zero; then these
   /// variables.
   enum Value {
     strain = 0,
@@ -156,6 +159,10 @@ private:
   unsigned int place_of(const Cell &cell, const unsigned int point) const {
     return cell.first_value + n_values_of_cell + point * n_values_of(cell);
   }
+  /// Whether a section at rest, which stays elastic, is as stiff as the cell's elastic one: laws
+  /// may soften with temperature, and with pressure. @param now scratch
+  static bool is_as_stiff_as_cold(const Profile &profile, const LawIncrement &increment,
+                                  const double *of_wall, const double *old, double *now);
   /// Whether a cell that has only been elastic so far is so at the increment's end: its states
   /// then.
   bool stays_elastic(const Cell &cell, const Vector12 &motions, const std::vector<Vector6> &free,

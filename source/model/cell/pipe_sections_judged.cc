@@ -21,18 +21,25 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
   const double *const of_cell = states.data() + cell.first_value;
   const Eigen::Map<const Eigen::Vector3d> load(of_cell + 14);
   const Vector6 beta = (forces(index, states) - cell.carried * load).tail<6>();
+  constexpr double nothing = 1e-7; // a strain whose stresses are no more than rounding of motions
   double largest = 0., off = 0.;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
-    const double ratio =
-        cell.profile.law.report(values + strain, 1., increment, values + internal).utilization;
-    worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    if (values[flowed] != 0. ||
+        !(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.)) {
+      const double ratio =
+          cell.profile.law.report(values + strain, 1., increment, values + internal).utilization;
+      worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    }
     Vector6 left =
         Values(values + stress) - cell.chain[q].b * beta - cell.chain[q].load_stress * load;
     left[0] -= values[thrust];
+    Vector6 free = of_cell[13] * cell.curvature[q];
+    free[0] += of_cell[12];
     for (unsigned int c = 0; c < 6; ++c)
       if (const double scale = std::sqrt(cell.profile.tangent(c, c)); scale > 0.) {
-        largest = std::max(largest, std::abs(values[stress + c]) / scale);
+        largest = std::max({largest, std::abs(values[stress + c]) / scale,
+                            std::abs(free[c]) * scale, c == 0 ? nothing * scale : 0.});
         off = std::max(off, std::abs(left[c]) / scale);
       }
   }
@@ -129,7 +136,8 @@ std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
     result.push_back({cell.part[q], Values(values + strain), Values(values + stress),
-                      cell.profile.law.report(values + strain, 1., increment, values + internal)});
+                      cell.profile.law.report(values + strain, 1., increment, values + internal),
+                      cell.chain[q].length, values[lost]});
   }
   return result;
 }

@@ -65,11 +65,23 @@ public:
 
 private:
   struct Linear; // the linearized equations
+  /// A point in their units.
+  struct Scaled {
+    Matrix6 b;
+    Matrix6 flexibility; ///< of an elastic section, for beta
+  };
+  /// A stiffness in their units, with as much more as lets sections share that all flow; 1 on the
+  /// diagonal of rigid components.
+  Matrix6 in_units(const Matrix6 &stiffness) const;
+
   std::vector<Point> points;
+  std::vector<Scaled> scaled;
   Eigen::Matrix<double, 6, 12> G;
+  Matrix6 elastic;
   Vector6 scale;      ///< square roots of the stiffnesses; 0: rigid
   Vector6 beta_scale; ///< of unit elastic motion
   Matrix6 compliance; ///< of a section, elastic
+  Matrix6 soft;       ///< the same in units of the linearized equations; 0: rigid
   Matrix6 of_motion;  ///< beta by the motion of the second end from the first, elastic
   Eigen::Matrix<double, 6, 3> by_load; ///< that motion by a unit load, at no beta
   Matrix12 K;

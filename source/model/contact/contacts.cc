@@ -158,7 +158,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     fe_values.reinit(cell);
 
     Contact contact = contact_of(support_cell, scene, mesh, fe_values.JxW(0));
-    contact.law = BoundLaw(laws.find(support.law), support.parameters);
+    contact.law = BoundLaw(laws.find(support.law), support.parameters_of(support_cell.site));
     contact.heating = heating_of(pipes[contact.vertices[0]], scene);
     for (unsigned int d = 0; d < 3; ++d)
       if (support.ground_motion[d].is_given())

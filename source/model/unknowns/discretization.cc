@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/user_error.h"
+#include "model/unknowns/like_cells.h"
 #include "model/unknowns/section_law.h"
 #include "scene/file/parameter_reader.h"
 #include <frictionbeam/fe_timoshenko_beam.h>
@@ -131,9 +132,10 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   profile.bore_area = section.bore_area();
   const BoundLaw law = bind_section_law(laws.find(pipe.rigid ? "elastic_section" : section.law),
                                         section, profile, bend_radius, pipe.name);
-  profile.tangent = elastic_tangent(law);
-  if (law.name() != "elastic_section")
-    profile.law = law;
+  if (law.name() == "elastic_section")
+    profile.tangent = elastic_tangent(law);
+  else
+    take_section_law(law, pipe.name, profile);
   return profile;
 }
 
@@ -173,6 +175,7 @@ void check_cells(const std::vector<Point3> &points, const std::vector<LineCell> 
 Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws)
     : dofs(triangulation), points(mesh.vertices), n_own(mesh.vertices.size()) {
   add_profiles(scene, mesh, laws);
+  first_like = first_like_cells(points, cells);
   add_elements(scene);
   add_supports(scene, mesh);
   add_carriers(scene, mesh);
@@ -321,14 +324,17 @@ void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
 }
 
 void Discretization::add_carriers(const Scene &scene, const LineMesh &mesh) {
-  std::set<unsigned int> reached;
+  std::vector<bool> reached(n_own, false);
   for (const LineCell &cell : cells)
-    reached.insert(cell.vertices.begin(), cell.vertices.end());
+    for (const unsigned int vertex : cell.vertices)
+      if (vertex < n_own)
+        reached[vertex] = true;
   for (const Spring &spring : scene.springs)
     for (const std::string &name : {spring.point, spring.other}) {
-      if (name.empty() || !reached.insert(mesh.points.at(name)).second)
+      if (name.empty() || reached[mesh.points.at(name)])
         continue;
       const unsigned int vertex = mesh.points.at(name);
+      reached[vertex] = true;
       points.push_back(points[vertex] + Vector3({0., 0., -1.}));
       cells.push_back({{vertex, static_cast<unsigned int>(points.size() - 1)}, 0});
       fe_index.push_back(fe.size() - 1);

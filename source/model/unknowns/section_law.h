@@ -9,14 +9,18 @@ namespace frictionbeam {
  * The section's law with all its parameters: those of the file, and of those that it left out, by
  * their names, what section, material and bend know: Young's modulus, Poisson ratio, Outside
  * diameter, Wall thickness, Bend radius, and the rigidities of @p profile (axial, shear,
- * torsional, bending).
- * @throws UserError if a law needs a diameter and the section has none, or if it knows nothing of
- * bends and stands in one that is more flexible than a straight pipe.
+ * torsional, bending), Height and Width of the rectangle with its area and inertia.
+ * @throws UserError if a law needs a diameter and the section has none, or the other way round, or
+ * if it knows nothing of bends and stands in one that is more flexible than a straight pipe.
  */
 BoundLaw bind_section_law(const LawDescription &law, const Section &section, const Profile &profile,
                           const double bend_radius, const std::string &pipe);
 
 /// Its elastic tangent, 6 x 6.
 dealii::Table<2, double> elastic_tangent(const BoundLaw &law);
+
+/// Gives a profile a law that yields or creeps, and the rigidities of that law's elastic tangent.
+/// @throws UserError if it bends differently about its two axes in an arc.
+void take_section_law(const BoundLaw &law, const std::string &pipe, Profile &profile);
 
 } // namespace frictionbeam
