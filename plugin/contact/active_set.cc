@@ -2,6 +2,7 @@
 #include "active_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam::contact {
 
@@ -10,8 +11,17 @@ namespace {
 /// Of what a branch holds, beside the body's stiffness: c of the proximal law.
 constexpr double stiffness_of_branch = 1e6;
 /// Steps in all, and in a row without half as many changes as ever before.
-constexpr unsigned int most_steps = 20, most_steps_in_vain = 2;
+constexpr unsigned int most_predictions = 20, most_steps_in_vain = 2;
 constexpr unsigned int most_to_finish = 15, most_doublings_of_pause = 6;
+
+/// Where forces alone tell it.
+ContactStatus branch_by_forces(const Check::Point &point) {
+  constexpr double near_the_limit = 1. - 1e-6;
+  if (!(point.P > 0.))
+    return point.gap <= 0. ? ContactStatus::stick : ContactStatus::open;
+  const double limit = near_the_limit * point.friction * point.P;
+  return std::hypot(point.T[0], point.T[1]) < limit ? ContactStatus::stick : ContactStatus::slip;
+}
 
 /// Branches of the proximal law that are chosen as long as this lives.
 struct ChosenBranches {
@@ -49,8 +59,7 @@ std::vector<ContactStatus> ActiveSet::first_branches(const Response &response) c
       branch[i] = kept.status[i] == ContactStatus::closed ? ContactStatus::stick : kept.status[i];
       continue;
     }
-    const Check::Point point = equations.point_of(i, proximal.centre[i], 0., response);
-    branch[i] = point.P > 0. || point.gap <= 0. ? ContactStatus::stick : ContactStatus::open;
+    branch[i] = branch_by_forces(equations.point_of(i, proximal.centre[i], 0., response));
   }
   return branch;
 }
@@ -116,7 +125,7 @@ bool ActiveSet::predict(Vector &x, Response &response, Result &result) {
   equations.place(x, response);
   const ChosenBranches chosen(proximal, first_branches(response));
   unsigned int least_changes = points.size() + 1, n_in_vain = 0;
-  for (unsigned int k = 0; k < most_steps && n_in_vain < most_steps_in_vain; ++k) {
+  for (unsigned int k = 0; k < most_predictions && n_in_vain < most_steps_in_vain; ++k) {
     if (equations.settings.in_each_iteration)
       equations.settings.in_each_iteration();
     if (!step(x, response, result))

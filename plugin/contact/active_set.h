@@ -30,6 +30,9 @@ public:
   /// A solution: where to begin the next time. @p motion without entries: as before.
   void remember(const std::vector<ContactStatus> &status, const Vector &motion);
 
+  /// Other forces than those of the last solution are the centre.
+  void forget_status() { kept.status.clear(); }
+
   void save(WarmStart &memory) const { memory.prediction = kept; }
   void restore(const WarmStart &memory) { kept = memory.prediction; }
 

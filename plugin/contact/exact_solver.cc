@@ -346,6 +346,8 @@ Result ExactSolver::solve(const Problem &problem, const ImposedMotion &imposed,
 
 void ExactSolver::guess(const std::vector<Strains> &stress) {
   implementation->proximal.centre = stress;
+  if (implementation->active_set)
+    implementation->active_set->forget_status();
 }
 
 WarmStart ExactSolver::warm_start() const {
