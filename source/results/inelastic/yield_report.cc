@@ -58,17 +58,22 @@ std::size_t nearest_station(const Frame &frame, const SectionState &section) {
   return nearest;
 }
 
+double largest(const Frame &frame, double SectionState::*const value) {
+  double result = 0.;
+  for (const SectionState &section : frame.sections)
+    result = std::max(result, section.*value);
+  return result;
+}
+
 std::string draw(const Scene &scene, const Results &results, const Frame &frame,
                  double SectionState::*const value, const std::string &name) {
   ColouredLine what;
   what.title = name + ", end of step " + frame.name;
-  double largest = 0.;
-  for (const SectionState &section : frame.sections)
-    largest = std::max(largest, section.*value);
   for (const Station &station : frame.line)
     what.values.push_back(interpolated(frame.sections, value, station.pipe, station.s));
   const bool is_utilization = value == &SectionState::utilization;
-  what.largest = is_utilization ? std::max(1., largest) : largest > 0. ? largest : 1.;
+  const double most = largest(frame, value);
+  what.largest = is_utilization ? std::max(1., most) : most > 0. ? most : 1.;
   what.legend = name + ", 0 to " + percent(what.largest) + " %";
   if (!is_utilization) {
     for (const Hinge &hinge : hinges_of({&frame}))
@@ -77,11 +82,6 @@ std::string draw(const Scene &scene, const Results &results, const Frame &frame,
     what.ring_meaning = "hinges";
   }
   return draw_coloured_line(scene, results, frame, what);
-}
-
-bool any(const Frame &frame, double SectionState::*const value) {
-  return std::any_of(frame.sections.begin(), frame.sections.end(),
-                     [&](const SectionState &section) { return section.*value > 0.; });
 }
 
 std::string pictures(const Scene &scene, const Results &results,
@@ -97,10 +97,14 @@ std::string pictures(const Scene &scene, const Results &results,
   for (std::size_t i = 0; i < n; ++i) // the last ones among them
     add(*frames[n == 1 ? frames.size() - 1 : i * (frames.size() - 1) / (n - 1)],
         &SectionState::utilization, "utilization");
-  if (any(*frames.back(), &SectionState::creep_strain))
+  const double plastic = largest(*frames.back(), &SectionState::plastic_strain),
+               creep = largest(*frames.back(), &SectionState::creep_strain);
+  if (creep > 0. && creep <= plastic)
     add(*frames.back(), &SectionState::creep_strain, "creep strain");
-  if (any(*frames.back(), &SectionState::plastic_strain))
+  if (plastic > 0.)
     add(*frames.back(), &SectionState::plastic_strain, "plastic strain");
+  if (creep > plastic) // the larger one is in front
+    add(*frames.back(), &SectionState::creep_strain, "creep strain");
   return html_tabs("flow-of", panels);
 }
 
@@ -134,15 +138,17 @@ std::string pipe_table(const Scene &scene, const Results &results) {
   }
   HtmlTable table(results.units);
   table.text("pipe", names);
-  add_columns(table, "plastic strain", plastic, "mostly in step");
+  add_columns(table, "plastic", plastic, "mostly in");
   if (creeps)
-    add_columns(table, "creep strain", creep, "mostly in step");
-  add_columns(table, "utilization", utilization, "end of step");
+    add_columns(table, "creep", creep, "mostly in");
+  add_columns(table, "utilization", utilization, "end of");
   return table.numbers("dissipated", "J", dissipated).right("hinges", n_hinges).str() +
-         html_note("The worst section of each pipe. Strains are equivalent, accumulated to the end "
-                   "of the run, at the section's worst point; the utilization is equivalent stress "
-                   "over the yield stress that is reached by then, the largest at the ends of "
-                   "steps. sections.csv has every section.");
+         html_note(
+             "The worst section of each pipe. Plastic and creep strain are equivalent, accumulated "
+             "to the end of the run, at the section's worst point, with the step in which they "
+             "grew most; the utilization is equivalent stress "
+             "over the yield stress that is reached by then, the largest at the ends of "
+             "steps. sections.csv has every section.");
 }
 
 std::string hinge_table(const Scene &scene, const Results &results,
@@ -244,11 +250,8 @@ std::string yield_section(const Scene &scene, const Results &results) {
 
 std::string draw_flow(const Scene &scene, const Results &results) {
   const Frame &end = *frames_of_sections(results).back();
-  double plastic = 0., creep = 0.;
-  for (const SectionState &section : end.sections) {
-    plastic = std::max(plastic, section.plastic_strain);
-    creep = std::max(creep, section.creep_strain);
-  }
+  const double plastic = largest(end, &SectionState::plastic_strain),
+               creep = largest(end, &SectionState::creep_strain);
   if (plastic == 0. && creep == 0.)
     return draw(scene, results, end, &SectionState::utilization, "utilization");
   return creep > plastic

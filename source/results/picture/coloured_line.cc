@@ -36,7 +36,7 @@ const std::string nothing_known = "#c8c8c8";
 
 std::string ring(const Pixel &at, const std::string &tooltip) {
   return "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) +
-         "\" r=\"9\" fill=\"none\" stroke=\"#000\" stroke-width=\"2\">" +
+         "\" r=\"7\" fill=\"none\" stroke=\"#000\" stroke-width=\"2\">" +
          (tooltip.empty() ? "" : "<title>" + escape_xml(tooltip) + "</title>") + "</circle>\n";
 }
 
