@@ -143,8 +143,7 @@ const char *oval_fault(const double *p) {
   if (const char *const fault = fault_of(p + n_oval_parameters, diameter, wall))
     return fault;
   if (bend > 0. && bend <= diameter / 2.)
-    return "a bend radius above half the outside diameter: make 'Bend radius' larger, or 0 for a "
-           "straight pipe";
+    return "a bend radius above half the outside diameter: a larger radius of the bend";
   constexpr double thickest = 0.4; // of the mean radius: the ring is one of thin walls
   if (bend > 0. && wall > thickest * (diameter - wall) / 2.)
     return "in a bend a wall of at most 0.4 of the mean radius, for its ring is a thin one: a "
