@@ -6,7 +6,9 @@
 namespace frictionbeam::contact {
 
 template <int d>
-BlockMatrix<d>::BlockMatrix(const Eigen::SparseMatrix<double> &W) {
+BlockMatrix<d>::BlockMatrix(const Eigen::SparseMatrix<double> &matrix) {
+  // Rounding may have left it, and its pattern, not quite symmetric.
+  const Eigen::SparseMatrix<double> transposed = matrix.transpose(), W = (matrix + transposed) / 2.;
   const int n = W.cols() / d;
   std::vector<int> place(n, -1), touched;
   begins.push_back(0);
@@ -28,7 +30,7 @@ BlockMatrix<d>::BlockMatrix(const Eigen::SparseMatrix<double> &W) {
       columns.push_back(j);
       blocks.push_back(Block::Zero());
     }
-    for (int c = 0; c < d; ++c) // column c of the row above the diagonal is row c, by symmetry
+    for (int c = 0; c < d; ++c) // a column is the row of its place, by symmetry
       for (int k = W.outerIndexPtr()[d * i + c]; k < W.outerIndexPtr()[d * i + c + 1]; ++k)
         if (const int j = inner[k] / d; place[j] >= 0)
           blocks[place[j]](c, inner[k] - d * j) += W.valuePtr()[k];

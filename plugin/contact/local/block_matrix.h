@@ -18,7 +18,7 @@ public:
   using Block = Eigen::Matrix<double, d, d>;
   using Point = Eigen::Matrix<double, d, 1>;
 
-  explicit BlockMatrix(const Eigen::SparseMatrix<double> &W);
+  explicit BlockMatrix(const Eigen::SparseMatrix<double> &matrix);
 
   int n_rows() const { return diagonals.size(); }
   /// Blocks of row i are those from begin(i) up to begin(i + 1).

@@ -62,6 +62,7 @@ public:
     const SparseMatrix transposed = problem.M.transpose();
     if (SparseMatrix(problem.M - transposed).norm() > 1e-8 * problem.M.norm())
       fail("M is not symmetric.");
+    problem.M = SparseMatrix(problem.M + transposed) / 2.; // and so is its pattern
     return problem;
   }
 
