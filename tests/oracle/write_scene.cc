@@ -234,7 +234,8 @@ std::string Writer::all() {
       set(out, "Analysis", "transient");
     else
       set(out, "Increments", std::to_string(step.increments));
-    number(out, "Duration", step.duration, 1.);
+    if (step.duration != 1. || scene.has_laws()) // creep asks for one that is given
+      set(out, "Duration", text(step.duration));
     number(out, "Ramp", step.ramp);
     part("Step " + step.name, out);
   }
