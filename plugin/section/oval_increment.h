@@ -324,7 +324,9 @@ inline bool OvalIncrement::solve() {
       return false;
     double low = 0., high = 1., of_low = at_start, of_high = slope(direction);
     for (int k = 0; at_start < 0. && of_high > allowed && k < most_searches; ++k) {
-      const double length = low - of_low * (high - low) / (of_high - of_low);
+      double length = low - of_low * (high - low) / (of_high - of_low);
+      if (k % 2 == 1) // a plateau would hold the secant at one end
+        length = std::sqrt(std::max(low, 1e-3 * high) * high);
       if (!go(from, direction, length))
         return false;
       const double here = slope(direction);

@@ -26,8 +26,9 @@ constexpr int highest_mode = 8, most_modes = highest_mode - 1, most_stations = 6
               most_points = 2 * most_layers;
 constexpr int n_point_states = 4; ///< plastic strains of a point, accumulated plastic strain
 
-/// Over Young's modulus, of a metal that does not harden: what its wall flows by is unique then.
-constexpr double least_wall_slope = 1e-8;
+/// Of the elastic stiffness. Where nothing else decides how the wall flows, a tangent of so much
+/// more does; the answer does not have it.
+constexpr double least_stiffness = 1e-8;
 
 /**
  * Where the parts of the state stand: amplitudes of the modes over r, cosines then sines; what the
@@ -100,8 +101,7 @@ struct OvalPipe {
     R = p[oval_bend_radius];
     hoop = pressure * r / t;
     is_possible = material.is_possible && p[oval_diameter] > 2. * t;
-    bursts = std::sqrt(0.75) * std::abs(hoop) >= material.largest(least_wall_slope * E);
-    material.raise_level_end(least_wall_slope * E);
+    bursts = std::sqrt(0.75) * std::abs(hoop) >= material.largest(0.);
     stiffness[0] = E / (2. * (1. - nu));
     stiffness[1] = stiffness[2] = 3. * G;
     set_points();

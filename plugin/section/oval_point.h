@@ -58,7 +58,8 @@ struct PointResponse {
     for (int i = 0; i < 3; ++i) {
       now[i] = point.old[i] + to.lambda * to.xi[i];
       s[i] = to.xi[i] + material.H * now[i];
-      stiffness[i] = k[i] * (1. + to.lambda * material.H) / to.alpha[i];
+      stiffness[i] = k[i] * ((1. + to.lambda * material.H) / to.alpha[i] +
+                             (to.dp > 0. ? least_stiffness : 0.));
       rounding = std::max(rounding, 2e-15 * k[i] * std::abs(point.strain[i]));
     }
     if (to.dp > 0.) {
