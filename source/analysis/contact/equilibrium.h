@@ -33,9 +33,6 @@ public:
   virtual EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
                                   Vector &unknowns, ContactResponse &response) = 0;
 
-  /// Take these stresses for the first guess of the next problem, where the method has one.
-  virtual void guess(const std::vector<Contact::Strains> &) {}
-
   /// What it keeps from one problem to the next and the solutions depend on. Reading it, the
   /// factorizations that belong to it are made again.
   virtual void transfer(Archive &archive) = 0;

@@ -15,7 +15,7 @@ public:
   EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
                           Vector &unknowns, ContactResponse &response) override;
   /// Take these stresses for the first guess of the next problem, in place of the last solution's.
-  void guess(const std::vector<Contact::Strains> &stress) override { solver.guess(stress); }
+  void guess(const std::vector<Contact::Strains> &stress) { solver.guess(stress); }
   void transfer(Archive &archive) override;
   std::vector<contact::BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &status) const override {

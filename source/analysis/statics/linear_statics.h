@@ -20,7 +20,6 @@ public:
   beyond_uniqueness(const std::vector<ContactStatus> &status) const override {
     return solver->beyond_uniqueness(status);
   }
-  void guess(const std::vector<Contact::Strains> &stress) override { solver->guess(stress); }
   void transfer(Archive &archive) override { archive(*solver); }
 
 private:

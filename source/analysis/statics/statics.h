@@ -50,9 +50,6 @@ public:
                                            const std::vector<double> &) const {
     return {};
   }
-  /// Begin the next increment from these stresses of the contacts, in place of the last ones, where
-  /// the method can.
-  virtual void guess(const std::vector<Contact::Strains> &) {}
   /// What the increments to come depend on, besides the line's state.
   virtual void transfer(Archive &archive) = 0;
 };

@@ -5,7 +5,6 @@
 #include "command/study/quick_line.h"
 
 #include "analysis/sequence/load_sequence.h"
-#include "base/numbers.h"
 #include "base/user_error.h"
 #include "mesh/build_line_mesh.h"
 #include "model/line_model.h"
@@ -157,10 +156,8 @@ public:
   SharedLine(const StudyCase &of, const Scene &like, const LawLibrary &laws)
       : scene(like), line(scene, mesh_of(of, scene), laws), statics(make_statics(line.model())) {
     statics->transfer(unused);
-    if (QuickLine::can_do(scene)) {
+    if (QuickLine::can_do(scene))
       quick.emplace(line.model());
-      solve_case(of);
-    }
   }
 
   /// @param supports those of the scene, with other parameters for their laws
@@ -170,25 +167,6 @@ public:
       scene.supports[i].parameters_at = supports[i].parameters_at;
     }
     line.take_laws_of(scene);
-    const Run run = solve(of, true);
-    return run.outcome == Outcome::converged || case_states.empty() ? run : solve(of, false);
-  }
-
-private:
-  /// Contact stresses that an increment has led to, and its end.
-  struct Reached {
-    double time;
-    std::vector<Contact::Strains> stress;
-  };
-
-  /// Solve the case as it stands: what its increments lead to is what the runs' begin from.
-  void solve_case(const StudyCase &of) {
-    solve(of, of.scene.supports);
-    case_states = std::move(states);
-  }
-
-  /// @param guesses whether increments begin from those of the case; else as if there was none
-  Run solve(const StudyCase &of, const bool guesses) {
     Archive fresh(unused.bytes());
     statics->transfer(fresh);
     LoadSequence sequence(line.model(), *statics);
@@ -198,39 +176,21 @@ private:
       solve_sequence(line.model(), sequence, results);
       return run_of(of, results.steps, results.status == RunStatus::converged, results);
     }
-    states.clear();
-    const bool converged = sequence.run(
-        [&](const Progress &progress, const LineState &state) {
-          if (progress.n_increments > 0 && progress.increment == progress.n_increments)
-            quick->observe(progress.step, state);
-        },
-        [&](const Progress &, const LineState &state) {
-          if (guesses)
-            guess_next(state);
-        });
+    const bool converged = sequence.run([&](const Progress &progress, const LineState &state) {
+      if (progress.n_increments > 0 && progress.increment == progress.n_increments)
+        quick->observe(progress.step, state);
+    });
     if (!converged)
       return run_of(of, sequence.reports(), false, {});
     return run_of(of, sequence.reports(), true, quick->conclude());
   }
 
-  /// Begin the next increment from what it has led to in the case as it stands.
-  void guess_next(const LineState &state) {
-    if (case_states.empty()) // this is the case
-      states.push_back({state.time, state.contact_stress});
-    const auto next =
-        std::find_if(case_states.begin(), case_states.end(), [&](const Reached &reached) {
-          return reached.time > state.time + same_instant_of_step * reached.time;
-        });
-    if (next != case_states.end())
-      statics->guess(next->stress);
-  }
-
+private:
   Scene scene; ///< that the line knows
   LineModel line;
   const std::unique_ptr<Statics> statics;
   Archive unused; ///< the statics' memory before they have solved anything
   std::optional<QuickLine> quick;
-  std::vector<Reached> states, case_states; ///< of the run at hand, of the case
 };
 
 StudySolver::StudySolver(const StudyCase &of) : of(of) { laws.load_builtin(); }

@@ -14,7 +14,6 @@ struct StudyCase {
   RunOptions options;
   Scene scene; ///< its hangers sized: they are built once, whatever varies
   std::vector<ResultName> names;
-  bool keeps_mesh = false;    ///< nothing that varies moves a node of the mesh
   bool varies_laws = false;   ///< nothing but friction and gaps of supports varies
   mutable std::mutex meshing; ///< gmsh does one mesh at a time
 };
