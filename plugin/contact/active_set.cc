@@ -97,8 +97,17 @@ bool ActiveSet::is_nearer(const Vector &x, const std::vector<Strains> &centre, R
   return merit < at_start / 2.;
 }
 
+bool ActiveSet::may_jam() const {
+  for (unsigned int i = 0; i < points.size(); ++i)
+    if (proximal.is_exact(i) && proximal.friction_coefficient(i) >= front.limit_of_uniqueness(i))
+      return true;
+  return false;
+}
+
 Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
                          Result &result) {
+  if (may_jam())
+    return Outcome::stalled;
   if (kept.pause > 0) {
     --kept.pause;
     return Outcome::stalled;

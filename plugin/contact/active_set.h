@@ -19,8 +19,8 @@ public:
   ActiveSet(IncrementEquations &equations, Newton &newton);
 
   /**
-   * From the centre and no motion, unless failures in a row have made a pause; x and the centre are
-   * as they were if it stalls.
+   * From the centre and no motion, unless a contact may jam or failures in a row have made a pause;
+   * x and the centre are as they were if it stalls.
    * @param is_first whether an increment begins, and not a correction of it
    * @param factor c of solve_together()
    */
@@ -44,6 +44,9 @@ private:
   bool step(Vector &x, Response &response, Result &result);
   /// Whether x and the present centre are nearer to a solution than no motion and @p centre.
   bool is_nearer(const Vector &x, const std::vector<Strains> &centre, Response &response);
+  /// Whether a contact has several states by itself. Whole steps lead to any of them, and from the
+  /// wrong one on each increment is harder than on the path of the loads.
+  bool may_jam() const;
   /// The more failures in a row, the longer the pause.
   void learn(const bool has_led_to_solution);
 

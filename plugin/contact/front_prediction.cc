@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace frictionbeam::contact {
 
@@ -14,42 +16,60 @@ constexpr double at_the_limit = 1e-9; // of the friction that a contact can hold
 
 double limit_of(const Check::Point &point) { return point.friction * std::max(0., point.P); }
 
+/// Stiffness of the line between a contact and another, along the strains of both [N/m].
+struct Coupling {
+  Eigen::Matrix3d by_unknowns_in_common = Eigen::Matrix3d::Zero(),
+                  by_others = by_unknowns_in_common;
+};
+
+/// Least K_tt/|K_tn| of all directions t across the normal n.
+double unique_below(const Eigen::Matrix3d &K) {
+  constexpr int n_directions = 60;
+  constexpr double half_turn = 3.14159265358979323846, rounding = 1e-6;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < n_directions; ++k) {
+    const double angle = k * half_turn / n_directions;
+    const Eigen::Vector2d t(std::cos(angle), std::sin(angle));
+    const double along = t.dot(K.bottomRightCorner<2, 2>() * t),
+                 coupled = std::abs(t.dot(K.bottomLeftCorner<2, 1>()));
+    if (along > 0. && coupled > rounding * along)
+      least = std::min(least, along / coupled);
+  }
+  return least;
+}
+
 } // namespace
 
 FrontPrediction::FrontPrediction(const SparseMatrix &S, const SiteList &contacts,
                                  const std::vector<std::vector<int>> &unknowns)
-    : contacts(contacts), neighbours(contacts.size()), own(contacts.size()),
-      visited(contacts.size(), 0) {
-  std::vector<std::vector<unsigned int>> contacts_at(S.rows());
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    for (const int unknown : unknowns[i])
-      contacts_at[unknown].push_back(i);
-  const auto across = [&](const unsigned int i) {
-    return contacts[i].length * contacts[i].B.middleRows<2>(1);
+    : contacts(contacts), neighbours(contacts.size()), flexibility(contacts.size()),
+      limits(contacts.size()), visited(contacts.size(), 0) {
+  struct Place {
+    unsigned int contact;
+    Eigen::Vector3d moves; ///< its strains times its length
   };
+  std::vector<std::vector<Place>> places(S.rows());
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (unsigned int k = 0; k < unknowns[i].size(); ++k)
+      places[unknowns[i][k]].push_back({i, contacts[i].length * contacts[i].B.col(k).head<3>()});
   for (unsigned int i = 0; i < contacts.size(); ++i) {
-    std::vector<Neighbour> &of_contact = neighbours[i];
-    Eigen::Matrix2d stiffness_of_contact = Eigen::Matrix2d::Zero();
-    for (unsigned int b = 0; b < unknowns[i].size(); ++b)
-      for (SparseMatrix::InnerIterator entry(S, unknowns[i][b]); entry; ++entry)
-        for (const unsigned int j : contacts_at[entry.col()]) {
-          if (j == i) {
-            const unsigned int a = std::find(unknowns[i].begin(), unknowns[i].end(), entry.col()) -
-                                   unknowns[i].begin();
-            stiffness_of_contact += entry.value() * across(i).col(a) * across(i).col(b).transpose();
-            continue;
-          }
-          auto found = std::find_if(of_contact.begin(), of_contact.end(),
-                                    [j](const Neighbour &n) { return n.contact == j; });
-          if (found == of_contact.end())
-            found = of_contact.insert(found, {j, Eigen::Matrix2d::Zero()});
-          const unsigned int a =
-              std::find(unknowns[j].begin(), unknowns[j].end(), entry.col()) - unknowns[j].begin();
-          // What moves along with it is pushed its way, what is held against it.
-          const double stiffness = entry.col() == unknowns[i][b] ? entry.value() : -entry.value();
-          found->passes += stiffness * across(j).col(a) * across(i).col(b).transpose();
+    std::map<unsigned int, Coupling> couplings;
+    for (unsigned int k = 0; k < unknowns[i].size(); ++k) {
+      const Eigen::Vector3d moves = contacts[i].length * contacts[i].B.col(k).head<3>();
+      for (SparseMatrix::InnerIterator entry(S, unknowns[i][k]); entry; ++entry)
+        for (const Place &place : places[entry.col()]) {
+          Coupling &coupling = couplings[place.contact];
+          (entry.col() == unknowns[i][k] ? coupling.by_unknowns_in_common : coupling.by_others) +=
+              entry.value() * place.moves * moves.transpose();
         }
-    own[i] = stiffness_of_contact.completeOrthogonalDecomposition().pseudoInverse();
+    }
+    for (const auto &[j, coupling] : couplings)
+      if (j != i) // what moves along with it is pushed its way, what is held against it
+        neighbours[i].push_back(
+            {j, (coupling.by_unknowns_in_common - coupling.by_others).bottomRightCorner<2, 2>()});
+    const Eigen::Matrix3d K = couplings[i].by_unknowns_in_common + couplings[i].by_others;
+    flexibility[i] = K.bottomRightCorner<2, 2>().completeOrthogonalDecomposition().pseudoInverse();
+    limits[i] = unique_below(K);
   }
 }
 
@@ -196,7 +216,7 @@ double FrontPrediction::spread(const unsigned int from, const Eigen::Vector2d &f
   constexpr double most_amplified = 4.; // by what slides already
   const double size = friction.norm();
   // How far it moves among held neighbours, and what they and the rest of the line then hold.
-  const Eigen::Vector2d motion = own[from] * friction;
+  const Eigen::Vector2d motion = flexibility[from] * friction;
   double held = 0., carried = 0.;
   const auto carries = [&](const unsigned int i) {
     return visited[i] != n_visits &&

@@ -34,6 +34,10 @@ public:
    */
   unsigned int advance(std::vector<Check::Point> &points, std::vector<ContactStatus> &branch);
 
+  /// Friction coefficient from which on contact @p i alone has several states, all others held:
+  /// K_tt/|K_tn| of its stiffness.
+  double limit_of_uniqueness(const unsigned int i) const { return limits[i]; }
+
 private:
   /// A contact to which another's friction is passed on by this.
   struct Neighbour {
@@ -58,7 +62,8 @@ private:
 
   const SiteList &contacts;
   std::vector<std::vector<Neighbour>> neighbours;
-  std::vector<Eigen::Matrix2d> own; ///< flexibility of each contact's place, others held
+  std::vector<Eigen::Matrix2d> flexibility; ///< of each contact, across, all others held [m/N]
+  std::vector<double> limits;
 
   // of the present choice
   std::vector<Check::Point> *points = nullptr;

@@ -10,6 +10,7 @@
 //   --figures TOLERANCE PART   of all whose reference exceeds PART times the largest of that unit
 //   --value NAME BOUND         absolute value of one quantity
 //   --check NAME BOUND         line of the certificate
+//   --cost NAME BOUND          of summary.json's cost
 //   --null NAME                line of the certificate that has no figure
 //   --energy NAME VALUE TOLERANCE  of the account of energy [J], relative; absolute if VALUE is 0
 //   --ratio NAME LOW HIGH A B  its value with --set A over the one with --set B
@@ -214,6 +215,13 @@ void check_case(Words &words) {
       checks.push_back([=](const Run &run) {
         const double value = run.certificate.at(name);
         expect(value <= bound, "certificate: " + name + " = " + text(value) + " > " + text(bound));
+      });
+    } else if (word == "--cost") {
+      const std::string name = words.take();
+      const double bound = words.take_number();
+      checks.push_back([=](const Run &run) {
+        expect(run.cost.at(name) <= bound,
+               "cost: " + name + " = " + text(run.cost.at(name)) + " > " + text(bound));
       });
     } else if (word == "--null") {
       const std::string name = words.take();
