@@ -152,16 +152,16 @@ def main():
 
 INTRODUCTION = """### CalculiX's pipe section on the same cantilever
 
-CalculiX {version} (Debian's), cells B32R cells of equal length with SECTION=PIPE, eight points round the circumference, perfectly plastic, 20
+CalculiX {version} (Debian's), B32R cells of equal length with SECTION=PIPE, eight points round the circumference, perfectly plastic, 20
 increments; FrictionBeam with hinges refined, one increment. *Direction*: of the force, from the section's own axis, degrees.
 *Deflection*: of the end along the force, over that at first yield, exactly 1.29116; *elastic*: what it would be without yielding,
 exactly 1.20958; *sideways*: across the force, of the deflection. A round tube has no directions: what changes with them is error.
 By `prm/benchmark/against_calculix.py`; times are its own "Total CalculiX Time" and mesh, set-up and solution, one thread.
 
 Eight points by themselves, in equilibrium along the pipe, give no answer with two of them in the plane of bending, since their limit
-moment is 5.2 % too small, and 1.322 with the plane between two of them, whose limit moment is 2.6 % too large. CalculiX finds neither: the
-solid cells into which it expands the pipe hinder its sections from contracting at the anchor as well. Ten times as long, where
-that counts for less, its directions are further apart."""
+moment is 5.2 % too small, and 1.322 with the plane between two of them, whose limit moment is 2.6 % too large. CalculiX finds neither,
+probably because the solid cells into which it expands the pipe hinder its sections from contracting at the anchor: ten times as long,
+where that counts for less, its directions are further apart. We have not looked further."""
 
 if __name__ == "__main__":
     sys.exit(main())
