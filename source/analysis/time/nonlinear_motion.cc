@@ -244,8 +244,6 @@ NonlinearMotion::Step NonlinearMotion::begin(const LineState &from, const LoadCo
   step.start = from.time;
   step.from = pose_of(from);
   step.moved = step.h * from.velocity;
-  if (is_smooth) // as the last step did: a step nearer to the solution
-    step.moved += step.h * step.h / 2. * from.acceleration;
   step.momentum = 2. / step.h * (model.cells.mass() * from.velocity).lpNorm<Eigen::Infinity>();
   step.imposed = loads.imposed(to.time) - loads.imposed(from.time);
   step.factors = step.factors_at_end = to.load_factors;
