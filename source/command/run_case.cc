@@ -2,9 +2,9 @@
 #include "command/run_case.h"
 #include "accuracy/accuracy_control.h"
 #include "accuracy/hinge_refinement.h"
+#include "command/line/run_line.h"
 #include "command/run_body.h"
 #include "command/run_folder.h"
-#include "command/line/run_line.h"
 #include "command/size_hangers.h"
 
 #include "base/interruption.h"

@@ -92,8 +92,8 @@ inline void read_summary(const std::filesystem::path &folder, Run &run) {
     if (const auto figure = entry.get_value_optional<double>())
       run.cost[key] = *figure;
   for (const auto &[key, entry] : tree.get_child("certificate"))
-    run.certificate[key] = entry.data() == "null" ? std::numeric_limits<double>::quiet_NaN()
-                                                  : std::stod(entry.data());
+    run.certificate[key] =
+        entry.data() == "null" ? std::numeric_limits<double>::quiet_NaN() : std::stod(entry.data());
   if (const auto account = tree.get_child_optional("energy"))
     for (const auto &[key, entry] : *account)
       run.energy[key] = std::stod(entry.data());

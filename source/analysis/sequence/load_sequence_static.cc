@@ -155,7 +155,7 @@ void LoadSequence::judge_collapse(StepReport &report) const {
   constexpr double share_of_elastic = 1e-3; // which the bound leaves out
   const double duration = model.scene.steps[position.step].duration;
   const auto collapse = statics.collapse(current, course.factors_at(position.start, side),
-                                          course.factors_at(position.start + duration, side));
+                                         course.factors_at(position.start + duration, side));
   if (!collapse)
     return;
   report.limit = {(current.time - position.start) / duration, collapse->bound, collapse->mechanism};
