@@ -35,6 +35,9 @@ subsection Pipe branch
   set Section = narrow
   set Route = C; by 2 -1 -2; by -1 2 2; by 0 0 -3
 end
+subsection Mesh
+  set Bends = straight pieces
+end
 subsection Support clamp
   set Kind = anchor
   set At = A

@@ -133,11 +133,13 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
     bool by_last_factors = false;
     if (judged) {
       const Vector left = unbalanced(step, response);
-      result.converged = is_solved(step, left, response, result);
+      // Factors that do well go on to rounding, for momentum and energy of the whole.
+      const bool is_good = is_solved(step, left, response, result);
+      const double size = left.lpNorm<Eigen::Infinity>();
+      by_last_factors = is_smooth && size > 0. && size <= well * size_before;
+      result.converged = is_good && !by_last_factors;
       if (result.converged)
         return result;
-      const double size = left.lpNorm<Eigen::Infinity>();
-      by_last_factors = is_smooth && size <= well * size_before;
       size_before = size;
       if (!by_last_factors)
         evaluate(state, Matrix::tangent, step);
