@@ -12,6 +12,7 @@ namespace {
 constexpr double stiffness_of_branch = 1e6;
 /// Steps in all, and in a row without half as many changes as ever before.
 constexpr unsigned int most_predictions = 20, most_steps_in_vain = 2;
+constexpr unsigned int fewest_contacts = 12; ///< that a front is made of
 constexpr unsigned int most_to_finish = 15, most_doublings_of_pause = 6;
 
 /// Where forces alone tell it.
@@ -106,7 +107,7 @@ bool ActiveSet::may_jam() const {
 
 Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
                          Result &result) {
-  if (may_jam())
+  if (points.size() < fewest_contacts || may_jam())
     return Outcome::stalled;
   if (kept.pause > 0) {
     --kept.pause;

@@ -200,9 +200,7 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
 
     eliminate_centre(response, step);
     ++result.iterations;
-    // The last factors do for what is left of a solution.
-    const bool is_factored = solved && equations.has_factors();
-    if (!(is_factored || equations.factor(response, result)) ||
+    if (!equations.factor(response, result) ||
         !equations.solve(equations.forces_left(response), response, result, direction)) {
       before = std::numeric_limits<double>::max();
       if (solved)

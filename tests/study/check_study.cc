@@ -277,7 +277,10 @@ void check_resume() {
     });
     const fs::path journal = cut / "unfinished" / "runs.0.bin";
     std::error_code none_yet;
-    while (!ended && !(fs::file_size(journal, none_yet) > 40000 && !none_yet))
+    const auto has_begun = [&]() { // the resumed one, when it has gathered what the first one left
+      return signal == SIGKILL || fs::exists(cut / "unfinished" / "runs.done.bin");
+    };
+    while (!ended && !(has_begun() && fs::file_size(journal, none_yet) > 40000 && !none_yet))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     long process = 0;
     std::ifstream(cut / ".lock") >> process;

@@ -117,7 +117,7 @@ bool NonlinearMotion::is_solved(const Step &step, const Vector &left,
 
 EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCourse &loads,
                                          const double time, Step &step, ContactResponse &response) {
-  constexpr double well = 0.02; // by which an iteration makes the residual smaller
+  constexpr double well = 0.02, at_all = 0.5; // makes an iteration the residual smaller
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
@@ -136,7 +136,7 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
       // Factors that do well go on to rounding, for momentum and energy of the whole.
       const bool is_good = is_solved(step, left, response, result);
       const double size = left.lpNorm<Eigen::Infinity>();
-      by_last_factors = is_smooth && size > 0. && size <= well * size_before;
+      by_last_factors = is_smooth && size > 0. && size <= (is_good ? at_all : well) * size_before;
       result.converged = is_good && !by_last_factors;
       if (result.converged)
         return result;
