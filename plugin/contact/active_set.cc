@@ -12,7 +12,7 @@ namespace {
 constexpr double stiffness_of_branch = 1e6;
 /// Steps in all, and in a row without half as many changes as ever before.
 constexpr unsigned int most_predictions = 20, most_steps_in_vain = 2;
-constexpr unsigned int fewest_contacts = 12; ///< that a front is made of
+constexpr unsigned int fewest_contacts = 100; ///< that a front is worth being sought among
 constexpr unsigned int most_to_finish = 15, most_doublings_of_pause = 6;
 
 /// Where forces alone tell it.

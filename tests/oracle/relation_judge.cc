@@ -103,7 +103,7 @@ Verdict RelationJudge::judge(const Scene &scene, const std::uint64_t seed) {
     if (verdict.worst > tolerance)
       verdict.kind = Verdict::Kind::wrong;
     for (const Outcome *outcome : {&first, &second})
-      if (const std::string fault = uncertain(*outcome); !fault.empty()) {
+      if (const std::string fault = scene.has_laws() ? uncertain(*outcome) : ""; !fault.empty()) {
         verdict.kind = Verdict::Kind::wrong;
         verdict.worst = 1.;
         verdict.text = fault;
