@@ -6,7 +6,6 @@
 #include "command/compare_command.h"
 #include "command/contact_command.h"
 #include "command/run_case.h"
-#include "command/study/study_command.h"
 
 #include "base/interruption.h"
 #include "base/user_error.h"
@@ -64,14 +63,8 @@ int analyse(int argc, char **argv, const CommandLine &line) {
   std::optional<Silence> silence;
   if (line.options.quiet)
     silence.emplace();
-  switch (line.command) {
-  case CommandLine::Command::check:
-    return check_case_file(line.options);
-  case CommandLine::Command::study:
-    return frictionbeam::study::study_command(line.options);
-  default:
-    return run_case(line.options);
-  }
+  return line.command == CommandLine::Command::check ? check_case_file(line.options)
+                                                     : run_case(line.options);
 }
 
 /// What the command line asks for. @return exit status
@@ -83,7 +76,7 @@ int run(int argc, char **argv) {
   case CommandLine::Command::compare:
     return frictionbeam::compare_runs(line.folders[0], line.folders[1]);
   case CommandLine::Command::contact:
-    return frictionbeam::solve_contact_file(line.contact);
+    return frictionbeam::solve_contact_file(line.contact_file);
   case CommandLine::Command::chart:
     return frictionbeam::chart_command(line.chart_list, line.chart_folder);
   case CommandLine::Command::chart_parameters:
