@@ -5,10 +5,13 @@
 set -e
 here=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
 "$here/run" --version >/dev/null
-charts="slab slab_line long_bar long_bar_zones oscillator bouncing_bar shaken_line rack hovgaard"
+charts="slab slab_line long_bar long_bar_zones oscillator bouncing_bar shaken_line rack hovgaard cantilever_plastic rack_plastic"
 for name in ${*:-$charts}; do
   [ -f "$here/prm/chart/$name.prm" ] || continue
   "$here/build/bin/frictionbeam" chart "$here/prm/chart/$name.prm" --output-directory "$here/doc/charts"
+  if [ "$name" = cantilever_plastic ] && command -v ccx >/dev/null; then
+    "$here/prm/benchmark/against_calculix.py" --markdown "$here/doc/charts/$name.peer.md"
+  fi
 done
 page="$here/doc/charts/README.md"
 {
@@ -30,6 +33,10 @@ END
     if [ -f "$here/doc/charts/$name.md" ]; then
       echo
       cat "$here/doc/charts/$name.md"
+    fi
+    if [ -f "$here/doc/charts/$name.peer.md" ]; then
+      echo
+      cat "$here/doc/charts/$name.peer.md"
     fi
   done
 } >"$page.new"

@@ -179,7 +179,7 @@ Tensor<1, 6> ArcBeam::clamped_motion(const double psi, const Vector3 &line_force
                                      const double axial_strain, const double curvature) const {
   // Motion at the centre of the arc clamped at its beginning, with no wrench at psi = 0, up to an
   // angle: what the loads and free strains give by themselves.
-  const QGauss<1> quadrature(12);
+  static const QGauss<1> quadrature(12); // finding its points takes long
   const auto from_loads = [&](const double angle) {
     Tensor<1, 6> motion;
     for (unsigned int q = 0; q < quadrature.size(); ++q) {

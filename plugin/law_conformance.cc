@@ -234,33 +234,50 @@ private:
 
   void check_tangent(const Increment &increment, const Result &result) {
     const int n = law.n_strains;
-    const double h = 1e-6 * size(increment.strain);
-    const double rounding = (1e-14 * size(result.stress) + this->rounding(increment)) / h;
     for (int j = 0; j < n; ++j) {
-      const auto moved = [&](const double step) {
-        Increment other = increment;
-        other.strain[j] += step;
-        return evaluate(other, LawTangent::none).stress;
-      };
-      const Vector up = moved(h), down = moved(-h);
+      const double h = 1e-6 * size(increment.strain);
       double column = 0.;
+      std::vector<bool> wrong = wrong_tangent(increment, result, j, h, column);
+      if (std::find(wrong.begin(), wrong.end(), true) != wrong.end()) {
+        // Of a law with many points kinks may lie on either side. They are not all nearer still.
+        const std::vector<bool> closer = wrong_tangent(increment, result, j, h / 100., column);
+        for (int i = 0; i < n; ++i)
+          wrong[i] = wrong[i] && closer[i];
+      }
       for (int i = 0; i < n; ++i)
-        column = std::max(
-            {column, std::abs(result.tangent[n * i + j]), std::abs(up[i] - down[i]) / (2 * h)});
-      for (int i = 0; i < n; ++i) {
-        const double forward = (up[i] - result.stress[i]) / h;
-        const double backward = (result.stress[i] - down[i]) / h;
-        if (std::abs(forward - backward) > 1e-3 * column + rounding)
-          continue; // a kink lies between
-        if (std::abs(result.tangent[n * i + j] - (forward + backward) / 2) >
-            1e-4 * column + std::abs(forward - backward) / 2 + 10. * rounding)
+        if (wrong[i])
           violated("tangent (" + std::to_string(i) + ", " + std::to_string(j) +
                    ") is not the derivative of the stress");
-      }
       for (int i = 0; law.symmetric_tangent && i < n; ++i)
         if (std::abs(result.tangent[n * i + j] - result.tangent[n * j + i]) > 1e-9 * column)
           violated("the tangent is announced as symmetric and is not");
     }
+  }
+
+  /// Entries of a column of the tangent that are not difference quotients of this step.
+  /// @param column gets its largest entry, if that is above
+  std::vector<bool> wrong_tangent(const Increment &increment, const Result &result, const int j,
+                                  const double h, double &column) const {
+    const int n = law.n_strains;
+    const double rounding = (1e-14 * size(result.stress) + this->rounding(increment)) / h;
+    const auto moved = [&](const double step) {
+      Increment other = increment;
+      other.strain[j] += step;
+      return evaluate(other, LawTangent::none).stress;
+    };
+    const Vector up = moved(h), down = moved(-h);
+    for (int i = 0; i < n; ++i)
+      column = std::max(
+          {column, std::abs(result.tangent[n * i + j]), std::abs(up[i] - down[i]) / (2 * h)});
+    std::vector<bool> wrong(n, false);
+    for (int i = 0; i < n; ++i) {
+      const double forward = (up[i] - result.stress[i]) / h;
+      const double backward = (result.stress[i] - down[i]) / h;
+      wrong[i] = std::abs(forward - backward) <= 1e-3 * column + rounding && // no kink between
+                 std::abs(result.tangent[n * i + j] - (forward + backward) / 2) >
+                     1e-4 * column + std::abs(forward - backward) / 2 + 10. * rounding;
+    }
+    return wrong;
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "section/pipe_material.h"
+#include "section/ellipsoid_return.h"
 
 /**
  * Section of a pipe that yields as a whole (TEDEL; Cast3M's TUYAU). With r the mean radius, t the
@@ -51,16 +51,18 @@ constexpr LawParameter own_parameters[n_own] = {
 
 constexpr auto global_parameters = section::joined(own_parameters, section::material_parameters);
 
-constexpr int n = 4;                   ///< components that flow: N, M_x, M_y, M_z
+constexpr int n = 4;                   ///< components that flow: N, M_x, M_y, M_z; then p
 constexpr int place[n] = {0, 3, 4, 5}; ///< among the stresses
 enum State { flow, hoop_flow = n, accumulated, n_states };
+
+using Return = section::EllipsoidReturn<n + 1>;
 
 /// The section at the end of an increment, before it flows.
 struct Section {
   section::Material material;
   double rigidity[n_section_strains]; ///< of each strain
   double A, a[n];                     ///< s = a S
-  double k[n];                        ///< stiffness of s over e [Pa]
+  double k[n + 1] = {};               ///< stiffness of s over e [Pa]
   double hoop;                        ///< ap p r/t [Pa]
   bool is_possible;
 
@@ -84,64 +86,6 @@ struct Section {
   }
 };
 
-/// The return to the ellipsoid: s - x at the end, and what it takes.
-struct Return {
-  double xi[n], hoop; ///< s - x
-  double alpha[n], alpha_hoop;
-  double dp = 0., lambda = 0., R;
-  bool converged = true;
-
-  Return(const Section &section, const double (&trial)[n], const double hoop_trial,
-         const double p) {
-    const section::Material &m = section.material;
-    R = m.yield(p);
-    double S = at(section, trial, hoop_trial);
-    if (S <= R)
-      return;
-    // R / S - 1 = 0 is nearly straight in dp. It is negative at 0 and rises.
-    double low = 0., high = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 200; ++i) {
-      const double slope_of_R = m.slope(p + dp);
-      double S_slope = m.H * hoop * hoop / alpha_hoop; // -S dS/dlambda
-      for (int j = 0; j < n; ++j)
-        S_slope += (section.k[j] + m.H) * xi[j] * xi[j] / alpha[j];
-      const double residual = R / S - 1.;
-      if (std::abs(residual) < 1e-15)
-        return;
-      (residual < 0. ? low : high) = dp;
-      const double slope =
-          slope_of_R / S + R * S_slope * (R - dp * slope_of_R) / (R * R * S * S * S);
-      double next = dp - residual / slope;
-      if (!(next > low && next < high))
-        next = std::isinf(high) ? 2. * low : (low + high) / 2.;
-      if (next == dp || next == low || next == high || std::abs(next - dp) < 1e-16 * dp)
-        return;
-      if (!std::isfinite(next) || next > 1e6)
-        break; // no point of the ellipsoid bears this pressure
-      dp = next;
-      R = m.yield(p + dp);
-      lambda = dp / R;
-      S = at(section, trial, hoop_trial);
-    }
-    converged = false;
-  }
-
-private:
-  /// s - x at lambda; its norm.
-  double at(const Section &section, const double (&trial)[n], const double hoop_trial) {
-    const double H = section.material.H;
-    alpha_hoop = 1. + lambda * H;
-    hoop = hoop_trial / alpha_hoop;
-    double sum = hoop * hoop;
-    for (int i = 0; i < n; ++i) {
-      alpha[i] = 1. + lambda * (section.k[i] + H);
-      xi[i] = trial[i] / alpha[i];
-      sum += xi[i] * xi[i];
-    }
-    return std::sqrt(sum);
-  }
-};
-
 class GlobalPlastic final : public LawBase {
 public:
   LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {
@@ -150,11 +94,12 @@ public:
       return LawStatus::failed;
     const section::Material &m = section.material;
     const double *const old = in.old_state;
-    double trial[n];
+    double trial[n + 1];
     for (int i = 0; i < n; ++i)
       trial[i] = section.a[i] * section.rigidity[place[i]] * in.strain[place[i]] -
                  (section.k[i] + m.H) * old[flow + i];
-    const Return to(section, trial, section.hoop - m.H * old[hoop_flow], old[accumulated]);
+    trial[n] = section.hoop - m.H * old[hoop_flow];
+    const Return to(m, section.k, trial, old[accumulated]);
     if (!to.converged)
       return LawStatus::failed;
 
@@ -172,7 +117,7 @@ public:
       old_squares += old[flow + i] * old[flow + i];
       out.new_state[flow + i] = e;
     }
-    const double hoop = old[hoop_flow] + to.lambda * to.hoop;
+    const double hoop = old[hoop_flow] + to.lambda * to.xi[n];
     lost += section.hoop * (hoop - old[hoop_flow]);
     squares += hoop * hoop;
     old_squares += old[hoop_flow] * old[hoop_flow];
@@ -203,14 +148,10 @@ private:
       tangent[(n_section_strains + 1) * i] = section.rigidity[i];
     if (!flows)
       return;
-    const double slope = m.slope(p);
-    double D =
-        m.H * to.hoop * to.hoop / to.alpha_hoop + to.R * to.R * slope / (1. - to.lambda * slope);
+    const double D = to.denominator(m, section.k, p);
     double direction[n];
-    for (int i = 0; i < n; ++i) {
-      D += (section.k[i] + m.H) * to.xi[i] * to.xi[i] / to.alpha[i];
+    for (int i = 0; i < n; ++i)
       direction[i] = section.a[i] * section.rigidity[place[i]] * to.xi[i] / to.alpha[i];
-    }
     for (int i = 0; i < n; ++i) {
       tangent[(n_section_strains + 1) * place[i]] *= (1. + to.lambda * m.H) / to.alpha[i];
       for (int j = 0; j < n; ++j)

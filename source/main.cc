@@ -6,6 +6,7 @@
 #include "command/compare_command.h"
 #include "command/contact_command.h"
 #include "command/run_case.h"
+#include "command/study/study_command.h"
 
 #include "base/interruption.h"
 #include "base/user_error.h"
@@ -63,8 +64,14 @@ int analyse(int argc, char **argv, const CommandLine &line) {
   std::optional<Silence> silence;
   if (line.options.quiet)
     silence.emplace();
-  return line.command == CommandLine::Command::check ? check_case_file(line.options)
-                                                     : run_case(line.options);
+  switch (line.command) {
+  case CommandLine::Command::check:
+    return check_case_file(line.options);
+  case CommandLine::Command::study:
+    return frictionbeam::study::study_command(line.options);
+  default:
+    return run_case(line.options);
+  }
 }
 
 /// What the command line asks for. @return exit status
@@ -76,7 +83,7 @@ int run(int argc, char **argv) {
   case CommandLine::Command::compare:
     return frictionbeam::compare_runs(line.folders[0], line.folders[1]);
   case CommandLine::Command::contact:
-    return frictionbeam::solve_contact_file(line.contact_file);
+    return frictionbeam::solve_contact_file(line.contact);
   case CommandLine::Command::chart:
     return frictionbeam::chart_command(line.chart_list, line.chart_folder);
   case CommandLine::Command::chart_parameters:

@@ -29,7 +29,9 @@ enum class LawKind : int {
   /// Beam section: 6 strains eps, gamma_y, gamma_z, chi, kappa_y, kappa_z [-, -, -, rad/m (3)];
   /// 6 stresses N, V_y, V_z [N], M_x, M_y, M_z [N m]. The strain is what causes stress and flow:
   /// the host has taken free strains of temperature and pressure off, so that no strain is no
-  /// stress. N is the force in the wall.
+  /// stress. N is the force in the wall. Of a law that has a parameter `Bend radius` and none
+  /// `Bending rigidity`, so that a bend's flexibility is its own, y is towards the bend's centre
+  /// there, z = x cross y.
   section = 1
 };
 

@@ -2,6 +2,8 @@
 #include "condensed_parts.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 namespace frictionbeam::contact {
 
@@ -9,7 +11,42 @@ namespace {
 constexpr std::size_t largest_dense = 96;
 /// A pipe between supports has twelve unknowns at its border, a branched one some more.
 constexpr std::size_t widest_of_lines = 48;
+constexpr std::size_t most_known = 1000; ///< of some 5 kB
 } // namespace
+
+class CondensedParts::KnownParts {
+public:
+  struct Known {
+    Eigen::MatrixXd matrix; ///< K_ii and K_ic
+    Eigen::MatrixXd share;
+    const Factors *factors;
+  };
+
+  /// The part with this matrix, or null.
+  const Known *find(const Eigen::MatrixXd &matrix) const {
+    const auto [begin, end] = by_hash.equal_range(hash(matrix));
+    for (auto known = begin; known != end; ++known)
+      if (is_same(known->second.matrix, matrix))
+        return &known->second;
+    return nullptr;
+  }
+  void add(Known known) {
+    const std::size_t key = hash(known.matrix);
+    if (by_hash.size() < most_known)
+      by_hash.emplace(key, std::move(known));
+  }
+
+private:
+  static bool is_same(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) {
+    return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+  }
+  static std::size_t hash(const Eigen::MatrixXd &matrix) {
+    return std::hash<std::string_view>()(
+        {reinterpret_cast<const char *>(matrix.data()), matrix.size() * sizeof(double)});
+  }
+
+  std::unordered_multimap<std::size_t, Known> by_hash;
+};
 
 Condensation::Condensation(const int n_unknowns, const std::vector<int> &keep)
     : kept(keep), place_of(n_unknowns, -1) {
@@ -46,14 +83,16 @@ CondensedParts::CondensedParts(const SparseMatrix &stiffness, const std::vector<
     for (SparseMatrix::InnerIterator entry(stiffness, kept[k]); entry; ++entry)
       if (const int column = place_of[entry.col()]; column >= 0)
         entries.emplace_back(k, column, entry.value());
+  KnownParts known;
   for (Part &part : parts)
-    condense_part(stiffness, part, entries);
+    condense_part(stiffness, part, known, entries);
   S.resize(kept.size(), kept.size());
   S.setFromTriplets(entries.begin(), entries.end());
 }
 
 void CondensedParts::find_parts(const SparseMatrix &stiffness) {
   std::vector<bool> reached(stiffness.rows(), false);
+  std::vector<int> reached_from(kept.size(), -1); // the first unknown of the part that did last
   for (int first = 0; first < stiffness.rows(); ++first) {
     if (place_of[first] >= 0 || reached[first])
       continue;
@@ -62,97 +101,133 @@ void CondensedParts::find_parts(const SparseMatrix &stiffness) {
     reached[first] = true;
     for (std::size_t i = 0; i < part.inside.size(); ++i)
       for (SparseMatrix::InnerIterator entry(stiffness, part.inside[i]); entry; ++entry)
-        if (place_of[entry.col()] >= 0)
-          part.border.push_back(place_of[entry.col()]);
-        else if (!reached[entry.col()]) {
+        if (const int place = place_of[entry.col()]; place >= 0) {
+          if (reached_from[place] != first)
+            part.border.push_back(place);
+          reached_from[place] = first;
+        } else if (!reached[entry.col()]) {
           reached[entry.col()] = true;
           part.inside.push_back(entry.col());
         }
     std::sort(part.inside.begin(), part.inside.end());
     std::sort(part.border.begin(), part.border.end());
-    part.border.erase(std::unique(part.border.begin(), part.border.end()), part.border.end());
   }
 }
 
-int CondensedParts::Part::take_dense(const SparseMatrix &matrix) {
+void CondensedParts::Factors::take_dense(const SparseMatrix &matrix) {
   constexpr double nothing = 1e-13; // of the diagonal, as in PartCholesky
   dense.compute(Eigen::MatrixXd(matrix));
-  if (border.empty())
-    influence.resize(inside.size(), 0);
+  if (to_border.cols() == 0)
+    influence.resize(matrix.rows(), 0);
   else
     influence = dense.solve(Eigen::MatrixXd(to_border));
   Eigen::VectorXi at = Eigen::VectorXi::LinSpaced(matrix.rows(), 0, matrix.rows() - 1);
   for (Eigen::Index k = 0; k < at.size(); ++k)
     std::swap(at[k], at[dense.transpositionsP().coeff(k)]);
-  for (Eigen::Index k = 0; k < at.size(); ++k)
+  for (Eigen::Index k = 0; k < at.size() && free < 0; ++k)
     if (!(dense.vectorD()[k] > nothing * matrix.coeff(at[k], at[k])))
-      return inside[at[k]];
-  return -1;
+      free = at[k];
 }
 
-int CondensedParts::Part::take_sparse(SparseMatrix &matrix) {
+void CondensedParts::Factors::take_sparse(SparseMatrix &matrix) {
   constexpr double suspicious = 1e-9; // of the largest entry of the diagonal
   sparse = std::make_unique<LineFactorization>();
   sparse->analyze(matrix);
-  int free = -1;
   const bool is_regular = sparse->factorize(matrix);
   if (!is_regular || sparse->least_pivot() < suspicious * matrix.diagonal().maxCoeff())
-    if (const PartCholesky asked(matrix, to_border); !asked.ok())
-      free = inside[asked.vanishing()];
+    if (const PartCholesky asked(matrix, to_border); !asked.ok() && free < 0)
+      free = asked.vanishing();
   if (!is_regular) { // something turns freely between its ends
     for (int i = 0; i < matrix.rows(); ++i)
       matrix.coeffRef(i, i) *= 1. + 1e-9;
     sparse->factorize(matrix);
   }
   const Eigen::MatrixXd columns(to_border);
-  influence.resize(inside.size(), border.size());
-  for (std::size_t b = 0; b < border.size(); ++b)
+  influence.resize(to_border.rows(), to_border.cols());
+  for (Eigen::Index b = 0; b < columns.cols(); ++b)
     influence.col(b) = sparse->solve(columns.col(b));
-  return free;
 }
 
-void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part,
+Eigen::MatrixXd CondensedParts::Factors::take(SparseMatrix &matrix) {
+  const std::size_t n = to_border.rows(), n_border = to_border.cols();
+  if (n > largest_dense && n_border >= widest_of_lines) {
+    cholesky = std::make_unique<PartCholesky>(matrix, to_border);
+    if (cholesky->ok())
+      return cholesky->share();
+    free = cholesky->vanishing();
+    cholesky.reset();
+  }
+  if (n <= largest_dense)
+    take_dense(matrix);
+  else
+    take_sparse(matrix);
+  const Eigen::MatrixXd one_sided = to_border.transpose() * influence;
+  return -(one_sided + one_sided.transpose()) / 2.;
+}
+
+void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part, KnownParts &known,
                                    std::vector<Eigen::Triplet<double>> &entries) {
   const std::size_t n = part.inside.size(), n_border = part.border.size();
   for (std::size_t i = 0; i < n; ++i)
     place_inside[part.inside[i]] = i;
-  std::vector<Eigen::Triplet<double>> inner, outwards;
-  for (std::size_t i = 0; i < n; ++i)
-    for (SparseMatrix::InnerIterator entry(stiffness, part.inside[i]); entry; ++entry)
-      if (const int place = place_of[entry.col()]; place >= 0)
-        outwards.emplace_back(i,
-                              std::lower_bound(part.border.begin(), part.border.end(), place) -
-                                  part.border.begin(),
-                              entry.value());
-      else
-        inner.emplace_back(i, place_inside[entry.col()], entry.value());
   part.in_one_run = part.inside.back() - part.inside.front() + 1 == static_cast<int>(n);
-  part.to_border.resize(n, n_border);
-  part.to_border.setFromTriplets(outwards.begin(), outwards.end());
-  SparseMatrix matrix(n, n);
-  matrix.setFromTriplets(inner.begin(), inner.end());
+  const auto each_entry = [&](const auto &row, const auto &inner, const auto &outwards) {
+    for (std::size_t i = 0; i < n; ++i) {
+      row(i);
+      for (SparseMatrix::InnerIterator entry(stiffness, part.inside[i]); entry; ++entry)
+        if (const int place = place_of[entry.col()]; place >= 0)
+          outwards(i,
+                   std::lower_bound(part.border.begin(), part.border.end(), place) -
+                       part.border.begin(),
+                   entry.value());
+        else
+          inner(i, place_inside[entry.col()], entry.value());
+    }
+  };
+  const auto add_share = [&](const Eigen::MatrixXd &share) {
+    for (std::size_t a = 0; a < n_border; ++a)
+      for (std::size_t b = 0; b < n_border; ++b)
+        entries.emplace_back(part.border[a], part.border[b], share(a, b));
+    if (part.factors->free >= 0)
+      moves_freely.push_back(part.inside[part.factors->free]);
+  };
 
-  if (n > largest_dense && n_border >= widest_of_lines)
-    part.cholesky = std::make_unique<PartCholesky>(matrix, part.to_border);
-  int free = -1;
-  if (part.cholesky && !part.cholesky->ok()) {
-    free = part.inside[part.cholesky->vanishing()];
-    part.cholesky.reset();
+  Eigen::MatrixXd small;
+  if (n <= largest_dense) {
+    small.setZero(n, n + n_border);
+    each_entry([](const int) {},
+               [&](const int i, const int j, const double value) { small(i, j) = value; },
+               [&](const int i, const int b, const double value) { small(i, n + b) = value; });
+    if (const KnownParts::Known *const like = known.find(small)) {
+      part.factors = like->factors;
+      add_share(like->share);
+      return;
+    }
   }
-  Eigen::MatrixXd share;
-  if (part.cholesky)
-    share = part.cholesky->share();
-  else {
-    const int found = n <= largest_dense ? part.take_dense(matrix) : part.take_sparse(matrix);
-    free = free < 0 ? found : free;
-    const Eigen::MatrixXd one_sided = part.to_border.transpose() * part.influence;
-    share = -(one_sided + one_sided.transpose()) / 2.;
-  }
-  if (free >= 0)
-    moves_freely.push_back(free);
-  for (std::size_t a = 0; a < n_border; ++a)
-    for (std::size_t b = 0; b < n_border; ++b)
-      entries.emplace_back(part.border[a], part.border[b], share(a, b));
+  std::size_t n_entries = 0;
+  for (const int unknown : part.inside)
+    n_entries += stiffness.outerIndexPtr()[unknown + 1] - stiffness.outerIndexPtr()[unknown];
+  Factors &own = factors.emplace_back();
+  SparseMatrix matrix(n, n);
+  matrix.reserve(n_entries);
+  own.to_border.resize(n, n_border);
+  // Entries come in the order of rows and columns, since both are numbered in that of the unknowns.
+  each_entry(
+      [&](const int i) {
+        matrix.startVec(i);
+        own.to_border.startVec(i);
+      },
+      [&](const int i, const int j, const double value) { matrix.insertBack(i, j) = value; },
+      [&](const int i, const int b, const double value) {
+        own.to_border.insertBack(i, b) = value;
+      });
+  matrix.finalize();
+  own.to_border.finalize();
+  const Eigen::MatrixXd share = own.take(matrix);
+  part.factors = &own;
+  add_share(share);
+  if (n <= largest_dense)
+    known.add({std::move(small), share, &own});
 }
 
 Vector CondensedParts::Part::inner(const Vector &all) const {
@@ -164,13 +239,13 @@ Vector CondensedParts::Part::inner(const Vector &all) const {
   return result;
 }
 
-Vector CondensedParts::Part::solve(const Vector &forces) const {
+Vector CondensedParts::Factors::solve(const Vector &forces) const {
   return cholesky ? cholesky->solve(forces)
          : sparse ? sparse->solve(forces)
                   : Vector(dense.solve(forces));
 }
 
-Vector CondensedParts::Part::condense(const Vector &forces) const {
+Vector CondensedParts::Factors::condense(const Vector &forces) const {
   return cholesky ? Vector(-cholesky->condense(forces)) : Vector(influence.transpose() * forces);
 }
 
@@ -179,7 +254,7 @@ Vector CondensedParts::condense(const Vector &forces) const {
   for (unsigned int k = 0; k < kept.size(); ++k)
     result[k] = forces[kept[k]];
   for (const Part &part : parts) {
-    const Vector share = part.condense(part.inner(forces));
+    const Vector share = part.factors->condense(part.inner(forces));
     for (std::size_t b = 0; b < part.border.size(); ++b)
       result[part.border[b]] -= share[b];
   }
@@ -194,7 +269,8 @@ Vector CondensedParts::expand(const Vector &kept_unknowns, const Vector &forces)
     Vector border(part.border.size());
     for (std::size_t b = 0; b < part.border.size(); ++b)
       border[b] = kept_unknowns[part.border[b]];
-    const Vector motion = part.solve(part.inner(forces) - part.to_border * border);
+    const Vector motion =
+        part.factors->solve(part.inner(forces) - part.factors->to_border * border);
     if (part.in_one_run)
       result.segment(part.inside.front(), part.inside.size()) = motion;
     else

@@ -23,32 +23,43 @@ public:
   const std::vector<int> &free_unknowns() const { return moves_freely; }
 
 private:
+  /// What condenses a part: K_ii factored, and its influence. Parts whose matrices are the same
+  /// numbers, as those of equal spans, have one.
+  struct Factors {
+    SparseMatrix to_border;    ///< K_ic
+    Eigen::MatrixXd influence; ///< K_ii^-1 K_ic
+    Eigen::LDLT<Eigen::MatrixXd> dense;
+    std::unique_ptr<LineFactorization> sparse; ///< of a line
+    std::unique_ptr<PartCholesky> cholesky;    ///< of a body with a wide border
+    int free = -1; ///< an inner unknown that moves freely, by its place in the part; -1: none
+
+    Vector solve(const Vector &forces) const;
+    /// K_ci K_ii^-1 f on its border.
+    Vector condense(const Vector &forces) const;
+    /// Factor K_ii. @return -K_ci K_ii^-1 K_ic
+    Eigen::MatrixXd take(SparseMatrix &matrix);
+    void take_dense(const SparseMatrix &matrix);
+    void take_sparse(SparseMatrix &matrix);
+  };
   /// A connected part of the inner unknowns and the kept ones it borders on.
   struct Part {
     std::vector<int> inside, border; ///< unknowns; places among the kept
     bool in_one_run = false;         ///< inside are unknowns one after the other
-    SparseMatrix to_border;          ///< K_ic
-    Eigen::MatrixXd influence;       ///< K_ii^-1 K_ic
-    Eigen::LDLT<Eigen::MatrixXd> dense;
-    std::unique_ptr<LineFactorization> sparse; ///< of a line
-    std::unique_ptr<PartCholesky> cholesky;    ///< of a body with a wide border
+    const Factors *factors = nullptr;
 
     Vector inner(const Vector &all) const;
-    Vector solve(const Vector &forces) const;
-    /// K_ci K_ii^-1 f on its border.
-    Vector condense(const Vector &forces) const;
-    /// @return an inner unknown of the part that moves freely; -1 if none does
-    int take_dense(const SparseMatrix &matrix);
-    int take_sparse(SparseMatrix &matrix);
   };
+  /// Small parts that were condensed before.
+  class KnownParts;
 
   void find_parts(const SparseMatrix &stiffness);
-  /// Factor K_ii of a part and add its share of S.
-  void condense_part(const SparseMatrix &stiffness, Part &part,
+  /// Factor K_ii of a part, if none like it has been, and add its share of S.
+  void condense_part(const SparseMatrix &stiffness, Part &part, KnownParts &known,
                      std::vector<Eigen::Triplet<double>> &entries);
 
   std::vector<int> place_inside, moves_freely;
-  std::deque<Part> parts; ///< which never move: Eigen's LDLT is not whole before it has factored
+  std::vector<Part> parts;
+  std::deque<Factors> factors; ///< which never move: parts point at them
 };
 
 } // namespace frictionbeam::contact

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/contact/exact_solver.h>
 
+#include "active_set.h"
 #include "newton.h"
+#include "rigid_stops.h"
 #include "uniqueness.h"
 #include <frictionbeam/contact/attempts.h>
 
@@ -17,13 +19,10 @@ constexpr AttemptLimits limits = {{1e-4, 1e-3, 1e-5, 1e-2}, 30};
 /// change their state in an iteration. That of a line, bent between supports, is far below it.
 constexpr AttemptLimits limits_of_body = {{1e-1, 1e-2, 1e-3, 1e-4}, 30};
 constexpr unsigned int most_refinements = 5, most_releases = 5;
-constexpr double in_common_least = 1e-9; // of the larger force of a pair
 constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing is left to correct
 /// In motion, a shorter step helps as well.
 constexpr unsigned int most_restarts_at_rest = 30, most_restarts_in_motion = 3;
 constexpr double drag_of_proof = 1e-9; // of the stiffness's diagonal
-
-using Pair = std::array<unsigned int, 2>; ///< the halves of a rigid stop
 
 std::unique_ptr<const Condensation> with_places(std::unique_ptr<Condensation> system,
                                                 const SiteList &sites) {
@@ -77,9 +76,12 @@ public:
                  const Vector &of_matrix)
       : settings(std::move(of_solver)), sites(std::move(list)),
         system(with_places(std::move(condensation), sites)), proximal(sites, of_matrix),
-        newton(settings, sites, *system, proximal),
-        attempts(newton, proximal, newton.is_of_body() ? limits_of_body : limits),
-        diagonal(of_matrix), pairs(rigid_pairs(sites)) {}
+        equations(settings, sites, *system, proximal), newton(equations),
+        attempts(newton, proximal, equations.is_of_body() ? limits_of_body : limits),
+        diagonal(of_matrix), stops(sites) {
+    if (!equations.is_of_body())
+      active_set.emplace(equations, newton);
+  }
 
   Result solve(const Problem &problem, const ImposedMotion &imposed, const State &committed,
                Vector &unknowns, Response &response);
@@ -92,6 +94,8 @@ private:
   bool nothing_holds(Response &response, Result &result);
   /// Of all sites at the present motion of the body.
   std::vector<Strains> strains_at(const Pass &now) const;
+  /// The contacts, at loads that are given.
+  Outcome solve_pass(Pass &now, const bool is_first, Vector &x);
   /// Solve the contacts at the present motion of the body, and move it by what that gives.
   /// @return whether they are solved
   bool move(Pass &now);
@@ -108,26 +112,19 @@ private:
   /// each on its own scale, beside which loads and gaps may be nothing.
   bool is_made_by_loads(const Pass &now) const;
 
-  /// With which both halves press on each other [N]; 0 if they do not.
-  double force_in_common(const Pair &pair, const Response &response) const;
-  bool presses_pairs(const Response &response) const;
-  /// Begin anew without what the halves have in common, and without the one that presses less: were
-  /// both closed, Newton's method would share a change of the force between them, and the friction
-  /// of both, which nothing determines, would depend on its path. That the half may be left out is
-  /// the certificate's to say, which knows nothing of it.
-  void release_pairs(const Response &response);
-
 public:
   const Settings settings;
   const SiteList sites;
   const std::unique_ptr<const Condensation> system;
   ProximalSites proximal;
+  IncrementEquations equations;
   Newton newton;
+  std::optional<ActiveSet> active_set; ///< of a line
   Attempts<Newton, ProximalSites> attempts;
 
 private:
   const Vector diagonal;
-  const std::vector<Pair> pairs; ///< rigid_pairs()
+  const RigidStops stops;
 };
 
 bool ExactSolver::Implementation::nothing_holds(Response &response, Result &result) {
@@ -190,25 +187,41 @@ std::vector<Strains> ExactSolver::Implementation::strains_at(const Pass &now) co
   return strain;
 }
 
+Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, Vector &x) {
+  if (now.accepted)
+    return newton.solve_together(limits.most_to_finish, x, now.response, now.result);
+  // Where several solutions are nearly as good, whole steps lead to any of them.
+  const bool is_any = now.problem.forces_before == nullptr;
+  if (active_set && is_any) {
+    const double factor = attempts.first_factor > 0. ? attempts.first_factor : limits.factors[0];
+    const Outcome outcome = active_set->solve(is_first, factor, x, now.response, now.result);
+    if (outcome != Outcome::stalled)
+      return outcome;
+  }
+  return solve_contacts(now.is_static(), x, now.response, now.result);
+}
+
 bool ExactSolver::Implementation::move(Pass &now) {
   const Problem &problem = now.problem;
   now.result.rounding_bars = false;
   const Vector forces = unbalanced_forces(problem, now.unknowns, now.low);
-  if (now.first_forces.size() == 0)
+  const bool is_first = now.first_forces.size() == 0;
+  if (is_first)
     now.first_forces = forces;
-  newton.begin(
+  newton.begin();
+  equations.begin(
       forces, std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
       problem.force_so_far, strains_at(now), largest_of(now.unknowns) + now.imposed.displacement,
       now.committed, problem.increment);
   Vector x = Vector::Zero(system->n_kept());
-  const Outcome outcome =
-      now.accepted ? newton.solve_together(limits.most_to_finish, x, now.response, now.result)
-                   : solve_contacts(now.is_static(), x, now.response, now.result);
+  const Outcome outcome = solve_pass(now, is_first, x);
   if (outcome != Outcome::solved) {
     if (!now.accepted)
       explain(outcome, now);
     return false;
   }
+  if (active_set)
+    active_set->remember(now.response.status, is_first ? x : Vector());
   const Vector before = now.unknowns, change = now.low + system->expand(x, forces);
   now.result.back_substitutions += 2; // one to condense the loads, one to expand
   now.unknowns += change;
@@ -237,10 +250,10 @@ bool ExactSolver::Implementation::goes_on(Pass &now) {
     proximal.take_all();
     return true;
   }
-  if (now.n_releases < most_releases && presses_pairs(now.response)) {
+  if (now.n_releases < most_releases && stops.press(now.response)) {
     ++now.n_releases;
     now.accept(proximal.centre);
-    release_pairs(now.response);
+    stops.release(now.response, proximal);
     return true;
   }
   // One more correction costs no more than a back substitution where the contacts' states stay,
@@ -296,7 +309,7 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
 
 bool ExactSolver::Implementation::judge(Pass &now) const {
   Result &result = now.result;
-  result.check = newton.check(now.response);
+  result.check = equations.check(now.response);
   const bool holds = result.check->holds(settings.contact_tolerance);
   result.converged = holds && is_made_by_loads(now);
   result.remark = result.converged ? ""
@@ -319,35 +332,6 @@ bool ExactSolver::Implementation::is_made_by_loads(const Pass &now) const {
   return of_contacts <= most_amplified * made;
 }
 
-double ExactSolver::Implementation::force_in_common(const Pair &pair,
-                                                    const Response &response) const {
-  const auto force = [&](const unsigned int i) {
-    return -sites[i].share() * response.stress[i][0];
-  };
-  const auto [less, more] = std::minmax({force(pair[0]), force(pair[1])});
-  return less > in_common_least * more ? less : 0.;
-}
-
-bool ExactSolver::Implementation::presses_pairs(const Response &response) const {
-  return std::any_of(pairs.begin(), pairs.end(),
-                     [&](const Pair &pair) { return force_in_common(pair, response) > 0.; });
-}
-
-void ExactSolver::Implementation::release_pairs(const Response &response) {
-  for (const Pair &pair : pairs) {
-    const double force = force_in_common(pair, response);
-    if (!(force > 0.))
-      continue;
-    const auto pressure = [&](const unsigned int i) { return -response.stress[i][0]; };
-    const bool first_is_less =
-        sites[pair[0]].share() * pressure(pair[0]) < sites[pair[1]].share() * pressure(pair[1]);
-    const unsigned int less = pair[first_is_less ? 0 : 1], more = pair[first_is_less ? 1 : 0];
-    proximal.centre[more][0] += force / sites[more].share();
-    proximal.centre[less].setZero();
-    proximal.leave_out(less);
-  }
-}
-
 ExactSolver::ExactSolver(Settings settings, SiteList sites,
                          std::unique_ptr<Condensation> condensation, const Vector &diagonal)
     : implementation(std::make_unique<Implementation>(std::move(settings), std::move(sites),
@@ -362,20 +346,26 @@ Result ExactSolver::solve(const Problem &problem, const ImposedMotion &imposed,
 
 void ExactSolver::guess(const std::vector<Strains> &stress) {
   implementation->proximal.centre = stress;
+  if (implementation->active_set)
+    implementation->active_set->forget_status();
 }
 
 WarmStart ExactSolver::warm_start() const {
   WarmStart memory;
   memory.first_factor = implementation->attempts.first_factor;
   implementation->proximal.save(memory);
-  implementation->newton.save(memory);
+  implementation->equations.save(memory);
+  if (implementation->active_set)
+    implementation->active_set->save(memory);
   return memory;
 }
 
 void ExactSolver::restore(const WarmStart &memory) {
   implementation->attempts.first_factor = memory.first_factor;
   implementation->proximal.restore(memory);
-  implementation->newton.restore(memory);
+  implementation->equations.restore(memory);
+  if (implementation->active_set)
+    implementation->active_set->restore(memory);
 }
 
 std::vector<BeyondUniqueness>

@@ -14,6 +14,19 @@ double in_series(const double elastic, const double proximal) {
   return 1. / (1. / elastic + 1. / proximal);
 }
 
+/// Whether the branch is that of slip, and has a direction; @p trial and @p change become those of
+/// the centre where the contact slides against its friction.
+bool slides_on_branch(const ProximalPoint &point, double (&change)[2], double (&trial)[2]) {
+  if (*point.branch != ContactStatus::slip)
+    return false;
+  if (change[0] * point.centre[1] + change[1] * point.centre[2] < 0.)
+    for (int d = 0; d < 2; ++d) {
+      change[d] = 0.;
+      trial[d] = point.centre[1 + d];
+    }
+  return trial[0] != 0. || trial[1] != 0.;
+}
+
 /// Friction force and slip under the compression P, and their derivatives.
 void add_friction(const FrictionThreshold &law, const ProximalPoint &point, const Slip &old,
                   const double P, ProximalAnswer &answer) {
@@ -28,7 +41,8 @@ void add_friction(const FrictionThreshold &law, const ProximalPoint &point, cons
     change[d] = kappa[d] * (l * (point.strain[1 + d] - old_slip[d]) - centre / stiffness);
     trial[d] = centre + change[d];
   }
-  answer.slip.slips = std::hypot(trial[0], trial[1]) > radius;
+  answer.slip.slips = point.branch ? slides_on_branch(point, change, trial)
+                                   : std::hypot(trial[0], trial[1]) > radius;
   if (f == 0.) {
     for (int d = 0; d < 2; ++d)
       *slip[d] = point.strain[1 + d];
@@ -107,7 +121,8 @@ ProximalAnswer proximal_law(const FrictionThreshold &law, const ProximalPoint &p
                  change = kappa * (point.length * point.strain[0] + point.gap -
                                    point.centre[0] / stiffness);
     P = -(point.centre[0] + change);
-    if (P < 0.) { // a contact that just touches counts as closed: it may have to carry
+    // A contact that just touches counts as closed: it may have to carry.
+    if (point.branch ? *point.branch == ContactStatus::open : P < 0.) {
       answer.slip = {point.strain[1], point.strain[2], point.strain[3], false};
       answer.status = ContactStatus::open;
       return answer;

@@ -117,13 +117,16 @@ void ProximalSites::evaluate_exact(const unsigned int i, const State &committed,
   const Strains &strain = response.state.strain[i];
   const double *const old_state = committed.internal.data() + contact.state_offset;
   double *const new_state = response.state.internal.data() + contact.state_offset;
-  const ProximalAnswer answer =
-      proximal_law(law,
-                   {strain, contact.length, friction[i],
-                    is_left_out[i] ? std::numeric_limits<double>::infinity() : gap[i],
-                    stiffness_factor * scales[i].normal_diagonal,
-                    stiffness_factor * scales[i].shear_diagonal, centre[i]},
-                   Slip::read(law, old_state));
+  ProximalPoint point{strain,
+                      contact.length,
+                      friction[i],
+                      is_left_out[i] ? std::numeric_limits<double>::infinity() : gap[i],
+                      stiffness_factor * scales[i].normal_diagonal,
+                      stiffness_factor * scales[i].shear_diagonal,
+                      centre[i]};
+  if (!branch.empty())
+    point.branch = branch[i];
+  const ProximalAnswer answer = proximal_law(law, point, Slip::read(law, old_state));
   response.stress[i] = answer.stress;
   misfit[i] = answer.misfit;
   response.tangent[i] = answer.tangent;
@@ -156,6 +159,24 @@ bool ProximalSites::gives_utmost(const unsigned int i, const Response &response,
   return most == 0. || T.dot(rate.segment<2>(1)) >= (1. - 1e-6) * most * sliding;
 }
 
+Check::Point ProximalSites::point_of(const unsigned int i, const Strains &stress,
+                                     const Strains &strain, const State &committed,
+                                     const double rounding) const {
+  const Site &contact = contacts[i];
+  const FrictionThreshold &law = contact.law.closed_form();
+  const double *const old_state = committed.internal.data() + contact.state_offset;
+  const double l = contact.length, P = -stress[0];
+  return {P,
+          {stress[1], stress[2]},
+          l * strain[0] + gap[i] + P * l / law.axial_rigidity,
+          {l * (strain[1] - old_state[law.slip_y] - stress[1] / law.shear_rigidity_y),
+           l * (strain[2] - old_state[law.slip_z] - stress[2] / law.shear_rigidity_z)},
+          friction[i],
+          scales[i].normal_diagonal,
+          scales[i].shear_diagonal,
+          rounding};
+}
+
 Check ProximalSites::check(const Response &response, const State &committed,
                            const double rounding) const {
   Check result;
@@ -165,22 +186,7 @@ Check ProximalSites::check(const Response &response, const State &committed,
   for (unsigned int i = 0; i < scales.size(); ++i) {
     if (!is_exact(i))
       continue;
-    const Site &contact = contacts[i];
-    const Scale &scale = scales[i];
-    const double l = contact.length;
-    const Strains &strain = response.state.strain[i], &stress = response.stress[i];
-    const double *const old_state = committed.internal.data() + contact.state_offset;
-    const FrictionThreshold &law = contact.law.closed_form();
-    const double P = -stress[0];
-    result.judge({P,
-                  {stress[1], stress[2]},
-                  l * strain[0] + gap[i] + P * l / law.axial_rigidity,
-                  {l * (strain[1] - old_state[law.slip_y] - stress[1] / law.shear_rigidity_y),
-                   l * (strain[2] - old_state[law.slip_z] - stress[2] / law.shear_rigidity_z)},
-                  friction[i],
-                  scale.normal_diagonal,
-                  scale.shear_diagonal,
-                  rounding},
+    result.judge(point_of(i, response.stress[i], response.state.strain[i], committed, rounding),
                  largest);
     result.least_dissipation =
         std::min(result.least_dissipation, response.state.dissipated[i] - committed.dissipated[i]);

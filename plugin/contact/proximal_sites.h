@@ -27,7 +27,9 @@ public:
   void take_all() { is_left_out.assign(scales.size(), false); }
 
   double stiffness_factor = 1e-3; ///< c
-  std::vector<Strains> centre;    ///< stresses (P_c, T_c), as -N, T
+  /// Of exact contacts, what an active set has chosen; empty: what forces and motions say.
+  std::vector<ContactStatus> branch;
+  std::vector<Strains> centre; ///< stresses (P_c, T_c), as -N, T
   /// Of exact contacts at the last evaluation: the stresses less the centre (ProximalAnswer).
   std::vector<Strains> misfit;
 
@@ -43,6 +45,9 @@ public:
   /// Derivative of the proximal stresses by the centre: the tangent times this diagonal.
   Strains by_centre(const unsigned int i) const;
 
+  /// Force, gap and slip of exact contact @p i at a stress and a strain.
+  Check::Point point_of(const unsigned int i, const Strains &stress, const Strains &strain,
+                        const State &committed, const double rounding) const;
   /**
    * Judge forces and displacements by the exact laws, without the proximal term.
    * @param rounding error of displacements [m]

@@ -163,15 +163,35 @@ private:
                                  slopes[n_curve_points + 1] = {}, energy[n_curve_points + 1] = {};
 };
 
-/// What is wrong with a wall and its material, if anything (LawDescription::fault).
-inline const char *fault_of(const double *material, const double diameter, const double wall) {
-  if (!(diameter > 2. * wall))
-    return "a wall below half the diameter: make 'Wall thickness' smaller";
+/// What is wrong with a material, if anything (LawDescription::fault).
+inline const char *fault_of_material(const double *material) {
+  const double *const point = material + curve, *const row = material + temperatures;
+  for (int i = 0; i < n_curve_points; ++i) {
+    const bool is_behind = i > 0 && !(point[2 * i - 1] > 0.);
+    if ((point[2 * i + 1] > 0. && is_behind) || (point[2 * i] > 0. && !(point[2 * i + 1] > 0.)))
+      return "points of the curve one after the other, each with its stress: 'Hardening strain' "
+             "and "
+             "'Hardening stress' from 1 on, none left out";
+  }
+  for (int i = 0; i < n_temperatures; ++i) {
+    const bool is_used = row[3 * i + 1] > 0., is_behind = i > 0 && !(row[3 * i - 2] > 0.);
+    if ((is_used && is_behind) || (!is_used && row[3 * i + 2] != 1.))
+      return "temperatures one after the other, each with the factor of its modulus: 'Modulus "
+             "factor' "
+             "and 'Yield factor' from 1 on, none left out";
+  }
   if (!Material(material, 20.).is_possible)
     return "strains that rise from point to point of the curve, with stresses that do not fall and "
            "temperatures that rise: put 'Hardening strain', 'Hardening stress' and 'Temperature' "
            "in order, from 1 on";
   return nullptr;
+}
+
+/// The same of a pipe with its wall.
+inline const char *fault_of(const double *material, const double diameter, const double wall) {
+  if (!(diameter > 2. * wall))
+    return "a wall below half the diameter: make 'Wall thickness' smaller";
+  return fault_of_material(material);
 }
 
 } // namespace frictionbeam::section

@@ -62,7 +62,7 @@ Refinable increments_of(const Scene &scene, const SceneKind &kind) {
     paths.emplace_back(std::string(kind.value) + "/" + kind.increments, 1);
   else
     for (const LoadStep &step : scene.steps)
-      if (!step.transient) {
+      if (!step.transient && step.cycle.number <= 1) { // later cycles are as the first
         const bool has_history =
             std::any_of(step.loads.begin(), step.loads.end(), [&](const auto &load) {
               return scene.loads[load.first].history.is_given();

@@ -28,6 +28,7 @@ public:
 
   bool reads() const { return is_read; }
   const std::string &bytes() const { return data; }
+  bool at_end() const { return place == data.size(); } ///< of what is read
 
   template <typename... Values>
   void operator()(Values &...values) {

@@ -12,19 +12,34 @@ namespace frictionbeam {
 namespace {
 
 template <typename... Format>
-std::string number_text(const double value, const Format... format) {
-  if (std::isnan(value))
-    return "nan";
+void append_number(std::string &text, const double value, const Format... format) {
+  if (std::isnan(value)) {
+    text += "nan";
+    return;
+  }
   char buffer[400]; // a double in fixed notation has at most 309 digits before the point
   const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value, format...);
   Assert(result.ec == std::errc(), dealii::ExcInternalError());
-  return std::string(buffer, result.ptr);
+  text.append(buffer, result.ptr);
+}
+
+template <typename... Format>
+std::string number_text(const double value, const Format... format) {
+  std::string text;
+  append_number(text, value, format...);
+  return text;
 }
 
 } // namespace
 
+void append_exact_number(const double value, std::string &text) {
+  append_number(text, value + 0.); // no negative zero
+}
+
 std::string exact_number(const double value) {
-  return number_text(value + 0.); // no negative zero
+  std::string text;
+  append_exact_number(value, text);
+  return text;
 }
 
 std::string rounded_number(const double value, const unsigned int digits) {

@@ -10,6 +10,8 @@ namespace frictionbeam {
 
 /// The shortest text that reads back as the same number; nan, inf, -inf where it is none.
 std::string exact_number(const double value);
+/// The same behind a text.
+void append_exact_number(const double value, std::string &text);
 
 /// @p value with @p digits significant digits, for a reader's eye.
 std::string rounded_number(const double value, const unsigned int digits = 4);

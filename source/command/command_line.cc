@@ -49,22 +49,41 @@ void declare(CLI::App &app, CommandLine &line) {
   app.add_flag("--print-man-page", "Print the man page");
   app.add_flag("--print-completion", "Print completion for bash; source it");
   add_case(app);
-  app.add_flag("--resume", line.options.resume, "Go on where a run into that folder was killed");
+  const auto add_resume = [&line](CLI::App &to) {
+    to.add_flag("--resume", line.options.resume, "Go on where a run into that folder was killed");
+  };
+  add_resume(app);
   app.footer(exit_status);
 
   add_case(*add_command("check", "Draw the model and say what was understood; solve nothing",
                         Command::check));
+  CLI::App *const study = add_command(
+      "study", "Run a case many times with other values, and say what becomes of its results",
+      Command::study);
+  add_case(*study);
+  add_resume(*study);
   CLI::App *const compare = add_command(
       "compare", "What changes between the results of two runs, and where", Command::compare);
   for (std::string &folder : line.folders)
     compare->add_option(&folder == line.folders ? "first" : "second", folder, "Folder of results")
         ->type_name("FOLDER")
         ->required();
-  add_command("contact", "Solve a friction-contact problem in the format of FCLIB",
-              Command::contact)
-      ->add_option("file", line.contact_file, "The problem; its solution is written into it")
+  CLI::App *const contact = add_command(
+      "contact", "Solve a friction-contact problem in the format of FCLIB", Command::contact);
+  contact->add_option("file", line.contact.file, "The problem; its solution is written into it")
       ->type_name("FILE.hdf5")
       ->required();
+  contact
+      ->add_option("--tolerance", line.contact.tolerance,
+                   "Of both residuals, from 1e-15 to 1e-2 (1e-8 if not given)")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1e-15, 1e-2));
+  contact
+      ->add_option("--time-limit", line.contact.time_limit,
+                   "Seconds after which the best so far is written, with exit status 2 (none if "
+                   "not given)")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
   CLI::App *const chart = add_command(
       "chart", "Run a list of configurations and draw error against time", Command::chart);
   chart->add_option("list", line.chart_list, "List of configurations")->type_name("LIST.prm");
@@ -164,6 +183,9 @@ CommandLine read_command_line(const int argc, const char *const *argv) {
       throw UserError("Which case? Name a parameter file.\n\n" + app.help());
   } else if (line.command == Command::check && line.options.parameter_file.empty())
     throw UserError("Which case? Name a parameter file: frictionbeam check CASE.prm");
+  else if (line.command == Command::study && line.options.parameter_file.empty())
+    throw UserError("Which case? Name a parameter file with sections Vary: frictionbeam study "
+                    "CASE.prm");
   else if (line.command == Command::chart &&
            app.get_subcommand("chart")->count("--print-parameters") > 0)
     line.command = Command::chart_parameters;

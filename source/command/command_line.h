@@ -2,16 +2,17 @@
 #pragma once
 
 #include "base/run_options.h"
+#include "command/contact_command.h"
 
 namespace frictionbeam {
 
 /// What the command line asks for.
 struct CommandLine {
-  enum class Command { run, check, compare, contact, chart, chart_parameters, nothing };
+  enum class Command { run, check, compare, contact, chart, chart_parameters, study, nothing };
   Command command = Command::nothing;
-  RunOptions options;       ///< of run and check
-  std::string folders[2];   ///< of compare
-  std::string contact_file; ///< of contact
+  RunOptions options;     ///< of run, check and study
+  std::string folders[2]; ///< of compare
+  ContactOptions contact;
   std::string chart_list;   ///< of chart
   std::string chart_folder; ///< where it goes; empty: output/chart_<its name>
 };

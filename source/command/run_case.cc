@@ -2,15 +2,16 @@
 #include "command/run_case.h"
 #include "accuracy/accuracy_control.h"
 #include "accuracy/hinge_refinement.h"
+#include "command/line/run_line.h"
 #include "command/run_body.h"
 #include "command/run_folder.h"
-#include "command/run_line.h"
 #include "command/size_hangers.h"
 
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
 #include "results/file/checkpoint.h"
+#include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
@@ -76,9 +77,12 @@ Scene with_friction(Scene scene, const LawLibrary &laws, const double multiplier
     const LawDescription &law = laws.find(support.law);
     for (int i = 0; i < law.n_parameters; ++i) {
       const std::string name = law.parameters[i].name;
-      double &value = support.parameters[i];
-      if ((name == "Friction coefficient" || name == "Dynamic friction coefficient") && value > 0.)
-        value *= multiplier;
+      if (name != "Friction coefficient" && name != "Dynamic friction coefficient")
+        continue;
+      const auto multiply = [&](double &value) { value *= value > 0. ? multiplier : 1.; };
+      multiply(support.parameters[i]);
+      for (auto &[place, parameters] : support.parameters_at)
+        multiply(parameters[i]);
     }
   }
   return scene;
@@ -147,6 +151,7 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
     results.remarks.push_back("A line is solved by one process: the others have waited.");
   study_friction(scene, laws, results);
   write_stresses(scene, results, scene.output.directory);
+  write_section_histories(scene, results, scene.output.directory);
   write_envelopes(scene, results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
   return results;
@@ -220,6 +225,9 @@ Scene read_case(const RunOptions &options, const std::vector<std::string> &overr
   scene.output.directory = RunFolder::work(folder);
   scene.output.resume = options.resume;
   scene.output.quiet = options.quiet;
+  if (!scene.study.variations.empty())
+    scene.remarks.push_back("The sections Study and Vary are for 'frictionbeam study', which runs "
+                            "the case many times; here its entries are as they stand.");
   if (this_process() > 0)
     return scene; // a line is the first one's
   try {

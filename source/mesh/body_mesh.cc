@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "mesh/gmsh_session.h"
-#include "mesh/own_mesh.h"
+#include "mesh/gmsh/own_mesh.h"
+#include "mesh/gmsh/session.h"
 
 #include "base/user_error.h"
 #include "mesh/body_mesh.h"

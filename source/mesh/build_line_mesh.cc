@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/build_line_mesh.h"
 
-#include "mesh/gmsh_file.h"
-#include "mesh/gmsh_routes.h"
-#include "mesh/gmsh_session.h"
+#include "mesh/gmsh/mesh_file.h"
+#include "mesh/gmsh/session.h"
+#include "mesh/mesh_routes.h"
 
 #include "base/user_error.h"
 #include "scene/file/parameter_file.h"
@@ -182,6 +182,17 @@ private:
   std::vector<Vector3> tangents;
 };
 
+/// @throws UserError if a support has numbers for a place that it does not stand at
+void check_places(const FrictionSupport &support, const std::size_t n_places) {
+  if (support.parameters_at.empty() || support.parameters_at.rbegin()->first < n_places)
+    return;
+  const std::string last = std::to_string(support.parameters_at.rbegin()->first + 1);
+  throw UserError("Support " + support.name + "." + last + " is none of the places of support " +
+                  support.name + ", which has " + std::to_string(n_places) +
+                  ".\n  read:    place " + last + "\n  allowed: 1 to " + std::to_string(n_places) +
+                  "\n  try:     frictionbeam check, which lists the supports");
+}
+
 } // namespace
 
 LineMesh build_line_mesh(const Scene &scene) {
@@ -191,8 +202,10 @@ LineMesh build_line_mesh(const Scene &scene) {
   add_free_points(scene, mesh);
   check_asked_points(scene, mesh);
   const Placer placer(scene, mesh);
-  for (const FrictionSupport &support : scene.supports)
+  for (const FrictionSupport &support : scene.supports) {
     mesh.supports.push_back(placer.sites(support.name, support.placement));
+    check_places(support, mesh.supports.back().size());
+  }
   for (const Restraint &restraint : scene.restraints)
     mesh.restraints.push_back(placer.sites(restraint.name, restraint.placement));
   return mesh;

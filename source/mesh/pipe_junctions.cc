@@ -6,6 +6,7 @@
 #include "scene/in_units.h"
 
 #include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,51 @@ bool overlap(const PipePath &a, const double s_a, const PipePath &b, const doubl
   return false;
 }
 
+/// The straight runs and bends of all pipes, found by where they are.
+class Segments {
+public:
+  Segments(const std::vector<PipePath> &paths, const double tolerance)
+      : paths(paths), tolerance(tolerance) {
+    std::vector<std::pair<BoundingBox<3>, Number>> boxes;
+    for (unsigned int p = 0; p < paths.size(); ++p)
+      for (unsigned int i = 0; i < paths[p].segments().size(); ++i)
+        boxes.push_back({box_of(paths[p].segments()[i]), {p, i}});
+    tree = pack_rtree(boxes);
+  }
+
+  /// The pipes that reach a position, and their arc lengths there, rising.
+  std::vector<std::pair<unsigned int, double>> places(const Point3 &position) const {
+    namespace index = boost::geometry::index;
+    std::vector<Number> near;
+    for (const auto &[box, number] : tree | index::adaptors::queried(index::intersects(position)))
+      near.push_back(number);
+    std::sort(near.begin(), near.end());
+    std::vector<std::pair<unsigned int, double>> result;
+    for (const auto &[pipe, i] : near)
+      if (const auto s = paths[pipe].segments()[i].place(position, tolerance))
+        result.emplace_back(pipe, *s);
+    return result;
+  }
+
+private:
+  using Number = std::pair<unsigned int, unsigned int>; ///< pipe, place among its segments
+
+  BoundingBox<3> box_of(const PipePath::Segment &segment) const {
+    std::vector<Point<3>> points = {segment.begin, segment.end};
+    if (segment.radius > 0.) // within a diameter of either end
+      for (const Point3 &end : {segment.begin, segment.end})
+        for (const double sign : {-1., 1.})
+          points.push_back(end + 2. * sign * segment.radius * Vector3({1., 1., 1.}));
+    BoundingBox<3> box(points);
+    box.extend(2. * tolerance);
+    return box;
+  }
+
+  const std::vector<PipePath> &paths;
+  const double tolerance;
+  RTree<std::pair<BoundingBox<3>, Number>> tree;
+};
+
 /// Finds locations, and decides which of their strands are one.
 class Meeting {
 public:
@@ -68,22 +114,15 @@ public:
     for (unsigned int p = 0; p < paths.size(); ++p)
       for (const auto &point : paths[p].route_points())
         at(paths[p].point(point.s)).strands.push_back({p, point.s, true, point.name});
-    std::vector<BoundingBox<3>> boxes;
-    for (const PipePath &path : paths)
-      boxes.push_back(box_of(path));
-    const unsigned int n_of_routes = locations.size();
-    for (unsigned int i = 0; i < n_of_routes; ++i)
-      for (unsigned int p = 0; p < paths.size(); ++p)
-        if (boxes[p].point_inside(locations[i].position))
-          add_passing(locations[i], p);
+    const Segments segments(paths, tolerance);
+    for (Location &location : locations)
+      add_passing(location, segments);
     for (const NamedPoint &point : scene.points) {
       const unsigned int n_before = locations.size();
       Location &location = at(point.position);
       location.points.push_back(point.name);
       if (locations.size() > n_before)
-        for (unsigned int p = 0; p < paths.size(); ++p)
-          if (boxes[p].point_inside(point.position))
-            add_passing(location, p);
+        add_passing(location, segments);
     }
   }
 
@@ -137,39 +176,31 @@ private:
     return locations[i];
   }
 
-  BoundingBox<3> box_of(const PipePath &path) const {
-    std::vector<Point<3>> points;
-    for (const auto &segment : path.segments()) {
-      points.insert(points.end(), {segment.begin, segment.end});
-      if (segment.radius > 0.) // within a diameter of either end
-        for (const Point3 &end : {segment.begin, segment.end})
-          for (const double sign : {-1., 1.})
-            points.push_back(end + 2. * sign * segment.radius * Vector3({1., 1., 1.}));
-    }
-    BoundingBox<3> box(points);
-    box.extend(2. * tolerance);
-    return box;
-  }
-
-  /// Strands of pipe @p p that pass a location where its route has no point.
-  void add_passing(Location &location, const unsigned int p) const {
-    const bool own = std::any_of(location.strands.begin(), location.strands.end(),
-                                 [&](const Strand &strand) { return strand.pipe == p; });
-    if (own && !ends_at(location, p))
-      return;
-    for (const double s : paths[p].all_places(location.position, tolerance))
-      if (std::none_of(location.strands.begin(), location.strands.end(), [&](const Strand &strand) {
-            return strand.pipe == p && std::abs(strand.s - s) <= 2. * tolerance;
-          }))
-        location.strands.push_back({p, s, false, ""});
+  /// Strands of pipes that pass a location where their routes have no point.
+  void add_passing(Location &location, const Segments &segments) const {
+    const std::vector<Strand> in_route = location.strands;
+    if (paths.size() == 1 && !in_route.empty() && !ends_at(in_route, 0))
+      return; // a pipe meets itself at its ends only
+    const auto passes = [&](const unsigned int pipe) {
+      return ends_at(in_route, pipe) ||
+             std::none_of(in_route.begin(), in_route.end(),
+                          [&](const Strand &strand) { return strand.pipe == pipe; });
+    };
+    for (const auto &[pipe, s] : segments.places(location.position))
+      if (passes(pipe) && std::none_of(location.strands.begin(), location.strands.end(),
+                                       [&, pipe = pipe, s = s](const Strand &strand) {
+                                         return strand.pipe == pipe &&
+                                                std::abs(strand.s - s) <= 2. * tolerance;
+                                       }))
+        location.strands.push_back({pipe, s, false, ""});
   }
 
   bool is_end(const Strand &strand) const {
     return strand.in_route &&
            (strand.s <= tolerance || strand.s >= paths[strand.pipe].length() - tolerance);
   }
-  bool ends_at(const Location &location, const unsigned int pipe) const {
-    return std::any_of(location.strands.begin(), location.strands.end(),
+  bool ends_at(const std::vector<Strand> &strands, const unsigned int pipe) const {
+    return std::any_of(strands.begin(), strands.end(),
                        [&](const Strand &strand) { return strand.pipe == pipe && is_end(strand); });
   }
 

@@ -25,6 +25,19 @@ Vector3 PipePath::Segment::tangent(const double s) const {
   return std::cos(angle) * first_tangent + std::sin(angle) * inward;
 }
 
+std::optional<double> PipePath::Segment::place(const Point3 &position,
+                                               const double tolerance) const {
+  double s = (position - begin) * first_tangent;
+  if (radius > 0.) {
+    const Vector3 arm = position - centre;
+    s = radius * std::atan2(arm * first_tangent, -(arm * inward));
+  }
+  s = std::clamp(s, 0., length);
+  if (point(s).distance(position) > tolerance)
+    return {};
+  return start + s;
+}
+
 namespace {
 
 constexpr double no_angle = 1e-9; ///< of a corner that is none [rad]
@@ -140,18 +153,10 @@ Point3 PipePath::point(const double s) const {
 
 std::vector<double> PipePath::all_places(const Point3 &position, const double tolerance) const {
   std::vector<double> result;
-  for (const Segment &part : parts) {
-    double s = (position - part.begin) * part.first_tangent;
-    if (part.radius > 0.) {
-      const Vector3 arm = position - part.centre;
-      s = part.radius * std::atan2(arm * part.first_tangent, -(arm * part.inward));
-    }
-    s = std::clamp(s, 0., part.length);
-    if (part.point(s).distance(position) > tolerance)
-      continue;
-    if (result.empty() || part.start + s > result.back() + 2. * tolerance)
-      result.push_back(part.start + s);
-  }
+  for (const Segment &part : parts)
+    if (const auto s = part.place(position, tolerance))
+      if (result.empty() || *s > result.back() + 2. * tolerance)
+        result.push_back(*s);
   return result;
 }
 

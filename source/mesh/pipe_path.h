@@ -18,6 +18,8 @@ public:
 
     Point3 point(const double s) const; ///< s from the segment's start [m]
     Vector3 tangent(const double s) const;
+    /// Arc length along the pipe at @p position, if that is within @p tolerance [m].
+    std::optional<double> place(const Point3 &position, const double tolerance) const;
   };
 
   /// What a bend takes of the legs that it joins.

@@ -27,4 +27,9 @@ LineModel::LineModel(const Scene &scene, LineMesh line_mesh, const LawLibrary &l
     make_rigid_contacts_finite(linear.stiffness(), contacts);
 }
 
+void LineModel::take_laws_of(const Scene &other) {
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    contacts.set_parameters(i, other.supports[contacts[i].support].parameters_of(contacts[i].site));
+}
+
 } // namespace frictionbeam

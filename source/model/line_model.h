@@ -21,6 +21,10 @@ public:
 
   const Model &model() const { return whole; }
 
+  /// Take friction, gaps and whatever else the laws of supports say from another scene, which
+  /// differs in nothing else.
+  void take_laws_of(const Scene &other);
+
 private:
   const LineMesh mesh;
   const Discretization discretization;

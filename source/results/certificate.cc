@@ -17,7 +17,7 @@ void Results::certify(const Scene &scene, const bool contacts_are_judged) {
     residual = std::max(residual, step.residual);
     const double turnover = std::max(step.energy.turnover, least_turnover(steps));
     if (step.energy.at_hand == 0. && turnover > 0.)
-      imbalance = std::max(imbalance, std::abs(step.energy.left_over()) / turnover);
+      imbalance = std::max(imbalance, left_over_beyond_rounding(step.energy) / turnover);
     contact.include(step.contact);
     sections.yield_violation = std::max(sections.yield_violation, step.sections.yield_violation);
     sections.imbalance = std::max(sections.imbalance, step.sections.imbalance);

@@ -98,6 +98,10 @@ double largest_term(const EnergyAccount &energy) {
 }
 } // namespace
 
+double left_over_beyond_rounding(const EnergyAccount &energy) {
+  return std::max(0., std::abs(energy.left_over()) - energy.least_scale);
+}
+
 double least_turnover(const std::vector<StepReport> &steps) {
   double largest = 0.;
   for (const StepReport &step : steps)
@@ -132,7 +136,7 @@ void judge_energy(const Scene &scene, Results &results) {
     const bool is_exact = scene.steps[i].transient && scene.time.is_exact();
     const double turnover = std::max(is_exact ? largest_term(step.energy) : step.energy.turnover,
                                      least_turnover(results.steps)),
-                 left_over = std::abs(step.energy.left_over());
+                 left_over = left_over_beyond_rounding(step.energy);
     if ((scene.steps[i].transient && !is_exact) || !(left_over > remark_above * turnover) ||
         (is_exact && !(left_over > energy_of_rounding(results))))
       continue;

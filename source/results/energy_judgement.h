@@ -21,6 +21,9 @@ void remark_on_gains(Results &results);
 /// size (of 1 m, where all is at one point).
 double energy_of_rounding(const Results &results);
 
+/// What of the account is left over and is more than rounding [J].
+double left_over_beyond_rounding(const EnergyAccount &energy);
+
 /// Turnover below which a step's is rounding of the largest step's [J].
 double least_turnover(const std::vector<StepReport> &steps);
 

@@ -27,6 +27,9 @@ std::string of_frame(const Frame &frame, const Results &results) {
   for (const Station &station : frame.line)
     if (!finite(station.displacement) || !finite(station.force) || !std::isfinite(station.s))
       return "a displacement or section force";
+  for (const SectionState &section : frame.sections)
+    if (!finite(section.strain) || !finite(section.force))
+      return "a strain or force of a section that yields or creeps";
   for (std::size_t i = 0; i < frame.supports.size(); ++i)
     if (!finite(frame.supports[i]))
       return "the state of support " + results.supports[i].name;

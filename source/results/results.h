@@ -4,6 +4,7 @@
 #include "analysis/increment/step_report.h"
 #include "results/extremes.h"
 #include "results/known_error.h"
+#include "results/section_results.h"
 #include "scene/scene.h"
 
 #include <limits>
@@ -86,6 +87,8 @@ struct Frame {
   std::vector<Station> line;
   std::vector<SupportState> supports;
   std::vector<Motion> reactions; ///< of RestraintInfo
+  /// Of pipes that yield or creep, one after the other along each; at the ends of steps only.
+  std::vector<SectionState> sections;
 };
 
 /// What a friction element has met in a transient step.
@@ -263,6 +266,7 @@ struct Results {
   std::vector<StepEnvelope> envelopes; ///< of transient steps
   std::vector<CombinationRange> combination_ranges;
   std::vector<History> histories;
+  std::vector<SectionHistory> section_histories;
   std::vector<QuantityResult> quantities;
   std::vector<ModeResult> modes;
   std::vector<StressCase> stresses;

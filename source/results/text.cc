@@ -110,20 +110,22 @@ DisplayUnit display_unit(const UnitSystem &units, const std::string &si_unit,
   return {1. / units.factor(si_unit), units.name(si_unit)};
 }
 
-Frame in_units(const UnitSystem &units, const Frame &frame) {
-  Frame shown = frame;
+const Frame &in_units(const UnitSystem &units, const Frame &frame, Frame &converted) {
+  if (units.is_si())
+    return frame;
+  converted = frame;
   const double length = 1. / units.factor("m"), force = 1. / units.factor("N");
   const auto scale = [](Motion &motion, const double first, const double second) {
     for (unsigned int c = 0; c < 6; ++c)
       motion[c] *= c < 3 ? first : second;
   };
-  for (Station &station : shown.line) {
+  for (Station &station : converted.line) {
     station.s *= length;
     station.position = length * station.position;
     scale(station.displacement, length, 1.);
     scale(station.force, force, force * length);
   }
-  for (SupportState &support : shown.supports) {
+  for (SupportState &support : converted.supports) {
     for (double *value : {&support.fn, &support.ft1, &support.ft2})
       *value *= force;
     for (double *value : {&support.gap, &support.slip1, &support.slip2})
@@ -131,8 +133,23 @@ Frame in_units(const UnitSystem &units, const Frame &frame) {
     support.work_friction *= force * length;
     support.mt *= force * length;
   }
-  for (Motion &reaction : shown.reactions)
+  for (Motion &reaction : converted.reactions)
     scale(reaction, force, force * length);
+  for (SectionState &section : converted.sections)
+    section = in_units(units, section);
+  return converted;
+}
+
+SectionState in_units(const UnitSystem &units, const SectionState &section) {
+  SectionState shown = section;
+  const double metre = units.factor("m"), newton = units.factor("N");
+  shown.s /= metre;
+  shown.length /= metre;
+  for (unsigned int c = 0; c < 6; ++c) {
+    shown.strain[c] *= c < 3 ? 1. : metre;
+    shown.force[c] /= c < 3 ? newton : newton * metre;
+  }
+  shown.dissipated /= newton;
   return shown;
 }
 

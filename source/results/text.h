@@ -40,8 +40,12 @@ DisplayUnit display_unit(const std::string &si_unit, const double largest);
 /// The same, but in the units that the user has asked for, if these are not SI.
 DisplayUnit display_unit(const UnitSystem &units, const std::string &si_unit, const double largest);
 
-/// A frame with all its numbers in the units asked for; a copy only if they are not SI.
-Frame in_units(const UnitSystem &units, const Frame &frame);
+/// A frame with all its numbers in the units asked for: itself if they are SI, a large copy spared.
+/// @param converted where it stands otherwise
+const Frame &in_units(const UnitSystem &units, const Frame &frame, Frame &converted);
+
+/// The same of a section.
+SectionState in_units(const UnitSystem &units, const SectionState &section);
 
 /// Keeps the largest size of the finite numbers given to it.
 class Largest {

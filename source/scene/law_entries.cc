@@ -24,12 +24,28 @@ const LawDescription &find_law(const ParameterReader &in, const LawLibrary &laws
   return laws.find(known[in.find("Law", name, known, is_support ? "support law" : "section law")]);
 }
 
+std::vector<std::string> law_entries(const LawDescription &law) {
+  std::vector<std::string> entries;
+  for (int i = 0; i < law.n_parameters; ++i)
+    entries.push_back(law.parameters[i].name);
+  return entries;
+}
+
 void check_closed_form(const ParameterReader &in, const LawDescription &law,
                        const std::vector<double> &parameters) {
   const std::vector<std::string> faults = closed_form_faults(law, parameters);
   if (!faults.empty())
     in.fail("Law", "a law that does not contradict itself: " + faults.front(),
             "another law, or mend this one until frictionbeam-check-law says that it conforms");
+}
+
+void check_dynamic_friction(const ParameterReader &in, const LawDescription &law) {
+  const std::string dynamic = "Dynamic friction coefficient", fixed = "Friction coefficient";
+  const std::vector<std::string> entries = law_entries(law);
+  if (std::count(entries.begin(), entries.end(), dynamic) > 0 &&
+      in.number(dynamic) > in.number(fixed))
+    in.fail(dynamic, "at most the " + fixed + ", " + in.text(fixed),
+            "a " + fixed + " as large, or leaving " + dynamic + " out", in.text(dynamic));
 }
 
 void load_laws(const ParameterReader &in, LawLibrary &laws) {

@@ -14,9 +14,16 @@ namespace frictionbeam {
 const LawDescription &find_law(const ParameterReader &in, const LawLibrary &laws,
                                const LawKind kind, const std::string &otherwise);
 
+/// Names of a law's parameters, which are entries of the support or section.
+std::vector<std::string> law_entries(const LawDescription &law);
+
 /// The method exact believes a law's closed form, the others its integrate(): they must agree.
 void check_closed_form(const ParameterReader &in, const LawDescription &law,
                        const std::vector<double> &parameters);
+
+/// Friction that grows when slip begins is none: the law would take the static coefficient.
+/// @throws UserError if the current section has such
+void check_dynamic_friction(const ParameterReader &in, const LawDescription &law);
 
 /// Load the shared libraries that entry Law libraries names.
 void load_laws(const ParameterReader &in, LawLibrary &laws);

@@ -20,7 +20,9 @@ PhysicalBounds physical_bounds(const std::string &si_unit) {
       {"m/s", {1e-15, 3e8}},   // light
       {"m/s2", {1e-15, 1e10}}, //
       {"N", {1e-15, 1e18}},    // elastic stiffness EA too
-      {"N/m", {1e-15, 1e20}}};
+      {"N/m", {1e-15, 1e20}},
+      {"1/(Pa^n s)", {1e-300, 1e20}}, // of creep, whatever the exponent
+      {"1/(Pa^k s^m)", {1e-300, 1e20}}};
   const auto found = bounds.find(si_unit);
   return found == bounds.end() ? PhysicalBounds{1e-20, 1e20} : found->second;
 }

@@ -5,6 +5,7 @@
 #include "scene/law_entries.h"
 #include "scene/part/body_parts.h"
 #include "scene/part/parts.h"
+#include "scene/study/study_entries.h"
 
 #include "base/user_error.h"
 #include "scene/read_scene.h"
@@ -24,8 +25,9 @@ namespace {
 const std::vector<std::string> part_kinds = {
     "Material", "Section", "Point", "Pipe",    "Support", "Spring", "Mass",     "Joint",
     "Tee",      "Load",    "Step",  "Initial", "Hanger",  "Nozzle", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",  "Continuum", "Solver", "Time",  "Output",
-                                           "Modes", "Response",  "Stress", "Exact", "Quantities"};
+const std::vector<std::string> settings = {"Mesh",   "Continuum",  "Solver",   "Time",
+                                           "Output", "Modes",      "Response", "Stress",
+                                           "Exact",  "Quantities", "Study"};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -104,20 +106,22 @@ void check_heading(ParameterReader &in, const std::string &heading, const SceneK
                     "set Scene = " + users.front());
   if (!users.empty())
     return;
-  if (std::count(part_kinds.begin(), part_kinds.end(), kind) == 0) {
-    for (const std::string &part : part_kinds)
+  std::vector<std::string> kinds = part_kinds;
+  kinds.push_back(parts::variation_kind);
+  if (std::count(kinds.begin(), kinds.end(), kind) == 0) {
+    for (const std::string &part : kinds)
       allowed.push_back(part + " <name>");
     for (const SceneKind &scene : scene_kinds())
       if (scene.is_generated())
         allowed.emplace_back(scene.value);
     std::vector<std::string> candidates = settings;
-    candidates.insert(candidates.end(), part_kinds.begin(), part_kinds.end());
+    candidates.insert(candidates.end(), kinds.begin(), kinds.end());
     const std::string like = nearest(kind, candidates);
     in.fail_section("subsection " + heading, join(allowed),
                     like.empty() ? "one of these kinds of parts"
                                  : "'" + like + (name.empty() ? "" : " " + name) + "'");
   }
-  if (generator.is_generated())
+  if (generator.is_generated() && kind != parts::variation_kind)
     in.fail_section("subsection " + heading,
                     "no parts beside Scene = " + std::string(generator.word) +
                         ", which makes its own from section " + generator.value,
@@ -135,7 +139,9 @@ void check_overridden_headings(const ParameterFile &file,
     const bool in_file =
         std::count(file_headings.begin(), file_headings.end(), section.heading) > 0;
     const std::string kind = kind_of(section.heading);
-    if (in_file || std::count(part_kinds.begin(), part_kinds.end(), kind) == 0)
+    if (in_file || parts::is_support_place(file, section) ||
+        (kind != parts::variation_kind &&
+         std::count(part_kinds.begin(), part_kinds.end(), kind) == 0))
       continue;
     std::vector<std::string> parts;
     for (const std::string &heading : file_headings)
@@ -193,12 +199,13 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
                 Scene &scene) {
   for (const std::string &kind : part_kinds)
     for (const ParameterFile::Section &section : in.file().sections())
-      if (kind_of(section.heading) == kind) {
+      if (kind_of(section.heading) == kind && !parts::is_support_place(in.file(), section)) {
         in.enter(section.heading);
         declare_part(in, laws, kind);
         in.take();
         parse_part(in, laws, kind, name_of(section.heading), installation_temperature, scene);
       }
+  parts::parse_support_places(in, laws, scene);
   in.enter("Modes");
   parts::check_modes(in, scene);
   in.enter("Stress");
@@ -307,6 +314,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     read_parts(in, laws, scene.installation_temperature, scene);
   check_whole(in, scene);
   read_quantities(in, scene);
+  parts::read_study(in, scene.study);
   find_corners(scene);
   return scene;
 }
@@ -365,6 +373,7 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_stress(in);
   in.enter("Quantities");
   parts::declare_quantities(in);
+  parts::declare_study(in);
   for (const SceneKind &kind : scene_kinds())
     if (kind.is_generated()) {
       in.enter(kind.value);

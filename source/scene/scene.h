@@ -6,6 +6,7 @@
 #include "scene/modal.h"
 #include "scene/quantity.h"
 #include "scene/settings.h"
+#include "scene/study/study.h"
 #include "scene/time_function.h"
 #include "scene/units.h"
 #include <frictionbeam/law.h>
@@ -15,8 +16,10 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 /**
@@ -131,9 +134,10 @@ struct FrictionSupport {
   Direction normal; ///< from the ground into the pipe; zero: from the point Ground to that of At
   std::string law;
   std::vector<double> parameters; ///< of the law, in its order; per metre for a continuous bed
-  double length = 1.;             ///< of the element [m]; 0: the distance to the point Ground
-  double share = 1.;              ///< of a whole element that this is: scales its forces, stiffness
-                                  ///< and normal_force
+  std::map<unsigned int, std::vector<double>> parameters_at; ///< of single places, from 0 on
+  double length = 1.; ///< of the element [m]; 0: the distance to the point Ground
+  double share = 1.;  ///< of a whole element that this is: scales its forces, stiffness
+                      ///< and normal_force
   Rotations rotations = Rotations::none;
   bool torsion = false;
   double normal_force = 0.; ///< of a platen that is pressed on [N], for a whole element (per metre
@@ -142,6 +146,10 @@ struct FrictionSupport {
   double restitution = 0.;  ///< Newton's, of an impact on a rigid contact: 0 to 1
   std::array<TimeFunction, 3> ground_motion; ///< of the ground, global axes [m]; not given: 0
 
+  const std::vector<double> &parameters_of(const unsigned int place) const {
+    const auto own = parameters_at.find(place);
+    return own == parameters_at.end() ? parameters : own->second;
+  }
   bool ground_moves() const {
     return ground_motion[0].is_given() || ground_motion[1].is_given() ||
            ground_motion[2].is_given();
@@ -250,6 +258,9 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Section> sections;
   std::vector<Pipe> pipes;
+  /// Positions of all points with a name that sections Point and routes of the file have placed; of
+  /// a rounded corner, its own.
+  std::unordered_map<std::string, Point3> places;
   std::vector<NamedPoint> points;
   std::vector<FrictionSupport> supports;
   std::vector<Restraint> restraints;
@@ -288,6 +299,7 @@ struct Scene {
   SolverSettings solver;
   TimeSettings time;
   OutputSettings output;
+  StudySettings study;
 
   /// Whether it has pipes whose section has an inelastic law.
   bool yields() const {

@@ -16,6 +16,9 @@
  */
 namespace frictionbeam {
 
+/// Who divides routes into cells.
+enum class Mesher { automatic, gmsh };
+
 struct MeshSettings {
   std::string file;                ///< .geo or .msh of the user's own; empty: routes
   double cell_length = 0.;         ///< longest cell of a straight run [m]; 0: one cell a run
@@ -23,7 +26,8 @@ struct MeshSettings {
   unsigned int cells_per_bend = 8; ///< in 90 degrees
   bool arcs = false;               ///< a bend is one exact arc, not straight cells
   double most_cells = 200000.;     ///< more are refused
-  bool refine_hinges = false;      ///< halve cells that yield until that changes little
+  Mesher mesher = Mesher::automatic;
+  bool refine_hinges = false; ///< halve cells that yield until that changes little
   /// Nodes that this has added, by the number of their pipe and the way along it [m].
   std::vector<std::pair<unsigned int, double>> hinge_nodes = {};
 };
@@ -115,7 +119,10 @@ struct TimeSettings {
 
 struct OutputSettings {
   std::string directory;
-  unsigned int stations = 3;    ///< between the nodes of a cell
+  unsigned int stations = 3; ///< between the nodes of a cell
+  /// Points whose sections are followed through all increments; empty: where most yields and
+  /// creeps.
+  std::vector<std::string> sections = {};
   bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
   bool vtu = true, report = true;
   bool contact_problems = false;    ///< FCLIB files of every static increment

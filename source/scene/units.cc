@@ -113,6 +113,8 @@ std::optional<UnitSystem::Unit> UnitSystem::base(const std::string &word) const 
 }
 
 double UnitSystem::factor(const std::string &si_unit) const {
+  if (is_si())
+    return 1.;
   double result = 1.;
   bool below = false;
   for (const std::string &part : split(si_unit, '/')) {

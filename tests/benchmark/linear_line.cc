@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The linear part of a long line shall be set up and solved in at most 4 times what a bare deal.II
+// The linear part of a long line shall be set up and solved in no more time than a bare deal.II
 // loop and one factorization need in the same run, and give the same deflection.
 #include "analysis/sequence/load_sequence.h"
 #include "model/line_model.h"
@@ -62,7 +62,7 @@ std::vector<unsigned int> carried_vertices(const unsigned int n_cells) {
   return vertices;
 }
 
-/// What gmsh would give: @p n_cells cells of 1 m along x, turning by a quarter every 50 cells.
+/// @p n_cells cells of 1 m along x, turning by a quarter every 50 cells.
 LineMesh make_mesh(const unsigned int n_cells) {
   LineMesh mesh;
   MeshedPipe pipe;
@@ -86,7 +86,7 @@ LineMesh make_mesh(const unsigned int n_cells) {
 unsigned int observed(const LineMesh &mesh) { return mesh.vertices.size() / 12 * 6 + 3; }
 
 struct Outcome {
-  double seconds, deflection;
+  double seconds = 0., deflection = 0.;
 };
 
 Outcome solve_with_application(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws) {
@@ -180,15 +180,20 @@ int main(int argc, char **argv) {
   const Scene scene = make_scene();
   const LineMesh mesh = make_mesh(n_cells);
   std::vector<double> ratios;
-  for (unsigned int repetition = 0; repetition < 3; ++repetition) {
-    const Outcome bare = solve_bare(scene, mesh);
-    const Outcome ours = solve_with_application(scene, mesh, laws);
+  for (unsigned int repetition = 0; repetition < 7; ++repetition) {
+    Outcome bare, ours;
+    const bool bare_first = repetition % 2 == 0;
+    for (const bool is_bare : {bare_first, !bare_first})
+      if (is_bare)
+        bare = solve_bare(scene, mesh);
+      else
+        ours = solve_with_application(scene, mesh, laws);
     ratios.push_back(ours.seconds / bare.seconds);
     std::cout << n_cells << " cells: bare " << bare.seconds << " s, FrictionBeam " << ours.seconds
               << " s, ratio " << ratios.back() << "; deflection " << bare.deflection << " and "
               << ours.deflection << " m\n";
   }
   std::sort(ratios.begin(), ratios.end());
-  std::cout << "median ratio " << ratios[1] << " (goal: at most 4)\n";
-  return ratios[1] <= 4. ? 0 : 1;
+  std::cout << "median ratio " << ratios[3] << " (goal: at most 1)\n";
+  return ratios[3] <= 1. ? 0 : 1;
 }

@@ -10,14 +10,20 @@
 //   --figures TOLERANCE PART   of all whose reference exceeds PART times the largest of that unit
 //   --value NAME BOUND         absolute value of one quantity
 //   --check NAME BOUND         line of the certificate
+//   --cost NAME BOUND          of summary.json's cost
 //   --null NAME                line of the certificate that has no figure
 //   --energy NAME VALUE TOLERANCE  of the account of energy [J], relative; absolute if VALUE is 0
 //   --ratio NAME LOW HIGH A B  its value with --set A over the one with --set B
 //   --same-as OTHER TOLERANCE  all quantities as those of another parameter file
 //   --expect TEXT              the program's output has it in it
 //   --without TEXT             it has not
+//   --file NAME TEXT           the file of this name in the folder has it in it
+//   --csv NAME WHERE COLUMN VALUE TOLERANCE  in rows of a table where WHERE ("step=hot s=0
+//   pipe=leg") holds, of which
+//                              there is one: relative; absolute if VALUE is 0
 //   --message                  every line '# expect: TEXT' of the file is in the program's output
 #include "../check.h"
+#include "base/csv_row.h"
 #include "run_program.h"
 
 #include <algorithm>
@@ -112,6 +118,33 @@ void check_output(const Run &run, const std::string &part) {
   expect(run.output.find(part) != std::string::npos, "'" + part + "' is not in the output");
 }
 
+/// In a table of the results, the rows in which columns have the texts that @p where names.
+void check_table(const std::string &file, const std::string &where, const std::string &column,
+                 const double reference, const double tolerance) {
+  std::istringstream lines(program::text_of(file)), words(where);
+  std::map<std::string, std::string> wanted;
+  for (std::string word; words >> word;)
+    wanted[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> names = frictionbeam::csv_fields(line);
+  unsigned int n = 0;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> row = frictionbeam::csv_fields(line);
+    std::map<std::string, std::string> fields;
+    for (std::size_t i = 0; i < names.size() && i < row.size(); ++i)
+      fields[names[i]] = row[i];
+    if (!std::all_of(wanted.begin(), wanted.end(),
+                     [&](const auto &one) { return fields.at(one.first) == one.second; }))
+      continue;
+    const double size = reference == 0. ? 1. : std::abs(reference);
+    expect(std::abs(std::stod(fields.at(column)) - reference) <= tolerance * size,
+           column + " = " + fields.at(column) + ", not " + text(reference) + ", in " + line);
+    ++n;
+  }
+  expect(n > 0, file + " has no row where " + where);
+}
+
 /// The texts that a broken file's comments promise.
 void check_message(const Run &run, const std::string &file) {
   std::istringstream lines(program::text_of(file));
@@ -131,7 +164,9 @@ void check_case(Words &words) {
   std::vector<std::function<void(const Run &)>> checks;
   std::set<std::string> with_own_tolerance;
   int exit_status = 0;
-  std::string status = "converged", output_directory;
+  std::string status = "converged";
+  const program::TemporaryFolder temporary;
+  std::filesystem::path folder = temporary.path / "results";
   const auto run_another = [binary](const std::string &other,
                                     const std::vector<std::string> &other_options) {
     const Run run = program::run(binary, other, other_options);
@@ -154,7 +189,7 @@ void check_case(Words &words) {
     else if (word == "--status")
       status = words.take();
     else if (word == "--output-directory")
-      output_directory = words.take();
+      folder = words.take();
     else if (word == "--error") {
       const std::string name = words.take();
       const double tolerance = words.take_number();
@@ -180,6 +215,13 @@ void check_case(Words &words) {
       checks.push_back([=](const Run &run) {
         const double value = run.certificate.at(name);
         expect(value <= bound, "certificate: " + name + " = " + text(value) + " > " + text(bound));
+      });
+    } else if (word == "--cost") {
+      const std::string name = words.take();
+      const double bound = words.take_number();
+      checks.push_back([=](const Run &run) {
+        expect(run.cost.at(name) <= bound,
+               "cost: " + name + " = " + text(run.cost.at(name)) + " > " + text(bound));
       });
     } else if (word == "--null") {
       const std::string name = words.take();
@@ -215,14 +257,25 @@ void check_case(Words &words) {
       checks.push_back([=](const Run &run) {
         expect(run.output.find(part) == std::string::npos, "'" + part + "' is in the output");
       });
+    } else if (word == "--file") {
+      const std::string name = words.take(), part = words.take();
+      checks.push_back([=, &folder](const Run &) {
+        expect(program::text_of(folder / name).find(part) != std::string::npos,
+               "'" + part + "' is not in " + name);
+      });
+    } else if (word == "--csv") {
+      const std::string name = words.take(), where = words.take(), column = words.take();
+      const double reference = words.take_number(), tolerance = words.take_number();
+      checks.push_back([=, &folder](const Run &) {
+        check_table(folder / name, where, column, reference, tolerance);
+      });
     } else if (word == "--message")
       checks.push_back([=](const Run &run) { check_message(run, file); });
     else
       throw std::runtime_error("There is no check '" + word + "'.");
   }
 
-  const Run run = output_directory.empty() ? program::run(binary, file, options)
-                                           : program::run(binary, file, options, output_directory);
+  const Run run = program::run(binary, file, options, folder);
   std::cout << run.output;
   expect(run.exit_status == exit_status, "exit status " + std::to_string(run.exit_status));
   if (exit_status == 1)

@@ -35,7 +35,7 @@ struct Run {
   std::string status;   ///< the rest is from summary.json
   double wall_seconds = 0.;
   std::vector<Quantity> quantities;
-  std::map<std::string, double> certificate, energy;
+  std::map<std::string, double> certificate, energy, cost;
 
   const Quantity &quantity(const std::string &name) const {
     for (const Quantity &q : quantities)
@@ -88,9 +88,12 @@ inline void read_summary(const std::filesystem::path &folder, Run &run) {
   run.summary = true;
   run.status = tree.get<std::string>("status");
   run.wall_seconds = tree.get<double>("cost.wall_seconds");
+  for (const auto &[key, entry] : tree.get_child("cost"))
+    if (const auto figure = entry.get_value_optional<double>())
+      run.cost[key] = *figure;
   for (const auto &[key, entry] : tree.get_child("certificate"))
-    run.certificate[key] = entry.data() == "null" ? std::numeric_limits<double>::quiet_NaN()
-                                                  : std::stod(entry.data());
+    run.certificate[key] =
+        entry.data() == "null" ? std::numeric_limits<double>::quiet_NaN() : std::stod(entry.data());
   if (const auto account = tree.get_child_optional("energy"))
     for (const auto &[key, entry] : *account)
       run.energy[key] = std::stod(entry.data());

@@ -63,6 +63,8 @@ struct Tests {
   void no_solution() const;
   void solution_is_replaced() const;
   void broken_files() const;
+  void global_problem() const;
+  void time_limit() const;
   void exported_rack(const std::string &friction) const;
   void exported_history() const;
   void line_on_contacts_alone() const;
@@ -200,15 +202,16 @@ void Tests::broken_files() const {
   write(file, good, -1, [](StoredMatrix &W) { W.p[4] = 9; });
   refused({"p ends with 9"});
 
-  // A global problem, and one with equality constraints.
-  StoredMatrix matrix(MatrixXd::Identity(2, 2), -1);
+  // A global problem whose M is singular, and one with equality constraints.
+  StoredMatrix matrix(MatrixXd::Identity(2, 2), -1), singular(MatrixXd::Ones(2, 2), -1);
   double zero[2] = {0., 0.};
   fclib_global global{};
-  global.M = global.H = &matrix.stored;
+  global.M = &singular.stored;
+  global.H = &matrix.stored;
   global.f = global.w = global.mu = zero;
   global.spacedim = 2;
   CHECK(fclib_write_global(&global, file.c_str()) == 1);
-  refused({"It holds a global problem", "condense it"});
+  refused({"W = H^T M^-1 H does not exist", "M that is singular", "contact library"});
   fclib_local local{};
   local.W = local.V = local.R = &matrix.stored;
   local.q = local.s = local.mu = zero;
@@ -219,6 +222,69 @@ void Tests::broken_files() const {
   const program::Run run = program::execute({program, "contact"});
   CHECK(run.exit_status == 1);
   CHECK(contains(run.output, "file is required"));
+  for (const std::string option : {"--tolerance=2", "--time-limit=-1"}) {
+    const program::Run refused = program::execute({program, "contact", option, file.string()});
+    CHECK(refused.exit_status == 1);
+    CHECK(contains(refused.output, "not understood"));
+  }
+}
+
+/// A block of mass 2 and moment of inertia 0.5 that falls with 1 and moves by 0.1 is held by its
+/// two contacts, and stops: v = 0, sums of r are 2 and -0.2.
+void Tests::global_problem() const {
+  MatrixXd M = MatrixXd::Zero(3, 3), H(3, 4); // ux, uy, rz
+  M.diagonal() << 2., 2., 0.5;
+  H << 0., 1., 0., 1., 1., 0., 1., 0., -1., 0., 1., 0.;
+  const VectorXd f = M * Eigen::Vector3d(0.1, -1., 0.);
+  for (const int kind : {-2, -1, 0}) {
+    StoredMatrix stored_M(M, kind), stored_H(H, kind);
+    std::vector<double> forces(f.data(), f.data() + 3), w(4, 0.), mu(2, 0.3);
+    fclib_global global{};
+    global.M = &stored_M.stored;
+    global.H = &stored_H.stored;
+    global.f = forces.data();
+    global.w = w.data();
+    global.mu = mu.data();
+    global.spacedim = 2;
+    fs::remove(file);
+    CHECK(fclib_write_global(&global, file.c_str()) == 1);
+    const program::Run run = solve(file);
+    CHECK(run.exit_status == 0);
+    CHECK(contains(run.output, "a global problem of 3 unknowns, 2 contacts in 2D"));
+    CHECK(number_after(run.output, "||M v - H r - f|| / ||f|| = ") <= 1e-12);
+    const Solution found = read_solution(file, 4);
+    CHECK_NEAR(found.r[0] + found.r[2], 2., 1e-10);
+    CHECK_NEAR(found.r[1] + found.r[3], -0.2, 1e-10);
+    CHECK_NEAR(found.r[0], found.r[2], 1e-10);
+    CHECK(found.u.norm() <= 1e-10);
+    fclib_solution *const solution = fclib_read_solution(file.c_str());
+    CHECK(vector(solution->v, 3).norm() <= 1e-10);
+    fclib_delete_solutions(solution, 1);
+  }
+}
+
+/// Time runs out before a stack of 400 blocks is solved: the best is written, and told to be none.
+void Tests::time_limit() const {
+  constexpr int n = 800;
+  Problem problem{2, MatrixXd::Zero(n, n), VectorXd::Zero(n), VectorXd::Constant(n / 2, 0.3)};
+  for (int i = 0; i < n; ++i) {
+    problem.W(i, i) = i < 2 ? 1. : 2.;
+    if (i >= 2)
+      problem.W(i, i - 2) = problem.W(i - 2, i) = -1.;
+  }
+  problem.q[0] = -1.;
+  fs::remove(file);
+  write(file, problem);
+  const program::Run run =
+      program::execute({program, "contact", "--time-limit=1e-6", file.string()});
+  CHECK(run.exit_status == 2);
+  CHECK(contains(run.output, "The time limit of 1e-06 s was reached"));
+  CHECK(contains(run.output, "NOT solved"));
+  const program::Run longer = program::execute(
+      {program, "contact", "--time-limit=100", "--tolerance=1e-10", file.string()});
+  CHECK(longer.exit_status == 0);
+  CHECK(number_after(longer.output, "on its own scale = ") <= 1e-10);
+  CHECK_NEAR(read_solution(file, n).r[0], n / 2, 1e-7);
 }
 
 /// The rack's own forces solve the problem that it exports, in either form, and our solution of
@@ -266,6 +332,10 @@ void Tests::exported_rack(const std::string &friction) const {
   CHECK((H.transpose() * free + w - q).norm() <= 1e-6 * q.norm());
   fclib_delete_solutions(solution, 1);
   fclib_delete_global(global);
+  CHECK(solve(path).exit_status == 0);
+  const Solution from_global = read_solution(path, n);
+  CHECK((from_global.r - own.r).lpNorm<Eigen::Infinity>() <=
+        1e-6 * own.r.lpNorm<Eigen::Infinity>());
 }
 
 /// Weighed, heated, cooled on supports of finite stiffness with old slips: each increment's problem
@@ -317,6 +387,8 @@ int main(int argc, char **argv) {
   tests.no_solution();
   tests.solution_is_replaced();
   tests.broken_files();
+  tests.global_problem();
+  tests.time_limit();
   tests.exported_rack("0.3");
   tests.exported_rack("1");
   tests.exported_history();

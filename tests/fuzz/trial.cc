@@ -41,7 +41,7 @@ int command(const std::vector<std::string> &words, const bool interrupted) {
   using namespace frictionbeam;
   try {
     if (words[0] == "contact")
-      return solve_contact_file(words[1]);
+      return solve_contact_file({words[1]});
     RunOptions options;
     options.output_directory = "results";
     for (std::size_t i = 1; i < words.size(); ++i)

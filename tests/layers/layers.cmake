@@ -11,7 +11,7 @@ set(floors
   analysis/algebra analysis/contact analysis/contact_problem analysis/vibration analysis/increment
   analysis/statics analysis/refinement analysis/time analysis/event analysis/march
   analysis/reduction analysis/sequence
-  results accuracy chart command)
+  results accuracy chart study command)
 set(most_files 22)
 function(fault text)
   message(SEND_ERROR "${text}")

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One contact by hand: open, sticking, slipping. Random problems by the laws themselves: gaps and
 // forces are no less than zero and exclude each other, friction is within the disc, and where it
-// slips, at its limit against the slip.
+// slips, at its limit against the slip. A contact shall be right on its own scale, however stiff it
+// is and however small its force beside those of others (closed forms, and forces that q is made
+// of).
 #include "../check.h"
 
 #include <frictionbeam/contact/local_solver.h>
 
+#include <cmath>
 #include <random>
+#include <vector>
 
 using namespace frictionbeam;
 using namespace frictionbeam::contact;
@@ -53,6 +57,93 @@ contact::LocalProblem random_problem(const unsigned int seed, const int n_contac
   return problem;
 }
 
+/// Two contacts that do not know each other, one of them 1e15 times as stiff: W_NN r_N = 4, T = 0.3
+/// W_TT.
+void one_stiff_contact() {
+  for (const double w : {1e-12, 1e-15, 1e-20}) {
+    contact::LocalProblem problem;
+    problem.W.resize(6, 6);
+    for (int i = 0; i < 6; ++i)
+      problem.W.insert(i, i) = i < 3 ? 1. : w;
+    problem.q.resize(6);
+    problem.q << -4., 0.3, 0., -4., 0.3, 3.;
+    problem.friction = Eigen::VectorXd::Constant(2, 0.5);
+    const auto solution = contact::solve_local_contact(problem, 1e-10);
+    CHECK(solution.converged);
+    CHECK_NEAR((solution.reactions.head<3>() - Eigen::Vector3d(4., -0.3, 0.)).norm(), 0., 1e-12);
+    const Eigen::Vector3d slips(4., -2. * 0.3 / std::hypot(0.3, 3.),
+                                -2. * 3. / std::hypot(0.3, 3.));
+    CHECK_NEAR((w * solution.reactions.tail<3>() - slips).norm(), 0., 1e-10);
+    // What is right for the mean of W_ii is wrong here, and is told to be.
+    Eigen::VectorXd wrong = solution.reactions;
+    wrong.tail<3>() << 4., -0.3, 0.;
+    CHECK(contact::evaluate_residual(problem, wrong).own_scale > 0.1);
+    CHECK(!contact::evaluate_residual(problem, wrong).holds(1e-8));
+  }
+}
+
+/// Some contacts, all sticking, q such that r is their forces, the first of them tiny; W full.
+void one_small_force(const unsigned int seed) {
+  constexpr int n_contacts = 8, n = 3 * n_contacts;
+  constexpr double tiny = 7e-9;
+  contact::LocalProblem problem = random_problem(seed, n_contacts);
+  const Eigen::MatrixXd W = problem.W;
+  Eigen::VectorXd forces(n);
+  for (int i = 0; i < n_contacts; ++i)
+    forces.segment<3>(3 * i) = (i == 0 ? tiny : 1.) * Eigen::Vector3d(1., 0.1, 0.1);
+  problem.friction.setConstant(0.5);
+  problem.q = -(W.cast<long double>() * forces.cast<long double>()).cast<double>();
+  const auto solution = contact::solve_local_contact(problem, 1e-10);
+  CHECK(solution.converged);
+  CHECK_NEAR((solution.reactions - forces).norm(), 0., 1e-12);
+  // Without the small force it is not a solution, however little it is beside the others.
+  Eigen::VectorXd without = solution.reactions;
+  without.head<3>().setZero();
+  CHECK(!contact::evaluate_residual(problem, without).holds(1e-8));
+}
+
+/// A stack of plane blocks of unit mass, each on one contact, falling with 1: r_N of contact i is
+/// the momentum above it, n - i, and every block pushed with 0.1 is held, as friction 0.3 allows.
+contact::LocalProblem stack(const int n_blocks) {
+  contact::LocalProblem problem;
+  problem.dimension = 2;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n_blocks; ++i)
+    for (int c = 0; c < 2; ++c) {
+      entries.emplace_back(2 * i + c, 2 * i + c, i == 0 ? 1. : 2.);
+      if (i > 0) {
+        entries.emplace_back(2 * i + c, 2 * i - 2 + c, -1.);
+        entries.emplace_back(2 * i - 2 + c, 2 * i + c, -1.);
+      }
+    }
+  problem.W.resize(2 * n_blocks, 2 * n_blocks);
+  problem.W.setFromTriplets(entries.begin(), entries.end());
+  problem.q = Eigen::VectorXd::Zero(2 * n_blocks);
+  problem.q[0] = -1.;
+  problem.q[1] = 0.1;
+  problem.friction = Eigen::VectorXd::Constant(n_blocks, 0.3);
+  return problem;
+}
+
+/// Forces pass through 300 blocks, which sweeps alone would take 1e5 rounds for.
+void tall_stack() {
+  constexpr int n_blocks = 300;
+  const contact::LocalProblem problem = stack(n_blocks);
+  const auto solution = contact::solve_local_contact(problem, 1e-10);
+  CHECK(solution.converged && !solution.out_of_time);
+  CHECK(solution.sweeps < 20000);
+  for (int i = 0; i < n_blocks; ++i) {
+    CHECK_NEAR(solution.reactions[2 * i], n_blocks - i, 1e-8 * n_blocks);
+    CHECK_NEAR(solution.reactions[2 * i + 1], -0.1 * (n_blocks - i), 1e-8 * n_blocks);
+  }
+}
+
+/// No time: the best so far, which is no solution and says so.
+void out_of_time() {
+  const auto solution = contact::solve_local_contact(stack(300), 1e-10, 1e-9);
+  CHECK(!solution.converged && solution.out_of_time && solution.residual.own_scale > 1e-10);
+}
+
 } // namespace
 
 int main() {
@@ -74,5 +165,10 @@ int main() {
     const contact::LocalProblem problem = random_problem(seed, 1 + seed % 10);
     laws_hold(problem, contact::solve_local_contact(problem, 1e-10));
   }
+  one_stiff_contact();
+  for (unsigned int seed = 1; seed <= 20; ++seed)
+    one_small_force(seed);
+  tall_stack();
+  out_of_time();
   return check::report();
 }

@@ -38,14 +38,14 @@ Chain straight() {
     load.topRows<3>() = arm * Eigen::Matrix3d::Identity();
     load(4, 2) = -arm * arm / 2.;
     load(5, 1) = arm * arm / 2.;
-    points.push_back({stress_at(arm), load, weight[q] * length / 2.});
+    points.push_back({stress_at(arm), load, weight[q] * length / 2., elastic()});
   }
   Eigen::Matrix<double, 6, 12> G = Eigen::Matrix<double, 6, 12>::Zero();
   G.leftCols<6>() = -Chain::Matrix6::Identity();
   G.rightCols<6>() = Chain::Matrix6::Identity();
   G(1, 5) = -length; // a turn of the first end carries the second along
   G(2, 4) = length;
-  return Chain(points, G, elastic());
+  return Chain(points, G);
 }
 
 /// Each moment by itself yields at `limit`, perfectly.

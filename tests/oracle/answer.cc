@@ -116,6 +116,17 @@ void add_envelope(const frictionbeam::Results &results, const frictionbeam::Step
   add("displacement", Kind::displacement, envelope.displacement.largest);
 }
 
+/// What became of the work of the loads, of lines that yield.
+void add_energies(const frictionbeam::EnergyAccount &account, StepAnswer &step) {
+  const auto add = [&](const std::string &name, const double value) {
+    step[name + " over the step"] = {Kind::energy, Vec(value, 0., 0.), Turns::fixed};
+  };
+  add("work of loads", account.external);
+  add("stored energy", account.stored);
+  add("dissipated by pipes", account.inelastic);
+  add("dissipated by supports", account.dissipated);
+}
+
 /// Sums of sizes, component by component, depend on the axes, and so do stresses made of them; sums
 /// of squares do not.
 bool adds_sizes(const Scene &scene) {
@@ -185,6 +196,8 @@ Answer::Answer(const Scene &scene, const Outcome &program) {
       add_supports(results, frame, force_that_touches(results), step);
       if (const auto *const envelope = results.envelope_of(frame.step))
         add_envelope(results, *envelope, step);
+      if (scene.has_laws())
+        add_energies(results.steps[frame.step].energy, step);
     }
     add_reactions(results, frame, turns_of(scene, name), step);
     add_judgements(scene, results, name, step);
@@ -197,7 +210,7 @@ Answer::Answer(const Scene &scene, const Outcome &program) {
 
 namespace {
 
-using Scales = std::array<double, 5>;
+using Scales = std::array<double, 6>;
 
 /// The entries of a step as they shall be, and the largest of each kind.
 StepAnswer mapped(StepAnswer step, const Mapping &mapping, Scales &scale) {
@@ -214,8 +227,9 @@ StepAnswer mapped(StepAnswer step, const Mapping &mapping, Scales &scale) {
     const bool axial = entry.kind == Kind::rotation || entry.kind == Kind::moment;
     entry.value *= entry.kind == Kind::displacement ? mapping.length
                    : entry.kind == Kind::force      ? mapping.force
-                   : entry.kind == Kind::moment     ? mapping.force * mapping.length
-                                                    : 1.;
+                   : entry.kind == Kind::moment || entry.kind == Kind::energy
+                       ? mapping.force * mapping.length
+                       : 1.;
     if (entry.turns == Turns::vector)
       entry.value = (axial ? turning : 1.) * (mapping.turn * entry.value);
     else if (entry.turns == Turns::absolute)
@@ -230,6 +244,7 @@ StepAnswer mapped(StepAnswer step, const Mapping &mapping, Scales &scale) {
   scale[1] = std::max(scale[1], scale[0] / mapping.length / 10.);
   scale[2] = std::max(scale[2], scale[3] / mapping.length / 10.);
   scale[3] = std::max(scale[3], scale[2] * mapping.length / 10.);
+  scale[5] = std::max(scale[5], scale[2] * scale[0]);
   return step;
 }
 
@@ -257,7 +272,7 @@ double largest_difference(const Answer &original, const Mapping &mapping, const 
       note(1., "number of steps", Vec::Constant(changed.steps.size()),
            Vec::Constant(original.steps.size()));
   }
-  double largest_so_far[4] = {};
+  Scales largest_so_far = {};
   for (const auto &[from, to] : pairs) {
     if (from >= original.steps.size() || to >= changed.steps.size()) {
       note(1., "number of steps", Vec::Constant(changed.steps.size()),
@@ -266,7 +281,8 @@ double largest_difference(const Answer &original, const Mapping &mapping, const 
     }
     Scales scale;
     const StepAnswer should_be = mapped(original.steps[from], mapping, scale);
-    for (int i = 0; i < 4; ++i) { // increments keep the rounding of what was larger, to 1e-4 of it
+    for (const int i :
+         {0, 1, 2, 3, 5}) { // increments keep the rounding of what was larger, to 1e-4 of it
       largest_so_far[i] = std::max(largest_so_far[i], scale[i]);
       scale[i] = std::max(scale[i], 1e-4 * largest_so_far[i]);
     }

@@ -12,7 +12,7 @@ namespace oracle {
 /// named points, forces and slip of supports, and with what they use of what is allowed; then the
 /// same of spectra and combinations. Most are vectors, which turn with the scene.
 struct Answer {
-  enum class Kind { displacement, rotation, force, moment, ratio };
+  enum class Kind { displacement, rotation, force, moment, ratio, energy };
   enum class Turns {
     vector,   ///< with the scene
     absolute, ///< sizes of components: of ranges, of sums of squares
@@ -38,6 +38,7 @@ struct Mapping {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< of vectors; of rotations, times its det
   double length = 1., force = 1., time = 1.;          ///< factors
   bool same_stations = true;
+  double accuracy = 0.; ///< to which it follows, where that is less than the relation's
   /// Steps of the original one and of the changed one that are to agree; empty: each with its own.
   std::vector<std::pair<std::size_t, std::size_t>> steps;
 };

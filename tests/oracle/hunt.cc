@@ -62,7 +62,7 @@ Options read(const int argc, char **argv) {
     throw std::runtime_error(
         "oracle_hunt KIND FIRST NUMBER [--processes P] [--found FOLDER] "
         "[--open SEED,...] [--show]; KIND is linear, friction, more, or a relation's "
-        "name, and for other scenes RELATION:FAMILY, more, moving, large or response");
+        "name, and for other scenes RELATION:FAMILY, more, moving, large, response or yielding");
   options.kind = argv[1];
   options.first = std::stoull(argv[2]);
   options.number = std::stoull(argv[3]);

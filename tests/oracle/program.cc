@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "program.h"
 
-#include "command/run_line.h"
+#include "command/line/run_line.h"
 #include "command/size_hangers.h"
 
 #include "base/interruption.h"

@@ -28,6 +28,13 @@ Kinds kinds_of(const std::string &family, Random &random) {
   kinds.moving = family == "moving";
   kinds.large = family == "large";
   kinds.response = family == "response" || (family == "moving" && random.chance(0.3));
+  if (family == "yielding") {
+    kinds.yielding = true;
+    kinds.transient = random.chance(0.35);
+    kinds.moving = kinds.transient && random.chance(0.5);
+    kinds.large = random.chance(0.3);
+    kinds.response = random.chance(0.1);
+  }
   return kinds;
 }
 
@@ -49,6 +56,10 @@ void Generator::extras() {
     large();
   if (kinds.response)
     response();
+  if (kinds.yielding) {
+    allow_laws(scene);
+    give_laws(scene, random, true);
+  }
 }
 
 void Generator::more() {

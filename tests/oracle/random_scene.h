@@ -50,12 +50,19 @@ struct Kinds {
   bool large = false;    ///< large displacements
   bool response = false; ///< modes, spectra, combinations, stresses, nozzles
   bool elastic = false;  ///< all contacts have a stiffness of their own
+  bool yielding = false; ///< sections that yield and creep
 };
 
-/// The kinds of a family's name: more, moving, large, response; or none of these if it is empty.
+/// The kinds of a family's name: more, moving, large, response, yielding; or none of these if it is
+/// empty.
 Kinds kinds_of(const std::string &family, Random &random);
 
 /// The scene of a seed: an anchored line with branches, and everything on it that is drawn.
 Scene random_scene(std::uint64_t seed, const Kinds &kinds);
+
+/// Leave out what a line with laws of sections refuses.
+void allow_laws(Scene &scene);
+/// Laws for all sections that can have one; if they do not yield, the line is elastic.
+void give_laws(Scene &scene, Random &random, bool yield);
 
 } // namespace oracle

@@ -12,6 +12,11 @@ namespace {
 
 using Maybe = std::optional<Related>;
 
+/// 15 fibres miss a limit moment by 4e-3, and what hardens little moves by many times as much.
+constexpr double of_fibres = 0.05;
+/// Cells of other lengths have their sections elsewhere.
+constexpr double of_sections = 0.05;
+
 /// One of the turns of a cube into itself, mirrored ones included.
 Eigen::Matrix3d cube_turn(Random &random, const bool keep_vertical) {
   std::array<int, 3> place = {0, 1, 2};
@@ -40,6 +45,8 @@ Maybe turned(const Scene &scene, Random &random) {
   Related related{scene, {}};
   related.mapping.turn = cube_turn(random, keep_vertical);
   turn(related.scene, related.mapping.turn);
+  if (!keep_vertical && scene.has_laws()) // fibres stand elsewhere round the pipe
+    related.mapping.accuracy = of_fibres;
   return related;
 }
 
@@ -58,6 +65,7 @@ Maybe cut(const Scene &scene, Random &random) {
   if (scene.modes > 0 || holds_motions(scene)) // which depend on the cells
     return {};
   related.mapping.same_stations = false;
+  related.mapping.accuracy = scene.has_laws() ? of_sections : 0.;
   return cut_a_pipe(related.scene, random) ? Maybe(related) : Maybe();
 }
 
@@ -70,6 +78,7 @@ Maybe point_added(const Scene &scene, Random &random) {
     if (support.continuous) // a bed acts at its nodes
       return {};
   related.mapping.same_stations = false;
+  related.mapping.accuracy = scene.has_laws() ? of_sections : 0.;
   related.scene.masses.push_back({"nothing", {"Z1"}, 0.});
   return related;
 }
@@ -96,6 +105,22 @@ Maybe sections_in_another_order(const Scene &scene, Random &random) {
   return related;
 }
 
+/// Laws that never yield, for elastic sections.
+Maybe by_laws(const Scene &scene, Random &random) {
+  const bool moves = std::any_of(scene.steps.begin(), scene.steps.end(),
+                                 [](const Step &step) { return step.transient; });
+  for (const Load &load : scene.loads) // jumps of free strains take a time step of such a line
+    if (moves && (load.kind == "temperature" || load.kind == "pressure"))
+      return {};
+  Related related{scene, {}};
+  give_laws(related.scene, random, false);
+  for (const Pipe &pipe : scene.pipes)
+    for (const Corner &corner : pipe.route)
+      if (corner.bend > 0. && scene.arcs) // whose flexibility is summed over five sections
+        related.mapping.accuracy = 1e-4;
+  return related.scene.has_laws() ? Maybe(related) : Maybe();
+}
+
 Maybe other_units(const Scene &scene, Random &random) {
   const std::vector<std::string> units = {"si",     "mm N MPa",        "in lb psi F",
                                           "ft kip", "cm kgf kg bar C", "m kN t kPa F"};
@@ -118,6 +143,10 @@ Maybe scaled(const Scene &scene, Random &random) {
   for (const Hanger &hanger : scene.hangers)
     if (hanger.cold_load == 0.)
       return {}; // which is sized for 25 mm at least
+  for (const Section &section : scene.sections)
+    for (const LawValue &of : section.law_values)
+      if (of.name == "Creep coefficient" || of.name == "Primary creep coefficient")
+        return {}; // of the time that is scaled, too
   Related related{scene, {}};
   const double a = random.number(0.2, 5.);
   scale_lengths(related.scene, a);
@@ -209,14 +238,19 @@ const std::vector<Relation> &relations() {
       {"scaled", "all lengths times a factor at equal stresses", &scaled},
       {"pairs", "exact guides as two contacts", &guides_as_pairs, 1e-7, 0.},
       {"ground", "supports on an anchored pipe", &ground_is_a_pipe, 1e-7, 0.},
-      {"arcs", "bends cut into 200 straight pieces", &bends_as_pieces, 2e-4, 0.},
+      {"arcs", "bends cut into 200 straight pieces", &bends_as_pieces, 2e-4, 0., false, false,
+       nullptr, 0.},
+      {"laws", "laws of sections that never yield", &by_laws, 1e-7, 1e-6, false, false, &allow_laws,
+       0.},
+      {"increments", "a step within the elastic range in ten increments", &in_ten_increments, 1e-7,
+       0., false, false, &unload},
       {"newton", "method newton where contacts are elastic", &by_newton, 1e-6, 0., true},
       {"split", "a step cut into two", &step_split, 1e-9, 1e-9},
       {"again", "the last step once more", &last_step_again, 1e-7, 0.},
-      {"slow", "all steps as slow motions", &slowly, 1e-5, 0., true, false, &make_static},
+      {"slow", "all steps as slow motions", &slowly, 1e-5, 0., true, false, &make_static, 0.},
       {"resumed", "the run interrupted and resumed", &interrupted, 1e-15, 1e-15, false, true},
       {"small", "small displacements by linear kinematics", &linear_kinematics, 1e-4, 0., false,
-       false, &make_small_displacements}};
+       false, &make_small_displacements, 1e-4}};
   return all;
 }
 

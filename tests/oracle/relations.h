@@ -25,6 +25,7 @@ struct Relation {
   bool elastic = false;               ///< asked of scenes whose contacts all have a stiffness
   bool interrupted = false;           ///< the second run is interrupted and resumed
   void (*prepare)(Scene &) = nullptr; ///< makes a random scene one of which something is said
+  double yielding_tolerance = 1e-6;   ///< where sections yield; 0: it says nothing about them
 };
 
 const std::vector<Relation> &relations();
@@ -35,6 +36,8 @@ std::optional<Related> last_step_again(const Scene &scene, Random &random);
 std::optional<Related> slowly(const Scene &scene, Random &random);
 std::optional<Related> interrupted(const Scene &scene, Random &random);
 std::optional<Related> linear_kinematics(const Scene &scene, Random &random);
+std::optional<Related> in_ten_increments(const Scene &scene, Random &random);
+void unload(Scene &scene);
 void make_small_displacements(Scene &scene);
 void make_static(Scene &scene);
 

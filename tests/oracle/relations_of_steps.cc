@@ -15,6 +15,14 @@ bool any_history(const Scene &scene) {
                      [](const Support &support) { return !support.ground_motion.empty(); });
 }
 
+bool creeps(const Scene &scene) {
+  for (const Section &section : scene.sections)
+    for (const LawValue &of : section.law_values)
+      if (of.name == "Creep coefficient" || of.name == "Primary creep coefficient")
+        return true;
+  return false;
+}
+
 double factor_of(const Step &step, const int load) {
   double sum = 0.;
   for (const auto &[l, factor] : step.loads)
@@ -90,7 +98,8 @@ std::optional<Related> step_split(const Scene &scene, Random &random) {
 
 /// Where nothing changes, nothing moves.
 std::optional<Related> last_step_again(const Scene &scene, Random &random) {
-  if (scene.modes > 0 || scene.quantities || any_history(scene) || scene.steps.back().transient)
+  if (scene.modes > 0 || scene.quantities || any_history(scene) || scene.steps.back().transient ||
+      creeps(scene))
     return {};
   Related related{scene, {}};
   Step again = scene.steps.back();
@@ -99,6 +108,25 @@ std::optional<Related> last_step_again(const Scene &scene, Random &random) {
   related.scene.steps.push_back(again);
   pair_steps(scene, scene.steps.size(), related.mapping);
   related.mapping.steps.emplace_back(scene.steps.size() - 1, scene.steps.size());
+  return related;
+}
+
+/// By little, so that what has yielded only springs back.
+void unload(Scene &scene) {
+  Step last = scene.steps.back();
+  last.name += "u";
+  last.increments = 1;
+  for (auto &load : last.loads)
+    load.second *= 0.97;
+  scene.steps.push_back(last);
+}
+
+std::optional<Related> in_ten_increments(const Scene &scene, Random &) {
+  if (scene.modes > 0 || scene.quantities || any_history(scene) || scene.has_contacts() ||
+      creeps(scene))
+    return {};
+  Related related{scene, {}};
+  related.scene.steps.back().increments = 10;
   return related;
 }
 
@@ -142,6 +170,11 @@ void make_small_displacements(Scene &scene) {
     for (auto &load : step.loads)
       load.second *= factor;
   scene.hangers.clear();
+  for (Section &section : scene.sections)
+    for (LawValue &of :
+         section.law_values) // strains of the metal are as small as those of the line
+      if (of.name == "Yield stress" || of.name.rfind("Hardening", 0) == 0)
+        of.value *= factor;
   for (Support &support : scene.supports) {
     support.normal_force = 0.;
     support.gap *= factor;

@@ -31,6 +31,13 @@ struct Material {
   double allowable_cold = 0., allowable_hot = 0.;
 };
 
+/// A parameter of a section's law.
+struct LawValue {
+  enum class Unit { none, pascal, degree } unit = Unit::none; ///< of the file's entry
+  std::string name;
+  double value = 0.; ///< SI, degC
+};
+
 struct Section {
   enum class Shear { half, cowper, none, given } shear = Shear::half;
   std::string name;
@@ -45,6 +52,8 @@ struct Section {
   double insulation_density = 0.;  ///< [kg/m3]
   double corrosion = 0.;           ///< allowance of stresses [m]
   bool rotary_inertia = true;
+  std::string law; ///< empty: elastic
+  std::vector<LawValue> law_values;
 };
 
 struct Corner {
@@ -237,6 +246,12 @@ struct Scene {
   bool quantities = false; ///< motions of points in every case, and extremes of transient steps
   bool sections_reversed = false; ///< the file's parts in reverse order where order is free
 
+  bool has_laws() const { ///< of sections
+    for (const Section &section : sections)
+      if (!section.law.empty())
+        return true;
+    return false;
+  }
   bool has_contacts() const {
     for (const Support &support : supports)
       if (!support.holds_exactly())

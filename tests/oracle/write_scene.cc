@@ -49,6 +49,13 @@ void Writer::section(const Section &s) {
   number(out, "Insulation density", s.insulation_density / m * std::pow(l, 3));
   if (!s.rotary_inertia)
     set(out, "Rotary inertia", "false");
+  set(out, "Law", s.law);
+  using Unit = LawValue::Unit;
+  for (const LawValue &of : s.law_values)
+    set(out, of.name,
+        text(of.unit == Unit::pascal   ? of.value / units.stress
+             : of.unit == Unit::degree ? units.temperature(of.value)
+                                       : of.value));
   part("Section " + s.name, out);
 }
 
@@ -227,7 +234,8 @@ std::string Writer::all() {
       set(out, "Analysis", "transient");
     else
       set(out, "Increments", std::to_string(step.increments));
-    number(out, "Duration", step.duration, 1.);
+    if (step.duration != 1. || scene.has_laws()) // creep asks for one that is given
+      set(out, "Duration", text(step.duration));
     number(out, "Ramp", step.ramp);
     part("Step " + step.name, out);
   }

@@ -131,13 +131,14 @@ void loading_and_finding() {
   CHECK(library.names(LawKind::support) ==
         (std::vector<std::string>{"coulomb", "skeleton", "snubber", "whip_restraint"}));
   CHECK(library.names(LawKind::section) ==
-        (std::vector<std::string>{"elastic_section", "fibre_pipe", "global_plastic"}));
+        (std::vector<std::string>{"elastic_section", "fibre_pipe", "fibre_rectangle",
+                                  "global_plastic", "ovalising_pipe"}));
   const LawDescription *const coulomb = &library.find("coulomb");
   library.load_builtin(); // again: the same laws
   CHECK(coulomb == &library.find("coulomb"));
   refused([&] { library.find("colomb"); },
-          {"no law called 'colomb'",
-           "Loaded are: coulomb, elastic_section, fibre_pipe, global_plastic"});
+          {"no law called 'colomb'", "Loaded are: coulomb, elastic_section, fibre_pipe, "
+                                     "fibre_rectangle, global_plastic, ovalising_pipe"});
 
   // By a name without a folder, from where the program runs.
   const auto start = std::filesystem::current_path();

@@ -196,7 +196,8 @@ Values all_of(const std::vector<Values> &parts) {
   return result;
 }
 
-void built_in(const LawDescription &fibre, const LawDescription &whole) {
+void built_in(const LawDescription &fibre, const LawDescription &whole,
+              const LawDescription &rectangle) {
   const Values size = Tube().of_the_whole();
   conforms(whole, {}, false);
   conforms(whole, size);
@@ -219,11 +220,30 @@ void built_in(const LawDescription &fibre, const LawDescription &whole) {
   conforms(fibre, all_of({few, creep, primary, isotropic}));
   conforms(fibre, all_of({few, primary, by_strain, no_yield}));
   conforms(fibre, all_of({few, creep, primary, by_strain, kinematic, isotropic}));
+  const Values strips{{"Fibres along the height", 8.}, {"Fibres along the width", 6.}};
+  conforms(rectangle, strips);
+  conforms(rectangle, all_of({strips, isotropic}));
+  conforms(rectangle, all_of({strips, kinematic, curve}));
+  conforms(rectangle, all_of({strips, no_yield}), false);
+  CHECK(BoundLaw(rectangle, law_parameters(rectangle, strips)).n_internal_variables() == 2 * 8 * 6);
   const auto needed = [&](const Values &values) {
     return BoundLaw(fibre, law_parameters(fibre, values)).n_internal_variables();
   };
   CHECK(needed({{"Fibres", 63.}, {"Radii", 1.}}) == 3 + 63 * 2);
   CHECK(needed(all_of({{{"Fibres", 255.}}, creep, primary, by_strain, kinematic})) <= 4000);
+}
+
+void ovalising(const LawDescription &oval) {
+  const Values bend{{"Bend radius", .3}, {"Modes", 3.}, {"Points round", 9.}, {"Layers", 1.}},
+      held{{"Bend length", .5}, {"Place in bend", .2}};
+  conforms(oval, {{"Points round", 9.}, {"Modes", 3.}});
+  conforms(oval, {{"Bend radius", .3}});
+  conforms(oval, bend);
+  conforms(oval, all_of({bend, isotropic}));
+  conforms(oval, all_of({bend, kinematic, held}));
+  conforms(oval, all_of({bend, kinematic, curve, held, {{"Layers", 2.}}}));
+  conforms(oval, all_of({bend, curve, held, {{"Wall thickness", .001}}}));
+  conforms(oval, all_of({bend, no_yield}), false);
 }
 
 /// Microseconds of a warm increment with tangent; of the elastic bound.
@@ -256,7 +276,7 @@ void speed(const LawDescription &law, const char *what, const Values &values, co
   CHECK(one < most && bound < 10. && sum > 0.);
 }
 
-void speeds(const LawDescription &fibre, const LawDescription &whole) {
+void speeds(const LawDescription &fibre, const LawDescription &whole, const LawDescription &oval) {
   const Values thin{{"Radii", 1.}};
   speed(whole, "the whole, yielding", Tube().of_the_whole(), 1., 0., 100.);
   speed(fibre, "63 fibres, elastic", thin, 1e-2, 0., 100.);
@@ -265,6 +285,10 @@ void speeds(const LawDescription &fibre, const LawDescription &whole) {
   speed(fibre, "63 fibres, kinematic", all_of({thin, kinematic}), 1., 0., 2000.);
   speed(fibre, "63 fibres, creep", all_of({thin, creep, no_yield}), 1., 1e-6, 10000.);
   speed(fibre, "2 x 63 fibres, perfectly plastic", {}, 1., 0., 2000.);
+  const Values bend{{"Bend radius", .3}};
+  speed(oval, "ovalising, 31 x 4 points, elastic", bend, 1e-2, 0., 1000.);
+  speed(oval, "ovalising, 31 x 4 points, perfectly plastic", bend, 1., 0., 20000.);
+  speed(oval, "ovalising, 31 x 4 points, isotropic", all_of({bend, isotropic}), 1., 0., 20000.);
 }
 
 } // namespace
@@ -272,9 +296,11 @@ void speeds(const LawDescription &fibre, const LawDescription &whole) {
 int main() {
   LawLibrary library;
   library.load_builtin();
-  const LawDescription &fibre = library.find("fibre_pipe"), &whole = library.find("global_plastic");
-  built_in(fibre, whole);
-  speeds(fibre, whole);
+  const LawDescription &fibre = library.find("fibre_pipe"), &whole = library.find("global_plastic"),
+                       &oval = library.find("ovalising_pipe");
+  built_in(fibre, whole, library.find("fibre_rectangle"));
+  ovalising(oval);
+  speeds(fibre, whole, oval);
   faults();
   bound_law();
   return check::report();

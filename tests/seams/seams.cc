@@ -6,7 +6,7 @@
 //
 // check_seams [all]: with `all` every kind of Rotations and Torsion at every place, else each kind
 // of support at every place in one of these ways.
-#include "command/run_line.h"
+#include "command/line/run_line.h"
 
 #include "base/user_error.h"
 #include "results/file/output_file.h"

@@ -12,22 +12,31 @@ struct BeyondUniqueness {
   double friction, limit;
 };
 
+/// From where the travelling front of the next problem is predicted, and how well that went.
+struct PredictionMemory {
+  std::vector<ContactStatus> status;    ///< of the last solution
+  Vector motion;                        ///< of the kept unknowns in the last increment
+  unsigned int failures = 0, pause = 0; ///< in a row; problems to go without
+};
+
 /// What a solver keeps from one problem to the next and the solutions depend on.
 struct WarmStart {
   double first_factor = 0., stiffness_factor = 0.; ///< c that was good the last time, and the last
   std::vector<Strains> centre;                     ///< stresses to begin from
   std::vector<double> friction, friction_scale, gap; ///< of the last increment
   std::vector<Block> factored;                       ///< tangents that factors are there of
+  PredictionMemory prediction;
 };
 
 /**
  * Exact contact: Signorini's condition and Coulomb's law without a stiffness to choose.
  *
  * The system is condensed to the unknowns of its contacts, and solved there: by Newton's method on
- * motions and forces together, by proximal steps where that stalls, and from elsewhere. The
- * iteration ends when the contact laws themselves, judged without the proximal term, hold: each
- * contact's natural-map residual on its own scale. Neither a small change from step to step nor the
- * convergence of an inner solve decides (doc/theory.md, "Exact contact").
+ * motions and forces together, by proximal steps where that stalls, and from elsewhere. On
+ * a line, the states of contacts are predicted first, front by front. The iteration ends when the
+ * contact laws themselves, judged without the proximal term, hold: each contact's natural-map
+ * residual on its own scale. Neither a small change from step to step nor the convergence of an
+ * inner solve decides (doc/theory.md, "Exact contact").
  *
  * Sites whose law has no closed form are return-mapped beside them.
  */

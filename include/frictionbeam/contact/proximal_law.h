@@ -26,6 +26,9 @@ struct ProximalPoint {
   double normal_rho, shear_rho; ///< numerical stiffness along the normal and across [N/m]
   Strains centre;               ///< (-P_c, T_c, of no meaning) [N]
   std::optional<double> pressure = {}; ///< P is this, whatever the strain [N]
+  /// `open`, `stick` or `slip`, whatever P and |T| say: the branch that an active set has chosen.
+  /// What slides against the friction at the centre keeps this friction's direction.
+  std::optional<ContactStatus> branch = {};
 };
 
 /// What it answers.

@@ -25,9 +25,9 @@ std::vector<int> unknowns_of(const Contacts &contacts) {
 
 ExactMethod::ExactMethod(const SolverSettings &settings, const Contacts &contacts,
                          const SparseMatrix &stiffness)
-    : contacts(contacts), solver(settings_of(settings), contacts,
-                                 contact::condense_parts(stiffness, unknowns_of(contacts)),
-                                 stiffness.diagonal()) {}
+    : contacts(contacts),
+      solver(settings_of(settings), contacts,
+             contact::condense_parts(stiffness, unknowns_of(contacts)), stiffness.diagonal()) {}
 
 EquilibriumResult ExactMethod::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,
@@ -43,8 +43,10 @@ EquilibriumResult ExactMethod::solve(const EquilibriumProblem &problem,
 
 void ExactMethod::transfer(Archive &archive) {
   contact::WarmStart memory = solver.warm_start();
+  contact::PredictionMemory &prediction = memory.prediction;
   archive(memory.first_factor, memory.stiffness_factor, memory.centre, memory.friction,
-          memory.friction_scale, memory.gap, memory.factored);
+          memory.friction_scale, memory.gap, memory.factored, prediction.status, prediction.motion,
+          prediction.failures, prediction.pause);
   if (archive.reads())
     solver.restore(memory);
 }

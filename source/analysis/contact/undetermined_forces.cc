@@ -22,8 +22,9 @@ struct FreeForce {
 };
 
 /// Whether a contact at its limit has moved at all since it closed, by more than rounding.
-bool has_slipped(const Contact &contact, const unsigned int i, const LineState &state) {
-  const double largest = state.dofs.size() > 0 ? state.dofs.lpNorm<Eigen::Infinity>() : 0.;
+/// @param largest displacement of the line
+bool has_slipped(const Contact &contact, const unsigned int i, const LineState &state,
+                 const double largest) {
   const Contact::Strains since = state.contacts.strain[i] - state.contacts.touch[i];
   return contact.length * since.segment<2>(1).norm() >
          std::max(1e-9 * largest, 1e-13 * contact.length);
@@ -31,13 +32,14 @@ bool has_slipped(const Contact &contact, const unsigned int i, const LineState &
 
 /// Stresses that may change without the contact yielding: rigid ones alone, for an elastic one
 /// follows the motion. In slip the friction force follows the normal force.
+/// @param largest displacement of the line
 std::vector<Eigen::Vector3d> rigid_directions(const Contact &contact, const unsigned int i,
-                                              const LineState &state) {
+                                              const LineState &state, const double largest) {
   const FrictionThreshold &law = contact.law.closed_form();
   std::vector<Eigen::Vector3d> result;
   const bool rigid_normal = !std::isfinite(law.axial_rigidity);
-  const bool slips =
-                 state.contact_status[i] == ContactStatus::slip && has_slipped(contact, i, state),
+  const bool slips = state.contact_status[i] == ContactStatus::slip &&
+                     has_slipped(contact, i, state, largest),
              sticks = !slips && state.contact_status[i] != ContactStatus::closed;
   if (slips) {
     if (rigid_normal)
@@ -55,6 +57,7 @@ std::vector<Eigen::Vector3d> rigid_directions(const Contact &contact, const unsi
 
 std::vector<FreeForce> free_forces(const Contacts &contacts, const LineState &state) {
   constexpr double no_force = 1e-9; // of the largest
+  const double moved = state.dofs.size() > 0 ? state.dofs.lpNorm<Eigen::Infinity>() : 0.;
   double largest = 0.;
   for (const Contact::Strains &stress : state.contact_stress)
     largest = std::max(largest, stress.head<3>().norm());
@@ -63,9 +66,8 @@ std::vector<FreeForce> free_forces(const Contacts &contacts, const LineState &st
     if (!contacts[i].law.has_closed_form() || state.contact_status[i] == ContactStatus::open ||
         !(std::abs(state.contact_stress[i][0]) > no_force * largest))
       continue;
-    for (const Eigen::Vector3d &direction : rigid_directions(contacts[i], i, state)) {
-      const Vector row =
-          contacts[i].length * contacts[i].B.topRows<3>().transpose() * direction;
+    for (const Eigen::Vector3d &direction : rigid_directions(contacts[i], i, state, moved)) {
+      const Vector row = contacts[i].length * contacts[i].B.topRows<3>().transpose() * direction;
       if (!(row.norm() > no_component * direction.norm()))
         continue; // nothing moves that way: it is the restraint's
       FreeForce force{i, {}};

@@ -22,8 +22,7 @@ std::string find_obstacle(const Model &model) {
     if (!contacts[i].law.has_closed_form())
       return "the law of support " + support +
              " has no threshold in closed form, as FCLIB's format has it";
-    if (contacts[i].law.closed_form().torsional_rigidity > 0. &&
-        !contacts[i].B.row(3).isZero(0.))
+    if (contacts[i].law.closed_form().torsional_rigidity > 0. && !contacts[i].B.row(3).isZero(0.))
       return "support " + support + " resists torsion, which FCLIB's format does not know";
   }
   return contacts.size() == 0 ? "there are no contacts" : "";
@@ -139,7 +138,8 @@ GlobalContactProblem global_contact_problem(const Model &model, const LineState 
 std::optional<contact::LocalProblem> condense(const GlobalContactProblem &problem) {
   contact::LineFactorization factors;
   factors.analyze(problem.M);
-  if (!factors.factorize(problem.M) || is_singular(problem.M, factors))
+  if (!factors.factorize(problem.M) || !(factors.least_pivot() > 0.) ||
+      is_singular(problem.M, factors))
     return {};
   const unsigned int m = problem.H.cols();
   Eigen::MatrixXd W(m, m);
@@ -147,11 +147,20 @@ std::optional<contact::LocalProblem> condense(const GlobalContactProblem &proble
     W.col(column) = problem.H.transpose() * factors.solve(problem.H.col(column));
   W = (0.5 * (W + W.transpose())).eval();
   contact::LocalProblem result;
-  result.dimension = dimension;
+  result.dimension = problem.dimension;
   result.W = W.sparseView();
   result.q = problem.H.transpose() * factors.solve(problem.f) + problem.w;
   result.friction = problem.friction;
   return result;
+}
+
+Vector solve_for_motion(const GlobalContactProblem &problem, const Vector &reactions) {
+  contact::LineFactorization factors;
+  factors.analyze(problem.M);
+  factors.factorize(problem.M);
+  Vector v = factors.solve(problem.H * reactions + problem.f);
+  v -= factors.solve(problem.unbalanced(v, reactions));
+  return v;
 }
 
 } // namespace frictionbeam

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/contact/local_solver.h>
 #include "model/line_state.h"
 #include "model/model.h"
+#include <frictionbeam/contact/local_solver.h>
 
 #include <optional>
 
@@ -18,6 +18,7 @@ namespace frictionbeam {
  * the normal into the pipe and against those slips [N].
  */
 struct GlobalContactProblem {
+  unsigned int dimension = 3;    ///< components of a contact; 2 in files of others only
   SparseMatrix M;                ///< [N/m], and N, N m by rotations
   Eigen::SparseMatrix<double> H; ///< unknowns x contact components
   Vector f, w;
@@ -29,6 +30,8 @@ struct GlobalContactProblem {
   std::string obstacle;
 
   Vector motions(const Vector &v) const { return H.transpose() * v + w; }
+  /// M v - H r - f.
+  Vector unbalanced(const Vector &v, const Vector &r) const { return M * v - H * r - f; }
 };
 
 /// The problem that leads from one committed state to the next, with its solution.
@@ -37,9 +40,12 @@ GlobalContactProblem global_contact_problem(const Model &model, const LineState 
 
 /**
  * W = H^T M^-1 H, q = H^T M^-1 f + w.
- * @return nothing if M is singular, or so near to it that no digit of W would be right: the line
- * rests on its contacts alone.
+ * @return nothing if M is not positive definite, or so near to singular that no digit of W would be
+ * right: the line rests on its contacts alone.
  */
 std::optional<contact::LocalProblem> condense(const GlobalContactProblem &problem);
+
+/// v of M v = H r + f, of a problem that can be condensed.
+Vector solve_for_motion(const GlobalContactProblem &problem, const Vector &reactions);
 
 } // namespace frictionbeam

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -29,6 +30,7 @@ EnergyAccount &EnergyAccount::operator+=(const EnergyAccount &other) {
   at_hand = std::max(at_hand, other.at_hand);
   missed_friction += other.missed_friction;
   turnover += other.turnover;
+  least_scale += other.least_scale;
   return *this;
 }
 
@@ -174,6 +176,20 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
   return account += account_contacts(model, before, after, {});
 }
 
+namespace {
+
+/// Work that rounding of the cells' forces, K |u| in its last bits, does on a motion [J].
+double work_of_rounding(const Model &model, const LineState &after, const Vector &motion) {
+  if (motion.size() == 0)
+    return 0.;
+  constexpr double last_bits = 8. * std::numeric_limits<double>::epsilon();
+  const double moved = after.unknowns.lpNorm<Eigen::Infinity>();
+  return last_bits * moved *
+         Vector(model.linear.stiffness().diagonal()).cwiseAbs().dot(motion.cwiseAbs());
+}
+
+} // namespace
+
 EnergyAccount account_cells(const Model &model, const LineState &before, const LineState &after,
                             const std::vector<double> &factors_before, const Vector &imposed) {
   const LineCells &line = model.cells;
@@ -194,6 +210,7 @@ EnergyAccount account_cells(const Model &model, const LineState &before, const L
                         line.pipe_sections().dissipated(before.sections);
   account.turnover =
       std::abs(account.external) + std::abs(account.stored) + std::abs(account.inelastic);
+  account.least_scale = work_of_rounding(model, after, after.unknowns - before.unknowns);
   return account;
 }
 

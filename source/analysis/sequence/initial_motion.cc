@@ -81,6 +81,7 @@ void LoadSequence::set_initial_motion(const bool displaced) {
 
 void LoadSequence::check_initial_gaps() const {
   constexpr double rounding = 1e-9; // of the displacements
+  const double least = rounding * current.dofs.lpNorm<Eigen::Infinity>();
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     const FrictionSupport &support = model.scene.supports[contact.support];
@@ -88,8 +89,7 @@ void LoadSequence::check_initial_gaps() const {
     const BoundLaw law(contact.law.description(), support.parameters);
     if (!law.is_rigid_along_normal() || !law.has_closed_form() || contact.platen_force != 0.)
       continue;
-    const double least = rounding * current.dofs.lpNorm<Eigen::Infinity>(),
-                 opens = contact.length * contact.strain_by_unknowns(current.unknowns)[0],
+    const double opens = contact.length * contact.strain_by_unknowns(current.unknowns)[0],
                  gap = contact.length * current.contacts.strain[i][0] + law.closed_form().gap;
     if (opens < -least && gap < -least)
       throw UserError("Support " + support.name + ": the displacements of Initial put " +

@@ -17,8 +17,12 @@ namespace frictionbeam {
 using namespace dealii;
 
 LoadSequence::LoadSequence(const Model &model)
-    : model(model), statics(make_statics(model)), course(model),
+    : model(model), own_statics(make_statics(model)), statics(*own_statics), course(model),
       declared(model.scene.loads.size(), 0.), cycles(model) {}
+
+LoadSequence::LoadSequence(const Model &model, Statics &statics)
+    : model(model), statics(statics), course(model), declared(model.scene.loads.size(), 0.),
+      cycles(model) {}
 
 LoadSequence::~LoadSequence() = default;
 
@@ -119,7 +123,7 @@ void LoadSequence::transfer(Archive &archive) {
   bool has_moved = march != nullptr, has_reduced = reduction != nullptr;
   if (!resolution)
     resolution = std::make_unique<FollowResolution>(model);
-  archive(position, declared, current, step_reports, force_so_far, in_equilibrium, *statics, cycles,
+  archive(position, declared, current, step_reports, force_so_far, in_equilibrium, statics, cycles,
           *resolution, has_moved, has_reduced);
   if (archive.reads() && has_moved)
     march = std::make_unique<TimeMarch>(model, piece_observer);

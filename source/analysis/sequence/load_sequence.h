@@ -22,6 +22,9 @@ class TransientReduction;
 class LoadSequence {
 public:
   explicit LoadSequence(const Model &model);
+  /// @param statics of the model, which keeps its factors for other sequences and must be in the
+  /// state in which it was made
+  LoadSequence(const Model &model, Statics &statics);
   ~LoadSequence();
 
   /// @return whether every step converged; if not, state() is the last one in equilibrium.
@@ -37,6 +40,10 @@ public:
     Assert(!march, dealii::ExcMessage("The integrator has its observer already."));
     piece_observer = observer;
   }
+
+  /// Do not look whether the states at the ends of steps are the only ones, which costs a
+  /// factorization a contact.
+  void leave_out_uniqueness() { looks_at_uniqueness = false; }
 
   /// Everything that the increments to come depend on. After reading, run() goes on from there, and
   /// its numbers are those of a run that was never cut, to the last bit.
@@ -92,7 +99,8 @@ private:
   void commit(const Factors &factors, const double time);
 
   const Model &model;
-  const std::unique_ptr<Statics> statics;
+  const std::unique_ptr<Statics> own_statics; ///< null if they are another's
+  Statics &statics;
   std::unique_ptr<TimeMarch> march; ///< null before the first transient step
   LoadCourse course;
   Factors declared; ///< factors without the loads' histories
@@ -102,7 +110,7 @@ private:
   PieceObserver piece_observer;
   Pause between_increments;
   Position position;
-  bool is_resumed = false;
+  bool is_resumed = false, looks_at_uniqueness = true;
   NeedsLine observer_needs_line;
   std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for
 

@@ -70,14 +70,15 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     if (between_increments)
       between_increments();
   }
-  if (statics->is_unstable(current))
+  if (statics.is_unstable(current))
     step_reports.back().warning =
         "Step " + declared_step.name +
         ": the equilibrium is unstable, even if every support that is closed held its point: a "
         "line in this pose leaves it at the least push. If it has gone there by itself, it is not "
         "where the line goes: take more increments, or a transient step.";
-  if (model.scene.solver.is_exact() && model.contacts.size() <= most_contacts_for_uniqueness)
-    step_reports.back().several_equilibria = several_equilibria(model, *statics, current);
+  if (looks_at_uniqueness && model.scene.solver.is_exact() &&
+      model.contacts.size() <= most_contacts_for_uniqueness)
+    step_reports.back().several_equilibria = several_equilibria(model, statics, current);
   return true;
 }
 
@@ -135,7 +136,7 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
     return false;
   }
   if (halvings >= model.scene.solver.max_halvings &&
-      (!statics->wants_shorter() || halvings == most_halvings_of_creep)) {
+      (!statics.wants_shorter() || halvings == most_halvings_of_creep)) {
     report.remark = "stopped at time " + rounded_number(start, 6) + ": " + report.remark +
                     ", also after halving the increment " + std::to_string(halvings) + " times";
     judge_collapse(report);
@@ -153,8 +154,8 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
 void LoadSequence::judge_collapse(StepReport &report) const {
   constexpr double share_of_elastic = 1e-3; // which the bound leaves out
   const double duration = model.scene.steps[position.step].duration;
-  const auto collapse = statics->collapse(current, course.factors_at(position.start, side),
-                                          course.factors_at(position.start + duration, side));
+  const auto collapse = statics.collapse(current, course.factors_at(position.start, side),
+                                         course.factors_at(position.start + duration, side));
   if (!collapse)
     return;
   report.limit = {(current.time - position.start) / duration, collapse->bound, collapse->mechanism};
@@ -187,7 +188,7 @@ Vector LoadSequence::unbalanced_at_start() const {
   ContactResponse of_contacts;
   of_contacts.stress = current.contact_stress;
   model.contacts.add_forces(of_contacts, forces);
-  return statics->forces_on_contacts(current, course) - forces;
+  return statics.forces_on_contacts(current, course) - forces;
 }
 
 void LoadSequence::judge_increment(const LineState &before, EnergyAccount account) {
@@ -210,7 +211,7 @@ void LoadSequence::judge_increment(const LineState &before, EnergyAccount accoun
 bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   const Factors full = course.factors_at(time, side);
   LineState to = current;
-  last_result = statics->solve(
+  last_result = statics.solve(
       current,
       {course, time, full, contact::least_force * force_so_far, force_so_far, iterations_left}, to,
       response);
@@ -218,15 +219,15 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   if (!add_result(last_result, step_reports.back()))
     return false;
   const Vector unbalanced = unbalanced_at_start();
-  const LineState before = current;
-  current = to;
+  const LineState before = std::move(current);
+  current = std::move(to);
   commit(factors, time);
   for (unsigned int i = 0; i < model.contacts.size(); ++i)
     if (model.contacts[i].law.has_closed_form())
       current.contacts.dissipated[i] =
           before.contacts.dissipated[i] + friction_work(model.contacts[i], i, before, current);
   measure_forces(course.forces(full));
-  judge_increment(before, statics->account(before, current, course, unbalanced));
+  judge_increment(before, statics.account(before, current, course, unbalanced));
   return true;
 }
 

@@ -18,6 +18,27 @@ SparseMatrix symmetric_part(const SparseMatrix &matrix) {
   return 0.5 * (matrix + transposed);
 }
 
+namespace {
+/// Of the same pattern.
+bool are_equal(const SparseMatrix &one, const SparseMatrix &other) {
+  return one.nonZeros() == other.nonZeros() &&
+         std::equal(one.valuePtr(), one.valuePtr() + one.nonZeros(), other.valuePtr());
+}
+} // namespace
+
+void LinearizedSolver::keep(const SparseMatrix &matrix) {
+  if (model.contacts.size() == 0)
+    return;
+  kept.emplace(Method{matrix, symmetric_part(matrix), {}});
+  kept->solver =
+      make_equilibrium_solver(model.scene.solver, model.contacts, model.space, kept->symmetric);
+}
+
+void LinearizedSolver::transfer(Archive &archive) {
+  if (kept)
+    kept->solver->transfer(archive);
+}
+
 bool LinearizedSolver::solve_without_contacts(const SparseMatrix &matrix,
                                               const Vector &right_hand_side, Vector &change) {
   if (matrix.rows() == 0) {
@@ -47,15 +68,22 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
       result.remark = "the tangent stiffness is singular: something moves freely or buckles";
     return result;
   }
-  const SparseMatrix symmetric = symmetric_part(problem.matrix);
+  const bool is_kept = kept && are_equal(kept->matrix, problem.matrix);
+  SparseMatrix own;
+  if (!is_kept)
+    own = symmetric_part(problem.matrix);
+  const SparseMatrix &symmetric = is_kept ? kept->symmetric : own;
   EquilibriumProblem linear{{symmetric, problem.right_hand_side, problem.increment,
                              problem.overrides, problem.largest_force},
                             problem.imposed};
   linear.force_so_far = problem.force_so_far;
   linear.forces_before = problem.forces_before;
-  const auto solver =
-      make_equilibrium_solver(model.scene.solver, model.contacts, model.space, symmetric);
-  result = solver->solve(linear, committed, change, response);
+  const auto solve = [&](EquilibriumSolver &solver) {
+    return solver.solve(linear, committed, change, response);
+  };
+  result = is_kept ? solve(*kept->solver)
+                   : solve(*make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
+                                                    symmetric));
   result.no_equilibrium = false; // of this pose it is no proof
   return result;
 }

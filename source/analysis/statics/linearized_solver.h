@@ -7,6 +7,8 @@
 #include <frictionbeam/contact/line_factorization.h>
 
 #include <functional>
+#include <memory>
+#include <optional>
 
 namespace frictionbeam {
 
@@ -23,16 +25,33 @@ class LinearizedSolver {
 public:
   explicit LinearizedSolver(const Model &model) : model(model) {}
 
+  /// Make the contacts' method for a matrix that comes again and again, and keep it: that of an
+  /// elastic line, with which increments begin.
+  void keep(const SparseMatrix &matrix);
+  /// What the method that is kept remembers.
+  void transfer(Archive &archive);
+
   EquilibriumResult solve(EquilibriumProblem &problem, const ContactState &committed,
                           Vector &change, ContactResponse &response);
   /// The matrix's own solution; false if it is singular.
   bool solve_without_contacts(const SparseMatrix &matrix, const Vector &right_hand_side,
                               Vector &change);
+  /// The same with the factors of the last matrix.
+  Vector solve_again(const Vector &right_hand_side) const {
+    return factorization.solve(right_hand_side);
+  }
 
 private:
+  /// For a matrix, with all that it has factored and remembers.
+  struct Method {
+    SparseMatrix matrix, symmetric;
+    std::unique_ptr<EquilibriumSolver> solver;
+  };
+
   const Model &model;
   contact::LineFactorization factorization;
   bool analyzed = false;
+  std::optional<Method> kept;
 };
 
 /// One more iteration of Newton's method around the contacts, unless @p most have been made: solves

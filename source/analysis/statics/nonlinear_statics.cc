@@ -31,10 +31,20 @@ double largest_turn(const Discretization &discretization, const Vector &dofs) {
 
 } // namespace
 
+NonlinearStatics::NonlinearStatics(const Model &model) : model(model), linearized(model) {
+  if (!model.cells.pipe_sections().any() || model.cells.turns_far())
+    return;
+  const Pose rest = model.cells.at_rest();
+  LineCells::Balance elastic;
+  model.cells.evaluate({rest, rest, rest, rest.dofs, 0., {}, nullptr, &rest, true},
+                       std::vector<double>(model.scene.loads.size(), 0.), elastic);
+  linearized.keep(elastic.stiffness);
+}
+
 NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
-                                                   const StaticIncrement &increment) const {
+                                                   const StaticIncrement &increment) {
   const Pose pose = pose_of(from);
-  LineCells::Balance balance;
+  LineCells::Balance &balance = balance_at_hand;
   model.cells.evaluate({pose, pose, pose, pose.dofs, 0., {}, nullptr, &pose, true},
                        from.load_factors, balance);
   const double largest_before =
@@ -46,7 +56,8 @@ NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
           increment.factors,
           {increment.time, increment.time - from.time},
           pose,
-          largest_before};
+          largest_before,
+          balance};
 }
 
 void NonlinearStatics::evaluate(Approach &at, const bool is_trial) const {
@@ -152,7 +163,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       if (!follows_creep(at, result))
         return result;
       result.converged = true;
-      to.sections = at.balance.sections;
+      to.sections.swap(at.balance.sections);
       to.unknowns = from.unknowns + at.moved;
       model.space.expand(at.moved, last_motion);
       set_pose(model, at.pose, to);
@@ -230,7 +241,7 @@ Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCo
 
 bool NonlinearStatics::is_unstable(const LineState &state) const {
   constexpr double same = 1e-9, stiff = 1e3; // parts of the stiffest
-  if (!model.cells.turns_far())
+  if (!model.cells.turns_far() || state.unknowns.size() == 0)
     return false;
   LineCells::Balance balance;
   model.cells.evaluate(pose_of(state), state.load_factors, balance);
@@ -260,9 +271,8 @@ bool NonlinearStatics::is_unstable(const LineState &state) const {
 
 EnergyAccount NonlinearStatics::account(const LineState &before, const LineState &after,
                                         const LoadCourse &course, const Vector &unbalanced) const {
-  EnergyAccount account =
-      account_cells(model, before, after, before.load_factors,
-                    course.imposed(after.time) - course.imposed(before.time));
+  EnergyAccount account = account_cells(model, before, after, before.load_factors,
+                                        course.imposed(after.time) - course.imposed(before.time));
   account += account_contacts(model, before, after, {});
   account.external -= unbalanced.dot(after.unknowns - before.unknowns) / 2.;
   return account;

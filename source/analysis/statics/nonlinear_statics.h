@@ -14,7 +14,7 @@ namespace frictionbeam {
  */
 class NonlinearStatics final : public Statics {
 public:
-  explicit NonlinearStatics(const Model &model) : model(model), linearized(model) {}
+  explicit NonlinearStatics(const Model &model);
 
   EquilibriumResult solve(const LineState &from, const StaticIncrement &increment, LineState &to,
                           ContactResponse &response) override;
@@ -33,7 +33,7 @@ public:
   std::optional<Collapse> collapse(const LineState &at, const std::vector<double> &begin,
                                    const std::vector<double> &end) const override;
   bool wants_shorter() const override { return too_long; }
-  void transfer(Archive &) override {} // every increment begins anew
+  void transfer(Archive &archive) override { linearized.transfer(archive); }
 
   /// An increment on its way to its solution.
   struct Approach {
@@ -42,14 +42,14 @@ public:
     const std::vector<double> &factors;
     PipeSections::Clock clock;
     Pose start;
-    double largest_before; ///< force on the unknowns as the increment begins
-    double largest = 0.;   ///< at the pose
-    LineCells::Balance balance;
-    Vector forces; ///< left at the pose, but for the contacts
+    double largest_before;       ///< force on the unknowns as the increment begins
+    LineCells::Balance &balance; ///< at the pose
+    double largest = 0.;         ///< likewise
+    Vector forces;               ///< left at the pose, but for the contacts
   };
 
 private:
-  Approach begin(const LineState &from, const StaticIncrement &increment) const;
+  Approach begin(const LineState &from, const StaticIncrement &increment);
   void evaluate(Approach &at, const bool is_trial) const;
   /// Whether the contacts' forces at this pose balance the line's; how well goes into the result.
   bool is_solved(Approach &at, const ContactResponse &response, EquilibriumResult &result) const;
@@ -67,6 +67,7 @@ private:
 
   const Model &model;
   LinearizedSolver linearized;
+  LineCells::Balance balance_at_hand; ///< kept for its memory, which is large
   /// Keep what an increment that fails has come to, for collapse().
   void remember_failure(const Approach &at);
 

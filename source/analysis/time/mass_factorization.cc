@@ -7,9 +7,12 @@
 namespace frictionbeam {
 
 void factor_mass(const SparseMatrix &M, contact::LineFactorization &mass) {
+  constexpr double rounding = 1e-14; // of a pivot by its diagonal, in units of which it is judged
   const SparseMatrix regular = regular_mass(M);
+  const Vector unit = regular.diagonal().cwiseSqrt().cwiseInverse();
   mass.analyze(regular);
-  if (!mass.factorize(regular))
+  if (!mass.factorize(unit.asDiagonal() * regular * unit.asDiagonal()) ||
+      (unit.size() > 0 && mass.least_pivot() < rounding) || !mass.factorize(regular))
     throw UserError("The mass matrix has no inverse.\n  read:    masses and densities that differ "
                     "by so much that the small ones are rounding errors of the large ones, or a "
                     "pipe so flexible in shear that its rotations move no mass\n  allowed: masses "

@@ -14,7 +14,8 @@ namespace frictionbeam {
 using namespace dealii;
 
 NonlinearMotion::NonlinearMotion(const Model &model)
-    : model(model), has_mass(unknowns_with_mass(model.cells.mass())), contacts(model),
+    : model(model), has_mass(unknowns_with_mass(model.cells.mass())),
+      is_smooth(model.contacts.size() == 0 && !model.cells.pipe_sections().any()), contacts(model),
       linearized(model), inertia(model.scene.loads.size()) {
   for (unsigned int l = 0; l < inertia.size(); ++l)
     if (model.linear.accelerates(l))
@@ -30,16 +31,18 @@ void NonlinearMotion::start(LineState &state, const LoadCourse &) {
   state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
 }
 
-void NonlinearMotion::evaluate(const LineState &state, Step &step) const {
+void NonlinearMotion::evaluate(const LineState &state, const Matrix matrix, Step &step) const {
   const LineCells &line = model.cells;
   const double h = step.h;
   model.space.expand(step.moved, step.change);
   step.change += step.imposed;
   step.to = line.stepped(step.from, step.change);
   step.half = line.halfway(step.from, step.to);
-  line.evaluate(
-      {step.from, step.half, step.to, step.change, h, {step.start + h, h}, &step.factors_at_end},
-      step.factors, step.balance);
+  const bool wants_matrix = matrix == Matrix::tangent;
+  LineCells::Step motion{step.from,           step.half,           step.to, step.change, h,
+                         {step.start + h, h}, &step.factors_at_end};
+  motion.without_stiffness = !wants_matrix;
+  line.evaluate(motion, step.factors, step.balance);
 
   // The equation of motion divided by h/2.
   const double lost = model.scene.time.mass_damping * h / 2.; // part of the momentum
@@ -48,22 +51,22 @@ void NonlinearMotion::evaluate(const LineState &state, Step &step) const {
       2. / h * step.imposed_impulse;
   step.residual = 2. * (step.balance.forces + model.contacts.platen_forces()) - inertia -
                   contacts.elastic_forces(state);
-  step.matrix = step.balance.stiffness + 4. * (1. + lost) / (h * h) * line.mass();
-  line.add_rotary(step.from, step.to, step.change, step.velocity, h, step.residual, step.matrix);
+  if (wants_matrix)
+    step.matrix = step.balance.stiffness + 4. * (1. + lost) / (h * h) * line.mass();
+  line.add_rotary(step.from, step.to, step.change, step.velocity, h, step.residual,
+                  wants_matrix ? &step.matrix : nullptr);
   step.largest = std::max(2. * step.balance.largest, inertia.lpNorm<Eigen::Infinity>());
 }
 
 double NonlinearMotion::rounding_of(const Step &step) const {
   const Pose to = with_other_digits(model, step.to);
+  const Pose half = model.cells.halfway(step.from, to);
+  LineCells::Step motion{step.from,           half,   to,
+                         step.change,         step.h, {step.start + step.h, step.h},
+                         &step.factors_at_end};
+  motion.without_stiffness = true;
   LineCells::Balance beside;
-  model.cells.evaluate({step.from,
-                        model.cells.halfway(step.from, to),
-                        to,
-                        step.change,
-                        step.h,
-                        {step.start + step.h, step.h},
-                        &step.factors_at_end},
-                       step.factors, beside);
+  model.cells.evaluate(motion, step.factors, beside);
   return 2. * (beside.forces - step.balance.forces).lpNorm<Eigen::Infinity>();
 }
 
@@ -114,34 +117,51 @@ bool NonlinearMotion::is_solved(const Step &step, const Vector &left,
 
 EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCourse &loads,
                                          const double time, Step &step, ContactResponse &response) {
+  constexpr double well = 0.02, at_all = 0.5; // makes an iteration the residual smaller
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
+  double size_before = 0.;
   for (;;) {
     interruption::end_if_overdue();
-    evaluate(state, step);
+    evaluate(state, judged ? Matrix::none : Matrix::tangent, step);
     if (step.balance.failed || !step.residual.allFinite()) {
       result.remark = step.balance.failed ? "a section that yields or creeps has no answer"
                                           : "the iteration diverges";
       return result;
     }
+    bool by_last_factors = false;
     if (judged) {
       const Vector left = unbalanced(step, response);
-      result.converged = is_solved(step, left, response, result);
+      // Factors that do well go on to rounding, for momentum and energy of the whole.
+      const bool is_good = is_solved(step, left, response, result);
+      const double size = left.lpNorm<Eigen::Infinity>();
+      by_last_factors = is_smooth && size > 0. && size <= (is_good ? at_all : well) * size_before;
+      result.converged = is_good && !by_last_factors;
       if (result.converged)
         return result;
+      size_before = size;
+      if (!by_last_factors)
+        evaluate(state, Matrix::tangent, step);
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
       // is left to its own, so that only the contacts' share converges more slowly.
       if (model.contacts.size() > 0 && model.cells.turns_far() &&
           linearized.solve_without_contacts(step.matrix, left, change)) {
         ++result.factorizations;
         step.moved += change;
-        evaluate(state, step);
+        evaluate(state, Matrix::tangent, step);
         if (!step.residual.allFinite())
           continue;
       }
-    }
+    } else
+      size_before = step.residual.size() > 0 ? step.residual.lpNorm<Eigen::Infinity>() : 0.;
     const auto solve_at_pose = [&]() {
+      if (by_last_factors) {
+        change = linearized.solve_again(step.residual);
+        EquilibriumResult solved;
+        solved.converged = true;
+        return solved;
+      }
       return solve_linearized(state, loads, time, step, change, response);
     };
     if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result))
@@ -161,7 +181,7 @@ bool NonlinearMotion::search(const LineState &state, Step &step, const Vector &c
   const Vector moved = step.moved;
   const auto slope_at = [&](const double length) {
     step.moved = moved + length * change;
-    evaluate(state, step);
+    evaluate(state, Matrix::tangent, step);
     return step.balance.failed ? std::numeric_limits<double>::max()
                                : -unbalanced(step, response).dot(change);
   };

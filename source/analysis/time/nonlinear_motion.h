@@ -51,7 +51,9 @@ private:
     /// What goes without forces [N], in free flight or along free strains.
     double without_force() const { return std::max(momentum, 2. * balance.free); }
   };
-  void evaluate(const LineState &state, Step &step) const;
+  enum class Matrix { none, tangent };
+  /// @param matrix none: that of the step stays as it is
+  void evaluate(const LineState &state, const Matrix matrix, Step &step) const;
   /// What rounding of the pose at its end makes of the residual.
   double rounding_of(const Step &step) const;
   EquilibriumResult solve_linearized(const LineState &state, const LoadCourse &loads,
@@ -78,6 +80,7 @@ private:
 
   const Model &model;
   const std::vector<bool> has_mass;
+  const bool is_smooth; ///< neither contacts nor sections that yield
   ImpulseContacts contacts;
   LinearizedSolver linearized;
   std::vector<Vector> inertia; ///< LineCells::inertia() of each load that has any

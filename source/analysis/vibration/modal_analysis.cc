@@ -113,9 +113,8 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
         if (!closed || ((r > 0 || c > 0) && !sticks))
           D(r, c) = 0.;
     for (unsigned int r = 0; r < 4; ++r)
-      rigid[i][r] =
-          D(r, r) > 0. &&
-          !(D(r, r) * contact.weight * contact.B.row(r).squaredNorm() <= stiff * stiffest);
+      rigid[i][r] = D(r, r) > 0. && !(D(r, r) * contact.weight * contact.B.row(r).squaredNorm() <=
+                                      stiff * stiffest);
   }
   SparseMatrix A = K;
   add_shifted_mass(M, shift, A);
@@ -248,6 +247,7 @@ LineState ModalAnalysis::displaced(const Vector &unknowns) const {
   LineState state = start;
   state.unknowns = unknowns;
   state.with_preload = false;
+  state.sections.resize(0); // pipes answer elastically
   model.space.expand(unknowns, state.dofs);
   state.load_factors.assign(state.load_factors.size(), 0.);
   state.load_rates.clear();

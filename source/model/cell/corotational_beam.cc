@@ -87,16 +87,22 @@ CorotationalBeam::Matrix12 CorotationalBeam::geometric_stiffness(const Deformed 
   Vector3d moment[2], sum = Vector3d::Zero();
   Vector12 forces = Vector12::Zero();
   Matrix12 result = Matrix12::Zero();
+  Matrix3_12 of_both = Matrix3_12::Zero();
   for (int end = 0; end < 2; ++end) {
     const Vector3d M = s.segment<3>(1 + 3 * end);
     moment[end] = vector_per_spin(at.d.segment<3>(1 + 3 * end)).transpose() * M;
     sum += moment[end];
     forces.segment<3>(6 * end + 3) = moment[end];
-    // The moment's own change with the rotation vector, to first order.
-    Eigen::Matrix<double, 3, 12> relative = -frame;
-    relative.middleCols<3>(6 * end + 3) += Matrix3d::Identity();
-    result += relative.transpose() * (-skew(M) / 2.) * relative;
+    // The moment's own change with the rotation vector, to first order: (e - F)^T S (e - F), e the
+    // end's spin, F that of the frame.
+    const Matrix3d S = -skew(M) / 2.;
+    const Matrix3_12 of_frame = S * frame;
+    result.middleRows<3>(6 * end + 3) -= of_frame;
+    result.middleCols<3>(6 * end + 3) -= frame.transpose() * S;
+    result.block<3, 3>(6 * end + 3, 6 * end + 3) += S;
+    of_both += of_frame;
   }
+  result += frame.transpose().lazyProduct(of_both);
   forces -= frame.transpose() * sum;
   // The frame turns with all that it carries, and lever arms grow with the chord.
   for (int block = 0; block < 4; ++block)

@@ -239,15 +239,18 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
     s += viscous * (beam.stiffness() * deformed);
   const CorotationalBeam::Matrix7_12 B = beam.derivative(mean, (before.length + after.length) / 2.);
   CorotationalBeam::Matrix7_12 B_after = B;
+  const bool wants_stiffness = !step.without_stiffness;
   if (is_step) {
-    B_after = beam.derivative(after, after.length);
+    if (wants_stiffness)
+      B_after = beam.derivative(after, after.length);
     Vector12 change;
     double angle = 0.;
     for (int end = 0; end < 2; ++end) {
       const unsigned int v = cell.vertices[end];
       const Vector3d turned = cayley_vector(between_turns(turn(from, v), turn(to, v)));
-      B_after.middleCols<3>(6 * end + 3) =
-          (B_after.middleCols<3>(6 * end + 3) * cayley_spin(turned)).eval();
+      if (wants_stiffness)
+        B_after.middleCols<3>(6 * end + 3) =
+            (B_after.middleCols<3>(6 * end + 3) * cayley_spin(turned)).eval();
       change.segment<3>(6 * end) = part(to.dofs, v, 0) - part(from.dofs, v, 0);
       change.segment<3>(6 * end + 3) = turned;
       angle = std::max(angle, turned.norm());
@@ -256,8 +259,12 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   }
   answer.internal = B.transpose() * s;
   answer.free = B.transpose() * free;
-  answer.stiffness = B.transpose() * (stiffness + 2. * viscous * beam.stiffness()) * B_after +
-                     beam.geometric_stiffness(mean, s);
+  if (wants_stiffness) { // lazily, for Eigen's blocked products are slow on matrices this small
+    stiffness += 2. * viscous * beam.stiffness();
+    const CorotationalBeam::Matrix7_12 on_deformations = stiffness.lazyProduct(B_after);
+    answer.stiffness = beam.geometric_stiffness(mean, s);
+    answer.stiffness += B.transpose().lazyProduct(on_deformations);
+  }
   answer.damping = viscous * deformed.dot(beam.stiffness() * deformed);
 }
 

@@ -36,7 +36,7 @@ public:
   /// Turning bodies over a step by the midpoint rule with exact angular momentum and energy (J. C.
   /// Simo, K. K. Wong, IJNME 31 (1991) 19-52, doi:10.1002/nme.1620310103).
   void add_rotary(const Pose &from, const Pose &to, const Vector &change, const Vector &spin_before,
-                  const double step, Vector &forces, SparseMatrix &matrix) const override;
+                  const double step, Vector &forces, SparseMatrix *matrix) const override;
   void set_spins(const Pose &from, const Pose &to, const Vector &change, const Vector &spin_before,
                  const double step, Vector &velocity) const override;
   Vector momenta(const Pose &pose, const Vector &velocity) const override;

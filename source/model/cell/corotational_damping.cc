@@ -75,6 +75,8 @@ void CorotationalCells::add_modal_damping(const Step &step, Balance &balance) co
                sizes = mode_damping.cwiseProduct(rates);
   balance.internal += forces * sizes;
   balance.damping += step.duration * rates.dot(sizes);
+  if (step.without_stiffness)
+    return;
   Eigen::MatrixXd on_unknowns(space.n_unknowns(), mode_damping.size());
   for (int m = 0; m < forces.cols(); ++m)
     on_unknowns.col(m) = space.restrict_forces(forces.col(m));

@@ -16,20 +16,20 @@ void CorotationalCells::add_mass() {
     Eigen::Matrix<double, 6, 6> local = cell.mass / 3. * Eigen::Matrix<double, 6, 6>::Identity();
     local.topRightCorner<3, 3>() = local.bottomLeftCorner<3, 3>() =
         cell.mass / 6. * Matrix3d::Identity();
-    add_local(local, dofs, M);
+    space.add_local(local, dofs, M);
   }
   for (unsigned int v = 0; v < n_vertices; ++v) {
     std::vector<types::global_dof_index> dofs;
     for (unsigned int d = 0; d < 3; ++d)
       dofs.push_back(discretization.vertex_dofs().index(v, d));
     if (point_mass[v] > 0.)
-      add_local(point_mass[v] * Matrix3d::Identity(), dofs, M);
+      space.add_local(point_mass[v] * Matrix3d::Identity(), dofs, M);
   }
 }
 
 void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vector &change,
                                    const Vector &spin_before, const double step, Vector &forces,
-                                   SparseMatrix &matrix) const {
+                                   SparseMatrix *const matrix) const {
   Vector on_dofs = Vector::Zero(space.n_dofs());
   const double lost = scene.time.mass_damping * step / 2.; // part of the momentum
   for (unsigned int v = 0; v < n_vertices; ++v) {
@@ -42,13 +42,15 @@ void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vecto
                    momentum = after * (vertex_inertia[v] *
                                        (before.transpose() * (2. / step * vector - spin)));
     add_part(-2. / step * ((1. + lost) * momentum - (1. - lost) * momentum_before), v, 3, on_dofs);
+    if (matrix == nullptr)
+      continue;
     const Matrix3d derivative = 2. / step * (1. + lost) *
                                 (2. / step * after * vertex_inertia[v] * before.transpose() -
                                  skew(momentum) * cayley_spin(vector));
     std::vector<types::global_dof_index> dofs;
     for (unsigned int d = 0; d < 3; ++d)
       dofs.push_back(discretization.vertex_dofs().index(v, 3 + d));
-    add_local(derivative, dofs, matrix);
+    space.add_local(derivative, dofs, *matrix);
   }
   forces += space.restrict_forces(on_dofs);
 }

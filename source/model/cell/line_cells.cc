@@ -21,15 +21,20 @@ LineCells::LineCells(const Scene &scene, const LineMesh &mesh, const Discretizat
       point_mass[mesh.points.at(point)] += mass.mass;
 }
 
-void LineCells::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
-                          const std::vector<types::global_dof_index> &dofs,
-                          SparseMatrix &matrix) const {
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    for (const auto &row : space.terms(dofs[i]))
-      for (unsigned int j = 0; j < dofs.size(); ++j)
-        for (const auto &column : space.terms(dofs[j]))
-          if (const double value = row.weight * column.weight * local(i, j); value != 0.)
-            add_to(matrix, row.unknown, column.unknown, value);
+void LineCells::add_stiffness(const unsigned int cell, const CellAnswer &answer,
+                              SparseMatrix &matrix) const {
+  if (places_in_stiffness.empty())
+    places_in_stiffness.resize(discretization.pipe_cells().size());
+  std::vector<Entry> &entries = places_in_stiffness[cell];
+  if (entries.empty())
+    for (int i = 0; i < 12; ++i)
+      for (const auto &row : space.terms(answer.dofs[i]))
+        for (int j = 0; j < 12; ++j)
+          for (const auto &column : space.terms(answer.dofs[j]))
+            entries.push_back({&matrix.coeffRef(row.unknown, column.unknown) - matrix.valuePtr(),
+                               12 * j + i, row.weight * column.weight});
+  for (const Entry &entry : entries)
+    matrix.valuePtr()[entry.place] += entry.weight * answer.stiffness.data()[entry.local];
 }
 
 Vector3d LineCells::part(const Vector &dofs, const unsigned int vertex,
@@ -50,24 +55,35 @@ void LineCells::add_part(const Vector3d &value, const unsigned int vertex, const
       dofs[dof] += value[d];
 }
 
+namespace {
+/// Whether states of sections at the end are to be found: not of a step that has been taken.
+bool integrates_sections(const LineCells::Step &step) {
+  return step.to.sections == step.from.sections && !step.is_trial;
+}
+} // namespace
+
 void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
                          Balance &balance) const {
   balance.loads = balance.internal = Vector::Zero(space.n_dofs());
-  balance.stiffness = linear.stiffness(); // its pattern
-  std::fill(balance.stiffness.valuePtr(),
-            balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
+  if (!step.without_stiffness) {
+    balance.stiffness = linear.stiffness(); // its pattern
+    std::fill(balance.stiffness.valuePtr(),
+              balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);
+  }
   balance.largest = balance.free = balance.free_work = balance.damping = 0.;
   balance.section_error = 0.;
   balance.failed = false;
   CellAnswer of_cell;
   if (sections.any()) {
     Assert(step.from.sections != nullptr, ExcMessage("A pose of such a line has states."));
-    balance.sections = *step.from.sections;
+    if (balance.sections.size() != sections_at_rest.size() && integrates_sections(step))
+      balance.sections = sections_at_rest;
     of_cell.sections = &balance.sections;
   }
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     answer(i, step, factors, of_cell);
-    add_local(of_cell.stiffness, of_cell.dofs, balance.stiffness);
+    if (!step.without_stiffness)
+      add_stiffness(i, of_cell, balance.stiffness);
     for (unsigned int j = 0; j < 12; ++j) {
       balance.internal[of_cell.dofs[j]] += of_cell.internal[j];
       balance.loads[of_cell.dofs[j]] += of_cell.loads[j];
@@ -83,7 +99,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
   add_springs(step, balance);
   if (step.duration > 0.)
     add_modal_damping(step, balance);
-  add_nodal_loads(step.half, factors, balance);
+  add_nodal_loads(step, factors, balance);
   balance.forces = space.restrict_forces(balance.loads - balance.internal);
 }
 
@@ -124,7 +140,8 @@ void LineCells::add_spring(const Spring &spring, const unsigned int c, const Ste
   for (unsigned int i = 0; i < dofs.size(); ++i)
     balance.internal[dofs[i]] += force[i];
   balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
-  add_local((k + 2. * viscous) * unit, dofs, balance.stiffness);
+  if (!step.without_stiffness)
+    space.add_local((k + 2. * viscous) * unit, dofs, balance.stiffness);
 }
 
 Motion LineCells::nodal_load(const unsigned int load, const unsigned int vertex,
@@ -132,7 +149,7 @@ Motion LineCells::nodal_load(const unsigned int load, const unsigned int vertex,
   return linear.nodal(load).at(vertex);
 }
 
-void LineCells::add_nodal_loads(const Pose &half, const std::vector<double> &factors,
+void LineCells::add_nodal_loads(const Step &step, const std::vector<double> &factors,
                                 Balance &balance) const {
   for (unsigned int l = 0; l < factors.size(); ++l) {
     if (factors[l] == 0.)
@@ -140,7 +157,7 @@ void LineCells::add_nodal_loads(const Pose &half, const std::vector<double> &fac
     for (const auto &entry : linear.nodal(l)) {
       const unsigned int vertex = entry.first;
       Eigen::Matrix<double, 6, 1> force;
-      const Motion value = nodal_load(l, vertex, half);
+      const Motion value = nodal_load(l, vertex, step.half);
       std::vector<types::global_dof_index> dofs;
       for (unsigned int c = 0; c < 6; ++c) {
         force[c] = factors[l] * value[c];
@@ -151,12 +168,12 @@ void LineCells::add_nodal_loads(const Pose &half, const std::vector<double> &fac
         }
       }
       balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
-      if (!scene.loads[l].follows || dofs.size() < 6)
+      if (step.without_stiffness || !scene.loads[l].follows || dofs.size() < 6)
         continue;
       Eigen::Matrix<double, 6, 6> turning = Eigen::Matrix<double, 6, 6>::Zero();
       turning.block<3, 3>(0, 3) = skew(force.head<3>());
       turning.block<3, 3>(3, 3) = skew(force.tail<3>());
-      add_local(turning, dofs, balance.stiffness);
+      space.add_local(turning, dofs, balance.stiffness);
     }
   }
 }

@@ -69,7 +69,7 @@ public:
     double free = 0.;       ///< the same of free strains, which a line may follow without any force
     double free_work = 0.;  ///< of free strains from the first to the last pose [J]
     double damping = 0.;    ///< lost to viscous forces, which are internal ones [J]
-    Vector sections;        ///< states of sections with a law, at the end
+    Vector sections;        ///< states of sections with a law, at the end of what is integrated
     bool failed = false;    ///< whether a section has no answer
     double section_error =
         0.; ///< what the increment's length leaves in a section's stress, a share
@@ -86,7 +86,8 @@ public:
     /// Of a static increment, whose forces are those at its end alone: where it began. Sections go
     /// there from it.
     const Pose *began = nullptr;
-    bool is_trial = false; ///< whether sections answer elastically to the increment
+    bool is_trial = false;          ///< whether sections answer elastically to the increment
+    bool without_stiffness = false; ///< leave Balance::stiffness as it is
   };
   /**
    * Forces at a pose, or those of a time step: the mean of the cells' forces at both its ends,
@@ -124,11 +125,11 @@ public:
    * @param spin_before angular velocities among them [rad/s]
    * @param forces -= 2/h times the change of angular momentum and what damping takes of it, on the
    * unknowns
-   * @param matrix += its derivative by the change
+   * @param matrix += its derivative by the change; null: not asked for
    */
   virtual void add_rotary(const Pose &from, const Pose &to, const Vector &change,
                           const Vector &spin_before, const double step, Vector &forces,
-                          SparseMatrix &matrix) const = 0;
+                          SparseMatrix *matrix) const = 0;
   /// Angular velocities at a step's end, in place of the entries of @p velocity that are spins.
   virtual void set_spins(const Pose &from, const Pose &to, const Vector &change,
                          const Vector &spin_before, const double step, Vector &velocity) const = 0;
@@ -199,9 +200,6 @@ protected:
                           const Step &step, const std::vector<double> &factors, CellAnswer &answer,
                           PipeSections::Answer &inelastic,
                           const Eigen::Matrix3d &turn = Eigen::Matrix3d::Identity()) const;
-  void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
-                 const std::vector<dealii::types::global_dof_index> &dofs,
-                 SparseMatrix &matrix) const;
 
   const Scene &scene;
   const LineMesh &mesh;
@@ -214,11 +212,20 @@ protected:
   std::vector<double> point_mass; ///< of each vertex [kg]
 
 private:
+  /// An entry of a cell's stiffness, column by column, and what it adds to the line's.
+  struct Entry {
+    std::ptrdiff_t place; ///< among its values
+    int local;
+    double weight;
+  };
+  /// Kept for each cell when first needed: nonlinear lines are assembled again and again.
+  mutable std::vector<std::vector<Entry>> places_in_stiffness;
+  void add_stiffness(const unsigned int cell, const CellAnswer &answer, SparseMatrix &matrix) const;
   void add_springs(const Step &step, Balance &balance) const;
   /// Elastic and viscous force of a spring or dashpot in one direction.
   void add_spring(const Spring &spring, const unsigned int c, const Step &step,
                   Balance &balance) const;
-  void add_nodal_loads(const Pose &half, const std::vector<double> &factors,
+  void add_nodal_loads(const Step &step, const std::vector<double> &factors,
                        Balance &balance) const;
 };
 

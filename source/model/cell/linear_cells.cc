@@ -9,14 +9,16 @@ const std::vector<LinearCells::Element> &LinearCells::elements() const {
   if (!kept_elements.empty())
     return kept_elements;
   PipeElement element(discretization);
+  const bool has_mass = linear.mass().rows() > 0;
+  kept_elements.reserve(discretization.pipe_cells().size());
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     const auto cell = discretization.pipe_cell(i);
     element.reinit(cell);
     kept_elements.push_back({std::vector<types::global_dof_index>(12), &element.profile(),
                              cell->vertex(1) - cell->vertex(0), element.stiffness(),
-                             element.mass(cell), element.unit_line_loads(),
-                             element.unit_axial_strain(), element.unit_curvature(),
-                             element.unit_thrust()});
+                             has_mass ? element.mass(cell) : Matrix12(Matrix12::Zero()),
+                             element.unit_line_loads(), element.unit_axial_strain(),
+                             element.unit_curvature(), element.unit_thrust()});
     cell->get_dof_indices(kept_elements.back().dofs);
   }
   return kept_elements;
@@ -102,7 +104,8 @@ LineCells::CellState LinearCells::state_of(const unsigned int index, const PipeE
   const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
   const Vector12 u = ends_of(index, pose.dofs);
   CellState state;
-  state.ends = sections.has(index)
+  const bool vibrates = pose.sections == nullptr || pose.sections->size() == 0;
+  state.ends = sections.has(index) && !vibrates
                    ? sections.forces(index, *pose.sections)
                    : element.stiffness() * u - load.axial_strain * element.unit_axial_strain() -
                          load.curvature * element.unit_curvature() -

@@ -26,7 +26,7 @@ public:
   /// Consistent, with rotary inertia.
   const SparseMatrix &mass() const override { return linear.mass(); }
   void add_rotary(const Pose &, const Pose &, const Vector &, const Vector &, const double,
-                  Vector &, SparseMatrix &) const override {}
+                  Vector &, SparseMatrix *) const override {}
   void set_spins(const Pose &, const Pose &, const Vector &, const Vector &, const double,
                  Vector &) const override {}
   Vector momenta(const Pose &pose, const Vector &velocity) const override;

@@ -2,6 +2,7 @@
 #include "model/cell/pipe_sections.h"
 
 #include "base/user_error.h"
+#include "model/unknowns/section_law.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -18,6 +19,13 @@ using Values = Eigen::Map<const Vector6>;
 
 namespace {
 
+/// The matrix of v x.
+Eigen::Matrix3d cross(const Eigen::Vector3d &v) {
+  Eigen::Matrix3d result;
+  result << 0., -v[2], v[1], v[2], 0., -v[0], -v[1], v[0], 0.;
+  return result;
+}
+
 /// Length of a cell beyond a part of its way, and the integral there of the way from a vertex.
 struct Beyond {
   double length = 0.;
@@ -25,7 +33,8 @@ struct Beyond {
 
   Beyond(const PipeElement &element, const Discretization::Cell &cell, const double part,
          const unsigned int from_vertex) {
-    const dealii::QGauss<1> points(element.arc() ? 12 : 1);
+    static const dealii::QGauss<1> straight(1), curved(12); // finding their points takes long
+    const dealii::QGauss<1> &points = element.arc() ? curved : straight;
     for (unsigned int k = 0; k < points.size(); ++k) {
       const double at = part + (1. - part) * points.point(k)[0];
       const Vector3 chord = cell->vertex(1) - cell->vertex(0);
@@ -42,10 +51,41 @@ struct Beyond {
   Eigen::Matrix<double, 6, 3> forces() const {
     Eigen::Matrix<double, 6, 3> result;
     result.topRows<3>() = length * Eigen::Matrix3d::Identity();
-    result.bottomRows<3>() << 0., -way[2], way[1], way[2], 0., -way[0], -way[1], way[0], 0.;
+    result.bottomRows<3>() = cross(way);
     return result;
   }
 };
+
+/// Stress of the section at a part of the way by force and moment on the cell's second end: those
+/// of equilibrium, whatever the section is.
+SectionChain::Matrix6 carried_from_end(const PipeElement &element, const Discretization::Cell &cell,
+                                       const double part) {
+  const Vector3 chord = cell->vertex(1) - cell->vertex(0);
+  const auto &arc = element.arc();
+  const Point3 place =
+      arc ? arc->point(part * arc->angle()) : Point3(cell->vertex(0) + part * chord);
+  const LocalAxes axes(arc ? arc->tangent(part * arc->angle()) : chord);
+  Eigen::Matrix3d to_local;
+  to_local << axes.x[0], axes.x[1], axes.x[2], axes.y[0], axes.y[1], axes.y[2], axes.z[0],
+      axes.z[1], axes.z[2];
+  const Vector3 arm = cell->vertex(1) - place;
+  SectionChain::Matrix6 b = SectionChain::Matrix6::Zero();
+  b.topLeftCorner<3, 3>() = b.bottomRightCorner<3, 3>() = to_local;
+  b.bottomLeftCorner<3, 3>() = to_local * cross({arm[0], arm[1], arm[2]});
+  return b;
+}
+
+/// Section strains in the axes of an arc, y inwards and z about its centre, of those in local axes.
+SectionChain::Matrix6 to_axes_of(const ArcBeam &arc, const double part) {
+  const double psi = part * arc.angle();
+  const LocalAxes local(arc.tangent(psi));
+  const Vector3 inward = arc.inward(psi), axis = arc.axis();
+  SectionChain::Matrix6 turn = SectionChain::Matrix6::Identity();
+  for (const int first : {1, 4})
+    turn.block<2, 2>(first, first) << inward * local.y, inward * local.z, axis * local.y,
+        axis * local.z;
+  return turn;
+}
 
 } // namespace
 
@@ -81,26 +121,40 @@ PipeSections::make_cell(const Discretization &discretization, const unsigned int
   at_points.reinit(deal_cell);
   const Profile &profile = exact.profile();
   const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
-  // The elastic cell is exact for forces at its ends, so that its stresses by those on the second,
-  // with the first one clamped, are those of equilibrium.
   const Matrix12 K = exact.stiffness();
   const SectionChain::Matrix6 compliance = K.bottomRightCorner<6, 6>().inverse();
   Eigen::Matrix<double, 6, 12> G;
   G.leftCols<6>() = compliance * K.bottomLeftCorner<6, 6>();
   G.rightCols<6>().setIdentity();
+  std::vector<SectionChain::Matrix6> turn;
+  std::vector<BoundLaw> laws;
   std::vector<SectionChain::Point> points;
+  const bool of_bend = exact.arc() && profile.bend.radius > 0.,
+             reversed = discretization.pipe_cells()[index].reversed;
   for (unsigned int q = 0; q < at_points.n_points(); ++q) {
+    const double part = at_points.place_of(q);
+    turn.push_back(of_bend ? to_axes_of(*exact.arc(), part)
+                           : SectionChain::Matrix6(SectionChain::Matrix6::Identity()));
     SectionChain::Point &point = points.emplace_back();
-    point.b = D * at_points.strain_matrix(q).rightCols<6>() * compliance;
-    point.load_stress = point.b * Beyond(exact, deal_cell, at_points.place_of(q), 1).forces();
+    point.b = turn[q] * carried_from_end(exact, deal_cell, part);
+    point.load_stress = point.b * Beyond(exact, deal_cell, part, 1).forces();
     point.length = at_points.length_at(q);
+    point.elastic = D;
+    if (profile.bend.changes_along()) {
+      laws.push_back(law_at(profile, reversed ? 1. - part : part));
+      const auto tangent = elastic_tangent(laws.back());
+      point.elastic = Eigen::Map<const Tangent>(&tangent(0, 0));
+    }
   }
-  auto cell = std::make_unique<Cell>(profile, SectionChain(std::move(points), G, D));
+  auto cell = std::make_unique<Cell>(profile, SectionChain(std::move(points), G));
   for (unsigned int q = 0; q < at_points.n_points(); ++q) {
-    cell->B.push_back(at_points.strain_matrix(q));
-    cell->curvature.push_back(at_points.curvature_strain(q));
+    cell->B.push_back(turn[q] * at_points.strain_matrix(q));
+    cell->curvature.push_back(turn[q] * at_points.curvature_strain(q));
     cell->part.push_back(at_points.place_of(q));
   }
+  cell->laws = std::move(laws);
+  if (of_bend)
+    cell->turn = std::move(turn);
   cell->carried = exact.unit_line_loads();
   cell->carried.topRows<6>() -= Beyond(exact, deal_cell, 0., 0).forces();
   cell->first_value = n_values;
@@ -117,12 +171,12 @@ void PipeSections::set_energies(const double pushes, const double dissipation,
                     2.;
 }
 
-bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundings,
-                                 const Clock &clock, const Vector6 &total, const double *const old,
-                                 double *const now, SectionChain::Matrix6 &stiffness,
-                                 double &error) const {
+bool PipeSections::answer_of_law(const Cell &cell, const unsigned int point,
+                                 const Surroundings &surroundings, const Clock &clock,
+                                 const Vector6 &total, const double *const old, double *const now,
+                                 SectionChain::Matrix6 &stiffness, double &error) const {
   const Profile &profile = cell.profile;
-  const BoundLaw &law = profile.law;
+  const BoundLaw &law = cell.law(point);
   const double pushes = surroundings.pressure * profile.bore_area;
   Eigen::Map<Vector6> of_wall(now + strain);
   of_wall = total;
@@ -136,29 +190,46 @@ bool PipeSections::answer_of_law(const Cell &cell, const Surroundings &surroundi
   increment.pressure = surroundings.pressure;
   Tangent tangent;
   LawOutput output{now + stress, tangent.data(), now + internal, 0., ContactStatus::none};
+  now[flowed] = 1.; // whatever it leaves if it fails
   if (law.integrate(of_wall.data(), rate.data(), 1., increment, old + internal,
                     LawTangent::consistent, output) != LawStatus::ok)
     return false;
   stiffness = tangent;
-  now[flowed] = 1.;
+  const double *const variables = now + internal;
+  now[flowed] = std::any_of(variables, variables + law.n_internal_variables(),
+                            [](const double x) { return x != 0.; });
   set_energies(pushes, output.dissipation, old, now);
   error = std::max(error, output.error);
   return true;
+}
+
+bool PipeSections::is_as_stiff_as_cold(const Cell &cell, const unsigned int point,
+                                       const LawIncrement &increment, const double *const of_wall,
+                                       const double *const old, double *const now) {
+  const LawIncrement cold;
+  if (increment.temperature == cold.temperature && increment.pressure == cold.pressure)
+    return true;
+  const Vector6 no_rate = Vector6::Zero();
+  Vector6 unused;
+  Tangent warm;
+  now[flowed] = 1.;
+  LawOutput output{unused.data(), warm.data(), now + internal, 0., ContactStatus::none};
+  return cell.law(point).integrate(of_wall, no_rate.data(), 1., increment, old + internal,
+                                   LawTangent::elastic, output) == LawStatus::ok &&
+         warm == cell.chain[point].elastic;
 }
 
 bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
                                  const std::vector<Vector6> &free, const Surroundings &surroundings,
                                  const Vector &old, Vector &now,
                                  SectionChain::Solution &solution) const {
-  LawIncrement increment;
-  if (surroundings.temperature != increment.temperature) // the elastic tangent is that of the cold
-    return false;
   for (unsigned int q = 0; q < cell.chain.size(); ++q)
     if (old[place_of(cell, q) + flowed] != 0.)
       return false;
+  LawIncrement increment;
+  increment.temperature = surroundings.temperature;
   increment.pressure = surroundings.pressure;
   const double pushes = surroundings.pressure * cell.profile.bore_area;
-  const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&cell.profile.tangent(0, 0));
   cell.chain.solve_elastically(motions, free, surroundings.line_force, solution);
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const before = old.data() + place_of(cell, q);
@@ -166,10 +237,12 @@ bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
     Eigen::Map<Vector6> of_wall(values + strain);
     of_wall = solution.strain[q];
     of_wall[0] += pushes / cell.profile.EA;
-    if (!(cell.profile.law.elastic_bound(values + strain, 1., increment) < 1.))
+    if (!(cell.law(q).elastic_bound(values + strain, 1., increment) < 1.) ||
+        (q == 0 && !is_as_stiff_as_cold(cell, q, increment, values + strain, before, values)))
       return false;
-    Eigen::Map<Vector6>(values + stress) = D * of_wall;
-    std::fill(values + flowed, values + n_values_of(cell), 0.);
+    Eigen::Map<Vector6>(values + stress) = cell.chain[q].elastic * of_wall;
+    if (values[flowed] != 0.)
+      std::fill(values + flowed, values + n_values_of(cell), 0.);
     set_energies(pushes, 0., before, values);
   }
   return true;
@@ -195,8 +268,8 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
   const auto law = [&](const unsigned int q, const Vector6 &strain_of_point, Vector6 &result,
                        SectionChain::Matrix6 &tangent) {
     double *const values = now.data() + place_of(cell, q);
-    if (!answer_of_law(cell, surroundings, clock, strain_of_point, old.data() + place_of(cell, q),
-                       values, tangent, answer.error))
+    if (!answer_of_law(cell, q, surroundings, clock, strain_of_point,
+                       old.data() + place_of(cell, q), values, tangent, answer.error))
       return false;
     result = Values(values + stress);
     result[0] -= values[thrust];

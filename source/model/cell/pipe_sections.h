@@ -57,7 +57,8 @@ public:
   /**
    * Integrate a cell's sections to the end of an increment.
    * @param from, to motions of its ends before and after
-   * @param old states before; @param now in: of any; out: this cell's sections after
+   * @param old states before; @param now in: at rest, or what this has made of any; out: this
+   * cell's sections after
    */
   void integrate(const unsigned int cell, const Vector12 &from, const Vector12 &to,
                  const Surroundings &surroundings, const Clock &clock, const Vector &old,
@@ -120,16 +121,25 @@ public:
     double part = 0.; ///< of the way along the cell, from its deal.II vertex 0
     Vector6 strain, stress;
     SectionReport state;
+    double length = 0.;     ///< of pipe that it stands for [m]
+    double dissipated = 0.; ///< so far [J/m]
   };
   std::vector<Report> reports(const unsigned int cell, const Surroundings &surroundings,
                               const Vector &states) const;
 
 private:
+  /// Where the law has the flexibility of bends in itself, its sections' axes y, z are those of the
+  /// bend: towards its centre, and about it.
   struct Cell {
     Cell(const Profile &profile, SectionChain chain) : profile(profile), chain(std::move(chain)) {}
+    const BoundLaw &law(const unsigned int point) const {
+      return laws.empty() ? profile.law : laws[point];
+    }
     const Profile &profile;
     SectionChain chain;
-    Eigen::Matrix<double, 12, 3> carried; ///< forces on the ends by a load that beta leaves out
+    std::vector<BoundLaw> laws;              ///< of the sections, where they are not all one
+    std::vector<SectionChain::Matrix6> turn; ///< to the bend's axes from the local ones; or none
+    Eigen::Matrix<double, 12, 3> carried;    ///< forces on the ends by a load that beta leaves out
     std::vector<Eigen::Matrix<double, 6, 12>> B;
     std::vector<Vector6> curvature; ///< strains of a unit change of curvature
     std::vector<double> part;       ///< of the way along the cell
@@ -139,7 +149,7 @@ private:
   /// Values of a cell: forces on its ends, free strains and load per length.
   static constexpr unsigned int n_values_of_cell = 12 + 2 + 3;
   /// Values of a section's state: strain and stress of the wall, p A_bore, energy that it has
-  /// stored and dissipated [J/m], whether its law has ever been integrated; then the law's internal
+  /// stored and dissipated [J/m], whether an internal variable of its law is not zero; then these
   /// variables.
   enum Value {
     strain = 0,
@@ -156,6 +166,11 @@ private:
   unsigned int place_of(const Cell &cell, const unsigned int point) const {
     return cell.first_value + n_values_of_cell + point * n_values_of(cell);
   }
+  /// Whether a section at rest, which stays elastic, is as stiff as the cell's elastic one: laws
+  /// may soften with temperature, and with pressure. @param now scratch
+  static bool is_as_stiff_as_cold(const Cell &cell, const unsigned int point,
+                                  const LawIncrement &increment, const double *of_wall,
+                                  const double *old, double *now);
   /// Whether a cell that has only been elastic so far is so at the increment's end: its states
   /// then.
   bool stays_elastic(const Cell &cell, const Vector12 &motions, const std::vector<Vector6> &free,
@@ -169,8 +184,8 @@ private:
                                         const unsigned int index, PipeElement &exact,
                                         PipeElement &at_points) const;
   /// @param total strain less free ones @param now in: its strain; out: all its values
-  bool answer_of_law(const Cell &cell, const Surroundings &surroundings, const Clock &clock,
-                     const Vector6 &total, const double *old, double *now,
+  bool answer_of_law(const Cell &cell, const unsigned int point, const Surroundings &surroundings,
+                     const Clock &clock, const Vector6 &total, const double *old, double *now,
                      SectionChain::Matrix6 &tangent, double &error) const;
 
   std::vector<std::unique_ptr<const Cell>> cells; ///< as the pipe cells; empty if none has a law

@@ -21,18 +21,24 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
   const double *const of_cell = states.data() + cell.first_value;
   const Eigen::Map<const Eigen::Vector3d> load(of_cell + 14);
   const Vector6 beta = (forces(index, states) - cell.carried * load).tail<6>();
+  constexpr double nothing = 1e-7; // a strain whose stresses are no more than rounding of motions
   double largest = 0., off = 0.;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
-    const double ratio =
-        cell.profile.law.report(values + strain, 1., increment, values + internal).utilization;
-    worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    if (values[flowed] != 0. || !(cell.law(q).elastic_bound(values + strain, 1., increment) < 1.)) {
+      const double ratio =
+          cell.law(q).report(values + strain, 1., increment, values + internal).utilization;
+      worst.yield_violation = std::max(worst.yield_violation, ratio - 1.);
+    }
     Vector6 left =
         Values(values + stress) - cell.chain[q].b * beta - cell.chain[q].load_stress * load;
     left[0] -= values[thrust];
+    Vector6 free = of_cell[13] * cell.curvature[q];
+    free[0] += of_cell[12];
     for (unsigned int c = 0; c < 6; ++c)
       if (const double scale = std::sqrt(cell.profile.tangent(c, c)); scale > 0.) {
-        largest = std::max(largest, std::abs(values[stress + c]) / scale);
+        largest = std::max({largest, std::abs(values[stress + c]) / scale,
+                            std::abs(free[c]) * scale, c == 0 ? nothing * scale : 0.});
         off = std::max(off, std::abs(left[c]) / scale);
       }
   }
@@ -50,12 +56,12 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
   const Cell &cell = *cells[index];
   constexpr double rounding = 1e-12;
   double bound = 0.;
-  for (const auto &B : cell.B) {
-    Vector6 direction = B * motion;
-    const Vector6 terms = B.cwiseAbs() * motion.cwiseAbs();
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    Vector6 direction = cell.B[q] * motion;
+    const Vector6 terms = cell.B[q].cwiseAbs() * motion.cwiseAbs();
     for (unsigned int c = 0; c < 6; ++c) // a cell that only moves along
       direction[c] = std::abs(direction[c]) > rounding * terms[c] ? direction[c] : 0.;
-    bound = std::max(bound, cell.profile.law.elastic_bound(direction.data(), 1., {}));
+    bound = std::max(bound, cell.law(q).elastic_bound(direction.data(), 1., {}));
   }
   if (bound == 0. || std::isinf(bound))
     return bound == 0. ? Flow() : none;
@@ -99,8 +105,8 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       const Vector6 by = Values(to + strain) - Values(from + strain);
       const double growth = std::hypot(std::abs(by[0]) + radius * std::hypot(by[4], by[5]),
                                        radius * by[3] / std::sqrt(3.));
-      const SectionReport then = cell.profile.law.report(from + strain, 1., {}, from + internal),
-                          now = cell.profile.law.report(to + strain, 1., {}, to + internal);
+      const SectionReport then = cell.law(q).report(from + strain, 1., {}, from + internal),
+                          now = cell.law(q).report(to + strain, 1., {}, to + internal);
       const double flow =
           now.plastic_strain - then.plastic_strain + now.creep_strain - then.creep_strain;
       if (growth > change.growth) {
@@ -128,8 +134,14 @@ std::vector<PipeSections::Report> PipeSections::reports(const unsigned int index
   std::vector<Report> result;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
-    result.push_back({cell.part[q], Values(values + strain), Values(values + stress),
-                      cell.profile.law.report(values + strain, 1., increment, values + internal)});
+    Vector6 of_strain = Values(values + strain), of_stress = Values(values + stress);
+    if (!cell.turn.empty()) { // back to the local axes
+      of_strain = cell.turn[q].transpose() * of_strain;
+      of_stress = cell.turn[q].transpose() * of_stress;
+    }
+    result.push_back({cell.part[q], of_strain, of_stress,
+                      cell.law(q).report(values + strain, 1., increment, values + internal),
+                      cell.chain[q].length, values[lost]});
   }
   return result;
 }

@@ -43,45 +43,88 @@ Matrix6 compliance_of(Matrix6 stiffness) {
  * Newton's equations in the changes of all strains and of beta, in units in which sections are of
  * stiffness 1:
  *   C_q de_q - b_q dbeta = b_q beta + sigma_load,q - sigma_q,   sum_q w_q b_q^T de_q = what is
- * missing of the motion. A rigid component has de = 0 in place of the first.
+ * missing of the motion. A rigid component has de = 0 in place of the first. Sections that answer
+ * elastically are condensed, whose C_q does not change: few of a cell's flow.
  */
 struct SectionChain::Linear {
   explicit Linear(const SectionChain &chain)
-      : chain(chain), n(6 * chain.size()), matrix(Eigen::MatrixXd::Zero(n + 6, n + 6)),
-        right(Eigen::VectorXd::Zero(n + 6)) {}
+      : chain(chain), n(6 * chain.size()), right(Eigen::VectorXd::Zero(n + 6)) {}
 
   void set_right(const unsigned int q, const Vector6 &left_over) {
     for (int i = 0; i < 6; ++i)
       right[6 * q + i] = chain.scale[i] > 0. ? left_over[i] / chain.scale[i] : 0.;
   }
-  void set(const unsigned int q, const Matrix6 &tangent) {
-    const Point &point = chain.points[q];
-    for (int i = 0; i < 6; ++i) {
-      const int row = 6 * q + i;
-      const double s = chain.scale[i];
-      if (s == 0.) {
-        matrix(row, row) = 1.;
-        continue;
-      }
-      for (int j = 0; j < 6; ++j) {
-        if (chain.scale[j] > 0.)
-          matrix(row, 6 * q + j) =
-              tangent(i, j) / (s * chain.scale[j]) + (i == j ? least_stiffness : 0.);
-        const double b = point.b(i, j) * chain.beta_scale[j] / s;
-        matrix(row, n + j) = -b;
-        matrix(n + j, row) = point.length * b;
-      }
+
+  void factorize(const std::vector<Matrix6> &tangent) {
+    flowing.clear();
+    Matrix6 by_beta = Matrix6::Zero();
+    for (unsigned int q = 0; q < chain.size(); ++q)
+      if (tangent[q] == chain.points[q].elastic)
+        by_beta += chain.scaled[q].flexibility;
+      else
+        flowing.push_back(q);
+    const int n_flowing = 6 * flowing.size();
+    matrix.setZero(n_flowing + 6, n_flowing + 6);
+    matrix.bottomRightCorner<6, 6>() = by_beta;
+    for (std::size_t k = 0; k < flowing.size(); ++k) {
+      const unsigned int q = flowing[k];
+      matrix.block<6, 6>(6 * k, 6 * k) = chain.in_units(tangent[q]);
+      matrix.block<6, 6>(6 * k, n_flowing) = -chain.scaled[q].b;
+      matrix.block<6, 6>(n_flowing, 6 * k) = chain.points[q].length * chain.scaled[q].b.transpose();
     }
+    factors.compute(matrix);
   }
+
+  /// Changes of all strains and of beta.
+  Eigen::VectorXd solve() const {
+    const int n_flowing = 6 * flowing.size();
+    Eigen::VectorXd condensed(n_flowing + 6);
+    condensed.tail<6>() = right.tail<6>();
+    std::size_t k = 0;
+    for (unsigned int q = 0; q < chain.size(); ++q) {
+      const auto left_over = right.segment<6>(6 * q);
+      if (flows(q, k))
+        condensed.segment<6>(6 * k++) = left_over;
+      else
+        condensed.tail<6>() -= chain.points[q].length *
+                               (chain.scaled[q].b.transpose() * (chain.scaled[q].soft * left_over));
+    }
+    const Eigen::VectorXd of_flowing = factors.solve(condensed);
+    Eigen::VectorXd change(n + 6);
+    change.tail<6>() = of_flowing.tail<6>();
+    k = 0;
+    for (unsigned int q = 0; q < chain.size(); ++q)
+      if (flows(q, k))
+        change.segment<6>(6 * q) = of_flowing.segment<6>(6 * k++);
+      else
+        change.segment<6>(6 * q) =
+            chain.scaled[q].soft * (chain.scaled[q].b * change.tail<6>() + right.segment<6>(6 * q));
+    return change;
+  }
+
+  /// beta by the motion of the second end.
+  Matrix6 by_motion() const {
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(6 * flowing.size() + 6, 6);
+    unit.bottomRows<6>() = chain.beta_scale.asDiagonal();
+    return chain.beta_scale.asDiagonal() * factors.solve(unit).bottomRows<6>();
+  }
+
   const SectionChain &chain;
   const int n;
-  Eigen::MatrixXd matrix;
   Eigen::VectorXd right;
+
+private:
+  bool flows(const unsigned int q, const std::size_t k) const {
+    return k < flowing.size() && flowing[k] == q;
+  }
+  std::vector<unsigned int> flowing; ///< points, ascending
+  Eigen::MatrixXd matrix;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors;
 };
 
-SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 6, 12> &G,
-                           const Matrix6 &elastic)
-    : points(std::move(list)), G(G), scale(elastic.diagonal().cwiseMax(0.).cwiseSqrt()) {
+SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 6, 12> &G)
+    : points(std::move(list)), G(G),
+      scale(points.front().elastic.diagonal().cwiseMax(0.).cwiseSqrt()) {
   Vector6 flexibility = Vector6::Zero();
   for (const Point &point : points)
     for (int j = 0; j < 6; ++j)
@@ -90,15 +133,36 @@ SectionChain::SectionChain(std::vector<Point> list, const Eigen::Matrix<double, 
           flexibility[j] += point.length * std::pow(point.b(i, j) / scale[i], 2);
   for (int j = 0; j < 6; ++j)
     beta_scale[j] = flexibility[j] > 0. ? 1. / std::sqrt(flexibility[j]) : 1.;
-  compliance = compliance_of(elastic);
+  for (const Point &point : points) {
+    compliance.push_back(compliance_of(point.elastic));
+    Scaled &own = scaled.emplace_back();
+    own.soft = in_units(point.elastic).inverse();
+    for (int i = 0; i < 6; ++i)
+      if (scale[i] == 0.)
+        own.soft(i, i) = 0.;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        own.b(i, j) = scale[i] > 0. ? point.b(i, j) * beta_scale[j] / scale[i] : 0.;
+    own.flexibility = point.length * own.b.transpose() * own.soft * own.b;
+  }
   Matrix6 by_beta = Matrix6::Zero();
   by_load.setZero();
-  for (const Point &point : points) {
-    by_beta += point.length * point.b.transpose() * compliance * point.b;
-    by_load += point.length * point.b.transpose() * compliance * point.load_stress;
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    const Matrix6 bent = points[q].length * points[q].b.transpose() * compliance[q];
+    by_beta += bent * points[q].b;
+    by_load += bent * points[q].load_stress;
   }
   of_motion = by_beta.inverse();
   K = G.transpose() * of_motion * G;
+}
+
+SectionChain::Matrix6 SectionChain::in_units(const Matrix6 &stiffness) const {
+  Matrix6 result = Matrix6::Identity();
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (scale[i] > 0. && scale[j] > 0.)
+        result(i, j) = stiffness(i, j) / (scale[i] * scale[j]) + (i == j ? least_stiffness : 0.);
+  return result;
 }
 
 void SectionChain::solve_elastically(const Vector12 &motions, const std::vector<Vector6> &free,
@@ -109,7 +173,7 @@ void SectionChain::solve_elastically(const Vector12 &motions, const std::vector<
   const Vector6 beta = of_motion * moved;
   solution.strain.resize(points.size());
   for (std::size_t q = 0; q < points.size(); ++q)
-    solution.strain[q] = compliance * (points[q].b * beta + points[q].load_stress * load);
+    solution.strain[q] = compliance[q] * (points[q].b * beta + points[q].load_stress * load);
   solution.forces = G.transpose() * beta;
   solution.stiffness = K;
   solution.solved = true;
@@ -154,7 +218,8 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
           stress[q][i] = carried[i];
         else
           size_of_stress = std::max({size_of_stress, std::abs(stress[q][i]) / scale[i],
-                                     std::abs(strain[q][i]) * scale[i]});
+                                     std::abs(strain[q][i]) * scale[i],
+                                     std::abs(free[q][i]) * scale[i]}); // as if it were clamped
         for (int j = 0; j < 6; ++j) {
           const double lever = point.length * point.b(i, j);
           missing[j] -= lever * (strain[q][i] + free[q][i]);
@@ -185,18 +250,12 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
            linear.right.tail<6>().lpNorm<Eigen::Infinity>() <= to * size_of_motion;
   };
 
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors;
-  const auto linearize = [&]() {
-    for (unsigned int q = 0; q < n_points; ++q)
-      linear.set(q, tangent[q]);
-    factors.compute(linear.matrix);
-  };
   if (!evaluate())
     return;
   for (unsigned int iteration = 0; iteration < most_iterations && !is_solved(solved_to);
        ++iteration) {
-    linearize();
-    const Eigen::VectorXd change = factors.solve(linear.right);
+    linear.factorize(tangent);
+    const Eigen::VectorXd change = linear.solve();
     if (!change.allFinite())
       return;
     const std::vector<Vector6> strain_before = strain;
@@ -235,14 +294,9 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
   }
   if (!is_solved(as_good_as_rounding))
     return;
-  // beta by the motions: the last rows answer to a unit of each.
-  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(linear.n + 6, 6);
-  for (int j = 0; j < 6; ++j)
-    unit(linear.n + j, j) = beta_scale[j];
-  linearize();
-  const Matrix6 by_motion = beta_scale.asDiagonal() * factors.solve(unit).bottomRows<6>();
+  linear.factorize(tangent);
   solution.forces = G.transpose() * beta;
-  solution.stiffness = G.transpose() * by_motion * G;
+  solution.stiffness = G.transpose() * linear.by_motion() * G;
   solution.solved = solution.stiffness.allFinite();
 }
 

@@ -30,11 +30,10 @@ public:
     Matrix6 b;                               ///< stress by force and moment on the second end
     Eigen::Matrix<double, 6, 3> load_stress; ///< by a unit load per length, global axes
     double length;                           ///< w [m]
+    Matrix6 elastic; ///< stiffness; a component without any, of all points, is rigid
   };
 
-  /// @param elastic stiffness of a section; a component without any is rigid
-  SectionChain(std::vector<Point> points, const Eigen::Matrix<double, 6, 12> &G,
-               const Matrix6 &elastic);
+  SectionChain(std::vector<Point> points, const Eigen::Matrix<double, 6, 12> &G);
 
   /// Stress and tangent of a section by its strain; false if there is none.
   using Law = std::function<bool(const unsigned int point, const Vector6 &strain, Vector6 &stress,
@@ -65,12 +64,23 @@ public:
 
 private:
   struct Linear; // the linearized equations
+  /// A point in their units.
+  struct Scaled {
+    Matrix6 b;
+    Matrix6 soft;        ///< compliance of an elastic section; 0: rigid
+    Matrix6 flexibility; ///< of an elastic section, for beta
+  };
+  /// A stiffness in their units, with as much more as lets sections share that all flow; 1 on the
+  /// diagonal of rigid components.
+  Matrix6 in_units(const Matrix6 &stiffness) const;
+
   std::vector<Point> points;
+  std::vector<Scaled> scaled;
   Eigen::Matrix<double, 6, 12> G;
-  Vector6 scale;      ///< square roots of the stiffnesses; 0: rigid
-  Vector6 beta_scale; ///< of unit elastic motion
-  Matrix6 compliance; ///< of a section, elastic
-  Matrix6 of_motion;  ///< beta by the motion of the second end from the first, elastic
+  Vector6 scale;                   ///< square roots of the stiffnesses; 0: rigid
+  Vector6 beta_scale;              ///< of unit elastic motion
+  std::vector<Matrix6> compliance; ///< of the sections, elastic
+  Matrix6 of_motion;               ///< beta by the motion of the second end from the first, elastic
   Eigen::Matrix<double, 6, 3> by_load; ///< that motion by a unit load, at no beta
   Matrix12 K;
 };

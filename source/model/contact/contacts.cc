@@ -158,7 +158,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     fe_values.reinit(cell);
 
     Contact contact = contact_of(support_cell, scene, mesh, fe_values.JxW(0));
-    contact.law = BoundLaw(laws.find(support.law), support.parameters);
+    contact.law = BoundLaw(laws.find(support.law), support.parameters_of(support_cell.site));
     contact.heating = heating_of(pipes[contact.vertices[0]], scene);
     for (unsigned int d = 0; d < 3; ++d)
       if (support.ground_motion[d].is_given())
@@ -186,8 +186,8 @@ void Contacts::add_platen(const Contact &contact, const std::string &support,
     for (const auto &term : space.terms(dof)) {
       preload[term.unknown] += contact.platen_force * -contact.axes.x[d] * term.weight;
       if (space.terms(dof).begin() + 1 == space.terms(dof).end() && term.weight == 1.)
-        platens.push_back({static_cast<unsigned int>(list.size()), term.unknown,
-                           -contact.axes.x[d], position});
+        platens.push_back(
+            {static_cast<unsigned int>(list.size()), term.unknown, -contact.axes.x[d], position});
     }
   }
 }
@@ -209,8 +209,8 @@ Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
     if (contacts.preload[unknown] != 0.)
       preload[unknown_places[unknown]] += contacts.preload[unknown];
   for (const Platen &platen : contacts.platens)
-    platens.push_back({platen.contact, unknown_places[platen.unknown], platen.towards_pipe,
-                       platen.position});
+    platens.push_back(
+        {platen.contact, unknown_places[platen.unknown], platen.towards_pipe, platen.position});
   refer_to(list);
 }
 
@@ -257,7 +257,7 @@ void Contacts::press_platens(ContactResponse &response) const {
     if (is_pressed_rigid(list[i])) {
       response.stress[i][0] = stress_of_platen(list[i]);
       response.status[i] = list[i].law.closed_form().static_friction > 0. ? ContactStatus::stick
-                                                                         : ContactStatus::closed;
+                                                                          : ContactStatus::closed;
     }
 }
 

@@ -84,7 +84,7 @@ double LinearPart::rate(const types::global_dof_index dof, const ReducedSpace &s
   return result;
 }
 
-void LinearPart::add_imposed(const Eigen::MatrixXd &local,
+void LinearPart::add_imposed(const Eigen::Ref<const Eigen::MatrixXd> &local,
                              const std::vector<types::global_dof_index> &dofs,
                              const ReducedSpace &space, std::vector<Vector> &forces,
                              Eigen::MatrixXd &products_of_motions) const {

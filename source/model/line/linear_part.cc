@@ -4,8 +4,7 @@
 #include "base/user_error.h"
 #include "model/line/modal_damping.h"
 #include "model/line/pipe_element.h"
-
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include "model/unknowns/couplings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,33 +61,16 @@ void check_pressure(const Scene &scene) {
                         "diameter and wall, or name the pipes under pressure in 'Pipes'.");
 }
 
-/// Unknowns of a small set of degrees of freedom, and how they depend on them: u_e = C_e q_e.
-struct LocalSpace {
+/// Unknowns of a small set of degrees of freedom, in order, each once.
+std::vector<int> unknowns_of(const std::vector<types::global_dof_index> &dofs,
+                             const ReducedSpace &space) {
   std::vector<int> unknowns;
-  bool plain; ///< every degree of freedom is an unknown or held
-
-  LocalSpace(const std::vector<types::global_dof_index> &dofs, const ReducedSpace &space)
-      : plain(true) {
-    for (const auto dof : dofs)
-      for (const auto &term : space.terms(dof)) {
-        unknowns.push_back(term.unknown);
-        plain =
-            plain && term.weight == 1. && space.terms(dof).begin() + 1 == space.terms(dof).end();
-      }
-    std::sort(unknowns.begin(), unknowns.end());
-    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
-  }
-};
-
-/// Adds a matrix on degrees of freedom to the one on unknowns.
-template <typename Matrix>
-void add_local(const Matrix &local, const std::vector<types::global_dof_index> &dofs,
-               const ReducedSpace &space, SparseMatrix &global) {
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    for (const auto &row : space.terms(dofs[i]))
-      for (unsigned int j = 0; j < dofs.size(); ++j)
-        for (const auto &column : space.terms(dofs[j]))
-          add_to(global, row.unknown, column.unknown, row.weight * column.weight * local(i, j));
+  for (const auto dof : dofs)
+    for (const auto &term : space.terms(dof))
+      unknowns.push_back(term.unknown);
+  std::sort(unknowns.begin(), unknowns.end());
+  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  return unknowns;
 }
 
 /// The degrees of freedom that component @p c of a spring or dashpot joins: two, or one to the
@@ -139,7 +121,7 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
         const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), {mesh.points.at(point)});
         const std::vector<types::global_dof_index> places(dofs.begin(), dofs.begin() + 3);
         const Eigen::Matrix3d local = mass.mass * Eigen::Matrix3d::Identity();
-        add_local(local, places, space, M);
+        space.add_local(local, places, M);
         add_imposed(local, places, space, load_inertia, products.mass);
         add_imposed(scene.time.mass_damping * local, places, space, load_drag, products.damping);
       }
@@ -181,7 +163,7 @@ void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
         Eigen::Matrix2d local;
         local << 1., -1., -1., 1.;
         local *= spring.damping[c];
-        add_local(local, dofs, space, dashpots);
+        space.add_local(local, dofs, dashpots);
         add_imposed(local, dofs, space, load_drag, products.damping);
         any = true;
       }
@@ -219,40 +201,22 @@ void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
 
 void LinearPart::make_pattern(const Discretization &discretization, const ReducedSpace &space,
                               const Contacts &contacts, const Scene &scene, const LineMesh &mesh) {
-  DynamicSparsityPattern pattern(space.n_unknowns());
-  const auto couple = [&](const std::vector<int> &unknowns) {
-    const std::vector<types::global_dof_index> columns(unknowns.begin(), unknowns.end());
-    for (const int row : unknowns)
-      pattern.add_entries(row, columns.begin(), columns.end(), true);
-  };
+  Couplings couplings;
   std::vector<types::global_dof_index> dofs(12);
   for (const auto &cell : discretization.dof_handler().active_cell_iterators())
     if (discretization.info(cell).kind == Discretization::CellKind::pipe) {
       cell->get_dof_indices(dofs);
-      couple(LocalSpace(dofs, space).unknowns);
+      couplings.add(unknowns_of(dofs, space));
     }
   for (unsigned int i = 0; i < contacts.size(); ++i)
-    couple(contacts[i].unknowns);
+    couplings.add(contacts[i].unknowns);
   for (const Spring &spring : scene.springs) {
     std::vector<unsigned int> vertices = {mesh.points.at(spring.point)};
     if (!spring.other.empty())
       vertices.push_back(mesh.points.at(spring.other));
-    couple(LocalSpace(dofs_of_vertices(discretization.vertex_dofs(), vertices), space).unknowns);
+    couplings.add(unknowns_of(dofs_of_vertices(discretization.vertex_dofs(), vertices), space));
   }
-  for (unsigned int i = 0; i < space.n_unknowns(); ++i)
-    pattern.add(i, i);
-
-  K.resize(space.n_unknowns(), space.n_unknowns());
-  K.resizeNonZeros(pattern.n_nonzero_elements());
-  int n = 0;
-  for (unsigned int i = 0; i < space.n_unknowns(); ++i) {
-    K.outerIndexPtr()[i] = n;
-    for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry) {
-      K.innerIndexPtr()[n] = entry->column();
-      K.valuePtr()[n++] = 0.;
-    }
-  }
-  K.outerIndexPtr()[space.n_unknowns()] = n;
+  K = couplings.matrix(space.n_unknowns());
 }
 
 void LinearPart::add_pipes(const Scene &scene, const Discretization &discretization,
@@ -267,11 +231,11 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
     cell->get_dof_indices(dofs);
     element.reinit(cell);
     const PipeElement::Matrix12 stiffness = element.stiffness();
-    add_local(stiffness, dofs, space, K);
+    space.add_local(stiffness, dofs, K);
     add_imposed(stiffness, dofs, space, load_forces, products.stiffness);
     if (with_mass) {
       const PipeElement::Matrix12 mass = element.mass(cell);
-      add_local(mass, dofs, space, M);
+      space.add_local(mass, dofs, M);
       add_imposed(mass, dofs, space, load_inertia, products.mass);
       add_imposed(scene.time.mass_damping * mass + scene.time.stiffness_damping * stiffness, dofs,
                   space, load_drag, products.damping);
@@ -312,7 +276,7 @@ void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
       Eigen::Matrix2d local;
       local << 1., -1., -1., 1.;
       local *= spring.stiffness[c];
-      add_local(local, dofs, space, K);
+      space.add_local(local, dofs, K);
       add_imposed(local, dofs, space, load_forces, products.stiffness);
       if (with_mass)
         add_imposed(scene.time.stiffness_damping * local, dofs, space, load_drag, products.damping);

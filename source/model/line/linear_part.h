@@ -74,7 +74,7 @@ private:
   void sort_imposed_motions();
   /// What a matrix on a few degrees of freedom is to motions that loads impose there: @p forces on
   /// the unknowns and products.
-  void add_imposed(const Eigen::MatrixXd &local,
+  void add_imposed(const Eigen::Ref<const Eigen::MatrixXd> &local,
                    const std::vector<dealii::types::global_dof_index> &dofs,
                    const ReducedSpace &space, std::vector<Vector> &forces,
                    Eigen::MatrixXd &products_of_motions) const;

@@ -11,16 +11,59 @@ namespace frictionbeam {
 
 using namespace dealii;
 
+Eigen::Matrix3d local_axes(const Discretization::Cell &cell) {
+  const LocalAxes axes(cell->vertex(1) - cell->vertex(0));
+  Eigen::Matrix3d result;
+  for (unsigned int d = 0; d < 3; ++d)
+    result.row(d) << axes.x[d], axes.y[d], axes.z[d];
+  return result;
+}
+
+namespace {
+
+constexpr std::size_t most_kept = 1000; ///< of some 3 kB
+
+/// A matrix on the motions of two vertices, from axes that are the columns of @p axes.
+PipeElement::Matrix12 turned(const PipeElement::Matrix12 &matrix, const Eigen::Matrix3d &axes) {
+  PipeElement::Matrix12 result;
+  for (int row = 0; row < 12; row += 3)
+    for (int column = 0; column < 12; column += 3)
+      result.block<3, 3>(row, column).noalias() =
+          axes * (matrix.block<3, 3>(row, column) * axes.transpose()).eval();
+  return result;
+}
+
+/// The same of what else a cell has, but its mass.
+template <typename Matrices>
+Matrices turned_matrices(const Matrices &from, const Eigen::Matrix3d &axes) {
+  Matrices result;
+  result.stiffness = turned(from.stiffness, axes);
+  for (int row = 0; row < 12; row += 3) {
+    result.line_loads.template middleRows<3>(row).noalias() =
+        axes * (from.line_loads.template middleRows<3>(row) * axes.transpose()).eval();
+    result.axial_strain.template segment<3>(row).noalias() =
+        axes * from.axial_strain.template segment<3>(row);
+  }
+  return result;
+}
+
+} // namespace
+
 PipeElement::PipeElement(const Discretization &discretization)
-    : PipeElement(discretization, QGauss<1>(2), QGauss<1>(12)) {}
+    : PipeElement(discretization, QGauss<1>(2), QGauss<1>(12), true) {}
 
 PipeElement::PipeElement(const Discretization &discretization, const Quadrature<1> &straight,
                          const Quadrature<1> &curved)
+    : PipeElement(discretization, straight, curved, false) {}
+
+PipeElement::PipeElement(const Discretization &discretization, const Quadrature<1> &straight,
+                         const Quadrature<1> &curved, const bool takes_like)
     : discretization(discretization),
       straight_values(discretization.elements()[0], straight,
                       update_values | update_gradients | update_JxW_values),
       straight_mass_values(discretization.elements()[0], QGauss<1>(4),
-                           update_values | update_JxW_values) {
+                           update_values | update_JxW_values),
+      takes_like(takes_like) {
   const auto &profiles = discretization.profiles();
   if (std::any_of(profiles.begin(), profiles.end(),
                   [](const Profile &profile) { return profile.arc_centre.has_value(); }))
@@ -33,19 +76,47 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
   bend.reset();
   if (section->arc_centre)
     bend.emplace(cell->vertex(0), cell->vertex(1), section->arc());
+  const CellJoints *const joints = discretization.joints(cell);
+  jointed = joints != nullptr;
+  if (takes_like && !bend && !jointed) {
+    take_like(cell);
+    return;
+  }
+  like = nullptr;
+  evaluate(cell);
+  plain = integrate();
+  if (jointed)
+    add_joints(*joints);
+}
+
+void PipeElement::take_like(const Discretization::Cell &cell) {
+  const Discretization::Cell first = discretization.like(cell);
+  const Eigen::Matrix3d own_axes = local_axes(cell);
+  const auto found = kept.find(first->active_cell_index());
+  if (found != kept.end() && &found->second == like && own_axes == cell_axes)
+    return;
+  like = found == kept.end() ? nullptr : &found->second;
+  cell_axes = own_axes;
+  if (like == nullptr) {
+    evaluate(first);
+    if (kept.size() == most_kept)
+      kept.clear();
+    like = &(kept[first->active_cell_index()] =
+                 turned_matrices(integrate(), local_axes(first).transpose()));
+  }
+  plain = turned_matrices(*like, cell_axes);
+}
+
+void PipeElement::evaluate(const Discretization::Cell &cell) {
   values = bend ? arc_values.get() : &straight_values;
   values->reinit(cell);
   stretch = bend ? bend->length() / (cell->vertex(1) - cell->vertex(0)).norm() : 1.;
   strains.resize(values->n_quadrature_points);
-  const LocalAxes axes(cell->vertex(1) - cell->vertex(0));
+  const LocalAxes local(cell->vertex(1) - cell->vertex(0));
   for (unsigned int q = 0; q < strains.size(); ++q)
     for (unsigned int i = 0; i < 12; ++i)
       strains[q][i] = bend ? arc_strain(*values, *bend, values->get_quadrature().point(q)[0], i, q)
-                           : generalized_strain(*values, axes, i, q);
-  const CellJoints *const joints = discretization.joints(cell);
-  jointed = joints != nullptr;
-  if (jointed)
-    add_joints(*joints);
+                           : generalized_strain(*values, local, i, q);
 }
 
 void PipeElement::add_joints(const CellJoints &joints) {
@@ -57,18 +128,18 @@ void PipeElement::add_joints(const CellJoints &joints) {
       for (unsigned int j = 0; j < 6; ++j)
         F(6 * end + i, 6 * end + j) = joints.flexibility[end][i][j];
     }
-  beyond = (Matrix12::Identity() + F * plain_stiffness()).inverse();
+  beyond = (Matrix12::Identity() + F * plain.stiffness).inverse();
 }
 
 PipeElement::Matrix12 PipeElement::stiffness() const {
-  return jointed ? Matrix12(plain_stiffness() * beyond) : plain_stiffness();
+  return jointed ? Matrix12(plain.stiffness * beyond) : plain.stiffness;
 }
 
 PipeElement::Vector12 PipeElement::unit_thrust() const {
   if (!jointed)
     return Vector12::Zero();
   // The ends stand at beyond (u + pushed): forces K beyond pushed are missing for u = 0.
-  return -plain_stiffness() * beyond * pushed;
+  return -plain.stiffness * beyond * pushed;
 }
 
 Eigen::Matrix<double, 6, 12> PipeElement::strain_matrix(const unsigned int point) const {
@@ -93,35 +164,30 @@ Eigen::Matrix<double, 6, 1> PipeElement::curvature_strain(const unsigned int poi
   return strain;
 }
 
-PipeElement::Matrix12 PipeElement::plain_stiffness() const {
-  Matrix12 result = Matrix12::Zero();
+PipeElement::Matrices PipeElement::integrate() const {
+  const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> D(&section->tangent(0, 0));
+  PipeElement::Matrices result;
+  result.stiffness.setZero();
+  result.line_loads.setZero();
+  result.axial_strain.setZero();
   for (unsigned int q = 0; q < strains.size(); ++q) {
     const Eigen::Matrix<double, 6, 12> B = strain_matrix(q);
-    const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> D(&section->tangent(0, 0));
-    result.noalias() += length_at(q) * (B.transpose() * (D * B).eval());
+    result.stiffness.noalias() += length_at(q) * (B.transpose() * (D * B).eval());
+    for (unsigned int i = 0; i < 12; ++i) {
+      for (unsigned int d = 0; d < 3; ++d)
+        result.line_loads(i, d) += values->shape_value_component(i, q, d) * length_at(q);
+      result.axial_strain[i] += strains[q][i][0] * section->EA * length_at(q);
+    }
   }
   return result;
 }
 
 Eigen::Matrix<double, 12, 3> PipeElement::unit_line_loads() const {
-  Eigen::Matrix<double, 12, 3> result = Eigen::Matrix<double, 12, 3>::Zero();
-  for (unsigned int q = 0; q < strains.size(); ++q)
-    for (unsigned int i = 0; i < 12; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        result(i, d) += values->shape_value_component(i, q, d) * stretch * values->JxW(q);
-  if (jointed)
-    return beyond.transpose() * result;
-  return result;
+  return jointed ? (beyond.transpose() * plain.line_loads).eval() : plain.line_loads;
 }
 
 PipeElement::Vector12 PipeElement::unit_axial_strain() const {
-  Vector12 result = Vector12::Zero();
-  for (unsigned int q = 0; q < strains.size(); ++q)
-    for (unsigned int i = 0; i < 12; ++i)
-      result[i] += strains[q][i][0] * section->EA * stretch * values->JxW(q);
-  if (jointed)
-    return beyond.transpose() * result;
-  return result;
+  return jointed ? Vector12(beyond.transpose() * plain.axial_strain) : plain.axial_strain;
 }
 
 PipeElement::Vector12 PipeElement::unit_curvature() const {
@@ -136,6 +202,19 @@ PipeElement::Vector12 PipeElement::unit_curvature() const {
 
 PipeElement::Matrix12 PipeElement::mass(const Discretization::Cell &cell) {
   reinit(cell);
+  if (!plain.mass && like != nullptr) {
+    if (!like->mass) {
+      const Discretization::Cell first = discretization.like(cell);
+      like->mass = turned(integrate_mass(first), local_axes(first).transpose());
+    }
+    plain.mass = turned(*like->mass, cell_axes);
+  }
+  if (!plain.mass)
+    plain.mass = integrate_mass(cell);
+  return jointed ? Matrix12(beyond.transpose() * *plain.mass * beyond) : *plain.mass;
+}
+
+PipeElement::Matrix12 PipeElement::integrate_mass(const Discretization::Cell &cell) {
   if (!bend)
     straight_mass_values.reinit(cell);
   const FEValues<1, 3> &shapes = bend ? *arc_values : straight_mass_values;
@@ -164,8 +243,6 @@ PipeElement::Matrix12 PipeElement::mass(const Discretization::Cell &cell) {
       }
     }
   }
-  if (jointed)
-    return beyond.transpose() * result * beyond;
   return result;
 }
 

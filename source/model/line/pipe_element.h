@@ -6,11 +6,17 @@
 
 #include <Eigen/Core>
 
+#include <unordered_map>
+
 namespace frictionbeam {
+
+/// Local axes of a straight cell in the direction of deal.II's, in columns.
+Eigen::Matrix3d local_axes(const Discretization::Cell &cell);
 
 /**
  * Matrices and vectors of one pipe cell, integrated through FEValues. Degrees of freedom stand in
- * the order of deal.II's cell: 6 at vertex 0, 6 at vertex 1, global axes. Straight cells and arcs.
+ * the order of deal.II's cell: 6 at vertex 0, 6 at vertex 1, global axes. Straight cells and arcs;
+ * straight ones without joints take the matrices of the first one like them, turned.
  *
  * Joints of flexibility F at the ends stand in series with the cell: if the nodes move by u, its
  * ends move by (1 + F K)^-1 u, so that K becomes K (1 + F K)^-1 and loads are carried by the
@@ -22,11 +28,11 @@ public:
   using Vector12 = Eigen::Matrix<double, 12, 1>;
 
   explicit PipeElement(const Discretization &discretization);
-  /// Integrated at other points.
+  /// Integrated at other points, each cell by itself, for what is asked of points.
   PipeElement(const Discretization &discretization, const dealii::Quadrature<1> &straight,
               const dealii::Quadrature<1> &curved);
 
-  /// Evaluate the shape functions on a cell; the functions below then speak of it.
+  /// Take a cell; the functions below then speak of it.
   void reinit(const Discretization::Cell &cell);
 
   /// Integral of B^T D B, exact with two Gauss points (twelve for an arc).
@@ -47,7 +53,7 @@ public:
   /// Consistent mass with rotary inertia, exact with four Gauss points (twelve for an arc).
   Matrix12 mass(const Discretization::Cell &cell);
 
-  /// Where stiffness() is integrated: two points of a straight cell, twelve of an arc.
+  /// Where stiffness() is integrated, of an element with points of its own.
   unsigned int n_points() const { return strains.size(); }
   /// Generalized strains there by the motions of the cell's ends, joints left out.
   Eigen::Matrix<double, 6, 12> strain_matrix(const unsigned int point) const;
@@ -66,14 +72,37 @@ public:
   const std::optional<ArcBeam> &arc() const { return bend; }
 
 private:
+  /// Of a cell without joints.
+  struct Matrices {
+    Matrix12 stiffness;
+    Eigen::Matrix<double, 12, 3> line_loads;
+    Vector12 axial_strain;
+    std::optional<Matrix12> mass; ///< none where it was not asked for yet
+  };
+
+  PipeElement(const Discretization &discretization, const dealii::Quadrature<1> &straight,
+              const dealii::Quadrature<1> &curved, const bool takes_like);
+  /// Shape functions and strains at the points.
+  void evaluate(const Discretization::Cell &cell);
+  void take_like(const Discretization::Cell &cell);
+  Matrices integrate() const; ///< but the mass, global axes
+  Matrix12 integrate_mass(const Discretization::Cell &cell);
+  void add_joints(const CellJoints &joints);
+
   const Discretization &discretization;
   dealii::FEValues<1, 3> straight_values, straight_mass_values;
   std::unique_ptr<dealii::FEValues<1, 3>> arc_values; ///< if the line has arcs
-  dealii::FEValues<1, 3> *values = nullptr;           ///< of the cell
-  Matrix12 plain_stiffness() const;                   ///< without joints
-  void add_joints(const CellJoints &joints);
+  dealii::FEValues<1, 3> *values = nullptr;           ///< of the cell evaluated last
+
+  /// Of straight cells in their local axes, by the active index of the first one that is like them
+  /// (Discretization::like); so many that their memory is bounded.
+  std::unordered_map<unsigned int, Matrices> kept;
+  const bool takes_like;
+  Matrices *like = nullptr;  ///< those that the cell takes
+  Eigen::Matrix3d cell_axes; ///< of the cell, in columns, by which they are turned
 
   const Profile *section = nullptr;
+  Matrices plain; ///< of the cell, global axes
   bool jointed = false;
   Matrix12 joint_flexibility; ///< F
   Matrix12 beyond;            ///< (1 + F K)^-1

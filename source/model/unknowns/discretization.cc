@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/user_error.h"
+#include "model/unknowns/like_cells.h"
 #include "model/unknowns/section_law.h"
 #include "scene/file/parameter_reader.h"
 #include <frictionbeam/fe_timoshenko_beam.h>
@@ -100,15 +101,39 @@ void give_mass(const double mass, const Section &section, Profile &profile) {
     profile.rotary_inertia = profile.twist_inertia = 0.;
 }
 
+/// Cells of one bend have one radius and one centre, if they are arcs.
+BendPart bend_of(const MeshedPipe &meshed, const unsigned int cell) {
+  BendPart bend;
+  bend.radius = meshed.bend_radius[cell];
+  const auto centre_of = [&](const unsigned int i) {
+    const auto arc = meshed.arc_centre.find(i);
+    return arc == meshed.arc_centre.end() ? std::nullopt : std::optional<Point3>(arc->second);
+  };
+  bend.arc_centre = centre_of(cell);
+  if (!bend.arc_centre)
+    return bend;
+  const auto is_same = [&](const unsigned int i) {
+    return meshed.bend_radius[i] == bend.radius && centre_of(i) == bend.arc_centre;
+  };
+  unsigned int first = cell, last = cell;
+  while (first > 0 && is_same(first - 1))
+    --first;
+  while (last + 1 < meshed.bend_radius.size() && is_same(last + 1))
+    ++last;
+  bend.length = meshed.s[last + 1] - meshed.s[first];
+  bend.begin = (meshed.s[cell] - meshed.s[first]) / bend.length;
+  bend.end = (meshed.s[cell + 1] - meshed.s[first]) / bend.length;
+  return bend;
+}
+
 Profile make_profile(const Pipe &pipe, const Section &section, const Material &material,
-                     const double bend_radius, const std::optional<Point3> &arc_centre,
-                     const LawLibrary &laws) {
+                     const BendPart &bend, const LawLibrary &laws) {
   const double E = material.youngs_modulus, G = E / (2. * (1. + material.poissons_ratio));
   Profile profile;
   profile.EA = E * section.area;
   profile.GA = G * section.shear_area;
   profile.GJ = G * section.torsion_constant;
-  profile.EI = E * section.inertia / bend_flexibility(pipe, section, material, bend_radius);
+  profile.EI = E * section.inertia / bend_flexibility(pipe, section, material, bend.radius);
   profile.mass = material.density * section.area + section.added_mass;
   profile.wind_diameter = 2. * (section.outer_radius + section.insulation);
   profile.rotary_inertia = section.rotary_inertia ? material.density * section.inertia : 0.;
@@ -119,21 +144,22 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   for (double *rigidity : {&profile.EA, &profile.GA, &profile.GJ, &profile.EI})
     *rigidity *= stiffer;
   profile.pressure_strain /= stiffer;
-  if (arc_centre) {
+  if (bend.arc_centre) {
     // The Bourdon effect: pressure straightens a bend (MEL 10-66, eq. 3-29).
     const double r = section.outer_radius - section.wall / 2., nu = material.poissons_ratio;
     if (section.wall > 0.)
       profile.pressure_curvature =
           -numbers::PI * r * r * r * r / (2. * stiffer * E * section.inertia) *
-          (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (bend_radius * bend_radius)) / bend_radius;
-    profile.arc_centre = arc_centre;
+          (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (bend.radius * bend.radius)) / bend.radius;
+    profile.arc_centre = bend.arc_centre;
   }
   profile.bore_area = section.bore_area();
   const BoundLaw law = bind_section_law(laws.find(pipe.rigid ? "elastic_section" : section.law),
-                                        section, profile, bend_radius, pipe.name);
-  profile.tangent = elastic_tangent(law);
-  if (law.name() != "elastic_section")
-    profile.law = law;
+                                        pipe, section, bend, profile);
+  if (law.name() == "elastic_section")
+    profile.tangent = elastic_tangent(law);
+  else
+    take_section_law(law, pipe, section, bend, profile);
   return profile;
 }
 
@@ -173,6 +199,7 @@ void check_cells(const std::vector<Point3> &points, const std::vector<LineCell> 
 Discretization::Discretization(const Scene &scene, const LineMesh &mesh, const LawLibrary &laws)
     : dofs(triangulation), points(mesh.vertices), n_own(mesh.vertices.size()) {
   add_profiles(scene, mesh, laws);
+  first_like = first_like_cells(points, cells);
   add_elements(scene);
   add_supports(scene, mesh);
   add_carriers(scene, mesh);
@@ -257,16 +284,14 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
     const MeshedPipe &meshed = mesh.pipes[p];
     const Pipe &pipe = scene.pipes[p];
     for (unsigned int i = 0; i + 1 < meshed.vertices.size(); ++i) {
-      const auto arc = meshed.arc_centre.find(i);
-      const bool is_arc = arc != meshed.arc_centre.end();
+      const bool is_arc = meshed.arc_centre.count(i) > 0;
       unsigned int id = sections.size();
       if (!is_arc && !pipe.end_section)
         id = known.try_emplace({p, meshed.bend_radius[i]}, id).first->second;
       if (id == sections.size()) {
         const Section section = section_of(scene, pipe, meshed, i);
         sections.push_back(
-            make_profile(pipe, section, scene.materials[pipe.material], meshed.bend_radius[i],
-                         is_arc ? std::optional<Point3>(arc->second) : std::nullopt, laws));
+            make_profile(pipe, section, scene.materials[pipe.material], bend_of(meshed, i), laws));
         if (pipe.total_mass)
           give_mass(*pipe.total_mass / meshed.s.back(), section, sections[id]);
       }
@@ -321,14 +346,17 @@ void Discretization::add_supports(const Scene &scene, const LineMesh &mesh) {
 }
 
 void Discretization::add_carriers(const Scene &scene, const LineMesh &mesh) {
-  std::set<unsigned int> reached;
+  std::vector<bool> reached(n_own, false);
   for (const LineCell &cell : cells)
-    reached.insert(cell.vertices.begin(), cell.vertices.end());
+    for (const unsigned int vertex : cell.vertices)
+      if (vertex < n_own)
+        reached[vertex] = true;
   for (const Spring &spring : scene.springs)
     for (const std::string &name : {spring.point, spring.other}) {
-      if (name.empty() || !reached.insert(mesh.points.at(name)).second)
+      if (name.empty() || reached[mesh.points.at(name)])
         continue;
       const unsigned int vertex = mesh.points.at(name);
+      reached[vertex] = true;
       points.push_back(points[vertex] + Vector3({0., 0., -1.}));
       cells.push_back({{vertex, static_cast<unsigned int>(points.size() - 1)}, 0});
       fe_index.push_back(fe.size() - 1);

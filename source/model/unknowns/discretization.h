@@ -73,6 +73,10 @@ public:
     return found == cell_joints.end() ? nullptr : &found->second;
   }
 
+  /// The first straight pipe cell of the same section and length as this one, lengths being equal
+  /// but for rounding.
+  Cell like(const Cell &cell) const { return at(first_like[info(cell).index]); }
+
   /// What the active cell is.
   const CellInfo &info(const Cell &cell) const { return infos[cell->active_cell_index()]; }
   /// The active cell of a pipe cell, and of a friction element.
@@ -104,6 +108,7 @@ private:
   std::vector<LineCell> cells;
   std::vector<unsigned int> fe_index; ///< of each author's cell
   std::vector<PipeCell> pipes;
+  std::vector<unsigned int> first_like; ///< by pipe cell
   std::vector<SupportCell> supports;
   unsigned int first_option = 1;                  ///< fe before it: pipes
   std::map<unsigned int, CellJoints> cell_joints; ///< by active cell index

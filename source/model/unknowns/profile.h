@@ -11,9 +11,18 @@
 
 namespace frictionbeam {
 
+/// The bend that a cell is part of, in the direction of its pipe.
+struct BendPart {
+  double radius = 0., length = 0.;  ///< of the whole bend's axis [m]; 0: straight
+  double begin = 0.5, end = 0.5;    ///< parts of its way where the cell begins and ends
+  std::optional<Point3> arc_centre; ///< of a cell that is an arc
+  /// Whether the law is another from section to section.
+  bool changes_along() const { return begin != end; }
+};
+
 /// Elastic and mass data of a pipe's cross section, one for each material id of the triangulation.
 struct Profile {
-  double EA = 0., GA = 0., GJ = 0., EI = 0.; ///< [N, N, N m2, N m2]; EI divided by a bend's factor
+  double EA = 0., GA = 0., GJ = 0., EI = 0.; ///< [N, N, N m2, N m2]; EI with a bend's flexibility
   double mass = 0.;                          ///< [kg/m], with contents
   double rotary_inertia = 0.;                ///< about a diameter, where it is not left out [kg m]
   double twist_inertia = 0.;                 ///< about the axis: never 0 where there is mass [kg m]
@@ -25,6 +34,7 @@ struct Profile {
   BoundLaw law; ///< of an inelastic section; not set of an elastic one, nor of a rigid part
   double bore_area = 0.; ///< pressure times it is what the wall carries beyond the beam [m2]
   std::optional<Point3> arc_centre; ///< of a cell that is an arc
+  BendPart bend; ///< if the law has the flexibility of bends in itself; else left as it is
 
   ArcData arc() const { return {*arc_centre, EA, GA, GJ, EI}; }
 };

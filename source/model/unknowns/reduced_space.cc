@@ -4,6 +4,9 @@
 
 #include <frictionbeam/generalized_strain.h>
 
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
@@ -166,6 +169,38 @@ ReducedSpace::ReducedSpace(const unsigned int n_unknowns,
   for (const std::vector<Term> &of_one : terms) {
     terms_of_all.insert(terms_of_all.end(), of_one.begin(), of_one.end());
     start.push_back(terms_of_all.size());
+  }
+}
+
+void ReducedSpace::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
+                             const std::vector<types::global_dof_index> &dofs,
+                             SparseMatrix &matrix) const {
+  struct Share {
+    int unknown;
+    unsigned int place; ///< of the degree of freedom
+    double weight;
+  };
+  boost::container::small_vector<Share, 24> shares;
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    for (const Term &term : terms(dofs[i]))
+      shares.push_back({term.unknown, i, term.weight});
+  std::sort(shares.begin(), shares.end(),
+            [](const Share &a, const Share &b) { return a.unknown < b.unknown; });
+  for (const Share &row : shares) {
+    const int *const end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row.unknown + 1],
+                     *entry = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row.unknown];
+    for (const Share &column : shares) {
+      const double value = row.weight * column.weight * local(row.place, column.place);
+      if (value == 0.)
+        continue;
+      // Most often the unknown follows that before.
+      if (entry != end && *entry < column.unknown)
+        ++entry;
+      if (entry == end || *entry != column.unknown)
+        entry = std::lower_bound(entry, end, column.unknown);
+      Assert(entry != end && *entry == column.unknown, ExcInternalError());
+      matrix.valuePtr()[entry - matrix.innerIndexPtr()] += value;
+    }
   }
 }
 

@@ -4,7 +4,6 @@
 #include "model/unknowns/discretization.h"
 #include "model/unknowns/sparse_matrix.h"
 
-
 namespace frictionbeam {
 
 /**
@@ -42,6 +41,12 @@ public:
   Terms terms(const dealii::types::global_dof_index dof) const {
     return {terms_of_all.data() + start[dof], terms_of_all.data() + start[dof + 1]};
   }
+
+  /// matrix += C_e^T local C_e of a few degrees of freedom, whose unknowns are coupled in its
+  /// pattern, but where the local one is zero.
+  void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
+                 const std::vector<dealii::types::global_dof_index> &dofs,
+                 SparseMatrix &matrix) const;
 
   /// u = C q.
   void expand(const Vector &unknowns, Vector &dofs) const;

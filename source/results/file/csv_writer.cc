@@ -14,12 +14,25 @@ namespace {
 template <typename Numbers>
 void add_numbers(std::string &row, const Numbers &numbers) {
   for (const double number : numbers)
-    (row += ',') += exact_number(number);
+    append_exact_number(number, row += ',');
 }
 
 std::string instant(const Frame &frame) {
   return csv_field(frame.name) + ',' + std::to_string(frame.increment) + ',' +
          exact_number(frame.time);
+}
+
+constexpr const char *section_columns =
+    ",eps,gamma_y,gamma_z,chi,kappa_y,kappa_z,N,Vy,Vz,Mx,My,Mz,utilization,plastic_strain,"
+    "creep_strain,dissipation\n";
+
+/// What stands below section_columns.
+void add_section(std::string &row, const SectionState &section) {
+  add_numbers(row, section.strain);
+  add_numbers(row, section.force);
+  add_numbers(row, std::array<double, 4>{{section.utilization, section.plastic_strain,
+                                          section.creep_strain, section.dissipated}});
+  row += '\n';
 }
 
 /// Names of the histories' files; points that differ only in signs that no file name takes get a
@@ -53,7 +66,8 @@ std::string csv_field(const std::string &text) {
 
 void remove_line_tables(const std::string &folder) {
   std::error_code error; // there may be none
-  for (const char *const name : {"supports.csv", "line.csv", "reactions.csv", "envelope.csv"})
+  for (const char *const name :
+       {"supports.csv", "line.csv", "sections.csv", "reactions.csv", "envelope.csv"})
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
 }
 
@@ -62,6 +76,8 @@ CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::stri
     : scene(scene), results(results), supports(folder + "/supports.csv", keep),
       line(folder + "/line.csv", keep), reactions(folder + "/reactions.csv", keep),
       n_written(results.histories.size(), 0) {
+  if (scene.yields())
+    sections = std::make_unique<OutputFile>(folder + "/sections.csv", keep);
   for (const auto &name : history_names(results.histories))
     histories.push_back(std::make_unique<OutputFile>(folder + "/" + name, keep));
   if (keep)
@@ -73,6 +89,10 @@ CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::stri
   supports.flush();
   line.flush();
   reactions.flush();
+  if (sections) {
+    sections->stream() << "step,pipe,s" << section_columns;
+    sections->flush();
+  }
   for (const auto &history : histories) {
     history->stream() << "time,ux,uy,uz,rx,ry,rz\n";
     history->flush();
@@ -81,6 +101,8 @@ CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::stri
 
 void CsvWriter::transfer(Archive &archive) {
   archive(supports, line, reactions, n_written);
+  if (sections)
+    archive(*sections);
   for (const auto &history : histories)
     archive(*history);
 }
@@ -90,6 +112,8 @@ void CsvWriter::append(const Frame &frame) {
   append_reactions(frame);
   if (frame.end_of_step)
     append_line(frame);
+  if (sections)
+    append_sections(frame);
   finish();
 }
 
@@ -137,10 +161,11 @@ void CsvWriter::append_reactions(const Frame &frame) {
 }
 
 void CsvWriter::append_line(const Frame &frame) {
-  const std::string step = csv_field(frame.name);
+  const std::string step = csv_field(frame.name) + ',';
+  std::string row;
   for (const Station &station : frame.line) {
     AssertIndexRange(station.pipe, scene.pipes.size());
-    std::string row = step + ',' + csv_field(scene.pipes[station.pipe].name);
+    (row = step) += csv_field(scene.pipes[station.pipe].name);
     add_numbers(row, std::array<double, 4>{{station.s, station.position[0], station.position[1],
                                             station.position[2]}});
     add_numbers(row, station.displacement);
@@ -148,6 +173,31 @@ void CsvWriter::append_line(const Frame &frame) {
     line.stream() << row << '\n';
   }
   line.flush();
+}
+
+void CsvWriter::append_sections(const Frame &frame) {
+  for (const SectionState &section : frame.sections) {
+    std::string row = csv_field(frame.name) + ',' + csv_field(scene.pipes[section.pipe].name) +
+                      ',' + exact_number(section.s);
+    add_section(row, section);
+    sections->stream() << row;
+  }
+  sections->flush();
+}
+
+void write_section_histories(const Scene &scene, const Results &results,
+                             const std::string &folder) {
+  if (results.section_histories.empty())
+    return;
+  std::string text = std::string("section,pipe,s,time") + section_columns;
+  for (const SectionHistory &history : results.section_histories)
+    for (std::size_t i = 0; i < history.time.size(); ++i) {
+      const SectionState state = in_units(scene.units, history.states[i]);
+      text += csv_field(history.name) + ',' + csv_field(scene.pipes[state.pipe].name) + ',' +
+              exact_number(state.s) + ',' + exact_number(history.time[i]);
+      add_section(text, state);
+    }
+  write_file(folder + "/section_history.csv", text);
 }
 
 } // namespace frictionbeam

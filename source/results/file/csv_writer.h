@@ -17,6 +17,9 @@ namespace frictionbeam {
  * - `reactions.csv`: restraint, step, increment, time, fx, fy, fz, mx, my, mz, of every frame;
  * - `line.csv`: step, pipe, s, x, y, z, ux, uy, uz, rx, ry, rz, N, Vy, Vz, Mx, My, Mz, at the ends
  * of the steps only, since its rows carry no time;
+ * - `sections.csv`: step, pipe, s, eps, gamma_y, gamma_z, chi, kappa_y, kappa_z, N, Vy, Vz, Mx, My,
+ * Mz, utilization, plastic_strain, creep_strain, dissipation, likewise, of pipes that yield or
+ * creep, if there are any;
  * - `history_POINT.csv`: time, ux, uy, uz, rx, ry, rz, for each monitored point.
  *
  * In the units of the scene, radians; each number is the shortest text that reads back as the same
@@ -46,13 +49,19 @@ private:
   void append_supports(const Frame &frame);
   void append_reactions(const Frame &frame);
   void append_line(const Frame &frame);
+  void append_sections(const Frame &frame);
 
   const Scene &scene;
   const Results &results;
   OutputFile supports, line, reactions;
+  std::unique_ptr<OutputFile> sections; ///< null if no pipe yields
   std::vector<std::unique_ptr<OutputFile>> histories;
   std::vector<std::size_t> n_written; ///< rows of each history
 };
+
+/// Write section_history.csv, if there are any: section, pipe, s, time, and the columns of
+/// sections.csv behind s, at every increment that was kept.
+void write_section_histories(const Scene &scene, const Results &results, const std::string &folder);
 
 /// Remove the tables of a line from a folder, whose answer is to be another one's.
 void remove_line_tables(const std::string &folder);

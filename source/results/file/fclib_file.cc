@@ -17,52 +17,92 @@ namespace frictionbeam {
 
 namespace {
 
-/// Reads /fclib_local and checks what it reads.
-class LocalReader {
-public:
-  explicit LocalReader(const std::string &path) : path(path), file(path, Hdf5File::Mode::read) {}
+constexpr const char *local_group = "/fclib_local", *global_group = "/fclib_global";
 
-  contact::LocalProblem read() {
-    if (!file.has("/fclib_local"))
-      fail(file.has("/fclib_global")
-               ? "It holds a global problem (/fclib_global). This program reads local ones, "
-                 "/fclib_local: condense it to its contacts first, W = H^T M^-1 H."
-               : "It has no group /fclib_local, in which FCLIB keeps a local friction-contact "
-                 "problem. See with h5ls -r what it holds.");
-    for (const char *name : {"V", "R"})
-      if (file.has("/fclib_local/" + std::string(name)))
-        fail("It has equality constraints (/fclib_local/" + std::string(name) +
-             "), which this program does not solve. Eliminate them first: W - V R^-1 V^T in place "
-             "of W where R can be inverted.");
+/// Reads one of the groups that FCLIB keeps problems in, and checks what it reads.
+class ProblemReader {
+public:
+  ProblemReader(const std::string &path, const std::string &group)
+      : path(path), group(group + "/"), file(path, Hdf5File::Mode::read) {}
+
+  contact::LocalProblem read_local() const {
+    refuse_equalities({"V", "R"}, "Eliminate them first: W - V R^-1 V^T in place of W where R can "
+                                  "be inverted.");
     contact::LocalProblem problem;
-    const int dimension = file.integer("/fclib_local/spacedim");
-    if (dimension != 2 && dimension != 3)
-      fail("/fclib_local/spacedim is " + std::to_string(dimension) +
-           "; it must be 2 (normal, tangential) or 3 (normal, two tangential).");
-    problem.dimension = dimension;
-    const int n_rows = file.integer("/fclib_local/W/m"),
-              n_columns = file.integer("/fclib_local/W/n");
-    if (n_rows != n_columns || n_rows <= 0 || n_rows % dimension != 0)
-      fail("W is " + std::to_string(n_rows) + " x " + std::to_string(n_columns) +
+    problem.dimension = read_dimension();
+    const int n = n_columns_of("W", problem.dimension);
+    if (const int n_rows = size("W", "m"); n_rows != n)
+      fail("W is " + std::to_string(n_rows) + " x " + std::to_string(n) +
            "; it must be square, and its size a multiple of spacedim = " +
-           std::to_string(dimension) + ", one block for each contact.");
-    problem.q = read_vector("/fclib_local/vectors/q", n_rows); // before W: it proves the size
-    read_matrix(n_rows, problem.W);
-    problem.friction = read_vector("/fclib_local/vectors/mu", n_rows / dimension);
-    for (int i = 0; i < n_rows / dimension; ++i)
-      if (problem.friction[i] < 0.)
-        fail("mu of contact " + std::to_string(i) + " (counted from 0) is " +
-             std::to_string(problem.friction[i]) + "; it must be 0 or more.");
-    for (int i = 0; i < n_rows; ++i)
-      if (const double w = problem.W.coeff(i, i); w < 0.)
-        fail("Entry " + std::to_string(i) + " (counted from 0) of the diagonal of W is " +
-             std::to_string(w) + "; W must be positive semidefinite.");
+           std::to_string(problem.dimension) + ", one block for each contact.");
+    problem.q = read_vector("q", n, "one for each row of W"); // before W: it proves the size
+    problem.W = read_matrix("W", n, n);
+    problem.friction = read_friction(n / problem.dimension);
+    for (int i = 0; i < n; ++i)
+      check_diagonal("W", i, problem.W.coeff(i, i));
+    return problem;
+  }
+
+  GlobalContactProblem read_global() const {
+    refuse_equalities({"G"}, "Eliminate them first, or give the held unknowns a stiffness in M.");
+    GlobalContactProblem problem;
+    problem.dimension = read_dimension();
+    const int n = n_columns_of("H", problem.dimension), n_unknowns = size("M", "m");
+    if (n_unknowns <= 0 || size("M", "n") != n_unknowns || size("H", "m") != n_unknowns)
+      fail("M is " + std::to_string(n_unknowns) + " x " + std::to_string(size("M", "n")) +
+           ", H has " + std::to_string(size("H", "m")) +
+           " rows; M must be square, and H have a row for each of its rows.");
+    problem.f = read_vector("f", n_unknowns, "one for each row of M");
+    problem.w = read_vector("w", n, "one for each column of H");
+    problem.M = read_matrix("M", n_unknowns, n_unknowns);
+    problem.H = read_matrix("H", n_unknowns, n);
+    problem.friction = read_friction(n / problem.dimension);
+    for (int i = 0; i < n_unknowns; ++i)
+      check_diagonal("M", i, problem.M.coeff(i, i));
+    const SparseMatrix transposed = problem.M.transpose();
+    if (SparseMatrix(problem.M - transposed).norm() > 1e-8 * problem.M.norm())
+      fail("M is not symmetric.");
+    problem.M = SparseMatrix(problem.M + transposed) / 2.; // and so is its pattern
     return problem;
   }
 
 private:
   [[noreturn]] void fail(const std::string &text) const {
     throw UserError("The file '" + path + "' is not a problem that can be solved. " + text);
+  }
+
+  void refuse_equalities(const std::vector<std::string> &names, const std::string &remedy) const {
+    for (const std::string &name : names)
+      if (file.has(group + name))
+        fail("It has equality constraints (" + group + name +
+             "), which this program does not solve. " + remedy);
+  }
+
+  int size(const std::string &matrix, const std::string &which) const {
+    return file.integer(group + matrix + "/" + which);
+  }
+
+  int read_dimension() const {
+    const int dimension = file.integer(group + "spacedim");
+    if (dimension != 2 && dimension != 3)
+      fail(group + "spacedim is " + std::to_string(dimension) +
+           "; it must be 2 (normal, tangential) or 3 (normal, two tangential).");
+    return dimension;
+  }
+
+  int n_columns_of(const std::string &matrix, const int dimension) const {
+    const int n = size(matrix, "n");
+    if (n <= 0 || n % dimension != 0)
+      fail(matrix + " has " + std::to_string(n) +
+           " columns; there must be a multiple of spacedim = " + std::to_string(dimension) +
+           ", as many for each contact.");
+    return n;
+  }
+
+  void check_diagonal(const std::string &name, const int i, const double entry) const {
+    if (entry < 0.)
+      fail("Entry " + std::to_string(i) + " (counted from 0) of the diagonal of " + name + " is " +
+           std::to_string(entry) + "; " + name + " must be positive semidefinite.");
   }
 
   void check_size(const std::string &name, const std::size_t size, const std::size_t expected,
@@ -72,59 +112,74 @@ private:
            std::to_string(expected) + ", " + why + ".");
   }
 
-  Eigen::VectorXd read_vector(const std::string &name, const int size) const {
-    const std::vector<double> values = file.numbers(name);
-    check_size(name, values.size(), size,
-               size * 1u == file.integer("/fclib_local/W/m") * 1u ? "one for each row of W"
-                                                                  : "one for each contact");
+  Eigen::VectorXd read_vector(const std::string &name, const int size,
+                              const std::string &why) const {
+    const std::string full_name = group + "vectors/" + name;
+    const std::vector<double> values = file.numbers(full_name);
+    check_size(full_name, values.size(), size, why);
     for (const double value : values)
       if (!std::isfinite(value))
-        fail(name + " has an entry that is not finite.");
+        fail(full_name + " has an entry that is not finite.");
     return Eigen::Map<const Eigen::VectorXd>(values.data(), size);
   }
 
-  void read_matrix(const int n, Eigen::SparseMatrix<double> &matrix) const {
-    const std::string group = "/fclib_local/W/";
-    const int kind = file.integer(group + "nz");
+  Eigen::VectorXd read_friction(const int n_contacts) const {
+    const Eigen::VectorXd friction = read_vector("mu", n_contacts, "one for each contact");
+    for (int i = 0; i < n_contacts; ++i)
+      if (friction[i] < 0.)
+        fail("mu of contact " + std::to_string(i) + " (counted from 0) is " +
+             std::to_string(friction[i]) + "; it must be 0 or more.");
+    return friction;
+  }
+
+  Eigen::SparseMatrix<double> read_matrix(const std::string &name, const int n_rows,
+                                          const int n_columns) const {
+    const std::string of_matrix = group + name + "/";
+    const int kind = file.integer(of_matrix + "nz");
     if (kind < -2)
-      fail(group + "nz is " + std::to_string(kind) +
+      fail(of_matrix + "nz is " + std::to_string(kind) +
            "; it must be -2 (compressed rows), -1 (compressed columns) or the number of triplets.");
-    const std::vector<int> p = file.integers(group + "p"), inner = file.integers(group + "i");
-    const std::vector<double> x = file.numbers(group + "x");
+    const std::vector<int> p = file.integers(of_matrix + "p"),
+                           inner = file.integers(of_matrix + "i");
+    const std::vector<double> x = file.numbers(of_matrix + "x");
     std::vector<Eigen::Triplet<double>> triplets;
     const auto add = [&](const int row, const int column, const double value) {
-      if (row < 0 || row >= n || column < 0 || column >= n)
-        fail("W has an entry at row " + std::to_string(row) + ", column " + std::to_string(column) +
-             " (counted from 0), outside of its " + std::to_string(n) + " rows and columns.");
+      if (row < 0 || row >= n_rows || column < 0 || column >= n_columns)
+        fail(name + " has an entry at row " + std::to_string(row) + ", column " +
+             std::to_string(column) + " (counted from 0), outside of its " +
+             std::to_string(n_rows) + " rows and " + std::to_string(n_columns) + " columns.");
       if (!std::isfinite(value))
-        fail("W has an entry that is not finite.");
+        fail(name + " has an entry that is not finite.");
       triplets.emplace_back(row, column, value);
     };
     if (kind >= 0) {
       const std::size_t size = kind;
       if (p.size() < size || inner.size() < size || x.size() < size)
-        fail("W has " + std::to_string(kind) + " triplets by its nz, but p, i and x have " +
+        fail(name + " has " + std::to_string(kind) + " triplets by its nz, but p, i and x have " +
              std::to_string(p.size()) + ", " + std::to_string(inner.size()) + " and " +
              std::to_string(x.size()) + " entries.");
       for (int t = 0; t < kind; ++t)
         add(p[t], inner[t], x[t]);
     } else {
-      check_size(group + "p", p.size(), n + 1u, "one more than W has rows");
+      const int n_outer = kind == -2 ? n_rows : n_columns;
+      check_size(of_matrix + "p", p.size(), n_outer + 1u,
+                 "one more than " + name + " has " + (kind == -2 ? "rows" : "columns"));
       if (p[0] != 0 || !std::is_sorted(p.begin(), p.end()))
-        fail(group + "p must begin with 0 and never decrease.");
-      const std::size_t size = p[n];
+        fail(of_matrix + "p must begin with 0 and never decrease.");
+      const std::size_t size = p[n_outer];
       if (inner.size() < size || x.size() < size)
-        fail(group + "p ends with " + std::to_string(size) + ", but i and x have " +
+        fail(of_matrix + "p ends with " + std::to_string(size) + ", but i and x have " +
              std::to_string(inner.size()) + " and " + std::to_string(x.size()) + " entries.");
-      for (int outer = 0; outer < n; ++outer)
+      for (int outer = 0; outer < n_outer; ++outer)
         for (int t = p[outer]; t < p[outer + 1]; ++t)
           kind == -2 ? add(outer, inner[t], x[t]) : add(inner[t], outer, x[t]);
     }
-    matrix.resize(n, n);
+    Eigen::SparseMatrix<double> matrix(n_rows, n_columns);
     matrix.setFromTriplets(triplets.begin(), triplets.end());
+    return matrix;
   }
 
-  const std::string path;
+  const std::string path, group;
   const Hdf5File file;
 };
 
@@ -158,13 +213,16 @@ std::string damaged(const std::string &path, const std::string &trouble) {
          "before it was damaged; h5ls -r shows what it holds";
 }
 
-void put_solution(const std::string &path, const contact::LocalSolution &solution) {
+void put_solution(const std::string &path, const contact::LocalSolution &solution,
+                  const std::optional<Eigen::VectorXd> &v) {
   Hdf5File file(path, Hdf5File::Mode::change);
   if (file.has("/solution"))
     file.remove("/solution");
   file.make_group("/solution");
   file.write("/solution/u", solution.motions);
   file.write("/solution/r", solution.reactions);
+  if (v)
+    file.write("/solution/v", *v);
   file.write_attribute("/solution", "natural map", solution.residual.natural_map);
   file.write_attribute("/solution", "converged", solution.converged ? 1. : 0.);
   file.flush();
@@ -173,20 +231,33 @@ void put_solution(const std::string &path, const contact::LocalSolution &solutio
 } // namespace
 
 void try_contact_file(const std::string &path) {
-  const std::string trouble = run_in_child([&]() -> std::string {
-                                try {
-                                  const unsigned int n = LocalReader(path).read().q.size();
-                                  read_contact_reactions(path, n);
-                                } catch (const UserError &) { // the caller will meet it again
-                                }
-                                return "";
-                              }).trouble;
+  const std::string trouble =
+      run_in_child([&]() -> std::string {
+        try {
+          read_contact_reactions(path, n_components(read_contact_problem(path)));
+        } catch (const UserError &) { // the caller will meet it again
+        }
+        return "";
+      }).trouble;
   if (!trouble.empty())
     throw UserError(damaged(path, trouble));
 }
 
-contact::LocalProblem read_local_contact_problem(const std::string &path) {
-  return LocalReader(path).read();
+ContactProblem read_contact_problem(const std::string &path) {
+  if (const Hdf5File file(path, Hdf5File::Mode::read); file.has(local_group))
+    return ProblemReader(path, local_group).read_local();
+  else if (file.has(global_group))
+    return ProblemReader(path, global_group).read_global();
+  throw UserError(
+      "The file '" + path +
+      "' is not a problem that can be solved. It has neither the group /fclib_local nor "
+      "/fclib_global, in which FCLIB keeps friction-contact problems. See with h5ls -r "
+      "what it holds.");
+}
+
+unsigned int n_components(const ContactProblem &problem) {
+  const auto *const local = std::get_if<contact::LocalProblem>(&problem);
+  return local ? local->q.size() : std::get<GlobalContactProblem>(problem).w.size();
 }
 
 std::optional<Eigen::VectorXd> read_contact_reactions(const std::string &path,
@@ -201,7 +272,8 @@ std::optional<Eigen::VectorXd> read_contact_reactions(const std::string &path,
   return result;
 }
 
-void replace_contact_solution(const std::string &path, const contact::LocalSolution &solution) {
+void replace_contact_solution(const std::string &path, const contact::LocalSolution &solution,
+                              const std::optional<Eigen::VectorXd> &v) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path original = fs::canonical(path, error);
@@ -218,7 +290,7 @@ void replace_contact_solution(const std::string &path, const contact::LocalSolut
   }
   const ChildEnd end = run_in_child([&]() -> std::string {
     try {
-      put_solution(copy.string(), solution);
+      put_solution(copy.string(), solution, v);
     } catch (const OutputError &failure) {
       return failure.what();
     } catch (const UserError &failure) {
@@ -261,7 +333,7 @@ void write_global_contact_problem(const std::string &path, const GlobalContactPr
                                   const std::string &title, const std::string &description) {
   Hdf5File file(path, Hdf5File::Mode::create);
   file.make_group("/fclib_global");
-  file.write("/fclib_global/spacedim", 3);
+  file.write("/fclib_global/spacedim", static_cast<int>(problem.dimension));
   write_matrix(file, "/fclib_global/M", problem.M);
   write_matrix(file, "/fclib_global/H", problem.H);
   file.make_group("/fclib_global/vectors");

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
 /**
  * @file
@@ -18,16 +19,23 @@ namespace frictionbeam {
 /// @throws UserError then
 void try_contact_file(const std::string &path);
 
-/// Read and check the group /fclib_local of a file.
-contact::LocalProblem read_local_contact_problem(const std::string &path);
+using ContactProblem = std::variant<contact::LocalProblem, GlobalContactProblem>;
+
+/// Read and check the group /fclib_local of a file, or /fclib_global where there is no other.
+ContactProblem read_contact_problem(const std::string &path);
+
+/// Components of all contacts.
+unsigned int n_components(const ContactProblem &problem);
 
 /// The reactions in the group /solution of a file, if there are @p n of them.
 std::optional<Eigen::VectorXd> read_contact_reactions(const std::string &path,
                                                       const unsigned int n);
 
-/// Put r and u into the group /solution of a file, in place of what that group held; all else stays
-/// as it is. The file is replaced at once, by a copy, so that nothing can be half written.
-void replace_contact_solution(const std::string &path, const contact::LocalSolution &solution);
+/// Put r, u and perhaps v into the group /solution of a file, in place of what that group held; all
+/// else stays as it is. The file is replaced at once, by a copy, so that nothing can be half
+/// written.
+void replace_contact_solution(const std::string &path, const contact::LocalSolution &solution,
+                              const std::optional<Eigen::VectorXd> &v = {});
 
 /// Write a new file with the group /fclib_local, and r, u in /solution.
 void write_local_contact_problem(const std::string &path, const contact::LocalProblem &problem,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/file/summary.h"
 #include "results/file/output_file.h"
+#include "results/inelastic/yielding.h"
 #include "results/remarks.h"
 #include "results/text.h"
 
@@ -86,6 +87,29 @@ Json summary_of_nozzles(const Results &results) {
                       {"utilization", one.utilization},
                       {"time", number(one.time)}});
   return result;
+}
+
+/// What pipes have yielded and crept by the end of the run.
+Json summary_of_yield(const Scene &scene, const Results &results) {
+  const auto worst = [](const WorstSection &one) {
+    return Json{{"value", number(one.value)}, {"s", one.s}, {"step", one.step}};
+  };
+  Json pipes = Json::array(), hinges = Json::array();
+  for (const PipeYield &pipe : yield_of_pipes(results))
+    pipes.push_back({{"pipe", scene.pipes[pipe.pipe].name},
+                     {"plastic_strain", worst(pipe.plastic)},
+                     {"creep_strain", worst(pipe.creep)},
+                     {"utilization", worst(pipe.utilization)},
+                     {"dissipated", pipe.dissipated}});
+  for (const Hinge &hinge : hinges_of(frames_of_sections(results)))
+    hinges.push_back({{"pipe", scene.pipes[hinge.worst.pipe].name},
+                      {"from", hinge.from},
+                      {"to", hinge.to},
+                      {"s", hinge.worst.s},
+                      {"plastic_strain", number(hinge.worst.plastic_strain)},
+                      {"since", hinge.since},
+                      {"flows", hinge.flows}});
+  return {{"pipes", pipes}, {"hinges", hinges}};
 }
 
 /// The largest forces of a transient step, each with its instant.
@@ -209,6 +233,8 @@ void write_summary(const Scene &scene, const Results &results, const std::string
     summary["stresses"] = summary_of_stresses(scene, results);
   if (!results.nozzles.empty())
     summary["nozzles"] = summary_of_nozzles(results);
+  if (!frames_of_sections(results).empty())
+    summary["yield"] = summary_of_yield(scene, results);
   for (const StepEnvelope &envelope : results.envelopes)
     summary["envelopes"].push_back(summary_of(envelope, scene, results));
   summary["method"] = results.method;

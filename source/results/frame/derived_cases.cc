@@ -241,6 +241,7 @@ Frame combine(const Combination &combination, const std::vector<CaseRange> &case
   }
   const Vector larger = (least.cwiseAbs().array() > most.cwiseAbs().array()).select(least, most);
   Frame frame = *cases.back().least;
+  frame.sections.clear(); // what flows does not add up
   frame.end_of_step = true;
   if (range != nullptr) {
     range->least = with_numbers(frame, least);

@@ -183,6 +183,7 @@ Frame FrameBuilder::make(const LineState &state) {
   frame.time = state.time;
   const Pose pose = pose_of(state);
   vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  frame.line.reserve(model.discretization.pipe_cells().size() * (model.scene.output.stations + 2));
   for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
     add_pipe(state, pose, p, frame.line);
   add_vertex_forces(state, pose);
@@ -254,15 +255,19 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
   };
 
   std::vector<Station> stations = {at_node(0., start)};
-  station_values.reinit(cell);
   const unsigned int n = model.scene.output.stations;
+  const Eigen::Matrix3d turn = local_axes(cell).transpose();
+  PipeElement::Vector12 local;
+  for (int first = 0; first < 12; first += 3)
+    local.segment<3>(first) = turn * u.segment<3>(first);
+  const StationShapes &shapes = shapes_of(cell);
   for (unsigned int i = 0; i < n; ++i) {
     const double x = length * (i + 1) / (n + 1);
     Station result = station(x);
     const unsigned int q = pipe_cell.reversed ? n - 1 - i : i;
-    for (unsigned int j = 0; j < 12; ++j)
-      for (unsigned int c = 0; c < 6; ++c)
-        result.displacement[c] += u[j] * station_values.shape_value_component(j, q, c);
+    const Eigen::Matrix<double, 6, 1> inside = shapes[q] * local;
+    Eigen::Map<Eigen::Vector3d>(&result.displacement[0]) = turn.transpose() * inside.head<3>();
+    Eigen::Map<Eigen::Vector3d>(&result.displacement[3]) = turn.transpose() * inside.tail<3>();
     const Tensor<1, 6> clamped =
         clamped_motion(element.profile(), axes.x, load.line_force, x, length - x);
     for (unsigned int c = 0; c < 6; ++c)
@@ -271,6 +276,30 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
   }
   stations.push_back(at_node(length, 6 - start));
   return stations;
+}
+
+const FrameBuilder::StationShapes &FrameBuilder::shapes_of(const Discretization::Cell &cell) {
+  constexpr std::size_t most_kept = 1000; // as PipeElement
+  const Discretization::Cell first = model.discretization.like(cell);
+  if (station_shapes.size() > most_kept)
+    station_shapes.clear();
+  const auto [entry, is_new] = station_shapes.try_emplace(first->active_cell_index());
+  if (!is_new)
+    return entry->second;
+  const Eigen::Matrix3d turn = local_axes(first).transpose();
+  station_values.reinit(first);
+  for (unsigned int q = 0; q < station_values.n_quadrature_points; ++q) {
+    Eigen::Matrix<double, 6, 12> shapes;
+    for (unsigned int j = 0; j < 12; ++j)
+      for (unsigned int c = 0; c < 6; ++c)
+        shapes(c, j) = station_values.shape_value_component(j, q, c);
+    for (int row = 0; row < 6; row += 3)
+      for (int column = 0; column < 12; column += 3)
+        shapes.block<3, 3>(row, column) =
+            (turn * shapes.block<3, 3>(row, column) * turn.transpose()).eval();
+    entry->second.push_back(shapes);
+  }
+  return entry->second;
 }
 
 void FrameBuilder::place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const {

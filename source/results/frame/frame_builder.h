@@ -5,6 +5,8 @@
 #include "model/model.h"
 #include "results/results.h"
 
+#include <unordered_map>
+
 namespace frictionbeam {
 
 /// Turns a state of the analysis into what is reported: section forces, support forces, reactions.
@@ -90,6 +92,9 @@ private:
   std::vector<Station> stations_of_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
                                        const PipeElement::Vector12 &motions,
                                        const CellLoad &load) const;
+  /// Motions inside a straight cell by those of its ends, at each station, in its local axes.
+  using StationShapes = std::vector<Eigen::Matrix<double, 6, 12>>;
+  const StationShapes &shapes_of(const Discretization::Cell &cell);
   void append(const std::vector<Station> &stations, std::vector<Station> &line) const;
   void add_vertex_forces(const LineState &state, const Pose &pose);
 
@@ -99,6 +104,7 @@ private:
   PipeElement element;
   std::vector<HeldCell> held_cells;
   dealii::FEValues<1, 3> station_values;
+  std::unordered_map<unsigned int, StationShapes> station_shapes; ///< of Discretization::like()
   std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()
   std::vector<Motion> vertex_forces;    ///< what holds each vertex of the line
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/page/plot.h"
+#include "results/page/html.h"
 #include "results/text.h"
 
 #include "base/numbers.h"
@@ -265,6 +266,19 @@ DrawnPlots draw_plots(const std::vector<Plot> &plots, const std::string &prefix)
   for (std::size_t i = 0; drawn.problem.empty() && i < plots.size(); ++i)
     drawn.svg[i] = as_element(read_file(file(i)), name(i));
   return drawn;
+}
+
+std::string html_charts(const DrawnPlots &drawn, const std::size_t first, const std::size_t n) {
+  if (!drawn.problem.empty())
+    return html_note("There is no chart here, since " + drawn.problem + ".");
+  std::string text = "<div class=\"charts\">\n";
+  for (std::size_t i = first; i < first + n; ++i)
+    text += "<div>" + drawn.svg[i] + "</div>\n";
+  return text + "</div>\n";
+}
+
+std::string html_of_plots(const std::vector<Plot> &plots, const std::string &prefix) {
+  return html_charts(draw_plots(plots, prefix), 0, plots.size());
 }
 
 } // namespace frictionbeam

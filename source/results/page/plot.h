@@ -52,6 +52,11 @@ struct DrawnPlots {
  */
 DrawnPlots draw_plots(const std::vector<Plot> &plots, const std::string &prefix = "plot");
 
+/// Some of the plots drawn, side by side as HTML, or why there is none.
+std::string html_charts(const DrawnPlots &drawn, const std::size_t first, const std::size_t n);
+/// Draw plots, and all of them so.
+std::string html_of_plots(const std::vector<Plot> &plots, const std::string &prefix);
+
 /// Colour of the series number @p i, for readers with any kind of colour vision; six, then
 /// repeated.
 std::string series_colour(const unsigned int i);

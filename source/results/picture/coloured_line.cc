@@ -32,6 +32,14 @@ std::string heat(const double part) {
   return text;
 }
 
+const std::string nothing_known = "#c8c8c8";
+
+std::string ring(const Pixel &at, const std::string &tooltip) {
+  return "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) +
+         "\" r=\"7\" fill=\"none\" stroke=\"#000\" stroke-width=\"2\">" +
+         (tooltip.empty() ? "" : "<title>" + escape_xml(tooltip) + "</title>") + "</circle>\n";
+}
+
 /// The names of points of routes, each once; those that come too close to the one before are left
 /// out.
 template <typename Place>
@@ -91,14 +99,20 @@ std::string draw_coloured_line(const Scene &scene, const Results &results, const
       built += stroke(view.place(a.position), view.place(b.position),
                       "stroke=\"#c8c8c8\" stroke-width=\"2\"");
     const double value = std::max(what.values[i - 1], what.values[i]) / what.largest;
-    coloured +=
-        stroke(view.place(moved(a)), view.place(moved(b)),
-               "stroke=\"" + heat(value) + "\" stroke-width=\"4\" stroke-linecap=\"round\"");
+    coloured += stroke(view.place(moved(a)), view.place(moved(b)),
+                       "stroke=\"" + (std::isnan(value) ? nothing_known : heat(value)) +
+                           "\" stroke-width=\"4\" stroke-linecap=\"round\"");
   }
+  std::string rings;
+  for (const ColouredLine::Ring &one : what.rings)
+    rings += ring(view.place(moved(frame.line[one.station])), one.tooltip);
   const std::string names = draw_names(
       scene, results, frame, [&](const Station &station) { return view.place(moved(station)); });
-  const std::string key = draw_key(bottom, what.legend);
-  return svg_picture(wide, bottom + below, what.title, built + coloured + names + key);
+  std::string key = draw_key(bottom, what.legend);
+  if (!what.rings.empty())
+    key += ring({wide - margin - 250., bottom + 11.}, "") +
+           text_at(wide - margin - 235., bottom + 16., what.ring_meaning);
+  return svg_picture(wide, bottom + below, what.title, built + coloured + rings + names + key);
 }
 
 } // namespace frictionbeam

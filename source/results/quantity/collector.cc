@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/quantity/impact_forces.h"
-#include "results/quantity/point_forces.h"
-#include "results/quantity/support_quantities.h"
-#include "results/quantity/wall_quantities.h"
-
 #include "results/quantity/collector.h"
-#include "results/stress/stresses.h"
 
 #include "base/numbers.h"
 #include "base/user_error.h"
+#include "results/inelastic/section_states.h"
+#include "results/quantity/impact_forces.h"
+#include "results/quantity/point_forces.h"
+#include "results/quantity/shown_quantity.h"
+#include "results/quantity/support_quantities.h"
+#include "results/quantity/wall_quantities.h"
+#include "results/stress/stresses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,19 +17,8 @@
 namespace frictionbeam {
 
 namespace {
-
 using Of = QuantityKind::Of;
-
-std::string unit_of(const Quantity &quantity) {
-  const std::string unit = quantity.kind().unit;
-  if (quantity.over == Quantity::Over::integral)
-    return unit == "-" ? "s" : unit + " s";
-  if (quantity.over == Quantity::Over::rate)
-    return unit == "J" ? "W" : unit == "N s" ? "N" : unit + "/s";
-  return unit;
 }
-
-} // namespace
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
     : model(model), results(results), sink(std::move(sink)),
@@ -337,10 +327,14 @@ void Collector::put_out(const LineState &state, const bool keep) {
   frame.name = model.scene.steps[current_step].name;
   frame.increment = current_increment;
   frame.end_of_step = keep;
+  if (keep)
+    frame.sections = sections_of_line(model, state);
   sink(frame);
   is_put_out = true;
-  if (keep)
-    results.frames.push_back(frame);
+  if (!keep)
+    return;
+  results.frames.push_back(std::move(frame));
+  frame_is_current = false;
 }
 
 void Collector::transfer(Archive &archive) {
@@ -367,24 +361,12 @@ void Collector::finish(const LineState &state) {
       results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
       continue;
     }
-    const bool relative =
-        quantity.is(Of::exact) && model.scene.exact && model.scene.exact->largest > 0.;
-    const std::string unit = relative ? "-" : unit_of(quantity);
-    const double factor = model.scene.units.factor(unit);
-    QuantityResult result{
-        quantity.name,      quantity.unit.empty() ? model.scene.units.name(unit) : quantity.unit,
-        quantity.source,    *pending[i].value / factor,
-        quantity.reference, {}};
+    QuantityResult result = shown(model.scene, quantity, *pending[i].value);
+    const double factor = model.scene.units.factor(unit_of(quantity));
     if (quantity.over == Quantity::Over::change)
       result.whole = pending[i].largest / factor;
     else if (quantity.over == Quantity::Over::rate && pending[i].duration > 0.)
       result.whole = pending[i].largest / pending[i].duration / factor;
-    if (quantity.reference) {
-      const double difference = std::abs(result.value - *quantity.reference);
-      result.error =
-          *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
-    }
-    result.in_si = quantity.unit.empty() ? factor : 0.;
     result.of_impact = pending[i].struck;
     if (result.of_impact)
       results.remarks.push_back(remark_on_impact(quantity));

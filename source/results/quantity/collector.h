@@ -37,6 +37,9 @@ public:
   /// To be called for every case made after the load sequence: @p made is put out and kept.
   void observe_case(const Frame &made);
 
+  /// The quantity in a frame alone, for cases that have no state of the line.
+  double evaluate(const Quantity &quantity, const Frame &made) const;
+
   /// Fill in the quantities' results; those never reached are left out with a remark. If the
   /// analysis stopped between outputs, @p state, the last in equilibrium, is put out as well.
   void finish(const LineState &state);
@@ -72,8 +75,6 @@ private:
   double evaluate(const Quantity &quantity, const LineState &state);
   /// The same, where the absolute value is asked for without that.
   double evaluate_signed(const Quantity &quantity, const LineState &state);
-  /// The quantity in a frame alone, for cases that have no state of the line.
-  double evaluate(const Quantity &quantity, const Frame &made) const;
   double section_force(const Quantity &quantity, const Frame &made,
                        const unsigned int component) const;
   const Station &station_at(const Quantity &quantity, const Frame &made) const;

@@ -3,6 +3,7 @@
 
 #include "base/user_error.h"
 #include "model/cell/line_cells.h"
+#include "results/inelastic/section_states.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,16 @@ namespace frictionbeam {
 
 namespace {
 
-double number_of(const PipeSections::Report &report, const unsigned int component) {
+double number_of(const SectionState &section, const unsigned int component) {
   switch (component) {
   case 0:
-    return report.state.plastic_strain;
+    return section.plastic_strain;
   case 1:
-    return report.state.creep_strain;
+    return section.creep_strain;
   case 2:
-    return report.state.utilization;
+    return section.utilization;
   default:
-    return report.strain[component - 3];
+    return section.strain[component - 3];
   }
 }
 
@@ -29,22 +30,18 @@ double number_of(const PipeSections::Report &report, const unsigned int componen
 
 double value_of_wall(const Model &model, const Quantity &quantity, const LineState &state) {
   const unsigned int component = quantity.kind().component;
-  const PipeSections &sections = model.cells.pipe_sections();
   const bool is_of_line = quantity.where.empty();
   const unsigned int vertex = is_of_line ? 0 : model.mesh.points.at(quantity.where);
   double value = 0., nearest = std::numeric_limits<double>::max();
   for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i) {
-    if (!sections.has(i))
+    const PipeCell &cell = model.discretization.pipe_cells()[i];
+    const MeshedPipe &pipe = model.mesh.pipes[cell.pipe];
+    const bool begins = pipe.vertices[cell.position] == vertex;
+    if (!is_of_line && !begins && pipe.vertices[cell.position + 1] != vertex)
       continue;
-    const auto cell = model.discretization.pipe_cell(i);
-    const bool begins = cell->vertex_index(0) == vertex;
-    if (!is_of_line && !begins && cell->vertex_index(1) != vertex)
-      continue;
-    const double length = (cell->vertex(1) - cell->vertex(0)).norm();
-    for (const PipeSections::Report &report :
-         sections.reports(i, model.cells.surroundings(i, state.load_factors), state.sections)) {
-      const double number = number_of(report, component),
-                   distance = length * (begins ? report.part : 1. - report.part);
+    const double there = pipe.s[begins ? cell.position : cell.position + 1];
+    for (const SectionState &section : sections_of_cell(model, i, state)) {
+      const double number = number_of(section, component), distance = std::abs(section.s - there);
       if (is_of_line ? number > value : distance < nearest) {
         value = number;
         nearest = distance;

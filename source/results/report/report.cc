@@ -4,6 +4,7 @@
 #include "results/file/summary.h"
 #include "results/frame/frame_choice.h"
 #include "results/how_well_known.h"
+#include "results/inelastic/yield_report.h"
 #include "results/page/html.h"
 #include "results/picture/line_picture.h"
 #include "results/remarks.h"
@@ -147,6 +148,11 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("forces", "Section forces", charts.section_forces);
     if (!charts.histories.empty())
       add("histories", "Histories", charts.histories);
+    if (const std::string flow = yield_section(scene, results); !flow.empty()) {
+      add("yield", "Yield and creep", flow);
+      write_file(folder + "/sections.svg",
+                 "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + draw_flow(scene, results));
+    }
     if (!results.supports.empty() && frames.size() > 1)
       add("states", "States", state_table(results));
     if (!results.supports.empty())

@@ -201,12 +201,8 @@ std::string html_of(const Group &group, const DrawnPlots &drawn, const std::size
   const std::string heading = "<h3>" + escape_xml(group.heading) + "</h3>\n";
   if (group.plots.empty())
     return heading + html_note("Nothing here is other than zero.");
-  if (!drawn.problem.empty())
-    return heading + html_note("There is no chart here, since " + drawn.problem + ".");
-  std::string text = heading + group.key + "<div class=\"charts\">\n";
-  for (std::size_t i = 0; i < group.plots.size(); ++i)
-    text += "<div>" + drawn.svg[first + i] + "</div>\n";
-  return text + "</div>\n";
+  return heading + (drawn.problem.empty() ? group.key : "") +
+         html_charts(drawn, first, group.plots.size());
 }
 
 } // namespace

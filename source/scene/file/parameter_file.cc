@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace frictionbeam {
@@ -111,18 +112,16 @@ ParameterFile::ParameterFile(const std::string &file) : file_name(file), parts(1
 }
 
 const ParameterFile::Section *ParameterFile::find(const std::string &heading) const {
-  const auto part = std::find_if(parts.begin(), parts.end(),
-                                 [&](const Section &s) { return s.heading == heading; });
-  return part == parts.end() ? nullptr : &*part;
+  const auto place = places.find(heading);
+  return place == places.end() ? nullptr : &parts[place->second];
 }
 
 ParameterFile::Section &ParameterFile::section(const std::string &heading,
                                                const std::string &origin) {
-  for (Section &part : parts)
-    if (part.heading == heading)
-      return part;
-  parts.push_back({heading, origin, {}});
-  return parts.back();
+  const auto [place, is_new] = places.try_emplace(heading, parts.size());
+  if (is_new)
+    parts.push_back({heading, origin, {}});
+  return parts[place->second];
 }
 
 void ParameterFile::set(Section &section, Entry entry) {
@@ -170,9 +169,9 @@ std::string statement_of(std::string line, std::istream &lines, unsigned int &nu
     if (!std::getline(lines, line))
       break;
     ++number;
-    statement = tidy(statement + " " + tidy(line.substr(0, line.find('#'))));
+    statement += ' ' + tidy(line.substr(0, line.find('#')));
   }
-  return statement;
+  return tidy(statement);
 }
 
 } // namespace
@@ -185,9 +184,9 @@ void ParameterFile::read(const std::string &file, const unsigned int depth) {
   std::istringstream lines(bytes.compare(0, 3, "\xEF\xBB\xBF") == 0 ? bytes.substr(3) : bytes);
   std::string line;
   unsigned int number = 0;
-  std::string heading;          // of the open subsection
-  std::string opened;           // where it was opened
-  std::vector<std::string> own; // headings of this very file
+  std::string heading;       // of the open subsection
+  std::string opened;        // where it was opened
+  std::set<std::string> own; // headings of this very file
   while (std::getline(lines, line)) {
     ++number;
     const std::string origin = file + ":" + std::to_string(number);
@@ -207,10 +206,9 @@ void ParameterFile::read(const std::string &file, const unsigned int depth) {
              "'end' before this line; the open one, '" + heading + "', began at " + opened);
       if (rest.empty())
         fail("subsection <kind> <name>", "a heading such as 'subsection Pipe main'");
-      if (std::count(own.begin(), own.end(), rest) > 0)
+      if (!own.insert(rest).second)
         fail("every heading once", "another name for one of the two parts; the first '" + rest +
                                        "' is at " + section(rest, origin).origin);
-      own.push_back(rest);
       heading = rest;
       opened = origin;
       section(heading, origin);

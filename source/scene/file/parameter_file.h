@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace frictionbeam {
@@ -56,6 +57,7 @@ private:
 
   std::string file_name, content;
   std::vector<Section> parts;
+  std::unordered_map<std::string, std::size_t> places{{"", 0}}; ///< of the parts, by heading
 };
 
 /// Without white space at either end, and with single blanks within.

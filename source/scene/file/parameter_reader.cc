@@ -40,7 +40,8 @@ bool same_value(const std::string &a, const std::string &b) {
 
 /// Sections and entries that do not change what a reference value belongs to.
 bool keeps_references(const std::string &heading, const std::string &name) {
-  const std::vector<std::string> harmless = {"Mesh", "Solver", "Time", "Output", "Quantities"};
+  const std::vector<std::string> harmless = {"Mesh",   "Solver",     "Time",
+                                             "Output", "Quantities", "Study"};
   return std::count(harmless.begin(), harmless.end(), heading) > 0 ||
          (heading == "Continuum" && name != "Increments" && name != "Dimension") ||
          (name == "Increments" &&
@@ -230,7 +231,7 @@ double ParameterReader::in_bounds(const std::string &entry, const double si_valu
                                   const std::string &si_unit, const bool is_positive) const {
   const PhysicalBounds bounds = physical_bounds(si_unit);
   // Rounding may leave numbers that are as good as 0, but none that small.
-  const double least = is_positive ? bounds.smallest : 1e-60;
+  const double least = is_positive ? bounds.smallest : std::min(bounds.smallest, 1e-60);
   const double size = std::abs(si_value);
   if ((size == 0. && !is_positive) || (size >= least && size <= bounds.largest))
     return si_value;

@@ -55,16 +55,86 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
          "an initial displacement", "a static step before");
 }
 
-void check_inelastic(ParameterReader &in, Scene &scene) {
-  const auto found = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &pipe) {
-    return scene.sections[pipe.section].is_inelastic() && !pipe.rigid;
-  });
-  if (found == scene.pipes.end()) {
-    in.enter("Mesh");
-    if (scene.mesh.refine_hinges)
-      in.fail("Refine hinges", "pipes whose section yields", "'Law = fibre_pipe' in its Section");
-    return;
+namespace {
+
+bool yields(const Scene &scene, const Pipe &pipe) {
+  return scene.sections[pipe.section].is_inelastic() && !pipe.rigid;
+}
+
+/// What is asked of pipes that yield, where there are none.
+void check_elastic(ParameterReader &in, const Scene &scene) {
+  in.enter("Output");
+  if (!scene.output.sections.empty())
+    in.fail("Sections", "points of pipes whose section yields or creeps",
+            "'Law = fibre_pipe' in its Section");
+  in.enter("Mesh");
+  if (scene.mesh.refine_hinges)
+    in.fail("Refine hinges", "pipes whose section yields", "'Law = fibre_pipe' in its Section");
+  for (const LoadStep &step : scene.steps)
+    if (step.finds_limit) {
+      in.enter("Step " + step.name);
+      in.fail("Find", "limit with pipes whose section yields", "'Law = fibre_pipe' in its Section");
+    }
+}
+
+/// A reducer has one law, and a rigid pipe none.
+void check_laws_of_pipes(ParameterReader &in, Scene &scene) {
+  for (const Pipe &pipe : scene.pipes) {
+    const Section &section = scene.sections[pipe.section];
+    if (pipe.rigid && section.is_inelastic())
+      scene.remarks.push_back("Pipe " + pipe.name + ": it is Rigid, and the Law of its section " +
+                              section.name + " is not asked.");
+    if (pipe.rigid || !pipe.end_section)
+      continue;
+    const Section &end = scene.sections[*pipe.end_section];
+    if (section.law == end.law && section.law_parameters == end.law_parameters)
+      continue;
+    in.enter("Pipe " + pipe.name);
+    in.fail("End section", "a section with the Law of the first, and the same of its parameters",
+            "the same entries in both, or several short pipes");
   }
+}
+
+/// Creep takes the Duration of static steps for its time, whose default means nothing.
+void check_time_of_creep(ParameterReader &in, Scene &scene) {
+  const auto creeping = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &pipe) {
+    in.enter("Section " + scene.sections[pipe.section].name);
+    return yields(scene, pipe) && has_creep(in);
+  });
+  if (creeping == scene.pipes.end() || scene.steps.empty())
+    return;
+  std::string without;
+  bool any = false;
+  for (const LoadStep &step : scene.steps) {
+    in.enter("Step " + step.name);
+    const bool is_told = step.transient || step.cycle.number > 1 || in.given("Duration");
+    any = any || is_told;
+    if (!is_told)
+      without += (without.empty() ? "" : ", ") + step.name;
+  }
+  if (!any) {
+    in.enter("Step " + scene.steps.front().name);
+    in.fail("Duration", "the time that the steps take, where sections creep",
+            "'set Duration = 3.6e6' (1000 hours)", "none in any step");
+  }
+  if (!without.empty())
+    scene.remarks.push_back("Section " + scene.sections[creeping->section].name +
+                            " creeps for 1 s in each of the steps without a Duration: " + without +
+                            ".");
+}
+
+} // namespace
+
+void check_inelastic(ParameterReader &in, Scene &scene) {
+  in.enter("Output");
+  for (const std::string &point : scene.output.sections)
+    check_point(in, "Sections", point, scene);
+  check_laws_of_pipes(in, scene);
+  const auto found = std::find_if(scene.pipes.begin(), scene.pipes.end(),
+                                  [&](const Pipe &pipe) { return yields(scene, pipe); });
+  if (found == scene.pipes.end())
+    return check_elastic(in, scene);
+  check_time_of_creep(in, scene);
   const Section &section = scene.sections[found->section];
   in.enter("Section " + section.name);
   const auto refuse = [&](const bool is_there, const std::string &what, const std::string &hint) {
@@ -93,6 +163,11 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
     scene.remarks.push_back("Section " + section.name +
                             ": modes and spectra take its elastic "
                             "stiffness, whatever it yields or creeps.");
+  if (!scene.stress.code.empty())
+    scene.remarks.push_back("Section " + section.name +
+                            ": the stress code takes the forces of a line that yields or creeps "
+                            "for those of an elastic one, and its ranges of stress are then too "
+                            "small. Evaluate it with Law = elastic_section.");
 }
 
 void remark_on_free_motions(Scene &scene) {

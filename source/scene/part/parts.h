@@ -20,6 +20,8 @@ void parse_material(const ParameterReader &in, const std::string &name, Scene &s
 void declare_section(ParameterReader &in, const LawLibrary &laws);
 void parse_section(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
                    Scene &scene);
+/// Whether the section that the reader is in has a coefficient of creep.
+bool has_creep(const ParameterReader &in);
 void declare_point(ParameterReader &in);
 void parse_point(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_pipe(ParameterReader &in);
@@ -34,6 +36,10 @@ void declare_support(ParameterReader &in, const LawLibrary &laws);
 void print_laws(std::ostream &out, const LawLibrary &laws);
 void parse_support(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
                    Scene &scene);
+/// Whether a section 'Support rests.3' gives the third place of support 'rests' numbers of its own.
+bool is_support_place(const ParameterFile &file, const ParameterFile::Section &section);
+/// All such sections, after the supports.
+void parse_support_places(ParameterReader &in, const LawLibrary &laws, Scene &scene);
 void declare_spring(ParameterReader &in);
 void parse_spring(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_mass(ParameterReader &in);

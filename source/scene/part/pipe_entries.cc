@@ -22,10 +22,10 @@ std::vector<std::string> point_names(const Scene &scene) {
 
 void check_point(const ParameterReader &in, const std::string &entry, const std::string &name,
                  Scene &scene) {
-  if (scene.mesh.file.empty() || name.empty())
-    in.find(entry, name, point_names(scene), "point");
-  else
+  if (!scene.mesh.file.empty() && !name.empty())
     scene.asked_points.push_back({in.where(entry), name});
+  else if (scene.places.count(name) == 0)
+    in.find(entry, name, point_names(scene), "point");
 }
 
 void declare_point(ParameterReader &in) {
@@ -36,6 +36,7 @@ void declare_point(ParameterReader &in) {
 
 void parse_point(const ParameterReader &in, const std::string &name, Scene &scene) {
   scene.points.push_back({name, Point3(in.vector("Position", "m"))});
+  scene.places.emplace(name, scene.points.back().position);
 }
 
 void declare_pipe(ParameterReader &in) {
@@ -73,21 +74,6 @@ namespace {
 
 constexpr double tolerance = 1e-9;
 
-/// Position of a named point that is already there.
-const Point3 *find_position(const std::string &name, const Scene &scene, const Pipe &pipe) {
-  for (const NamedPoint &point : scene.points)
-    if (point.name == name)
-      return &point.position;
-  for (const Pipe &other : scene.pipes)
-    for (const RoutePoint &point : other.route)
-      if (point.name == name)
-        return &point.position;
-  for (const RoutePoint &point : pipe.route)
-    if (point.name == name)
-      return &point.position;
-  return nullptr;
-}
-
 [[noreturn]] void fail_point(const ParameterReader &in, const std::string &text,
                              const std::string &allowed, const std::string &hint) {
   in.fail("Route", allowed, hint, "'" + text + "'");
@@ -115,7 +101,8 @@ RoutePoint parse_route_point(const ParameterReader &in, const std::string &text,
     point.name = words[0];
     words.erase(words.begin());
   }
-  const Point3 *const known = point.name.empty() ? nullptr : find_position(point.name, scene, pipe);
+  const auto placed = scene.places.find(point.name); // already there
+  const Point3 *const known = placed == scene.places.end() ? nullptr : &placed->second;
   if (words.empty()) {
     if (known == nullptr) {
       const std::string like = nearest(point.name, point_names(scene));
@@ -227,9 +214,13 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
   pipe.name = name;
   pipe.section = one_of(in, "Section", names(scene.sections), "section");
   pipe.material = one_of(in, "Material", names(scene.materials), "material");
-  for (const std::string &point : split(in.text("Route"), ';'))
-    if (!point.empty())
-      pipe.route.push_back(parse_route_point(in, point, scene, pipe));
+  for (const std::string &text : split(in.text("Route"), ';')) {
+    if (text.empty())
+      continue;
+    pipe.route.push_back(parse_route_point(in, text, scene, pipe));
+    if (const RoutePoint &point = pipe.route.back(); !point.name.empty())
+      scene.places.emplace(point.name, point.position);
+  }
   if (!pipe.route.empty() || scene.mesh.file.empty())
     check_route(in, pipe.route);
   if (!pipe.route.empty())

@@ -12,7 +12,10 @@ constexpr Word<bool> bends[] = {
     {"straight pieces", false, "cut into cells, as where 'Cells per bend' is given"},
     {"arcs", true,
      "one exact curved element between two points of a bend, or more by 'Cell length'"}};
-}
+constexpr Word<Mesher> meshers[] = {
+    {"auto", Mesher::automatic, "gmsh for a File alone; routes are divided without it"},
+    {"gmsh", Mesher::gmsh, "routes, too, drawn and meshed by gmsh, to the same nodes"}};
+} // namespace
 
 void declare_mesh(ParameterReader &in) {
   in.declare_text("File", "", "path of a .geo or .msh file, from the parameter file's folder",
@@ -21,6 +24,7 @@ void declare_mesh(ParameterReader &in) {
   in.declare_number(
       "Cell length", 0., "m", 0., 1e300,
       "Longest cell of a straight run, and of an arc; 0: one cell from point to point.");
+  in.declare_choice("Mesher", Mesher::automatic, meshers, "");
   const bool cut = !in.raw("Cells per bend", "").empty();
   in.declare_choice("Bends", !cut, bends, "Of routes.");
   in.declare_count("Cells per bend", 8, 1,
@@ -52,6 +56,7 @@ void parse_mesh(const ParameterReader &in, Scene &scene) {
               "the path from " + fs::absolute(in.file().name()).parent_path().string());
   }
   scene.mesh.cell_length = in.number("Cell length");
+  scene.mesh.mesher = in.choice("Mesher", meshers);
   scene.mesh.arcs = in.choice("Bends", bends);
   scene.mesh.cells_per_bend = in.count("Cells per bend");
   scene.mesh.section_points = in.count("Section points");
@@ -180,6 +185,11 @@ void parse_exact(const ParameterReader &in, Scene &scene) {
 
 void declare_output(ParameterReader &in) {
   in.declare_count("Stations", 3, 0, "Between the two nodes of a cell, in line.csv.", 1000);
+  in.declare_text(
+      "Sections", "", "names of points, separated by commas",
+      "Of pipes that yield or creep: points whose sections' forces and strains are shown "
+      "and written at every increment, in section_history.csv; of several sections at a "
+      "point that which flows most. Empty: the two of the line that flow most.");
   in.declare_flag("Every increment", false,
                   "Write the state at every increment, not only at the ends of steps.");
   in.declare_flag("VTU", true, "Write files for ParaView.");
@@ -195,6 +205,9 @@ void declare_output(ParameterReader &in) {
 
 void parse_output(const ParameterReader &in, Scene &scene) {
   scene.output.stations = in.count("Stations");
+  for (const std::string &point : in.list("Sections"))
+    if (std::count(scene.output.sections.begin(), scene.output.sections.end(), point) == 0)
+      scene.output.sections.push_back(point); // check_inelastic() looks whether there is one
   scene.output.every_increment = in.flag("Every increment");
   scene.output.vtu = in.flag("VTU");
   scene.output.report = in.flag("Report");

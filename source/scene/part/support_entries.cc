@@ -169,13 +169,6 @@ void refuse(const ParameterReader &in, const std::vector<std::string> &entries,
               entry + " = " + in.text(entry) + " with Kind = " + kind);
 }
 
-std::vector<std::string> law_entries(const LawDescription &law) {
-  std::vector<std::string> entries;
-  for (int i = 0; i < law.n_parameters; ++i)
-    entries.push_back(law.parameters[i].name);
-  return entries;
-}
-
 Restraint parse_restraint(const ParameterReader &in, const std::string &name,
                           const Placement &placement, const std::vector<std::string> &law_entries) {
   const std::string kind = in.text("Kind");
@@ -256,16 +249,6 @@ void remark_on_length(const ParameterReader &in, const LawDescription &law,
     scene.remarks.push_back("Support " + support.name + ": its Length is not given and is 1 m, " +
                             to_text(1. / scene.units.factor("m")) + " " + scene.units.name("m") +
                             ". Its stiffness is the rigidity over that.");
-}
-
-/// Friction that grows when slip begins is none: the law would take the static coefficient.
-void check_dynamic_friction(const ParameterReader &in, const LawDescription &law) {
-  const std::string dynamic = "Dynamic friction coefficient", fixed = "Friction coefficient";
-  const std::vector<std::string> entries = law_entries(law);
-  if (std::count(entries.begin(), entries.end(), dynamic) > 0 && in.given(dynamic) &&
-      in.number(dynamic) > in.number(fixed))
-    in.fail(dynamic, "at most the " + fixed + ", " + in.text(fixed),
-            "a " + fixed + " as large, or leaving " + dynamic + " out");
 }
 
 /// Impacts have a restitution on rigid contacts only: a stiffness gives back what it stores.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
 
+#include "scene/law_entries.h"
+
 #include <algorithm>
+#include <cctype>
+#include <set>
 
 namespace frictionbeam::parts {
 
@@ -26,9 +30,10 @@ Placement parse_placement(const ParameterReader &in, Scene &scene) {
     in.fail_section(placement.pipe.empty() ? "neither 'At' nor 'Pipe'" : "both 'At' and 'Pipe'",
                     "either At, or Pipe with Every, or Pipe with Continuous = true",
                     "set At = <name of a point>");
+  std::set<std::string> points;
   for (const std::string &point : placement.points) {
     check_point(in, "At", point, scene);
-    if (std::count(placement.points.begin(), placement.points.end(), point) > 1)
+    if (!points.insert(point).second)
       in.fail("At", "every point once", "removing one '" + point + "'");
   }
   placement.every = in.number("Every");
@@ -59,6 +64,72 @@ Placement parse_placement(const ParameterReader &in, Scene &scene) {
         in.fail(entry, "a point of pipe '" + pipe.name + "'", "a point of its route");
     }
   return placement;
+}
+
+namespace {
+
+/// 'Support rests' and 3 of 'Support rests.3'; no heading if it does not end in a number.
+std::pair<std::string, unsigned int> repeated_support(const std::string &heading) {
+  const auto dot = heading.rfind('.');
+  const std::string number = dot == std::string::npos ? "" : heading.substr(dot + 1);
+  constexpr std::size_t most_digits = 8;
+  if (number.empty() || number.size() > most_digits || number[0] == '0' ||
+      !std::all_of(number.begin(), number.end(),
+                   [](const unsigned char c) { return std::isdigit(c) != 0; }))
+    return {};
+  return {heading.substr(0, dot), std::stoul(number)};
+}
+
+/// The law's entries, which are what the support says unless they are given.
+void declare_place(ParameterReader &in, const LawDescription &law,
+                   const std::vector<double> &parameters) {
+  for (int i = 0; i < law.n_parameters; ++i) {
+    const LawParameter &p = law.parameters[i];
+    in.declare_number(p.name, parameters[i], p.unit, p.minimum, p.maximum, p.meaning);
+  }
+}
+
+std::vector<double> parse_place(const ParameterReader &in, const LawDescription &law) {
+  std::vector<double> parameters;
+  for (const std::string &entry : law_entries(law))
+    parameters.push_back(in.number(entry));
+  check_closed_form(in, law, parameters);
+  check_dynamic_friction(in, law);
+  return parameters;
+}
+
+} // namespace
+
+bool is_support_place(const ParameterFile &file, const ParameterFile::Section &section) {
+  const std::string support = repeated_support(section.heading).first;
+  return support.rfind("Support ", 0) == 0 && file.find(support) != nullptr &&
+         section.find("At") == nullptr && section.find("Pipe") == nullptr;
+}
+
+void parse_support_places(ParameterReader &in, const LawLibrary &laws, Scene &scene) {
+  for (const ParameterFile::Section &section : in.file().sections()) {
+    if (!is_support_place(in.file(), section))
+      continue;
+    in.enter(section.heading);
+    const auto [heading, place] = repeated_support(section.heading);
+    const std::string name = heading.substr(heading.find(' ') + 1);
+    bool found = false;
+    for (FrictionSupport &support : scene.supports) {
+      if (support.name != name && support.name != name + ".plus" && support.name != name + ".minus")
+        continue;
+      const LawDescription &law = laws.find(support.law);
+      if (!found) {
+        declare_place(in, law, support.parameters);
+        in.take();
+      }
+      found = true;
+      support.parameters_at[place - 1] = parse_place(in, law);
+    }
+    if (!found)
+      in.fail_section("a place of '" + heading + "', which holds exactly and has no law",
+                      "places of supports with friction, a gap or a stiffness",
+                      "a Friction coefficient or a Gap for '" + heading + "'");
+  }
 }
 
 } // namespace frictionbeam::parts

@@ -101,6 +101,23 @@ void remark_on_support(const ParameterReader &in, const std::string &section, co
     remark_on(in, section, {"Restitution"}, "without a transient step", scene);
 }
 
+/// What of creep a coefficient that is not there leaves without effect.
+void remark_on_creep(const ParameterReader &in, const std::string &section, Scene &scene) {
+  const bool secondary = number_of(in, "Creep coefficient") > 0.,
+             primary = number_of(in, "Primary creep coefficient") > 0.;
+  if (!secondary)
+    remark_on(in, section, {"Creep exponent"}, "without a Creep coefficient", scene);
+  if (!primary)
+    remark_on(in, section, {"Primary creep exponent", "Primary time exponent", "Primary hardening"},
+              "without a Primary creep coefficient", scene);
+  if (!secondary && !primary)
+    remark_on(in, section, {"Creep activation temperature", "Creep reference temperature"},
+              "without a coefficient of creep", scene);
+  else if (number_of(in, "Creep activation temperature") == 0.)
+    remark_on(in, section, {"Creep reference temperature"},
+              "without a Creep activation temperature", scene);
+}
+
 /// Entries of parts that another entry of the part leaves without effect.
 void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
   for (const ParameterFile::Section &section : in.file().sections()) {
@@ -108,9 +125,11 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
     in.enter(heading);
     if (kind == "Support")
       remark_on_support(in, heading, has_motion, scene);
-    else if (kind == "Section" && number_of(in, "Insulation") == 0.)
-      remark_on(in, heading, {"Insulation density"}, "without Insulation", scene);
-    else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
+    else if (kind == "Section") {
+      if (number_of(in, "Insulation") == 0.)
+        remark_on(in, heading, {"Insulation density"}, "without Insulation", scene);
+      remark_on_creep(in, heading, scene);
+    } else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
       remark_on(in, heading, {"Variation", "Weight step", "Hot step"},
                 "beside a Cold load: the hanger is not sized", scene);
     else if (kind == "Tee" && in.raw("Kind", "welding tee") != "reinforced")
@@ -120,6 +139,19 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
 
 /// Entries of sections that another section, or an entry that turns it on, leaves without effect.
 void remark_on_sections(ParameterReader &in, Scene &scene) {
+  const auto any = [&](const auto &is) {
+    return std::any_of(scene.sections.begin(), scene.sections.end(), is);
+  };
+  if (!any([&](const Section &section) {
+        in.enter("Section " + section.name);
+        return has_creep(in);
+      })) {
+    in.enter("Solver");
+    remark_on(in, "Solver", {"Creep tolerance"}, "without a section that creeps", scene);
+  }
+  in.enter("Mesh");
+  if (!any([](const Section &section) { return section.is_inelastic(); }))
+    remark_on(in, "Mesh", {"Section points"}, "without a section that yields or creeps", scene);
   in.enter("Stress");
   if (scene.stress.code.empty())
     remark_on(
@@ -137,6 +169,10 @@ void remark_on_sections(ParameterReader &in, Scene &scene) {
 }
 
 } // namespace
+
+bool has_creep(const ParameterReader &in) {
+  return number_of(in, "Creep coefficient") > 0. || number_of(in, "Primary creep coefficient") > 0.;
+}
 
 void remark_on_unused(ParameterReader &in, Scene &scene) {
   const bool has_motion = std::any_of(scene.steps.begin(), scene.steps.end(),

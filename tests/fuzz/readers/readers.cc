@@ -118,8 +118,7 @@ void read_law(const std::string &bytes) {
 
 void read_contacts(const std::string &bytes) {
   const std::string path = write("problem.hdf5", bytes);
-  const contact::LocalProblem problem = read_local_contact_problem(path);
-  read_contact_reactions(path, problem.q.size());
+  read_contact_reactions(path, n_components(read_contact_problem(path)));
 }
 
 const std::map<std::string, std::function<void(const std::string &)>> readers = {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "front_prediction.h"
+#include "newton.h"
+
+namespace frictionbeam::contact {
+
+/**
+ * Newton's method on chosen branches of the contact laws, in whole steps, each on the branches that
+ * FrontPrediction makes of the last one: it comes near a solution of an increment in a few steps,
+ * or gives up. From there Newton::solve_together() goes on, which judges.
+ *
+ * A step is one of the proximal law around the present forces, with a stiffness so large that it
+ * holds what a branch holds (doc/theory.md, "Exact contact", the travelling front).
+ */
+class ActiveSet {
+public:
+  ActiveSet(IncrementEquations &equations, Newton &newton);
+
+  /**
+   * From the centre and no motion, unless a contact may jam or failures in a row have made a pause;
+   * x and the centre are as they were if it stalls.
+   * @param is_first whether an increment begins, and not a correction of it
+   * @param factor c of solve_together()
+   */
+  Outcome solve(const bool is_first, const double factor, Vector &x, Response &response,
+                Result &result);
+
+  /// A solution: where to begin the next time. @p motion without entries: as before.
+  void remember(const std::vector<ContactStatus> &status, const Vector &motion);
+
+  /// Other forces than those of the last solution are the centre.
+  void forget_status() { kept.status.clear(); }
+
+  void save(WarmStart &memory) const { memory.prediction = kept; }
+  void restore(const WarmStart &memory) { kept = memory.prediction; }
+
+private:
+  /// To forces and x at which the branches stay as they are. @return whether they do
+  bool predict(Vector &x, Response &response, Result &result);
+  std::vector<ContactStatus> first_branches(const Response &response) const;
+  /// One step to x and forces in equilibrium on the branches. @return false if there is none
+  bool step(Vector &x, Response &response, Result &result);
+  /// Whether x and the present centre are nearer to a solution than no motion and @p centre.
+  bool is_nearer(const Vector &x, const std::vector<Strains> &centre, Response &response);
+  /// Whether a contact has several states by itself. Whole steps lead to any of them, and from the
+  /// wrong one on each increment is harder than on the path of the loads.
+  bool may_jam() const;
+  /// The more failures in a row, the longer the pause.
+  void learn(const bool has_led_to_solution);
+
+  IncrementEquations &equations;
+  Newton &newton;
+  ProximalSites &proximal;
+  FrontPrediction front;
+  std::vector<Check::Point> points; ///< of contacts after a step
+  PredictionMemory kept;
+};
+
+} // namespace frictionbeam::contact

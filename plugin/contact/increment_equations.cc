@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "increment_equations.h"
+
+#include <frictionbeam/contact/tolerances.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace frictionbeam::contact {
+
+namespace {
+
+Vector positive_diagonal(const SparseMatrix &matrix) {
+  Vector diagonal = matrix.diagonal();
+  const double mean = diagonal.size() > 0 ? diagonal.mean() : 1.;
+  for (double &d : diagonal)
+    d = d > 0. ? d : mean > 0. ? mean : 1.;
+  return diagonal;
+}
+
+/// Place of an entry among the values.
+int place_of(const SparseMatrix &matrix, const int row, const int column) {
+  const int *const begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row],
+                   *const end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row + 1];
+  return std::lower_bound(begin, end, column) - matrix.innerIndexPtr();
+}
+
+} // namespace
+
+IncrementEquations::IncrementEquations(const Settings &settings, const SiteList &contacts,
+                                       const Condensation &line, ProximalSites &proximal)
+    : settings(settings), contacts(contacts), S(line.matrix()), proximal(proximal),
+      diagonal(positive_diagonal(S)), line(line), places(contacts.size()),
+      start_strain(contacts.size()) {
+  factors.analyze(S);
+  for (int i = 0; i < S.rows(); ++i)
+    diagonal_places.push_back(place_of(S, i, i));
+  tangent = S;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    for (const int unknown : contacts[i].unknowns)
+      places[i].unknowns.push_back(line.place(unknown));
+    for (const int row : places[i].unknowns)
+      for (const int column : places[i].unknowns)
+        places[i].values.push_back(place_of(S, row, column));
+  }
+  if (factors.is_of_body())
+    reduced.emplace(S, contacts, unknowns_of_contacts());
+}
+
+void IncrementEquations::begin(const Vector &forces, const double largest, const double so_far,
+                               std::vector<Strains> strain, const double displacement,
+                               const State &state, const Increment &of_time) {
+  loads = line.condense(forces);
+  largest_load = largest;
+  force_so_far = so_far;
+  committed = &state;
+  increment = of_time;
+  start_displacement = displacement;
+  start_strain = std::move(strain);
+}
+
+void IncrementEquations::place(const Vector &x, Response &response) const {
+  contacts.prepare(response);
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    response.state.strain[i] = start_strain[i] + strain_of(i, x);
+}
+
+void IncrementEquations::evaluate(const Vector &x, Response &response) {
+  place(x, response);
+  displacement_rounding = rounding_of_motion(x);
+  proximal.evaluate(*committed, increment, LawTangent::consistent, response);
+  left_by_body = loads - S * x;
+  if (drag > 0.)
+    left_by_body -= drag * diagonal.cwiseProduct(x);
+}
+
+Vector IncrementEquations::forces_left(const Response &response) const {
+  Vector forces = left_by_body;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    subtract_force(i, response.stress[i], forces);
+  return forces;
+}
+
+bool IncrementEquations::balanced(const Vector &forces, const Vector &x, const Response &response,
+                                  Result &result) {
+  double largest = largest_load;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    largest = std::max(largest, contacts[i].largest_force(response.stress[i]));
+  const double size = forces.size() > 0 ? forces.lpNorm<Eigen::Infinity>() : 0.;
+  result.residual = largest > 0. ? size / largest : size;
+  double stiffest = x.size() > 0 ? diagonal.cwiseProduct(x).lpNorm<Eigen::Infinity>() : 0.;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (!proximal.is_exact(i)) // its force is as inexact as the displacement that makes it
+      stiffest = std::max(stiffest, contacts[i].share() * std::abs(response.tangent[i](0, 0) *
+                                                                   response.state.strain[i][0]));
+  force_left = size;
+  largest_force = std::max(largest, force_so_far);
+  rounding = 8. * std::numeric_limits<double>::epsilon() * stiffest;
+  return size <=
+         std::max(settings.tolerance * largest, std::min(rounding, most_excused * largest_force));
+}
+
+double IncrementEquations::energy(const Vector &forces) const {
+  return forces.cwiseProduct(forces).cwiseQuotient(diagonal).sum();
+}
+
+double IncrementEquations::energy_together(const Response &response) const {
+  Vector forces = left_by_body;
+  double misfit = 0.;
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    Strains stress = response.stress[i];
+    if (proximal.is_exact(i)) {
+      stress.head<3>() = proximal.centre[i].head<3>();
+      misfit += contacts[i].weight * proximal.misfit[i].cwiseAbs2().dot(proximal.by_centre(i));
+    }
+    subtract_force(i, stress, forces);
+  }
+  return energy(forces) + misfit;
+}
+
+Check IncrementEquations::check(const Response &response) const {
+  return proximal.check(response, *committed, displacement_rounding);
+}
+
+double IncrementEquations::rounding_of_motion(const Vector &x) const {
+  const double largest = x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.;
+  return 8. * std::numeric_limits<double>::epsilon() * (start_displacement + largest);
+}
+
+std::vector<std::vector<int>> IncrementEquations::unknowns_of_contacts() const {
+  std::vector<std::vector<int>> unknowns;
+  for (const Places &of_contact : places)
+    unknowns.push_back(of_contact.unknowns);
+  return unknowns;
+}
+
+void IncrementEquations::add_block(const unsigned int i, const Block &stiffness) {
+  const auto &B = contacts[i].B;
+  for (Eigen::Index a = 0, v = 0; a < B.cols(); ++a) {
+    const Eigen::RowVector4d row = contacts[i].weight * B.col(a).transpose() * stiffness;
+    for (Eigen::Index b = 0; b < B.cols(); ++b, ++v)
+      tangent.valuePtr()[places[i].values[v]] += row.dot(B.col(b));
+  }
+}
+
+void IncrementEquations::begin_tangent(const double shift) {
+  factored.clear();
+  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
+  for (int i = 0; i < tangent.rows(); ++i)
+    tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+}
+
+bool IncrementEquations::factor(const Response &response, Result &result) {
+  if (response.tangent == factored) // nothing slides, nothing opened or closed
+    return true;
+  is_reduced = reduced && drag == 0.;
+  if (!is_reduced)
+    return factor_all(response, result);
+  factored.clear();
+  ++result.factorizations;
+  is_reduced = reduced->factorize(response.tangent);
+  if (!is_reduced)
+    return factor_all(response, result);
+  factored = response.tangent;
+  return true;
+}
+
+bool IncrementEquations::factor_all(const Response &response, Result &result) {
+  is_reduced = false;
+  begin_tangent(0.);
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    add_block(i, response.tangent[i]);
+  double shifted = -drag;
+  for (const double shift : {0., 1e-9, 1e-6}) { // there is no pivoting
+    for (int i = 0; i < tangent.rows(); ++i)
+      tangent.valuePtr()[diagonal_places[i]] += (shift - shifted) * diagonal[i];
+    shifted = shift;
+    ++result.factorizations;
+    if (factors.factorize(tangent)) {
+      factored = response.tangent;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool IncrementEquations::solve(const Vector &forces, const Response &response, Result &result,
+                               Vector &direction) {
+  if (is_reduced) {
+    if (reduced->solve(forces, direction))
+      return true;
+    if (!factor_all(response, result))
+      return false;
+  }
+  direction = factors.solve(forces);
+  return true;
+}
+
+void IncrementEquations::restore(const WarmStart &memory) {
+  factored.clear();
+  if (memory.factored.empty())
+    return;
+  Response response;
+  response.tangent = memory.factored;
+  Result not_counted;
+  factor(response, not_counted);
+}
+
+void IncrementEquations::set_drag(const double factor) {
+  drag = factor;
+  factored.clear();
+}
+
+} // namespace frictionbeam::contact

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "proximal_sites.h"
+#include "reduced_tangent.h"
+#include "tangent_factors.h"
+#include <frictionbeam/contact/condensation.h>
+
+#include <optional>
+
+namespace frictionbeam::contact {
+
+/**
+ * The equations of one increment of a condensed system on proximal contacts, S x + H^T r = g and
+ * r = R(H x, centre) with x the motion of the kept unknowns, their residuals, and factors of their
+ * tangent.
+ */
+class IncrementEquations {
+public:
+  IncrementEquations(const Settings &settings, const SiteList &contacts, const Condensation &line,
+                     ProximalSites &proximal);
+
+  /**
+   * Begin from the displacements q.
+   * @param forces on the unknowns that the body at q does not balance, without those of contacts
+   * @param largest_load to measure them by; @param force_so_far largest of the load sequence
+   * @param strain of the sites at q, @param displacement the largest that makes it [m]
+   */
+  void begin(const Vector &forces, const double largest_load, const double force_so_far,
+             std::vector<Strains> strain, const double displacement, const State &committed,
+             const Increment &increment);
+
+  /// Strains of the sites, which are not evaluated.
+  void place(const Vector &x, Response &response) const;
+  /// Evaluate the contacts, and the forces that the body leaves to them.
+  void evaluate(const Vector &x, Response &response);
+  /// Left over by body and contacts, at the last x evaluated.
+  Vector forces_left(const Response &response) const;
+  /// Whether these count as zero: by the tolerance, or by rounding.
+  bool balanced(const Vector &forces, const Vector &x, const Response &response, Result &result);
+  /// By the inverse diagonal, that forces and moments count alike [J].
+  double energy(const Vector &forces) const;
+  /// Of Newton's method on motions and forces together, the centre being the forces:
+  /// (g - S x - H^T r)^2 / diag S + (R - r)^2 / (c k_d).
+  double energy_together(const Response &response) const;
+  /// Of the exact laws, at the last evaluation.
+  Check check(const Response &response) const;
+  /// Of exact contact @p i at the response's strain, under a stress.
+  Check::Point point_of(const unsigned int i, const Strains &stress, const double rounding,
+                        const Response &response) const {
+    return proximal.point_of(i, stress, response.state.strain[i], *committed, rounding);
+  }
+  /// Of displacements that x makes [m].
+  double rounding_of_motion(const Vector &x) const;
+  Strains strain_of(const unsigned int i, const Vector &motion) const {
+    return contacts[i].strain_by_unknowns(motion, places[i].unknowns);
+  }
+
+  /// Factor S with the contacts' tangents: for a body the directions alone that are free. What is
+  /// factored already is not factored again. @return false if a pivot vanishes
+  bool factor(const Response &response, Result &result);
+  /// With what factor() has left; where the reduced factors do not do, with all.
+  bool solve(const Vector &forces, const Response &response, Result &result, Vector &direction);
+  /// S and a multiple of its diagonal, without the contacts, for factor_tangent().
+  void begin_tangent(const double shift);
+  /// Add a contact's stiffness, of its strains, to that.
+  void add_block(const unsigned int i, const Block &stiffness);
+  bool factor_tangent() { return factors.factorize(tangent); }
+  Vector solve_tangent(const Vector &forces) const { return factors.solve(forces); }
+
+  /// The tangents that are factored; restoring them, their factors are made again.
+  void save(WarmStart &memory) const { memory.factored = factored; }
+  void restore(const WarmStart &memory);
+
+  /// From here on a drag on all kept unknowns, this times diag S, holds what nothing else does; 0
+  /// takes it off.
+  void set_drag(const double factor);
+  double drag_factor() const { return drag; }
+  /// Whether the contacts are all coupled.
+  bool is_of_body() const { return factors.is_of_body(); }
+  std::vector<std::vector<int>> unknowns_of_contacts() const;
+
+  const Settings &settings;
+  const SiteList &contacts;
+  const SparseMatrix &S;
+  ProximalSites &proximal;
+  const Vector diagonal; ///< of S, positive
+
+  // of the increment
+  Vector loads; ///< g
+  /// As last judged [N].
+  double force_left = 0., rounding = 0., largest_force = 0.;
+
+private:
+  void subtract_force(const unsigned int i, const Strains &stress, Vector &forces) const {
+    contacts[i].add_to(forces, stress, -1., places[i].unknowns);
+  }
+  /// All directions, and a small multiple of the diagonal where that fails.
+  bool factor_all(const Response &response, Result &result);
+
+  /// Places of a contact's unknowns in x, and of its block in the values of S.
+  struct Places {
+    std::vector<int> unknowns, values;
+  };
+
+  const Condensation &line;
+  std::vector<Places> places;
+  std::vector<int> diagonal_places; ///< in the values of S
+  TangentFactors factors;
+  std::optional<ReducedTangent> reduced; ///< of a body
+  bool is_reduced = false;               ///< which of the two holds the factors
+  SparseMatrix tangent;
+  std::vector<Block> factored; ///< the contacts' tangents that factors hold
+
+  // of the increment
+  Vector left_by_body; ///< g - S x without the contacts' forces, at the last x evaluated
+  double largest_load = 0., force_so_far = 0.;
+  double drag = 0.;
+  std::vector<Strains> start_strain;
+  double start_displacement = 0., displacement_rounding = 0.;
+  const State *committed = nullptr;
+  Increment increment;
+};
+
+} // namespace frictionbeam::contact

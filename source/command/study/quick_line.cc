@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "command/study/quick_line.h"
+
+#include "model/line_model.h"
+#include "results/quantity/point_forces.h"
+#include "results/quantity/shown_quantity.h"
+#include "results/stress/stresses.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam::study {
+
+namespace {
+
+using Of = QuantityKind::Of;
+
+/// Of a stress the largest of the line: places and factors are not kept.
+bool can_evaluate(const Quantity &quantity) {
+  const bool is_largest =
+      quantity.where.empty() &&
+      (quantity.what == "SL" || quantity.what == "SE" || quantity.what == "utilization");
+  return quantity.over == Quantity::Over::end && !quantity.time &&
+         (quantity.is(Of::motion) || quantity.is(Of::section) || quantity.is(Of::holder) ||
+          quantity.is(Of::support) || quantity.is(Of::supports) ||
+          (quantity.is(Of::stress) && is_largest));
+}
+
+unsigned int place_of_step(const Scene &scene, const std::string &name) {
+  const auto step = std::find_if(scene.steps.begin(), scene.steps.end(),
+                                 [&](const LoadStep &one) { return one.name == name; });
+  Assert(step != scene.steps.end(), dealii::ExcInternalError());
+  return step - scene.steps.begin();
+}
+
+} // namespace
+
+bool QuickLine::can_do(const Scene &scene) {
+  return !has_transient_step(scene) && scene.kinematics == Kinematics::linear && !scene.yields() &&
+         scene.combinations.empty() && scene.spectra.empty() && scene.modal.n_modes == 0 &&
+         !scene.exact && scene.initial.empty() &&
+         std::none_of(scene.steps.begin(), scene.steps.end(),
+                      [](const LoadStep &step) { return step.finds_limit; }) &&
+         std::all_of(scene.quantities.begin(), scene.quantities.end(), can_evaluate);
+}
+
+QuickLine::QuickLine(const Model &model)
+    : model(model), scene(model.scene), collector(model, results, [](const Frame &) {}),
+      builder(model, true), section_forces(model), values(scene.quantities.size()) {
+  results.units = scene.units;
+  const std::vector<Station> line = builder.stations();
+  for (const Station &station : line) {
+    auto &of_node = dofs.emplace_back();
+    for (unsigned int c = 0; c < 6; ++c)
+      of_node[c] = station.is_node() ? model.discretization.vertex_dofs().index(station.vertex, c)
+                                     : dealii::numbers::invalid_dof_index;
+  }
+  for (unsigned int step = 0; step < scene.steps.size(); ++step) {
+    Frame &frame = results.frames.emplace_back();
+    frame.name = scene.steps[step].name;
+    frame.step = step;
+    frame.line = line;
+    frame.supports.resize(model.contacts.size());
+  }
+  if (scene.stress.code.empty())
+    return;
+  evaluation = std::make_unique<StressEvaluation>(scene, model.mesh, results);
+  for (const std::string &step : scene.stress.sustained)
+    add_case("sustained", "", step);
+  for (const std::string &step : scene.stress.occasional)
+    add_case("occasional", "", step);
+  for (const auto &[from, to] : scene.stress.expansion)
+    add_case("expansion", from, to);
+}
+
+void QuickLine::add_case(const std::string &kind, const std::string &from, const std::string &to) {
+  Case &of = cases.emplace_back();
+  of.kind = kind;
+  of.is_range = !from.empty();
+  of.name = of.is_range ? from + " to " + to : to;
+  of.step = place_of_step(scene, to);
+  if (of.is_range)
+    of.from = place_of_step(scene, from);
+  const StressCode &code = *evaluation->code;
+  for (const Station &station : results.frames.front().line) {
+    const StressPoint point = evaluation->point(station);
+    of.points.push_back(point);
+    of.axes.push_back(
+        evaluation->axes(station, of.is_range ? 0. : pressure_in(scene, to, station.pipe)));
+    of.formulas.push_back(of.is_range ? code.expansion_range(point) : code.sustained(point));
+    of.allowed.push_back(of.is_range           ? 0.
+                         : kind == "sustained" ? code.allowed_sustained(point)
+                                               : code.allowed_occasional(point, scene.stress));
+  }
+}
+
+void QuickLine::set_forces(const LineState &state, Frame &frame) {
+  section_forces.evaluate(
+      state, [](const unsigned int, const SectionForces::Bounds &) { return false; },
+      [&](const unsigned int first, const double *const forces, const unsigned int n) {
+        for (unsigned int i = 0; i < n; ++i)
+          std::copy(forces + 6 * i, forces + 6 * (i + 1), frame.line[first + i].force.begin());
+      });
+  for (std::size_t i = 0; i < frame.line.size(); ++i)
+    for (unsigned int c = 0; c < 6; ++c)
+      if (dofs[i][c] != dealii::numbers::invalid_dof_index)
+        frame.line[i].displacement[c] = state.dofs[dofs[i][c]];
+}
+
+void QuickLine::observe(const unsigned int step, const LineState &state) {
+  Frame &frame = results.frames[step];
+  frame.time = state.time;
+  frame.reactions = builder.reactions(state);
+  for (unsigned int i = 0; i < model.contacts.size(); ++i)
+    frame.supports[i] = builder.support_state(state, i);
+  set_forces(state, frame);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Quantity &quantity = scene.quantities[i];
+    if (!quantity.is(Of::stress) &&
+        step ==
+            (quantity.step.empty() ? scene.steps.size() - 1 : place_of_step(scene, quantity.step)))
+      values[i] = evaluate(quantity, frame, state);
+  }
+}
+
+double QuickLine::evaluate(const Quantity &quantity, const Frame &frame, const LineState &state) {
+  const unsigned int component = quantity.kind().component;
+  double value = 0.;
+  if (quantity.is(Of::motion))
+    value = builder.motion(state, quantity.where)[component];
+  else if (quantity.is(Of::holder))
+    value = force_of_holder(quantity, frame, state);
+  else
+    return collector.evaluate(quantity, frame);
+  return quantity.scale * (quantity.absolute ? std::abs(value) : value);
+}
+
+double QuickLine::force_of_holder(const Quantity &quantity, const Frame &frame,
+                                  const LineState &state) {
+  const unsigned int component = quantity.kind().component;
+  for (std::size_t i = 0; i < results.restraints.size(); ++i)
+    if (results.restraints[i].name == quantity.where)
+      return frame.reactions[i][component];
+  if (const auto force = force_of_supports(builder, results, quantity.where, state, component))
+    return *force;
+  return force_at_point(model, builder, results, quantity.where, state, component);
+}
+
+void QuickLine::evaluate(const Case &of, std::vector<double> &stress) const {
+  const std::vector<Station> &line = results.frames[of.step].line,
+                             &before = results.frames[of.from].line;
+  stress.resize(line.size());
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    Motion force = line[i].force;
+    for (unsigned int c = 0; c < 6 && of.is_range; ++c)
+      force[c] -= before[i].force[c];
+    stress[i] = of.formulas[i](of.axes[i].forces(force.data()));
+  }
+}
+
+void QuickLine::find_stresses() {
+  results.stresses.clear();
+  std::vector<double> sustained(results.frames.front().line.size(), 0.), stress;
+  for (const Case &of : cases) {
+    evaluate(of, stress);
+    if (of.kind == "sustained")
+      for (std::size_t i = 0; i < stress.size(); ++i)
+        sustained[i] = std::max(sustained[i], stress[i]);
+    StressCase &one = results.stresses.emplace_back();
+    one.kind = of.kind;
+    one.name = of.name;
+    one.step = scene.steps[of.step].name;
+    one.stress = stress;
+    one.allowed = of.allowed;
+    for (std::size_t i = 0; i < stress.size() && of.is_range; ++i)
+      one.allowed[i] = evaluation->code->allowed_range(of.points[i], scene.stress, sustained[i]);
+    for (unsigned int i = 0; i < stress.size(); ++i)
+      if (stress[i] / one.allowed[i] > stress[one.worst] / one.allowed[one.worst])
+        one.worst = i;
+  }
+}
+
+void QuickLine::find_quantities() {
+  results.quantities.clear();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Quantity &quantity = scene.quantities[i];
+    if (quantity.is(Of::stress))
+      if (const auto largest = stress_quantity(quantity, model.mesh, results))
+        values[i] = quantity.scale * *largest;
+    if (values[i])
+      results.quantities.push_back(shown(scene, quantity, *values[i]));
+  }
+}
+
+const Results &QuickLine::conclude() {
+  find_stresses();
+  results.nozzles = evaluate_nozzles(scene, results);
+  find_quantities();
+  return results;
+}
+
+} // namespace frictionbeam::study

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "mesh/line_mesh.h"
+
+namespace frictionbeam {
+
+/// Mesh the routes of the scene's pipes: a LineMesh with vertices, pipes and named points. Runs and
+/// bends are divided evenly, without gmsh unless Mesh/Mesher asks for it.
+LineMesh mesh_routes(const Scene &scene);
+
+} // namespace frictionbeam

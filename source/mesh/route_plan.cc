@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/route_plan.h"
+
+#include "base/user_error.h"
+#include "scene/in_units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+constexpr double most = 1e7; ///< cells of a piece, supports on a pipe
+/// Below this part of the line's extent two places are one.
+constexpr double same_on_line = 1e-7;
+
+std::vector<PipePath> paths_of(const Scene &scene) {
+  std::vector<PipePath> paths;
+  for (const Pipe &pipe : scene.pipes)
+    paths.emplace_back(pipe, scene.units);
+  return paths;
+}
+
+/// The number of cells, from a quotient of lengths.
+int whole(const double cells) {
+  if (cells > most)
+    throw UserError("Mesh: 'Cell length' or 'Cells per bend' makes more than ten million cells of "
+                    "one straight run or bend. Give longer or fewer ones.");
+  return std::max(1, static_cast<int>(std::ceil(cells - 1e-9)));
+}
+
+double extent(const std::vector<PipePath> &paths) {
+  Point3 low = paths.front().point(0.), high = low;
+  for (const PipePath &path : paths)
+    for (const auto &segment : path.segments())
+      for (unsigned int d = 0; d < 3; ++d) {
+        low[d] = std::min({low[d], segment.begin[d], segment.end[d]});
+        high[d] = std::max({high[d], segment.begin[d], segment.end[d]});
+      }
+  return (high - low).norm();
+}
+
+double named_position(const PipePath &path, const std::string &pipe, const std::string &name,
+                      const Scene &scene, const double tolerance) {
+  for (const auto &named : path.route_points())
+    if (named.name == name)
+      return named.s;
+  for (const NamedPoint &point : scene.points)
+    if (point.name == name) {
+      const std::vector<double> places = path.all_places(point.position, tolerance);
+      if (!places.empty())
+        return places.front();
+    }
+  throw UserError("The point '" + name + "' is not on pipe '" + pipe +
+                  "', where a repeated support is to begin or end. Name a point of that pipe in "
+                  "From and To, or leave them out for the whole pipe.");
+}
+
+/// Arc lengths at which a pipe must have a vertex.
+class Breaks {
+public:
+  Breaks(const Scene &scene, const std::vector<PipePath> &paths, const PipeJunctions &junctions,
+         const double tolerance)
+      : s(paths.size()), tolerance(tolerance) {
+    for (unsigned int p = 0; p < paths.size(); ++p) {
+      for (const auto &segment : paths[p].segments())
+        s[p].push_back(segment.start);
+      s[p].push_back(paths[p].length());
+      for (const auto &node : junctions.nodes(p))
+        s[p].push_back(node.s);
+    }
+    for (const FrictionSupport &support : scene.supports)
+      add_repeated(scene, paths, support.placement);
+    for (const Restraint &restraint : scene.restraints)
+      add_repeated(scene, paths, restraint.placement);
+    for (const auto &[pipe, place] : scene.mesh.hinge_nodes)
+      s[pipe].push_back(place);
+    for (auto &breaks : s) {
+      std::sort(breaks.begin(), breaks.end());
+      breaks.erase(std::unique(breaks.begin(), breaks.end(),
+                               [&](const double a, const double b) { return b - a <= tolerance; }),
+                   breaks.end());
+    }
+  }
+
+  std::vector<std::vector<double>> s;
+  const double tolerance; ///< [m]
+
+private:
+  void add_repeated(const Scene &scene, const std::vector<PipePath> &paths,
+                    const Placement &placement) {
+    if (placement.pipe.empty())
+      return;
+    for (unsigned int p = 0; p < paths.size(); ++p) {
+      if (scene.pipes[p].name != placement.pipe)
+        continue;
+      const auto end = [&](const std::string &name, const double otherwise) {
+        return name.empty() ? otherwise
+                            : named_position(paths[p], placement.pipe, name, scene, tolerance);
+      };
+      const double from = end(placement.from, 0.), to = end(placement.to, paths[p].length());
+      if (placement.every > 0. && (to - from) / placement.every > most)
+        throw UserError("The distance in 'Every' puts more than ten million supports on pipe " +
+                        placement.pipe + ". Give a longer one.");
+      if (placement.every > 0.)
+        for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i)
+          s[p].push_back(from + i * placement.every);
+    }
+  }
+};
+
+/// A reducer's section changes from cell to cell.
+constexpr int cells_of_reducer = 10;
+/// A piece of a bend of a smaller angle than this [rad] is as well a straight cell, to its
+/// square/6: 2e-9, where rounding leaves the arc no more digits.
+constexpr double smallest_arc = 1e-4;
+/// Each cell feels the wind across its chord: arcs of this angle [rad] miss 1e-4 of it.
+constexpr double longest_arc_in_wind = 0.03;
+
+int straight_cells(const MeshSettings &settings, const RoutePiece &piece) {
+  const double cells = piece.bends() ? settings.cells_per_bend * piece.length() /
+                                           piece.segment->radius / (numbers::PI / 2.)
+                       : settings.cell_length > 0. ? piece.length() / settings.cell_length
+                                                   : 1.;
+  return whole(cells);
+}
+
+class Divider {
+public:
+  explicit Divider(const Scene &scene)
+      : scene(scene),
+        mass_on_chords(scene.kinematics == Kinematics::corotational &&
+                       std::any_of(scene.steps.begin(), scene.steps.end(),
+                                   [](const LoadStep &step) { return step.transient; })),
+        windy(std::any_of(scene.loads.begin(), scene.loads.end(),
+                          [](const Load &load) { return load.kind == Load::Kind::wind; })) {}
+
+  std::vector<std::vector<RoutePiece>> pieces(const std::vector<PipePath> &paths,
+                                              const Breaks &breaks) const {
+    std::vector<std::vector<RoutePiece>> result(paths.size());
+    for (unsigned int p = 0; p < paths.size(); ++p) {
+      auto segment = paths[p].segments().begin();
+      for (unsigned int i = 0; i + 1 < breaks.s[p].size(); ++i) {
+        const double begin = breaks.s[p][i], end = breaks.s[p][i + 1];
+        while (begin >= segment->start + segment->length - breaks.tolerance &&
+               segment + 1 != paths[p].segments().end())
+          ++segment;
+        RoutePiece piece{&*segment, begin, end, 0};
+        divide(piece, scene.pipes[p].end_section.has_value());
+        result[p].push_back(piece);
+      }
+    }
+    return result;
+  }
+
+private:
+  void divide(RoutePiece &piece, const bool is_reducer) const {
+    piece.n_cells = straight_cells(scene.mesh, piece);
+    if (is_reducer)
+      piece.n_cells = std::max(piece.n_cells, cells_of_reducer);
+    if (!scene.mesh.arcs || !piece.bends())
+      return;
+    const double radius = piece.segment->radius;
+    double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length();
+    if (windy)
+      longest = std::min(longest, longest_arc_in_wind * radius);
+    const int n = std::max(whole(piece.length() / longest), mass_on_chords ? piece.n_cells : 1);
+    if (piece.length() > n * smallest_arc * radius) {
+      piece.n_cells = n;
+      piece.is_arc = true;
+    }
+  }
+
+  const Scene &scene;
+  const bool mass_on_chords; ///< of CorotationalCells
+  const bool windy;
+};
+
+/// @throws UserError for a pipe all of which is one place
+double tolerance_of(const Scene &scene, const std::vector<PipePath> &paths) {
+  const double length = extent(paths), tolerance = same_on_line * length;
+  for (unsigned int p = 0; p < paths.size(); ++p)
+    if (paths[p].length() <= tolerance)
+      throw UserError("Pipe " + scene.pipes[p].name + " vanishes beside the others.\n  read:    " +
+                      in_units(scene.units, paths[p].length(), "m") + " of pipe in a line of " +
+                      in_units(scene.units, length, "m") +
+                      "\n  allowed: pipes longer than 1e-7 of the line's extent, below which two "
+                      "places are one\n  try:     lengths in the same unit");
+  return tolerance;
+}
+
+} // namespace
+
+RoutePlan::RoutePlan(const Scene &scene)
+    : axes(paths_of(scene)), same(tolerance_of(scene, axes)), meetings(scene, axes, same) {
+  all = Divider(scene).pieces(axes, Breaks(scene, axes, meetings, same));
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/inelastic/yielding.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <map>
+
+namespace frictionbeam {
+
+namespace {
+
+/// Of a strain that only grows: the largest at the end, and the step in which that grew most.
+WorstSection worst_of(const std::vector<const Frame *> &frames, const std::vector<std::size_t> &own,
+                      double SectionState::*const strain) {
+  const std::vector<SectionState> &end = frames.back()->sections;
+  std::size_t worst = own.front();
+  for (const std::size_t i : own)
+    if (end[i].*strain > end[worst].*strain)
+      worst = i;
+  WorstSection result{end[worst].*strain, end[worst].s, ""};
+  double before = 0., most = 0.;
+  for (const Frame *frame : frames) {
+    const double now = frame->sections[worst].*strain;
+    if (now - before > most) {
+      most = now - before;
+      result.step = frame->name;
+    }
+    before = now;
+  }
+  return result;
+}
+
+WorstSection largest_utilization(const std::vector<const Frame *> &frames,
+                                 const std::vector<std::size_t> &own) {
+  WorstSection result;
+  for (const Frame *frame : frames)
+    for (const std::size_t i : own)
+      if (const SectionState &section = frame->sections[i]; section.utilization > result.value)
+        result = {section.utilization, section.s, frame->name};
+  return result;
+}
+
+/// @param first, last of its sections in each frame
+Hinge hinge_between(const std::vector<const Frame *> &frames, const std::size_t first,
+                    const std::size_t last) {
+  const std::vector<SectionState> &end = frames.back()->sections;
+  Hinge hinge{end[first].s, end[last].s, end[first], "", false};
+  for (std::size_t i = first; i <= last; ++i) {
+    if (end[i].plastic_strain > hinge.worst.plastic_strain)
+      hinge.worst = end[i];
+    const double before =
+        frames.size() > 1 ? frames[frames.size() - 2]->sections[i].plastic_strain : 0.;
+    hinge.flows = hinge.flows || end[i].plastic_strain > before;
+  }
+  for (const Frame *frame : frames)
+    for (std::size_t i = first; i <= last && hinge.since.empty(); ++i)
+      if (frame->sections[i].is_hinge())
+        hinge.since = frame->name;
+  return hinge;
+}
+
+} // namespace
+
+std::vector<const Frame *> frames_of_sections(const Results &results) {
+  std::vector<const Frame *> frames;
+  for (const Frame &frame : results.frames)
+    if (!frame.sections.empty()) {
+      AssertDimension(frame.sections.size(),
+                      (frames.empty() ? frame : *frames.front()).sections.size());
+      frames.push_back(&frame);
+    }
+  return frames;
+}
+
+std::vector<PipeYield> yield_of_pipes(const Results &results) {
+  const std::vector<const Frame *> frames = frames_of_sections(results);
+  std::vector<PipeYield> pipes;
+  if (frames.empty())
+    return pipes;
+  const std::vector<SectionState> &end = frames.back()->sections;
+  std::map<unsigned int, std::vector<std::size_t>> sections_of_pipe;
+  for (std::size_t i = 0; i < end.size(); ++i)
+    sections_of_pipe[end[i].pipe].push_back(i);
+  const std::vector<Hinge> found = hinges_of(frames);
+  for (const auto &[pipe, own] : sections_of_pipe) {
+    PipeYield one;
+    one.pipe = pipe;
+    one.plastic = worst_of(frames, own, &SectionState::plastic_strain);
+    one.creep = worst_of(frames, own, &SectionState::creep_strain);
+    one.utilization = largest_utilization(frames, own);
+    for (const std::size_t i : own)
+      one.dissipated += end[i].length * end[i].dissipated;
+    for (const Hinge &hinge : found)
+      one.n_hinges += hinge.worst.pipe == pipe ? 1 : 0;
+    pipes.push_back(one);
+  }
+  return pipes;
+}
+
+std::vector<Hinge> hinges_of(const std::vector<const Frame *> &frames) {
+  std::vector<Hinge> found;
+  const std::vector<SectionState> &end = frames.back()->sections;
+  for (std::size_t first = 0; first < end.size(); ++first) {
+    if (!end[first].is_hinge())
+      continue;
+    std::size_t last = first;
+    while (last + 1 < end.size() && end[last + 1].pipe == end[first].pipe &&
+           end[last + 1].is_hinge())
+      ++last;
+    found.push_back(hinge_between(frames, first, last));
+    first = last;
+  }
+  return found;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "study/design.h"
+
+#include "base/number_text.h"
+#include "base/user_error.h"
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace frictionbeam::study {
+
+namespace {
+
+constexpr double most_runs = 1e6; // whose results have a place in memory
+
+/// Probabilities of a variable's levels in a factorial design.
+std::vector<double> levels_of(const Variation &variation) {
+  const std::size_t n_values = variation.values.size();
+  const std::size_t n = n_values > 0 ? n_values : variation.levels;
+  std::vector<double> levels;
+  for (std::size_t k = 0; k < n; ++k)
+    levels.push_back(n_values == 0 && variation.shape == Variation::Shape::uniform
+                         ? static_cast<double>(k) / (n - 1)
+                         : (k + 0.5) / n);
+  return levels;
+}
+
+/// Every combination; the last variable changes fastest.
+Points factorial(const Variables &variables) {
+  Points points = {{}};
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    Points longer;
+    for (const std::vector<double> &point : points)
+      for (const double level : levels_of(variables.variation(i))) {
+        longer.push_back(point);
+        longer.back().push_back(level);
+      }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+constexpr unsigned int morris_levels = 4; ///< of the grid, with jumps of 2/3 (Morris 1991)
+
+/// Whether a distribution has a tail: probabilities of 0 and 1 have no value then.
+bool has_tails(const Variation &variation) {
+  return variation.shape != Variation::Shape::list &&
+         (std::isinf(variation.from) || std::isinf(variation.to));
+}
+
+/**
+ * Morris' ways through the grid: each begins at a point of it and changes one variable after the
+ * other, in random order, by 2/3 (M. D. Morris, Technometrics 33, 1991, doi
+ * 10.1080/00401706.1991.10484804). Of distributions with tails the grid goes from 1 % to 99 %.
+ */
+Points morris(const unsigned int n_ways, const Variables &variables, const unsigned int seed) {
+  std::mt19937_64 generator(seed);
+  const auto below = [&](const std::size_t n) { return generator() % n; };
+  const std::size_t d = variables.size();
+  const unsigned int jump = morris_levels / 2;
+  Points points;
+  const auto add = [&](const std::vector<unsigned int> &levels) {
+    constexpr double tail = 0.01;
+    std::vector<double> point;
+    for (std::size_t i = 0; i < d; ++i) {
+      const double u = levels[i] / (morris_levels - 1.);
+      point.push_back(has_tails(variables.variation(i)) ? tail + u * (1. - 2. * tail) : u);
+    }
+    points.push_back(point);
+  };
+  for (unsigned int way = 0; way < n_ways; ++way) {
+    std::vector<unsigned int> levels(d);
+    for (unsigned int &level : levels)
+      level = below(morris_levels);
+    std::vector<std::size_t> order(d);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    for (std::size_t i = d; i > 1; --i)
+      std::swap(order[i - 1], order[below(i)]);
+    add(levels);
+    for (const std::size_t i : order) {
+      levels[i] = (levels[i] + jump) % morris_levels; // up from the lower half, down from the upper
+      add(levels);
+    }
+  }
+  return points;
+}
+
+double n_runs_of(const StudySettings &settings, const Variables &variables) {
+  const double d = variables.size();
+  switch (settings.method) {
+  case StudyMethod::factorial: {
+    double n = 1.;
+    for (std::size_t i = 0; i < variables.size(); ++i)
+      n *= levels_of(variables.variation(i)).size();
+    return n;
+  }
+  case StudyMethod::sobol_indices:
+    return settings.n_runs * (d + 2.);
+  case StudyMethod::morris:
+    return settings.n_runs * (d + 1.);
+  default:
+    return settings.n_runs;
+  }
+}
+
+} // namespace
+
+Points make_design(const StudySettings &settings, const Variables &variables,
+                   const Sampling &sampling) {
+  if (const double n = n_runs_of(settings, variables); n > most_runs)
+    throw UserError(
+        "The study has too many runs.\n  read:    " + rounded_number(n, 8) + " runs of " +
+        std::to_string(variables.size()) + " variables by Method = " + settings.row().word +
+        "\n  allowed: " + rounded_number(most_runs, 8) +
+        "\n  try:     fewer Runs or Levels; Method = latin hypercube, whose Runs do not "
+        "grow with the number of variables");
+  const unsigned int n = settings.n_runs, d = variables.size(), seed = settings.seed;
+  switch (settings.method) {
+  case StudyMethod::latin_hypercube:
+    return sampling.latin_hypercube(n, d, seed);
+  case StudyMethod::sobol_sequence:
+    return sampling.sobol_sequence(n, d, seed);
+  case StudyMethod::random:
+    return sampling.random(n, d, seed);
+  case StudyMethod::sobol_indices:
+    return sampling.saltelli(n, d, seed);
+  case StudyMethod::factorial:
+    return factorial(variables);
+  case StudyMethod::morris:
+    break;
+  }
+  return morris(n, variables, seed);
+}
+
+std::vector<MorrisStep> morris_steps(const Points &design) {
+  std::vector<MorrisStep> steps;
+  const std::size_t d = design.empty() ? 0 : design.front().size();
+  for (std::size_t run = 1; run < design.size(); ++run) {
+    if (run % (d + 1) == 0)
+      continue; // the next way begins
+    for (std::size_t i = 0; i < d; ++i)
+      if (design[run][i] != design[run - 1][i])
+        steps.push_back({run - 1, run, i, design[run][i] - design[run - 1][i]});
+  }
+  return steps;
+}
+
+} // namespace frictionbeam::study

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "study/variables.h"
+
+#include "base/number_text.h"
+#include "base/user_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace frictionbeam::study {
+
+namespace {
+
+using Shape = Variation::Shape;
+
+/// Beyond this probability no value is ever drawn, so that none has to be allowed.
+constexpr double never = 1e-9;
+
+[[noreturn]] void fail(const Variation &variation, const std::string &read,
+                       const std::string &allowed, const std::string &hint) {
+  throw UserError(variation.origin + "\n  read:    " + read + "\n  allowed: " + allowed +
+                  "\n  try:     " + hint);
+}
+
+std::string heading_of(const std::string &path) {
+  const auto slash = path.find('/');
+  return slash == std::string::npos ? "" : tidy(path.substr(0, slash));
+}
+
+std::string entry_of(const std::string &path) {
+  return tidy(path.substr(path.find('/') == std::string::npos ? 0 : path.find('/') + 1));
+}
+
+std::string joined(const std::string &heading, const std::string &entry) {
+  return heading.empty() ? entry : heading + '/' + entry;
+}
+
+/// The support without the half of a pair that it is.
+std::string part_name(const std::string &support) {
+  for (const char *const half : {".plus", ".minus"})
+    if (const auto at = support.rfind(half);
+        at != std::string::npos && at + std::string(half).size() == support.size())
+      return support.substr(0, at);
+  return support;
+}
+
+/// Entries that say which case this is and what is put out, not what it is like.
+void refuse_what_cannot_vary(const Variation &variation, const std::string &path) {
+  const std::set<std::string> sections = {"Output", "Study", "Quantities", "Exact"},
+                              entries = {"Title",        "Scene",    "Model",
+                                         "Units",        "Accuracy", "Law libraries",
+                                         "Free motions", "Monitors", "Friction multipliers"};
+  const std::string heading = heading_of(path);
+  if (sections.count(heading) > 0 || heading.rfind("Vary ", 0) == 0 ||
+      (heading.empty() && entries.count(path) > 0))
+    fail(variation, path,
+         "entries of the model: parts such as supports, loads and materials, 'Installation "
+         "temperature', and the sections Mesh, Solver and Time",
+         "another entry; --set changes this one for all runs");
+}
+
+/// A hanger is sized for the case as it stands, and is the same in all runs.
+void refuse_sized_hanger(const Scene &scene, const Variation &variation, const std::string &path) {
+  for (const Hanger &hanger : scene.hangers)
+    if (heading_of(path) == "Hanger " + hanger.name && hanger.cold_load == 0. &&
+        entry_of(path) != "Cold load")
+      fail(variation, path,
+           "Cold load and Stiffness of a hanger: this one is sized for the case as it stands, and "
+           "is built once",
+           "its Cold load and Stiffness set in the file; a run says what was chosen");
+}
+
+/// Finds what the paths of a study stand for.
+class Entries {
+public:
+  Entries(const Scene &scene, const ParameterFile &file, const LawLibrary &laws,
+          const PlacesOfSupports &places)
+      : scene(scene), file(file), laws(laws), places(places) {}
+
+  /// The entries that a path stands for, each place of a support on its own if that is asked for.
+  std::vector<Variable::Entry> of(const Variation &variation, const std::string &path) const {
+    std::vector<Variable::Entry> found;
+    for (const std::string &heading : headings(variation, path)) {
+      const unsigned int n = variation.independent ? n_places(heading, entry_of(path)) : 1;
+      if (n > 1)
+        for (unsigned int place = 1; place <= n; ++place)
+          found.push_back({joined(heading + '.' + std::to_string(place), entry_of(path)), 1.});
+      else
+        found.push_back({joined(heading, entry_of(path)), 1.});
+      if (variation.is_factor)
+        for (auto entry = found.end() - n; entry != found.end(); ++entry)
+          entry->factor = value_in_file(variation, heading, entry_of(path));
+    }
+    return found;
+  }
+
+private:
+  /// All friction supports that have the entry, for a star.
+  std::vector<std::string> headings(const Variation &variation, const std::string &path) const {
+    const std::string heading = heading_of(path);
+    if (heading.find('*') == std::string::npos)
+      return {heading};
+    if (heading != "Support *")
+      fail(variation, path, "a star for the name of a support: 'Support *'",
+           "the sections one by one, with semicolons between them");
+    std::vector<std::string> found;
+    for (const FrictionSupport &support : scene.supports) {
+      const std::string one = "Support " + part_name(support.name);
+      if (has_parameter(support, entry_of(path)) &&
+          std::count(found.begin(), found.end(), one) == 0)
+        found.push_back(one);
+    }
+    if (found.empty())
+      fail(variation, path, "an entry of a support's law, and supports that have one",
+           "'Support */Friction coefficient'");
+    return found;
+  }
+
+  bool has_parameter(const FrictionSupport &support, const std::string &entry) const {
+    return parameter(support, entry) < laws.find(support.law).n_parameters;
+  }
+
+  int parameter(const FrictionSupport &support, const std::string &entry) const {
+    const LawDescription &law = laws.find(support.law);
+    int i = 0;
+    while (i < law.n_parameters && law.parameters[i].name != entry)
+      ++i;
+    return i;
+  }
+
+  const FrictionSupport *support_of(const std::string &heading) const {
+    for (const FrictionSupport &support : scene.supports)
+      if ("Support " + part_name(support.name) == heading)
+        return &support;
+    return nullptr;
+  }
+
+  unsigned int n_places(const std::string &heading, const std::string &entry) const {
+    const FrictionSupport *const support = support_of(heading);
+    const auto n = support == nullptr ? places.end() : places.find(part_name(support->name));
+    return n == places.end() || !has_parameter(*support, entry) ? 1 : n->second;
+  }
+
+  /// In the file's units.
+  double value_in_file(const Variation &variation, const std::string &heading,
+                       const std::string &entry) const {
+    const ParameterFile::Section *const section = file.find(heading);
+    const ParameterFile::Entry *const given = section == nullptr ? nullptr : section->find(entry);
+    double value = 0.;
+    if (given != nullptr && to_number(given->value, value))
+      return value;
+    const FrictionSupport *const support = support_of(heading);
+    if (given == nullptr && support != nullptr && has_parameter(*support, entry)) {
+      const int i = parameter(*support, entry);
+      return support->parameters[i] /
+             scene.units.factor(laws.find(support->law).parameters[i].unit);
+    }
+    fail(variation, joined(heading, entry) + " = " + (given == nullptr ? "nothing" : given->value),
+         "with Meaning = factor, entries that are a number in the file",
+         "Meaning = value, or the entry set in the file");
+  }
+
+  const Scene &scene;
+  const ParameterFile &file;
+  const LawLibrary &laws;
+  const PlacesOfSupports &places;
+};
+
+} // namespace
+
+Variables::Variables(const Scene &scene, const ParameterFile &file, const LawLibrary &laws,
+                     const PlacesOfSupports &places, const Sampling &sampling)
+    : variations(scene.study.variations), sampling(sampling) {
+  const Entries entries(scene, file, laws, places);
+  std::set<std::string> taken;
+  for (unsigned int v = 0; v < variations.size(); ++v) {
+    Variable common{variations[v].name, {}, v};
+    for (const std::string &path : variations[v].entries) {
+      refuse_what_cannot_vary(variations[v], path);
+      refuse_sized_hanger(scene, variations[v], path);
+      for (const Variable::Entry &entry : entries.of(variations[v], path)) {
+        if (!taken.insert(entry.path).second)
+          fail(variations[v], entry.path + ", a second time", "each entry in one section Vary",
+               "removing it from one of the two");
+        common.entries.push_back(entry);
+      }
+    }
+    if (!variations[v].independent) {
+      list.push_back(common);
+      continue;
+    }
+    for (const Variable::Entry &entry : common.entries)
+      list.push_back({common.entries.size() == 1 ? common.name : entry.path, {entry}, v});
+  }
+}
+
+double Variables::quantile(const Variation &variation, const double u) const {
+  Distribution distribution;
+  distribution.kind = variation.shape == Shape::uniform  ? Distribution::Kind::uniform
+                      : variation.shape == Shape::normal ? Distribution::Kind::normal
+                                                         : Distribution::Kind::log_normal;
+  distribution.mean = variation.mean;
+  distribution.deviation = variation.deviation;
+  distribution.from = variation.from;
+  distribution.to = variation.to;
+  if (u <= 0. && std::isfinite(variation.from))
+    return variation.from;
+  if (u >= 1. && std::isfinite(variation.to))
+    return variation.to;
+  return sampling.quantile(distribution, std::clamp(u, never, 1. - never));
+}
+
+namespace {
+/// The place in a list of @p n that a probability stands for.
+std::size_t place_in_list(const std::size_t n, const double u) {
+  constexpr double rounding = 1e-9; // of thirds, which levels of Morris' design are
+  return std::min(n - 1, static_cast<std::size_t>(std::max(0., u * n + rounding)));
+}
+} // namespace
+
+double Variables::value(const std::size_t i, const double u) const {
+  const Variation &of = variation(i);
+  if (of.shape != Shape::list)
+    return quantile(of, u);
+  const std::size_t place = place_in_list(of.values.size(), u);
+  double number = 0.;
+  const bool are_numbers =
+      std::all_of(of.values.begin(), of.values.end(),
+                  [&](const std::string &value) { return to_number(value, number); });
+  to_number(of.values[place], number);
+  return are_numbers ? number : static_cast<double>(place);
+}
+
+std::string Variables::text(const std::size_t i, const double u) const {
+  const Variation &of = variation(i);
+  return of.shape == Shape::list ? of.values[place_in_list(of.values.size(), u)]
+                                 : exact_number(quantile(of, u));
+}
+
+std::vector<std::string> Variables::settings(const std::vector<double> &values,
+                                             const std::vector<std::string> &texts) const {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (const Variable::Entry &entry : list[i].entries)
+      result.push_back(
+          entry.path + " = " +
+          (variation(i).is_factor ? exact_number(values[i] * entry.factor) : texts[i]));
+  return result;
+}
+
+std::vector<std::string> Variables::settings_of(const unsigned int v, const double u) const {
+  std::vector<double> values;
+  std::vector<std::string> texts, result;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    values.push_back(value(i, u));
+    texts.push_back(text(i, u));
+  }
+  const std::vector<std::string> all = settings(values, texts);
+  auto setting = all.begin();
+  for (const Variable &variable : list) {
+    if (variable.variation == v)
+      result.insert(result.end(), setting, setting + variable.entries.size());
+    setting += variable.entries.size();
+  }
+  return result;
+}
+
+void Variables::check(const Read &read) const {
+  for (unsigned int v = 0; v < variations.size(); ++v) {
+    const std::size_t n = variations[v].values.size();
+    std::vector<double> probabilities = {0., 1.};
+    if (n > 0) {
+      probabilities.clear();
+      for (std::size_t k = 0; k < n; ++k)
+        probabilities.push_back((k + 0.5) / n);
+    }
+    for (const double u : probabilities) {
+      try {
+        read(settings_of(v, u));
+      } catch (const UserError &error) {
+        throw UserError(variations[v].origin + ": a value of it is not allowed (" +
+                        in_words(variations[v]) + ")\n" + error.what());
+      }
+    }
+  }
+}
+
+std::string in_words(const Variation &variation) {
+  const std::string of = variation.is_factor ? "factor, " : "";
+  if (variation.shape == Shape::list)
+    return of + "one of " + join(variation.values);
+  const auto number = [](const double value) { return rounded_number(value, 6); };
+  if (variation.shape == Shape::uniform)
+    return of + "uniform from " + number(variation.from) + " to " + number(variation.to);
+  std::string text = of + row_of(variation_shapes, variation.shape).word + ", mean " +
+                     number(variation.mean) + ", deviation " + number(variation.deviation);
+  if (std::isfinite(variation.from))
+    text += ", not below " + number(variation.from);
+  if (std::isfinite(variation.to))
+    text += ", not above " + number(variation.to);
+  return text;
+}
+
+} // namespace frictionbeam::study

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene/file/parameter_file.h"
+#include "scene/scene.h"
+#include "study/sampling.h"
+#include <frictionbeam/law_library.h>
+
+#include <functional>
+#include <map>
+
+namespace frictionbeam::study {
+
+/// Number of places of each support that has a law, by its name in the file.
+using PlacesOfSupports = std::map<std::string, unsigned int>;
+
+/// One independent number of a study: entries of the file that get it.
+struct Variable {
+  struct Entry {
+    std::string path;   ///< "Section/Entry", as of --set
+    double factor = 1.; ///< by which the number is multiplied: what the file says, or 1
+  };
+  std::string name;
+  std::vector<Entry> entries;
+  unsigned int variation = 0; ///< the section Vary that it comes from, in the order of the file
+};
+
+/**
+ * The variables of a study, made of the sections Vary. Each is given by its probability u between 0
+ * and 1: a distribution's quantile, or of n values in a list the one at u n.
+ */
+class Variables {
+public:
+  /// @param file that the scene was read from, with the options --set
+  /// @throws UserError for entries that cannot vary, or do so twice
+  Variables(const Scene &scene, const ParameterFile &file, const LawLibrary &laws,
+            const PlacesOfSupports &places, const Sampling &sampling);
+
+  std::size_t size() const { return list.size(); }
+  const Variable &operator[](const std::size_t i) const { return list[i]; }
+  const Variation &variation(const std::size_t i) const { return variations[list[i].variation]; }
+
+  /// The number at this probability, in the unit of the entry; of a list of words its place.
+  double value(const std::size_t i, const double u) const;
+  /// The same as it stands in the file.
+  std::string text(const std::size_t i, const double u) const;
+  /// Options of --set that put such values, as numbers and texts, into the file.
+  std::vector<std::string> settings(const std::vector<double> &values,
+                                    const std::vector<std::string> &texts) const;
+
+  /// Reads the scene with further options of --set.
+  using Read = std::function<void(const std::vector<std::string> &)>;
+  /// Try the outermost values of each section Vary, all of a list.
+  /// @throws UserError that names the section, if an entry does not allow one of them
+  void check(const Read &read) const;
+
+private:
+  /// Of one section Vary alone.
+  std::vector<std::string> settings_of(const unsigned int v, const double u) const;
+  double quantile(const Variation &variation, const double u) const;
+
+  std::vector<Variation> variations;
+  const Sampling &sampling;
+  std::vector<Variable> list;
+};
+
+/// "normal, mean 0.3, deviation 0.05, cut at 0.1 and 0.5", for a table.
+std::string in_words(const Variation &variation);
+
+} // namespace frictionbeam::study

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `frictionbeam study` shall find of two sliders (sliders.prm) what is known of them exactly, and
+// the same numbers as runs that are made one by one with --set, whatever the number of threads and
+// processes, and after it was killed.
+//   check_study PROGRAM MPIRUN FOLDER TEST     MPIRUN may be empty; TEST: quantiles, ..., or a file
+//   of bad input
+#include "../cases/run_program.h"
+#include "../check.h"
+
+#include <nlohmann/json.hpp>
+
+#include <signal.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Options = std::vector<std::string>;
+
+namespace {
+
+constexpr double P1 = 1000., P2 = 2000., F1 = 900., k = 1e5;
+
+std::string program_path, mpirun, folder;
+
+struct Study {
+  int exit_status = -1;
+  std::string output;
+  Json json;                        ///< study.json
+  std::string runs, spread, failed; ///< the tables
+
+  const Json &result(const std::string &name) const {
+    for (const Json &one : json.at("results"))
+      if (one.at("result") == name)
+        return one;
+    throw std::runtime_error("There is no result " + name);
+  }
+  double quantile(const std::string &name, const std::size_t i) const {
+    return result(name).at("quantiles").at(i).at("value");
+  }
+  const Json &effect(const std::string &name, const std::string &variable) const {
+    for (const Json &one : json.at("sensitivities"))
+      if (one.at("result") == name)
+        return one.at("effects").at(variable);
+    throw std::runtime_error("There is no sensitivity of " + name);
+  }
+};
+
+/// @param start words in front of the program, such as mpirun and its options
+Study study(const std::string &file, const Options &settings, const fs::path &into,
+            const Options &start = {}, const Options &more = {}) {
+  Options words = start;
+  words.insert(words.end(), {program_path, "study", file, "--output-directory", into.string()});
+  for (const std::string &setting : settings)
+    words.insert(words.end(), {"--set", setting});
+  words.insert(words.end(), more.begin(), more.end());
+  const program::Run run = program::execute(words);
+  Study result;
+  result.exit_status = run.exit_status;
+  result.output = run.output;
+  if (fs::exists(into / "study.json"))
+    result.json = Json::parse(program::text_of(into / "study.json"));
+  result.runs = program::text_of(into / "runs.csv");
+  result.spread = program::text_of(into / "spread.csv");
+  result.failed = program::text_of(into / "failed.csv");
+  return result;
+}
+
+Study study(const Options &settings) {
+  const program::TemporaryFolder into;
+  return study(folder + "/sliders.prm", settings, into.path / "results");
+}
+
+const Options independent = {"Vary friction/Independent = true"};
+
+Options operator+(Options all, const Options &more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+/// Eleven levels from 0.1 to 0.5: the quantile at p is that of 0.1 + 0.4 p, linearly interpolated.
+void check_quantiles() {
+  const Study found = study(Options{});
+  CHECK(found.exit_status == 0);
+  const double probabilities[] = {0.05, 0.5, 0.95};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double f = 0.1 + 0.4 * probabilities[i];
+    CHECK_NEAR(found.quantile("quantity friction", i), f * (P1 + P2), 1e-9);
+    CHECK_NEAR(found.quantile("force slide.1", i), P1 * std::hypot(1., f), 1e-3);
+  }
+  CHECK_NEAR(found.result("quantity motion").at("largest").get<double>(), (F1 - 0.1 * P1) / k,
+             1e-9);
+  CHECK_NEAR(found.result("quantity motion").at("least").get<double>(), (F1 - 0.5 * P1) / k, 1e-9);
+  CHECK(found.result("quantity motion").at("largest_in_run") == 1);
+  CHECK_NEAR(found.effect("quantity friction", "friction").at("rank_correlation").get<double>(), 1.,
+             1e-12);
+  CHECK_NEAR(found.effect("quantity motion", "friction").at("rank_correlation").get<double>(), -1.,
+             1e-12);
+}
+
+/// Quantiles of samples come to those of the distribution: a Latin hypercube of n runs has one run
+/// in each n-th part, so that they are off by no more than a part.
+void check_samples() {
+  const Options of_sample = {"Study/Runs = 200", "Vary friction/From = 0.1",
+                             "Vary friction/To = 0.5"};
+  for (const std::string method : {"latin hypercube", "sobol sequence"}) {
+    const Study found = study(of_sample + Options{"Study/Method = " + method});
+    CHECK(found.exit_status == 0);
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK_NEAR(found.quantile("quantity friction", i),
+                 (0.1 + 0.4 * std::vector<double>{0.05, 0.5, 0.95}[i]) * (P1 + P2), 0.02);
+  }
+  // The median of a normal distribution is its mean, of a log-normal one mean/sqrt(1 + (s/m)^2).
+  const Options normal = {"Study/Method = latin hypercube", "Study/Runs = 401",
+                          "Vary friction/Mean = 0.3",       "Vary friction/Deviation = 0.06",
+                          "Vary friction/From = 0.05",      "Vary friction/To = 0.55"};
+  CHECK_NEAR(study(normal + Options{"Vary friction/Distribution = normal"})
+                 .quantile("quantity friction", 1),
+             0.3 * (P1 + P2), 2e-3);
+  CHECK_NEAR(study(normal + Options{"Vary friction/Distribution = log-normal"})
+                 .quantile("quantity friction", 1),
+             0.3 / std::sqrt(1.04) * (P1 + P2), 2e-3);
+}
+
+/// friction = f1 P1 + f2 P2 with equal variances of both: shares P1^2 and P2^2 of the sum.
+void check_sobol_indices() {
+  const Study found =
+      study(independent + Options{"Study/Method = sobol indices", "Study/Runs = 256"});
+  CHECK(found.json.at("runs") == 256 * 4);
+  const std::string variable = "Support slide.";
+  for (const auto &[place, share] : {std::make_pair("1", 0.2), std::make_pair("2", 0.8)}) {
+    const Json &effect =
+        found.effect("quantity friction", variable + place + "/Friction coefficient");
+    for (const std::string index : {"first", "total"}) {
+      const Json &found_share = effect.at(index);
+      CHECK(found_share.at("low").get<double>() <= share &&
+            share <= found_share.at("high").get<double>());
+      CHECK_NEAR(found_share.at("value").get<double>() - share, 0., 0.03);
+    }
+  }
+  CHECK_NEAR(found.effect("quantity motion", variable + "2/Friction coefficient")
+                 .at("total")
+                 .at("value")
+                 .get<double>(),
+             0., 1e-9);
+}
+
+/// Effects of a linear result are its slope times the range, all the same.
+void check_morris() {
+  const Study found = study(independent + Options{"Study/Method = morris", "Study/Runs = 4"});
+  CHECK(found.json.at("runs") == 4 * 3);
+  for (const auto &[place, P] : {std::make_pair("1", P1), std::make_pair("2", P2)}) {
+    const Json &effect = found
+                             .effect("quantity friction", std::string("Support slide.") + place +
+                                                              "/Friction coefficient")
+                             .at("elementary");
+    CHECK_NEAR(effect.at("mean").get<double>(), 0.4 * P, 1e-8);
+    CHECK_NEAR(effect.at("mean_size").get<double>(), 0.4 * P, 1e-8);
+    CHECK_NEAR(effect.at("deviation").get<double>(), 0., 1e-6);
+    CHECK(effect.at("n") == 4);
+  }
+}
+
+/// Rows of a csv file without quotes.
+std::vector<std::vector<std::string>> rows_of(const std::string &text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    rows.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');)
+      rows.back().push_back(field);
+  }
+  return rows;
+}
+
+/// Runs of a study shall have the quantities of runs that --set makes, to rounding: what they share
+/// is summed in another order.
+void check_one_by_one(const std::string &file, const Options &settings,
+                      const std::vector<std::pair<std::string, std::string>> &entries) {
+  const program::TemporaryFolder into;
+  const Study found = study(file, settings, into.path / "results");
+  CHECK(found.exit_status == 0);
+  const auto rows = rows_of(found.runs);
+  const auto column = [&](const std::string &name) {
+    const auto at = std::find(rows[0].begin(), rows[0].end(), name);
+    CHECK(at != rows[0].end());
+    return at - rows[0].begin();
+  };
+  for (const std::size_t run : {std::size_t(1), rows.size() / 2, rows.size() - 1}) {
+    Options options;
+    for (const auto &[variable, entry] : entries)
+      options.insert(options.end(), {"--set", entry + " = " + rows[run][column(variable)]});
+    const program::Run alone = program::run(program_path, file, options);
+    CHECK(alone.exit_status == 0);
+    for (const program::Quantity &quantity : alone.quantities)
+      CHECK_NEAR(std::stod(rows[run][column("quantity " + quantity.name)]), quantity.value, 1e-9);
+  }
+}
+
+void check_one_by_one() {
+  const std::string slide = "Support slide.", f = "/Friction coefficient";
+  check_one_by_one(folder + "/sliders.prm",
+                   independent + Options{"Study/Method = latin hypercube", "Study/Runs = 20"},
+                   {{slide + "1" + f, slide + "1" + f}, {slide + "2" + f, slide + "2" + f}});
+  // With bends, lift-off, heating and cooling, on a line that is shared from run to run; then one
+  // entry of another kind, by which it is not.
+  const std::string rack = folder + "/rack.prm";
+  check_one_by_one(rack, {"Study/Runs = 12"},
+                   {{"west", "Support west" + f}, {"gap", "Support stop/Gap"}});
+  check_one_by_one(rack,
+                   {"Study/Runs = 6", "Vary west/Entry = Load hot/Temperature",
+                    "Vary west/From = 80", "Vary west/To = 120"},
+                   {{"west", "Load hot/Temperature"}, {"gap", "Support stop/Gap"}});
+}
+
+/// Runs without an answer are counted and listed with their entries, and the others stand.
+void check_failed() {
+  // 250 N and 500 N are held by friction of 1000 N and 2000 N from f = 0.25 on.
+  const program::TemporaryFolder into;
+  const Study lost = study(folder + "/held.prm", {}, into.path / "results");
+  CHECK(lost.exit_status == 2);
+  CHECK(lost.json.at("outcomes").at("no_equilibrium") == 1);
+  CHECK(lost.json.at("outcomes").at("converged") == 2);
+  CHECK(lost.failed.find("1,no_equilibrium,") != std::string::npos);
+  CHECK(lost.failed.find(",0.2\n") != std::string::npos);
+  CHECK(lost.result("quantity friction").at("runs") == 2);
+  CHECK_NEAR(lost.result("quantity friction").at("least").get<double>(), 750., 1e-9);
+  // Each value for itself is allowed; a dynamic coefficient above the static one is not.
+  const program::TemporaryFolder other;
+  const Study refused = study(folder + "/dynamic.prm", {}, other.path / "results");
+  CHECK(refused.exit_status == 2);
+  CHECK(refused.json.at("outcomes").at("refused") == 1);
+  CHECK(refused.json.at("outcomes").at("converged") == 3);
+  CHECK(refused.failed.find("Dynamic friction coefficient") != std::string::npos);
+}
+
+/// Whether two studies have the same numbers, to the last bit.
+void check_same(const Study &a, const Study &b) {
+  CHECK(a.exit_status == b.exit_status);
+  CHECK(!a.runs.empty() && a.runs == b.runs);
+  CHECK(!a.spread.empty() && a.spread == b.spread);
+  CHECK(a.json.at("results") == b.json.at("results"));
+  CHECK(a.json.at("sensitivities") == b.json.at("sensitivities"));
+}
+
+/// One thread, three threads, two and three processes.
+void check_processes() {
+  const std::string file = folder + "/rack.prm";
+  const program::TemporaryFolder into;
+  const auto run = [&](const std::string &name, const Options &settings, const Options &start) {
+    return study(file, Options{"Study/Runs = 30"} + settings, into.path / name, start);
+  };
+  const Study one = run("one", {"Study/Threads = 1"}, {});
+  check_same(one, run("threads", {"Study/Threads = 3"}, {}));
+  if (!mpirun.empty())
+    for (const std::string n : {"2", "3"})
+      check_same(one, run("processes" + n, {}, {mpirun, "--oversubscribe", "-np", n}));
+}
+
+/// Killed and resumed, twice: the same numbers as from a study that was not.
+void check_resume() {
+  const std::string file = folder + "/rack.prm";
+  const program::TemporaryFolder into;
+  const Options settings = {"Study/Runs = 300", "Study/Threads = 2"};
+  const Study whole = study(file, settings, into.path / "whole");
+  const fs::path cut = into.path / "cut";
+  for (const int signal : {SIGKILL, SIGTERM}) {
+    std::atomic<bool> ended{false};
+    Study first;
+    std::thread run([&]() {
+      first = study(file, settings, cut, {}, signal == SIGKILL ? Options{} : Options{"--resume"});
+      ended = true;
+    });
+    const fs::path journal = cut / "unfinished" / "runs.0.bin";
+    std::error_code none_yet;
+    const auto has_begun = [&]() { // the resumed one, when it has gathered what the first one left
+      return signal == SIGKILL || fs::exists(cut / "unfinished" / "runs.done.bin");
+    };
+    while (!ended && !(has_begun() && fs::file_size(journal, none_yet) > 40000 && !none_yet))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    long process = 0;
+    std::ifstream(cut / ".lock") >> process;
+    if (!ended && process > 0)
+      kill(process, signal);
+    run.join();
+    CHECK(first.exit_status != 0);
+  }
+  const Study resumed = study(file, settings, cut, {}, {"--resume"});
+  check_same(whole, resumed);
+  CHECK(resumed.json.at("cost").at("resumed") > 0);
+  CHECK(!fs::exists(cut / "unfinished"));
+}
+
+/// Bad input ends with exit status 1, and each line '# expect: TEXT' of the file is said.
+void check_message(const std::string &file) {
+  const program::TemporaryFolder into;
+  const Study found = study(file, {}, into.path / "results");
+  CHECK(found.exit_status == 1);
+  std::istringstream lines(program::text_of(file));
+  const std::string mark = "# expect: ";
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind(mark, 0) == 0) {
+      const bool is_said = found.output.find(line.substr(mark.size())) != std::string::npos;
+      CHECK(is_said);
+      if (!is_said)
+        std::cerr << line << "\n" << found.output;
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  if (argc != 5)
+    return 2;
+  program_path = argv[1];
+  mpirun = argv[2];
+  folder = argv[3];
+  const std::string test = argv[4];
+  if (test == "quantiles")
+    check_quantiles();
+  else if (test == "samples")
+    check_samples();
+  else if (test == "sobol_indices")
+    check_sobol_indices();
+  else if (test == "morris")
+    check_morris();
+  else if (test == "one_by_one")
+    check_one_by_one();
+  else if (test == "failed")
+    check_failed();
+  else if (test == "processes")
+    check_processes();
+  else if (test == "resume")
+    check_resume();
+  else
+    check_message(folder + "/" + test);
+  return check::report();
+}
