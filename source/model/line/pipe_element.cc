@@ -76,6 +76,7 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
   bend.reset();
   if (section->arc_centre)
     bend.emplace(cell->vertex(0), cell->vertex(1), section->arc());
+  stretch = bend ? bend->length() / (cell->vertex(1) - cell->vertex(0)).norm() : 1.;
   const CellJoints *const joints = discretization.joints(cell);
   jointed = joints != nullptr;
   if (takes_like && !bend && !jointed) {
@@ -110,7 +111,6 @@ void PipeElement::take_like(const Discretization::Cell &cell) {
 void PipeElement::evaluate(const Discretization::Cell &cell) {
   values = bend ? arc_values.get() : &straight_values;
   values->reinit(cell);
-  stretch = bend ? bend->length() / (cell->vertex(1) - cell->vertex(0)).norm() : 1.;
   strains.resize(values->n_quadrature_points);
   const LocalAxes local(cell->vertex(1) - cell->vertex(0));
   for (unsigned int q = 0; q < strains.size(); ++q)
