@@ -20,6 +20,8 @@ constexpr double eps = 1e-13;
 constexpr double follows = 1e-6;
 
 double size(const Eigen::MatrixXd &m, const int row) { return m.row(row).cwiseAbs().maxCoeff(); }
+/// Of all components: each is made of the global ones, and has the rounding of the largest.
+double size(const Eigen::MatrixXd &m) { return m.cwiseAbs().maxCoeff(); }
 
 } // namespace
 
@@ -45,13 +47,13 @@ EventIntegrator::Event EventIntegrator::next_event(const unsigned int i) const {
   if (!state.is_closed()) {
     Polynomial gap = TaylorMotion::row(g, 0);
     gap[0] += contact.law.gap - state.offset;
-    look(gap, eps * (contact.law.gap + std::abs(state.offset) + size(g, 0)), Kind::closing);
+    look(gap, eps * (contact.law.gap + std::abs(state.offset) + size(g)), Kind::closing);
     return first;
   }
   const Polynomial N = -TaylorMotion::row(r, 0);
   const double largest_N = size(r, 0);
   if (contact.normal == EventContact::Normal::elastic)
-    look(N, eps * contact.normal_stiffness * (contact.law.gap + size(g, 0)), Kind::opening);
+    look(N, eps * contact.normal_stiffness * (contact.law.gap + size(g)), Kind::opening);
   else if (contact.normal == EventContact::Normal::rigid && contact.moves[0])
     look(N, 100. * eps * largest_N, Kind::opening);
   if (!contact.has_friction)

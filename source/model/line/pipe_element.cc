@@ -87,7 +87,7 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
   evaluate(cell);
   plain = integrate();
   if (jointed)
-    add_joints(*joints);
+    add_joints(cell, *joints);
 }
 
 void PipeElement::take_like(const Discretization::Cell &cell) {
@@ -119,7 +119,7 @@ void PipeElement::evaluate(const Discretization::Cell &cell) {
                            : generalized_strain(*values, local, i, q);
 }
 
-void PipeElement::add_joints(const CellJoints &joints) {
+void PipeElement::add_joints(const Discretization::Cell &cell, const CellJoints &joints) {
   Matrix12 &F = joint_flexibility;
   F.setZero();
   for (unsigned int end = 0; end < 2; ++end)
@@ -128,18 +128,24 @@ void PipeElement::add_joints(const CellJoints &joints) {
       for (unsigned int j = 0; j < 6; ++j)
         F(6 * end + i, 6 * end + j) = joints.flexibility[end][i][j];
     }
-  beyond = (Matrix12::Identity() + F * plain.stiffness).inverse();
+  // In local axes, where what a soft joint yields to stands apart from what the pipe is stiff
+  // against: in others rounding grows by F K, the one beside the other.
+  const Eigen::Matrix3d axes = local_axes(cell), back = axes.transpose();
+  const Matrix12 K = turned(plain.stiffness, back);
+  const Matrix12 local_beyond = (Matrix12::Identity() + turned(F, back) * K).inverse();
+  beyond = turned(local_beyond, axes);
+  jointed_stiffness = turned(K * local_beyond, axes);
 }
 
-PipeElement::Matrix12 PipeElement::stiffness() const {
-  return jointed ? Matrix12(plain.stiffness * beyond) : plain.stiffness;
+const PipeElement::Matrix12 &PipeElement::stiffness() const {
+  return jointed ? jointed_stiffness : plain.stiffness;
 }
 
 PipeElement::Vector12 PipeElement::unit_thrust() const {
   if (!jointed)
     return Vector12::Zero();
   // The ends stand at beyond (u + pushed): forces K beyond pushed are missing for u = 0.
-  return -plain.stiffness * beyond * pushed;
+  return -jointed_stiffness * pushed;
 }
 
 Eigen::Matrix<double, 6, 12> PipeElement::strain_matrix(const unsigned int point) const {

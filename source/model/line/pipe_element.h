@@ -36,7 +36,7 @@ public:
   void reinit(const Discretization::Cell &cell);
 
   /// Integral of B^T D B, exact with two Gauss points (twelve for an arc).
-  Matrix12 stiffness() const;
+  const Matrix12 &stiffness() const;
   /// Forces of a unit force per length in each global direction (columns) [N per N/m].
   Eigen::Matrix<double, 12, 3> unit_line_loads() const;
   /// Nodal forces that a unit axial strain, if it were free, would need.
@@ -87,7 +87,7 @@ private:
   void take_like(const Discretization::Cell &cell);
   Matrices integrate() const; ///< but the mass, global axes
   Matrix12 integrate_mass(const Discretization::Cell &cell);
-  void add_joints(const CellJoints &joints);
+  void add_joints(const Discretization::Cell &cell, const CellJoints &joints);
 
   const Discretization &discretization;
   dealii::FEValues<1, 3> straight_values, straight_mass_values;
@@ -106,6 +106,7 @@ private:
   bool jointed = false;
   Matrix12 joint_flexibility; ///< F
   Matrix12 beyond;            ///< (1 + F K)^-1
+  Matrix12 jointed_stiffness; ///< K (1 + F K)^-1
   Vector12 pushed;            ///< free motion of the cell's ends per pressure
   std::optional<ArcBeam> bend;
   double stretch = 1.;                                    ///< length over chord

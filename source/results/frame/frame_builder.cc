@@ -3,6 +3,8 @@
 
 #include "results/frame/frame_builder.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace frictionbeam {
@@ -313,11 +315,20 @@ void FrameBuilder::place(const PipeCell &pipe_cell, const LocalAxes &axes, Stati
 }
 
 void FrameBuilder::begin_cell(const Station &first, std::vector<Station> &line) const {
+  constexpr double least_jump = 1e-6, rounding = 1e-9; // of a component; of all forces or moments
   bool jumps = both_sides || line.empty() || line.back().pipe != first.pipe;
-  if (!jumps)
-    for (unsigned int c = 0; c < 6; ++c)
-      jumps = jumps || std::abs(first.force[c] - line.back().force[c]) >
-                           1e-6 * (std::abs(first.force[c]) + std::abs(line.back().force[c]));
+  if (!jumps) {
+    const std::array<double, 6> &before = line.back().force, &after = first.force;
+    for (unsigned int kind = 0; kind < 6; kind += 3) {
+      double largest = 0.;
+      for (unsigned int c = kind; c < kind + 3; ++c)
+        largest = std::max({largest, std::abs(before[c]), std::abs(after[c])});
+      for (unsigned int c = kind; c < kind + 3; ++c)
+        jumps = jumps || std::abs(after[c] - before[c]) >
+                             std::max(least_jump * (std::abs(before[c]) + std::abs(after[c])),
+                                      rounding * largest);
+    }
+  }
   if (jumps)
     line.push_back(first);
 }
