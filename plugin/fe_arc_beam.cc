@@ -65,6 +65,8 @@ ArcBeam::ArcBeam(const Point<3> &begin, const Point<3> &end, const ArcData &data
   S.invert(F);
   S *= 1. / scale;
   S.symmetrize();
+  begin_arm = arm(0.);
+  end_arm = arm(alpha);
 }
 
 Tensor<1, 3> ArcBeam::tangent(const double psi) const {
@@ -120,22 +122,21 @@ ArcBeam::Matrix ArcBeam::arm(const double psi) const {
   return T;
 }
 
-Tensor<1, 6> ArcBeam::at_section(const Tensor<1, 6> &motion, const double psi) const {
+Tensor<1, 6> ArcBeam::at_section(const Tensor<1, 6> &motion, const Vector3 &n) const {
   Tensor<1, 3> moved, turned;
   for (unsigned int i = 0; i < 3; ++i) {
     moved += motion[i] * frame[i];
     turned += motion[3 + i] * frame[i];
   }
-  return join(moved - cross_product_3d(turned, inward(psi)), turned / R);
+  return join(moved - cross_product_3d(turned, n), turned / R);
 }
 
 ArcBeam::Matrix ArcBeam::stiffness() const {
   Matrix G(6, 12), SG(6, 12), K(12, 12);
-  const Matrix begin = arm(0.), end = arm(alpha);
   for (unsigned int i = 0; i < 6; ++i)
     for (unsigned int j = 0; j < 6; ++j) {
-      G(i, j) = -begin(i, j);
-      G(i, 6 + j) = end(i, j);
+      G(i, j) = -begin_arm(i, j);
+      G(i, 6 + j) = end_arm(i, j);
     }
   S.mmult(SG, G);
   G.Tmmult(K, SG);
@@ -145,16 +146,16 @@ ArcBeam::Matrix ArcBeam::stiffness() const {
 void ArcBeam::shapes(const double psi, Matrix &value, Matrix &derivative) const {
   value.reinit(6, 12);
   derivative.reinit(6, 12);
-  const Matrix F = flexibility(psi), begin = arm(0.), end = arm(alpha);
+  const Matrix F = flexibility(psi);
   const std::array<Tensor<1, 3>, 3> axes = {{tangent(psi), inward(psi), axis()}};
   for (unsigned int j = 0; j < 12; ++j) {
     Tensor<1, 6> at_begin, difference;
     for (unsigned int i = 0; i < 6; ++i) {
-      at_begin[i] = j < 6 ? begin(i, j) : 0.;
-      difference[i] = j < 6 ? -begin(i, j) : end(i, j - 6);
+      at_begin[i] = j < 6 ? begin_arm(i, j) : 0.;
+      difference[i] = j < 6 ? -begin_arm(i, j) : end_arm(i, j - 6);
     }
     const Tensor<1, 6> wrench = times(S, difference);
-    const Tensor<1, 6> motion = at_section(at_begin + times(F, wrench), psi);
+    const Tensor<1, 6> motion = at_section(at_begin + times(F, wrench), axes[1]);
     // Section forces in t, n, b and what they strain.
     Tensor<1, 3> P, Q;
     for (unsigned int i = 0; i < 3; ++i) {
@@ -205,7 +206,7 @@ Tensor<1, 6> ArcBeam::clamped_motion(const double psi, const Vector3 &line_force
     return motion;
   };
   const Tensor<1, 6> wrench = times(S, from_loads(alpha));
-  return at_section(from_loads(psi) - times(flexibility(psi), wrench), psi);
+  return at_section(from_loads(psi) - times(flexibility(psi), wrench), inward(psi));
 }
 
 FE_ArcBeam::FE_ArcBeam(const std::map<unsigned int, ArcData> &arcs) : FE_Line(6), arcs(arcs) {}
@@ -235,30 +236,42 @@ ArcBeam FE_ArcBeam::arc(const Point<3> &begin, const Point<3> &end,
 
 void FE_ArcBeam::evaluate(const CellGeometry &cell, const double xi,
                           std::vector<ShapeFunction> &shapes) const {
-  const ArcBeam arc = this->arc(cell.begin, cell.end, cell.material_id);
-  FullMatrix<double> value, derivative;
-  arc.shapes(arc.angle() * xi, value, derivative);
-  for (unsigned int i = 0; i < 12; ++i)
-    for (unsigned int c = 0; c < 6; ++c) {
-      shapes[i].value[c] = value(c, i);
-      shapes[i].derivative[c] = derivative(c, i) * arc.length() / cell.length;
-    }
+  evaluate_all(cell, {Point<1>(xi)},
+               [&](const unsigned int, const std::vector<ShapeFunction> &at) { shapes = at; });
 }
 
-GeneralizedStrain arc_strain(const FEValuesBase<1, 3> &fe_values, const ArcBeam &arc,
-                             const double xi, const unsigned int i, const unsigned int q,
-                             const unsigned int first_component) {
-  const LocalAxes axes(arc.tangent(arc.angle() * xi));
+void FE_ArcBeam::evaluate_all(const CellGeometry &cell, const std::vector<Point<1>> &points,
+                              const TakeShapes &take) const {
+  const ArcBeam arc = this->arc(cell.begin, cell.end, cell.material_id);
+  FullMatrix<double> value, derivative;
+  std::vector<ShapeFunction> shapes(12);
+  for (unsigned int q = 0; q < points.size(); ++q) {
+    arc.shapes(arc.angle() * points[q][0], value, derivative);
+    for (unsigned int i = 0; i < 12; ++i)
+      for (unsigned int c = 0; c < 6; ++c) {
+        shapes[i].value[c] = value(c, i);
+        shapes[i].derivative[c] = derivative(c, i) * arc.length() / cell.length;
+      }
+    take(q, shapes);
+  }
+}
+
+ArcPoint::ArcPoint(const ArcBeam &arc, const double xi) : axes(arc.tangent(arc.angle() * xi)) {
   const Tensor<1, 3> chord = arc.point(arc.angle()) - arc.point(0.);
-  const Tensor<1, 3> along = chord / chord.norm() * (chord.norm() / arc.length());
+  along = chord / arc.length();
+}
+
+GeneralizedStrain arc_strain(const FEValuesBase<1, 3> &fe_values, const ArcPoint &point,
+                             const unsigned int i, const unsigned int q,
+                             const unsigned int first_component) {
   const unsigned int first = first_component;
   Tensor<1, 3> turn, du, dtheta;
   for (unsigned int c = 0; c < 3; ++c) {
     turn[c] = fe_values.shape_value_component(i, q, first + 3 + c);
-    du[c] = fe_values.shape_grad_component(i, q, first + c) * along;
-    dtheta[c] = fe_values.shape_grad_component(i, q, first + 3 + c) * along;
+    du[c] = fe_values.shape_grad_component(i, q, first + c) * point.along;
+    dtheta[c] = fe_values.shape_grad_component(i, q, first + 3 + c) * point.along;
   }
-  return generalized_strain(axes, turn, du, dtheta);
+  return generalized_strain(point.axes, turn, du, dtheta);
 }
 
 } // namespace frictionbeam

@@ -93,23 +93,32 @@ std::unique_ptr<FiniteElement<1, 3>::InternalDataBase> FE_Line::get_data(const U
   return data;
 }
 
-void FE_Line::fill_point(const Cell &cell, const double xi, const unsigned int q,
-                         const InternalDataBase &fe_internal, ElementOutput &output) const {
+void FE_Line::evaluate_all(const CellGeometry &cell, const std::vector<Point<1>> &points,
+                           const TakeShapes &take) const {
+  std::vector<ShapeFunction> shapes;
+  for (unsigned int q = 0; q < points.size(); ++q) {
+    shapes.assign(n_dofs_per_cell(), ShapeFunction());
+    evaluate(cell, points[q][0], shapes);
+    take(q, shapes);
+  }
+}
+
+void FE_Line::fill_points(const Cell &cell, const std::vector<Point<1>> &points,
+                          const InternalDataBase &fe_internal, ElementOutput &output) const {
   const Tensor<1, 3> axis = cell->vertex(1) - cell->vertex(0);
   const double length = axis.norm();
   const CellGeometry geometry{axis / length, length, cell->material_id(), cell->vertex(0),
                               cell->vertex(1)};
-
-  std::vector<ShapeFunction> shapes(n_dofs_per_cell());
-  evaluate(geometry, xi, shapes);
-
-  for (unsigned int i = 0, row = 0; i < shapes.size(); ++i)
-    for (unsigned int c = 0; c < n_line_components; ++c, ++row) {
-      if (fe_internal.update_each & update_values)
-        output.shape_values[row][q] = shapes[i].value[c];
-      if (fe_internal.update_each & update_gradients)
-        output.shape_gradients[row][q] = shapes[i].derivative[c] * geometry.tangent;
-    }
+  evaluate_all(
+      geometry, points, [&](const unsigned int q, const std::vector<ShapeFunction> &shapes) {
+        for (unsigned int i = 0, row = 0; i < shapes.size(); ++i)
+          for (unsigned int c = 0; c < n_line_components; ++c, ++row) {
+            if (fe_internal.update_each & update_values)
+              output.shape_values[row][q] = shapes[i].value[c];
+            if (fe_internal.update_each & update_gradients)
+              output.shape_gradients[row][q] = shapes[i].derivative[c] * geometry.tangent;
+          }
+      });
 }
 
 void FE_Line::check_straight(const Cell &cell, const Quadrature<1> &quadrature,
@@ -139,8 +148,7 @@ void FE_Line::fill_fe_values(const Cell &cell, const CellSimilarity::Similarity,
                              const MappingData &, const MappingOutput &mapping_output,
                              const InternalDataBase &fe_internal, ElementOutput &output) const {
   check_straight(cell, quadrature, mapping_output);
-  for (unsigned int q = 0; q < quadrature.size(); ++q)
-    fill_point(cell, quadrature.point(q)[0], q, fe_internal, output);
+  fill_points(cell, quadrature.get_points(), fe_internal, output);
 }
 
 void FE_Line::fill_fe_face_values(const Cell &cell, const unsigned int face,
@@ -148,7 +156,7 @@ void FE_Line::fill_fe_face_values(const Cell &cell, const unsigned int face,
                                   const MappingData &, const MappingOutput &,
                                   const InternalDataBase &fe_internal,
                                   ElementOutput &output) const {
-  fill_point(cell, face, 0, fe_internal, output);
+  fill_points(cell, {Point<1>(face)}, fe_internal, output);
 }
 
 void FE_Line::fill_fe_subface_values(const Cell &, const unsigned int, const unsigned int,

@@ -64,8 +64,8 @@ public:
 private:
   Matrix flexibility(const double psi) const; ///< 6 x 6 at the centre, in frame; rotations times R
   Matrix arm(const double psi) const;         ///< motions at psi, global axes, to the centre
-  /// Motion at the centre back to one at psi, global axes.
-  dealii::Tensor<1, 6> at_section(const dealii::Tensor<1, 6> &motion, const double psi) const;
+  /// Motion at the centre back to one where the inward normal is @p n, global axes.
+  dealii::Tensor<1, 6> at_section(const dealii::Tensor<1, 6> &motion, const Vector3 &n) const;
 
   dealii::Point<3> centre;
   double R, alpha;
@@ -73,6 +73,7 @@ private:
   std::array<double, 6> compliance;       ///< of a section, rotations times R
   std::array<std::array<double, 6>, 6> A; ///< of a slice, at the centre
   Matrix S;                               ///< inverse of flexibility(alpha)
+  Matrix begin_arm, end_arm;              ///< arm(0), arm(alpha)
 };
 
 /**
@@ -101,19 +102,29 @@ public:
 private:
   void evaluate(const CellGeometry &cell, const double xi,
                 std::vector<ShapeFunction> &shapes) const override;
+  void evaluate_all(const CellGeometry &cell, const std::vector<dealii::Point<1>> &points,
+                    const TakeShapes &take) const override;
 
   std::map<unsigned int, ArcData> arcs;
+};
+
+/// What the strains of all functions at a point of an arc are made with.
+struct ArcPoint {
+  LocalAxes axes;             ///< of the arc's tangent
+  dealii::Tensor<1, 3> along; ///< gradients on the cell times this: derivatives along the arc
+
+  /// @param xi part of the way along the arc
+  ArcPoint(const ArcBeam &arc, const double xi);
 };
 
 /**
  * Generalized strain of shape function @p i of FE_ArcBeam at quadrature point @p q, in the local
  * axes of the arc's tangent there (see LocalAxes). Needs update_values and update_gradients.
- * @param arc of the cell that @p fe_values is on
- * @param xi of the quadrature point
+ * @param point of the arc of the cell that @p fe_values is on, where the quadrature point stands
  * @param first_component as of generalized_strain()
  */
-GeneralizedStrain arc_strain(const dealii::FEValuesBase<1, 3> &fe_values, const ArcBeam &arc,
-                             const double xi, const unsigned int i, const unsigned int q,
+GeneralizedStrain arc_strain(const dealii::FEValuesBase<1, 3> &fe_values, const ArcPoint &point,
+                             const unsigned int i, const unsigned int q,
                              const unsigned int first_component = 0);
 
 } // namespace frictionbeam

@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe.h>
 
 #include <array>
+#include <functional>
 
 namespace frictionbeam {
 
@@ -82,6 +83,13 @@ protected:
   virtual void evaluate(const CellGeometry &cell, const double xi,
                         std::vector<ShapeFunction> &shapes) const = 0;
 
+  using TakeShapes =
+      std::function<void(const unsigned int point, const std::vector<ShapeFunction> &shapes)>;
+  /// The same at many points of a cell, one after the other, for elements whose points have much in
+  /// common.
+  virtual void evaluate_all(const CellGeometry &cell, const std::vector<dealii::Point<1>> &points,
+                            const TakeShapes &take) const;
+
 private:
   using Cell = dealii::Triangulation<1, 3>::cell_iterator;
   using MappingData = dealii::Mapping<1, 3>::InternalDataBase;
@@ -113,9 +121,9 @@ private:
   void check_straight(const Cell &cell, const dealii::Quadrature<1> &quadrature,
                       const MappingOutput &mapping_output) const;
 
-  /// Fill row block of quadrature point @p q with the shape functions at @p xi.
-  void fill_point(const Cell &cell, const double xi, const unsigned int q,
-                  const InternalDataBase &fe_internal, ElementOutput &output) const;
+  /// Fill row blocks of quadrature points with the shape functions at @p points.
+  void fill_points(const Cell &cell, const std::vector<dealii::Point<1>> &points,
+                   const InternalDataBase &fe_internal, ElementOutput &output) const;
 };
 
 /// The line in a finite element, which is one itself or an FESystem of one and others.

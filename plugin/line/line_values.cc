@@ -8,6 +8,7 @@
 #include <deal.II/hp/mapping_collection.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace frictionbeam {
 
@@ -89,8 +90,11 @@ void LineValues::reinit(const LineCellIterator &cell) {
   motions.assign(n_points() * n, Tensor<1, 6>());
   for (unsigned int q = 0; q < n_points(); ++q) {
     axes_at.push_back(local_axes(xi(q)));
+    std::optional<ArcPoint> on_arc;
+    if (arc)
+      on_arc.emplace(*arc, xi(q));
     for (const unsigned int i : part->dofs) {
-      strains[n * q + i] = arc ? arc_strain(*fe_values, *arc, xi(q), i, q, first)
+      strains[n * q + i] = arc ? arc_strain(*fe_values, *on_arc, i, q, first)
                                : generalized_strain(*fe_values, axes_at[q], i, q, first);
       for (unsigned int c = 0; c < 6; ++c)
         motions[n * q + i][c] = fe_values->shape_value_component(i, q, first + c);

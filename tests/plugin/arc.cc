@@ -52,8 +52,8 @@ FullMatrix<double> by_quadrature(const Ring &ring, const bool turned) {
   for (unsigned int q = 0; q < quadrature.size(); ++q)
     for (unsigned int i = 0; i < 12; ++i)
       for (unsigned int j = 0; j < 12; ++j) {
-        const auto a = arc_strain(values, arc, quadrature.point(q)[0], i, q);
-        const auto b = arc_strain(values, arc, quadrature.point(q)[0], j, q);
+        const auto a = arc_strain(values, {arc, quadrature.point(q)[0]}, i, q);
+        const auto b = arc_strain(values, {arc, quadrature.point(q)[0]}, j, q);
         for (unsigned int s = 0; s < 6; ++s)
           K(i, j) += a[s] * D[s] * b[s] * stretch * values.JxW(q);
       }

@@ -43,6 +43,8 @@ Matrices turned_matrices(const Matrices &from, const Eigen::Matrix3d &axes) {
         axes * (from.line_loads.template middleRows<3>(row) * axes.transpose()).eval();
     result.axial_strain.template segment<3>(row).noalias() =
         axes * from.axial_strain.template segment<3>(row);
+    result.curvature.template segment<3>(row).noalias() =
+        axes * from.curvature.template segment<3>(row);
   }
   return result;
 }
@@ -79,7 +81,7 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
   stretch = bend ? bend->length() / (cell->vertex(1) - cell->vertex(0)).norm() : 1.;
   const CellJoints *const joints = discretization.joints(cell);
   jointed = joints != nullptr;
-  if (takes_like && !bend && !jointed) {
+  if (takes_like && !jointed) {
     take_like(cell);
     return;
   }
@@ -90,8 +92,12 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
     add_joints(cell, *joints);
 }
 
+Discretization::Cell PipeElement::like_cell(const Discretization::Cell &cell) const {
+  return bend ? cell : discretization.like(cell);
+}
+
 void PipeElement::take_like(const Discretization::Cell &cell) {
-  const Discretization::Cell first = discretization.like(cell);
+  const Discretization::Cell first = like_cell(cell);
   const Eigen::Matrix3d own_axes = local_axes(cell);
   const auto found = kept.find(first->active_cell_index());
   if (found != kept.end() && &found->second == like && own_axes == cell_axes)
@@ -113,10 +119,15 @@ void PipeElement::evaluate(const Discretization::Cell &cell) {
   values->reinit(cell);
   strains.resize(values->n_quadrature_points);
   const LocalAxes local(cell->vertex(1) - cell->vertex(0));
-  for (unsigned int q = 0; q < strains.size(); ++q)
-    for (unsigned int i = 0; i < 12; ++i)
-      strains[q][i] = bend ? arc_strain(*values, *bend, values->get_quadrature().point(q)[0], i, q)
-                           : generalized_strain(*values, local, i, q);
+  for (unsigned int q = 0; q < strains.size(); ++q) {
+    if (bend) {
+      const ArcPoint point(*bend, place_of(q));
+      for (unsigned int i = 0; i < 12; ++i)
+        strains[q][i] = arc_strain(*values, point, i, q);
+    } else
+      for (unsigned int i = 0; i < 12; ++i)
+        strains[q][i] = generalized_strain(*values, local, i, q);
+  }
 }
 
 void PipeElement::add_joints(const Discretization::Cell &cell, const CellJoints &joints) {
@@ -176,6 +187,7 @@ PipeElement::Matrices PipeElement::integrate() const {
   result.stiffness.setZero();
   result.line_loads.setZero();
   result.axial_strain.setZero();
+  result.curvature.setZero();
   for (unsigned int q = 0; q < strains.size(); ++q) {
     const Eigen::Matrix<double, 6, 12> B = strain_matrix(q);
     result.stiffness.noalias() += length_at(q) * (B.transpose() * (D * B).eval());
@@ -184,6 +196,8 @@ PipeElement::Matrices PipeElement::integrate() const {
         result.line_loads(i, d) += values->shape_value_component(i, q, d) * length_at(q);
       result.axial_strain[i] += strains[q][i][0] * section->EA * length_at(q);
     }
+    if (bend)
+      result.curvature += section->EI * length_at(q) * (B.transpose() * curvature_strain(q));
   }
   return result;
 }
@@ -197,20 +211,14 @@ PipeElement::Vector12 PipeElement::unit_axial_strain() const {
 }
 
 PipeElement::Vector12 PipeElement::unit_curvature() const {
-  Vector12 result = Vector12::Zero();
-  if (bend)
-    for (unsigned int q = 0; q < strains.size(); ++q)
-      result += section->EI * length_at(q) * (strain_matrix(q).transpose() * curvature_strain(q));
-  if (jointed)
-    return beyond.transpose() * result;
-  return result;
+  return jointed ? Vector12(beyond.transpose() * plain.curvature) : plain.curvature;
 }
 
 PipeElement::Matrix12 PipeElement::mass(const Discretization::Cell &cell) {
   reinit(cell);
   if (!plain.mass && like != nullptr) {
     if (!like->mass) {
-      const Discretization::Cell first = discretization.like(cell);
+      const Discretization::Cell first = like_cell(cell);
       like->mass = turned(integrate_mass(first), local_axes(first).transpose());
     }
     plain.mass = turned(*like->mass, cell_axes);

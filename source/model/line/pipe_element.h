@@ -76,7 +76,7 @@ private:
   struct Matrices {
     Matrix12 stiffness;
     Eigen::Matrix<double, 12, 3> line_loads;
-    Vector12 axial_strain;
+    Vector12 axial_strain, curvature;
     std::optional<Matrix12> mass; ///< none where it was not asked for yet
   };
 
@@ -85,6 +85,8 @@ private:
   /// Shape functions and strains at the points.
   void evaluate(const Discretization::Cell &cell);
   void take_like(const Discretization::Cell &cell);
+  /// Whose matrices a cell takes: an arc's are its own.
+  Discretization::Cell like_cell(const Discretization::Cell &cell) const;
   Matrices integrate() const; ///< but the mass, global axes
   Matrix12 integrate_mass(const Discretization::Cell &cell);
   void add_joints(const Discretization::Cell &cell, const CellJoints &joints);
@@ -94,8 +96,8 @@ private:
   std::unique_ptr<dealii::FEValues<1, 3>> arc_values; ///< if the line has arcs
   dealii::FEValues<1, 3> *values = nullptr;           ///< of the cell evaluated last
 
-  /// Of straight cells in their local axes, by the active index of the first one that is like them
-  /// (Discretization::like); so many that their memory is bounded.
+  /// Of cells in their local axes, by the active index of the first one that is like them (like_cell);
+  /// so many that their memory is bounded.
   std::unordered_map<unsigned int, Matrices> kept;
   const bool takes_like;
   Matrices *like = nullptr;  ///< those that the cell takes
