@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <unordered_map>
 
 namespace frictionbeam::contact {
 
@@ -75,7 +74,29 @@ void Condensation::add_places(const std::vector<std::vector<int>> &blocks) {
   S.makeCompressed();
 }
 
-CondensedParts::CondensedParts(const SparseMatrix &stiffness, const std::vector<int> &keep)
+namespace {
+bool is_same(const SparseMatrix &a, const SparseMatrix &b) {
+  const auto n = a.nonZeros();
+  return a.rows() == b.rows() && a.cols() == b.cols() && n == b.nonZeros() &&
+         std::equal(a.valuePtr(), a.valuePtr() + n, b.valuePtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + n, b.innerIndexPtr()) &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows(), b.outerIndexPtr());
+}
+} // namespace
+
+const PartMemory::Part *PartMemory::find(const int first, const SparseMatrix &matrix,
+                                         const SparseMatrix &to_border) const {
+  const auto found = by_first.find(first);
+  return found != by_first.end() && is_same(found->second.matrix, matrix) &&
+                 is_same(found->second.factors->to_border, to_border)
+             ? &found->second
+             : nullptr;
+}
+
+std::shared_ptr<PartMemory> make_part_memory() { return std::make_shared<PartMemory>(); }
+
+CondensedParts::CondensedParts(const SparseMatrix &stiffness, const std::vector<int> &keep,
+                               PartMemory *const memory)
     : Condensation(stiffness.rows(), keep), place_inside(stiffness.rows(), -1) {
   find_parts(stiffness);
   std::vector<Eigen::Triplet<double>> entries;
@@ -85,7 +106,7 @@ CondensedParts::CondensedParts(const SparseMatrix &stiffness, const std::vector<
         entries.emplace_back(k, column, entry.value());
   KnownParts known;
   for (Part &part : parts)
-    condense_part(stiffness, part, known, entries);
+    condense_part(stiffness, part, known, memory, entries);
   S.resize(kept.size(), kept.size());
   S.setFromTriplets(entries.begin(), entries.end());
 }
@@ -166,6 +187,7 @@ Eigen::MatrixXd CondensedParts::Factors::take(SparseMatrix &matrix) {
 }
 
 void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part, KnownParts &known,
+                                   PartMemory *const memory,
                                    std::vector<Eigen::Triplet<double>> &entries) {
   const std::size_t n = part.inside.size(), n_border = part.border.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -207,27 +229,42 @@ void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part, Kn
   std::size_t n_entries = 0;
   for (const int unknown : part.inside)
     n_entries += stiffness.outerIndexPtr()[unknown + 1] - stiffness.outerIndexPtr()[unknown];
-  Factors &own = factors.emplace_back();
+  auto own = std::make_shared<Factors>();
   SparseMatrix matrix(n, n);
   matrix.reserve(n_entries);
-  own.to_border.resize(n, n_border);
+  own->to_border.resize(n, n_border);
   // Entries come in the order of rows and columns, since both are numbered in that of the unknowns.
   each_entry(
       [&](const int i) {
         matrix.startVec(i);
-        own.to_border.startVec(i);
+        own->to_border.startVec(i);
       },
       [&](const int i, const int j, const double value) { matrix.insertBack(i, j) = value; },
       [&](const int i, const int b, const double value) {
-        own.to_border.insertBack(i, b) = value;
+        own->to_border.insertBack(i, b) = value;
       });
   matrix.finalize();
-  own.to_border.finalize();
-  const Eigen::MatrixXd share = own.take(matrix);
-  part.factors = &own;
+  own->to_border.finalize();
+  PartMemory *const kept_parts = n <= largest_dense ? nullptr : memory;
+  if (kept_parts != nullptr)
+    if (const PartMemory::Part *const same =
+            kept_parts->find(part.inside.front(), matrix, own->to_border)) {
+      factors.push_back(same->factors);
+      part.factors = same->factors.get();
+      add_share(same->share);
+      return;
+    }
+  SparseMatrix as_it_was;
+  if (kept_parts != nullptr)
+    as_it_was = matrix;
+  const Eigen::MatrixXd share = own->take(matrix);
+  factors.push_back(own);
+  part.factors = own.get();
   add_share(share);
   if (n <= largest_dense)
-    known.add({std::move(small), share, &own});
+    known.add({std::move(small), share, own.get()});
+  if (kept_parts != nullptr)
+    kept_parts->keep(part.inside.front(), {std::move(as_it_was), std::move(own), share});
 }
 
 Vector CondensedParts::Part::inner(const Vector &all) const {
@@ -281,8 +318,9 @@ Vector CondensedParts::expand(const Vector &kept_unknowns, const Vector &forces)
 }
 
 std::unique_ptr<Condensation> condense_parts(const SparseMatrix &stiffness,
-                                             const std::vector<int> &keep) {
-  return std::make_unique<CondensedParts>(stiffness, keep);
+                                             const std::vector<int> &keep,
+                                             PartMemory *const memory) {
+  return std::make_unique<CondensedParts>(stiffness, keep, memory);
 }
 
 std::unique_ptr<Condensation> condense_bodies(const SparseMatrix &stiffness,

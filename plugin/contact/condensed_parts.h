@@ -8,21 +8,21 @@
 
 #include <Eigen/Cholesky>
 
-#include <deque>
+#include <unordered_map>
 
 namespace frictionbeam::contact {
 
 /// See condense_parts().
 class CondensedParts final : public Condensation {
 public:
-  CondensedParts(const SparseMatrix &stiffness, const std::vector<int> &keep);
+  CondensedParts(const SparseMatrix &stiffness, const std::vector<int> &keep,
+                 PartMemory *const memory = nullptr);
 
   Vector condense(const Vector &forces) const override;
   Vector expand(const Vector &kept_unknowns, const Vector &forces) const override;
   /// An inner unknown of each part that can move freely; the part is not condensed well then.
   const std::vector<int> &free_unknowns() const { return moves_freely; }
 
-private:
   /// What condenses a part: K_ii factored, and its influence. Parts whose matrices are the same
   /// numbers, as those of equal spans, have one.
   struct Factors {
@@ -41,6 +41,8 @@ private:
     void take_dense(const SparseMatrix &matrix);
     void take_sparse(SparseMatrix &matrix);
   };
+
+private:
   /// A connected part of the inner unknowns and the kept ones it borders on.
   struct Part {
     std::vector<int> inside, border; ///< unknowns; places among the kept
@@ -55,11 +57,28 @@ private:
   void find_parts(const SparseMatrix &stiffness);
   /// Factor K_ii of a part, if none like it has been, and add its share of S.
   void condense_part(const SparseMatrix &stiffness, Part &part, KnownParts &known,
-                     std::vector<Eigen::Triplet<double>> &entries);
+                     PartMemory *const memory, std::vector<Eigen::Triplet<double>> &entries);
 
   std::vector<int> place_inside, moves_freely;
   std::vector<Part> parts;
-  std::deque<Factors> factors; ///< which never move: parts point at them
+  std::vector<std::shared_ptr<const Factors>> factors; ///< parts point at them
+};
+
+class PartMemory {
+public:
+  struct Part {
+    SparseMatrix matrix; ///< K_ii
+    std::shared_ptr<const CondensedParts::Factors> factors;
+    Eigen::MatrixXd share;
+  };
+
+  /// The part that began at this unknown, if it had these numbers; null otherwise.
+  const Part *find(const int first, const SparseMatrix &matrix,
+                   const SparseMatrix &to_border) const;
+  void keep(const int first, Part part) { by_first[first] = std::move(part); }
+
+private:
+  std::unordered_map<int, Part> by_first;
 };
 
 } // namespace frictionbeam::contact

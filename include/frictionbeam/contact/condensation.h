@@ -43,13 +43,20 @@ protected:
   SparseMatrix S;
 };
 
+/// The parts of matrices that were condensed last, for those to come that differ from them in some
+/// parts only: as those of a line do where few of its cells yield. See condense_parts().
+class PartMemory;
+std::shared_ptr<PartMemory> make_part_memory();
+
 /**
  * Of a sparse matrix, symmetric and positive definite on the inner unknowns. K_ii falls apart into
  * its connected parts, each factored by itself: a line between two supports costs no more than its
  * two ends, and the whole is linear in its length.
+ * @param memory of parts whose numbers are the same as before, which are taken over then
  */
 std::unique_ptr<Condensation> condense_parts(const SparseMatrix &stiffness,
-                                             const std::vector<int> &keep);
+                                             const std::vector<int> &keep,
+                                             PartMemory *const memory = nullptr);
 
 /**
  * The same of bodies that need not be held by the kept unknowns, as one on a single contact, about

@@ -9,7 +9,7 @@ namespace frictionbeam {
 class ExactMethod final : public EquilibriumSolver {
 public:
   ExactMethod(const SolverSettings &settings, const Contacts &contacts,
-              const SparseMatrix &stiffness);
+              const SparseMatrix &stiffness, contact::PartMemory *const memory = nullptr);
 
   void matrix_changed() override {}
   EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,

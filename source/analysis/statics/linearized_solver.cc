@@ -14,8 +14,23 @@ namespace frictionbeam {
 using namespace dealii;
 
 SparseMatrix symmetric_part(const SparseMatrix &matrix) {
-  const SparseMatrix transposed = matrix.transpose();
-  return 0.5 * (matrix + transposed);
+  SparseMatrix result = matrix;
+  result.makeCompressed();
+  // Rows ask for the entries above the diagonal of a row before in the order in which they stand.
+  std::vector<int> next(matrix.rows());
+  const int *const begin = result.outerIndexPtr(), *const columns = result.innerIndexPtr();
+  double *const values = result.valuePtr();
+  for (int row = 0; row < matrix.rows(); ++row) {
+    int k = begin[row];
+    for (; k < begin[row + 1] && columns[k] < row; ++k) {
+      const int column = columns[k];
+      const int other = next[column]++;
+      Assert(columns[other] == row, ExcMessage("The pattern is not symmetric."));
+      values[k] = values[other] = 0.5 * (values[k] + values[other]);
+    }
+    next[row] = k < begin[row + 1] && columns[k] == row ? k + 1 : k;
+  }
+  return result;
 }
 
 namespace {
@@ -31,7 +46,8 @@ void LinearizedSolver::keep(const SparseMatrix &matrix) {
     return;
   kept.emplace(Method{matrix, symmetric_part(matrix), {}});
   kept->solver =
-      make_equilibrium_solver(model.scene.solver, model.contacts, model.space, kept->symmetric);
+      make_equilibrium_solver(model.scene.solver, model.contacts, model.space, kept->symmetric,
+                              parts.get());
 }
 
 void LinearizedSolver::transfer(Archive &archive) {
@@ -83,7 +99,7 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
   };
   result = is_kept ? solve(*kept->solver)
                    : solve(*make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
-                                                    symmetric));
+                                                    symmetric, parts.get()));
   result.no_equilibrium = false; // of this pose it is no proof
   return result;
 }

@@ -4,6 +4,7 @@
 #include "analysis/contact/equilibrium.h"
 #include "model/line_pose.h"
 #include "model/model.h"
+#include <frictionbeam/contact/condensation.h>
 #include <frictionbeam/contact/line_factorization.h>
 
 #include <functional>
@@ -52,6 +53,7 @@ private:
   contact::LineFactorization factorization;
   bool analyzed = false;
   std::optional<Method> kept;
+  std::shared_ptr<contact::PartMemory> parts = contact::make_part_memory();
 };
 
 /// One more iteration of Newton's method around the contacts, unless @p most have been made: solves

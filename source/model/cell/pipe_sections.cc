@@ -118,7 +118,7 @@ std::unique_ptr<const PipeSections::Cell>
 PipeSections::make_cell(const Discretization &discretization, const unsigned int index,
                         PipeElement &exact, PipeElement &at_points) const {
   const auto deal_cell = discretization.pipe_cell(index);
-  at_points.reinit(deal_cell);
+  at_points.reinit_points(deal_cell);
   const Profile &profile = exact.profile();
   const SectionChain::Matrix6 D = Eigen::Map<const Tangent>(&profile.tangent(0, 0));
   const Matrix12 K = exact.stiffness();

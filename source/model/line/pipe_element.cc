@@ -21,7 +21,7 @@ Eigen::Matrix3d local_axes(const Discretization::Cell &cell) {
 
 namespace {
 
-constexpr std::size_t most_kept = 1000; ///< of some 3 kB
+constexpr std::size_t most_kept = 2000; ///< of some 3 kB
 
 /// A matrix on the motions of two vertices, from axes that are the columns of @p axes.
 PipeElement::Matrix12 turned(const PipeElement::Matrix12 &matrix, const Eigen::Matrix3d &axes) {
@@ -34,17 +34,16 @@ PipeElement::Matrix12 turned(const PipeElement::Matrix12 &matrix, const Eigen::M
 }
 
 /// The same of what else a cell has, but its mass.
-template <typename Matrices>
-Matrices turned_matrices(const Matrices &from, const Eigen::Matrix3d &axes) {
-  Matrices result;
+CellMatrices turned_matrices(const CellMatrices &from, const Eigen::Matrix3d &axes) {
+  CellMatrices result;
   result.stiffness = turned(from.stiffness, axes);
   for (int row = 0; row < 12; row += 3) {
-    result.line_loads.template middleRows<3>(row).noalias() =
-        axes * (from.line_loads.template middleRows<3>(row) * axes.transpose()).eval();
-    result.axial_strain.template segment<3>(row).noalias() =
-        axes * from.axial_strain.template segment<3>(row);
-    result.curvature.template segment<3>(row).noalias() =
-        axes * from.curvature.template segment<3>(row);
+    result.line_loads.middleRows<3>(row).noalias() =
+        axes * (from.line_loads.middleRows<3>(row) * axes.transpose()).eval();
+    result.axial_strain.segment<3>(row).noalias() =
+        axes * from.axial_strain.segment<3>(row);
+    result.curvature.segment<3>(row).noalias() =
+        axes * from.curvature.segment<3>(row);
   }
   return result;
 }
@@ -73,12 +72,21 @@ PipeElement::PipeElement(const Discretization &discretization, const Quadrature<
         discretization.elements()[1], curved, update_values | update_gradients | update_JxW_values);
 }
 
-void PipeElement::reinit(const Discretization::Cell &cell) {
+void PipeElement::begin(const Discretization::Cell &cell) {
   section = &discretization.profiles()[cell->material_id()];
   bend.reset();
   if (section->arc_centre)
     bend.emplace(cell->vertex(0), cell->vertex(1), section->arc());
   stretch = bend ? bend->length() / (cell->vertex(1) - cell->vertex(0)).norm() : 1.;
+}
+
+void PipeElement::reinit_points(const Discretization::Cell &cell) {
+  begin(cell);
+  evaluate(cell);
+}
+
+void PipeElement::reinit(const Discretization::Cell &cell) {
+  begin(cell);
   const CellJoints *const joints = discretization.joints(cell);
   jointed = joints != nullptr;
   if (takes_like && !jointed) {
@@ -99,6 +107,7 @@ Discretization::Cell PipeElement::like_cell(const Discretization::Cell &cell) co
 void PipeElement::take_like(const Discretization::Cell &cell) {
   const Discretization::Cell first = like_cell(cell);
   const Eigen::Matrix3d own_axes = local_axes(cell);
+  KeptMatrices &kept = discretization.kept_matrices();
   const auto found = kept.find(first->active_cell_index());
   if (found != kept.end() && &found->second == like && own_axes == cell_axes)
     return;
@@ -106,10 +115,8 @@ void PipeElement::take_like(const Discretization::Cell &cell) {
   cell_axes = own_axes;
   if (like == nullptr) {
     evaluate(first);
-    if (kept.size() == most_kept)
-      kept.clear();
-    like = &(kept[first->active_cell_index()] =
-                 turned_matrices(integrate(), local_axes(first).transpose()));
+    like = kept.size() < most_kept ? &kept[first->active_cell_index()] : &not_kept;
+    *like = turned_matrices(integrate(), local_axes(first).transpose());
   }
   plain = turned_matrices(*like, cell_axes);
 }
@@ -181,9 +188,9 @@ Eigen::Matrix<double, 6, 1> PipeElement::curvature_strain(const unsigned int poi
   return strain;
 }
 
-PipeElement::Matrices PipeElement::integrate() const {
+CellMatrices PipeElement::integrate() const {
   const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> D(&section->tangent(0, 0));
-  PipeElement::Matrices result;
+  CellMatrices result;
   result.stiffness.setZero();
   result.line_loads.setZero();
   result.axial_strain.setZero();

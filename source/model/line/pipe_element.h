@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <unordered_map>
 
 namespace frictionbeam {
 
@@ -24,8 +23,8 @@ Eigen::Matrix3d local_axes(const Discretization::Cell &cell);
  */
 class PipeElement {
 public:
-  using Matrix12 = Eigen::Matrix<double, 12, 12>;
-  using Vector12 = Eigen::Matrix<double, 12, 1>;
+  using Matrix12 = CellMatrices::Matrix12;
+  using Vector12 = CellMatrices::Vector12;
 
   explicit PipeElement(const Discretization &discretization);
   /// Integrated at other points, each cell by itself, for what is asked of points.
@@ -34,6 +33,8 @@ public:
 
   /// Take a cell; the functions below then speak of it.
   void reinit(const Discretization::Cell &cell);
+  /// The same for what is asked of points alone, of an element with points of its own.
+  void reinit_points(const Discretization::Cell &cell);
 
   /// Integral of B^T D B, exact with two Gauss points (twelve for an arc).
   const Matrix12 &stiffness() const;
@@ -72,22 +73,16 @@ public:
   const std::optional<ArcBeam> &arc() const { return bend; }
 
 private:
-  /// Of a cell without joints.
-  struct Matrices {
-    Matrix12 stiffness;
-    Eigen::Matrix<double, 12, 3> line_loads;
-    Vector12 axial_strain, curvature;
-    std::optional<Matrix12> mass; ///< none where it was not asked for yet
-  };
-
   PipeElement(const Discretization &discretization, const dealii::Quadrature<1> &straight,
               const dealii::Quadrature<1> &curved, const bool takes_like);
+  /// Section and arc.
+  void begin(const Discretization::Cell &cell);
   /// Shape functions and strains at the points.
   void evaluate(const Discretization::Cell &cell);
   void take_like(const Discretization::Cell &cell);
   /// Whose matrices a cell takes: an arc's are its own.
   Discretization::Cell like_cell(const Discretization::Cell &cell) const;
-  Matrices integrate() const; ///< but the mass, global axes
+  CellMatrices integrate() const; ///< but the mass, global axes
   Matrix12 integrate_mass(const Discretization::Cell &cell);
   void add_joints(const Discretization::Cell &cell, const CellJoints &joints);
 
@@ -96,15 +91,13 @@ private:
   std::unique_ptr<dealii::FEValues<1, 3>> arc_values; ///< if the line has arcs
   dealii::FEValues<1, 3> *values = nullptr;           ///< of the cell evaluated last
 
-  /// Of cells in their local axes, by the active index of the first one that is like them (like_cell);
-  /// so many that their memory is bounded.
-  std::unordered_map<unsigned int, Matrices> kept;
   const bool takes_like;
-  Matrices *like = nullptr;  ///< those that the cell takes
+  CellMatrices *like = nullptr; ///< those that the cell takes, local axes
+  CellMatrices not_kept;        ///< the same where no more are kept
   Eigen::Matrix3d cell_axes; ///< of the cell, in columns, by which they are turned
 
   const Profile *section = nullptr;
-  Matrices plain; ///< of the cell, global axes
+  CellMatrices plain; ///< of the cell, global axes
   bool jointed = false;
   Matrix12 joint_flexibility; ///< F
   Matrix12 beyond;            ///< (1 + F K)^-1

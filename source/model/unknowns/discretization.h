@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/line_mesh.h"
+#include "model/unknowns/cell_matrices.h"
 #include "model/unknowns/profile.h"
 #include <frictionbeam/fe_friction_beam.h>
 #include <frictionbeam/law_library.h>
@@ -77,6 +78,9 @@ public:
   /// but for rounding.
   Cell like(const Cell &cell) const { return at(first_like[info(cell).index]); }
 
+  /// A place for what PipeElement has evaluated, for all that ask this line: one thread at a time.
+  KeptMatrices &kept_matrices() const { return kept; }
+
   /// What the active cell is.
   const CellInfo &info(const Cell &cell) const { return infos[cell->active_cell_index()]; }
   /// The active cell of a pipe cell, and of a friction element.
@@ -116,6 +120,7 @@ private:
   std::vector<unsigned int> cell_level_index;     ///< of each author's cell
   std::vector<std::pair<FE_FrictionBeam::Rotations, bool>>
       options; ///< of the friction elements in fe
+  mutable KeptMatrices kept;
 };
 
 /// Stiffness of a straight pipe over that of the bend, by the pipe's rule.
