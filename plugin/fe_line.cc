@@ -109,16 +109,16 @@ void FE_Line::fill_points(const Cell &cell, const std::vector<Point<1>> &points,
   const double length = axis.norm();
   const CellGeometry geometry{axis / length, length, cell->material_id(), cell->vertex(0),
                               cell->vertex(1)};
-  evaluate_all(
-      geometry, points, [&](const unsigned int q, const std::vector<ShapeFunction> &shapes) {
-        for (unsigned int i = 0, row = 0; i < shapes.size(); ++i)
-          for (unsigned int c = 0; c < n_line_components; ++c, ++row) {
-            if (fe_internal.update_each & update_values)
-              output.shape_values[row][q] = shapes[i].value[c];
-            if (fe_internal.update_each & update_gradients)
-              output.shape_gradients[row][q] = shapes[i].derivative[c] * geometry.tangent;
-          }
-      });
+  evaluate_all(geometry, points,
+               [&](const unsigned int q, const std::vector<ShapeFunction> &shapes) {
+                 for (unsigned int i = 0, row = 0; i < shapes.size(); ++i)
+                   for (unsigned int c = 0; c < n_line_components; ++c, ++row) {
+                     if (fe_internal.update_each & update_values)
+                       output.shape_values[row][q] = shapes[i].value[c];
+                     if (fe_internal.update_each & update_gradients)
+                       output.shape_gradients[row][q] = shapes[i].derivative[c] * geometry.tangent;
+                   }
+               });
 }
 
 void FE_Line::check_straight(const Cell &cell, const Quadrature<1> &quadrature,

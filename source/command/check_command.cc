@@ -31,6 +31,23 @@ struct InUnits {
   }
 };
 
+/// How much more flexible than a straight pipe a bend is, in words: by the code's factor, or by the
+/// law of its section, which may find it itself.
+std::string flexibility_of_bend(const Scene &scene, const Discretization &discretization,
+                                const unsigned int pipe, const double radius) {
+  const Section &section = scene.sections[scene.pipes[pipe].section];
+  const Material &material = scene.materials[scene.pipes[pipe].material];
+  if (!section.is_inelastic())
+    return rounded_number(bend_flexibility(scene.pipes[pipe], section, material, radius), 4);
+  double factor = 1.;
+  for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
+    const Profile &profile = discretization.profiles()[discretization.pipe_cell(i)->material_id()];
+    if (discretization.pipe_cells()[i].pipe == pipe && profile.bend.radius == radius)
+      factor = std::max(factor, profile.material.youngs_modulus * section.inertia / profile.EI);
+  }
+  return rounded_number(factor, 4) + " while elastic, as the law " + section.law + " has it";
+}
+
 void list_pipes(const Scene &scene, const LineMesh &mesh, const Discretization &discretization) {
   const InUnits in_units{scene.units};
   double total = 0.;
@@ -54,9 +71,7 @@ void list_pipes(const Scene &scene, const LineMesh &mesh, const Discretization &
               << plural(meshed.bend_radius.size(), "cell") << (pipe.rigid ? ", rigid" : "") << '\n';
     for (const auto &[radius, n] : bends)
       std::cout << "  " << plural(n, "bend") << " of radius " << in_units(radius, "m")
-                << ", flexibility factor "
-                << rounded_number(
-                       bend_flexibility(pipe, section, scene.materials[pipe.material], radius), 4)
+                << ", flexibility factor " << flexibility_of_bend(scene, discretization, p, radius)
                 << '\n';
   }
   double mass = 0.;

@@ -54,7 +54,8 @@ void compare(const std::string &bends, const std::size_t n_kinds) {
   PipeElement taken(discretization);
   PipeElement evaluated(discretization, dealii::QGauss<1>(2), dealii::QGauss<1>(12));
   const auto distance = [](const auto &a, const auto &b) { return (a - b).norm() / b.norm(); };
-  // Of pieces of 0.1 m at places of 10 m: their lengths are known to 1e-14, their stiffness by the cube of it.
+  // Of pieces of 0.1 m at places of 10 m: their lengths are known to 1e-14, their stiffness by the
+  // cube of it.
   constexpr double rounding = 1e-12;
   std::set<unsigned int> kinds;
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {

@@ -25,9 +25,9 @@ std::vector<int> unknowns_of(const Contacts &contacts) {
 
 ExactMethod::ExactMethod(const SolverSettings &settings, const Contacts &contacts,
                          const SparseMatrix &stiffness, contact::PartMemory *const memory)
-    : contacts(contacts),
-      solver(settings_of(settings), contacts,
-             contact::condense_parts(stiffness, unknowns_of(contacts), memory), stiffness.diagonal()) {}
+    : contacts(contacts), solver(settings_of(settings), contacts,
+                                 contact::condense_parts(stiffness, unknowns_of(contacts), memory),
+                                 stiffness.diagonal()) {}
 
 EquilibriumResult ExactMethod::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,

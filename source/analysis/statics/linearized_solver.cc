@@ -45,9 +45,8 @@ void LinearizedSolver::keep(const SparseMatrix &matrix) {
   if (model.contacts.size() == 0)
     return;
   kept.emplace(Method{matrix, symmetric_part(matrix), {}});
-  kept->solver =
-      make_equilibrium_solver(model.scene.solver, model.contacts, model.space, kept->symmetric,
-                              parts.get());
+  kept->solver = make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
+                                         kept->symmetric, parts.get());
 }
 
 void LinearizedSolver::transfer(Archive &archive) {

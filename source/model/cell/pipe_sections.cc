@@ -255,15 +255,10 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
   answer = {};
   SectionChain::Solution solution;
   std::vector<Vector6> free;
-  const double *const of_cell_before = old.data() + cell.first_value + 12;
-  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
-    free.push_back(surroundings.curvature * cell.curvature[q]);
+  free.reserve(cell.chain.size());
+  for (const Vector6 &unit : cell.curvature) {
+    free.push_back(surroundings.curvature * unit);
     free.back()[0] += surroundings.axial_strain;
-    Vector6 before = Values(old.data() + place_of(cell, q) + strain);
-    before[0] -= old[place_of(cell, q) + thrust] / cell.profile.EA;
-    solution.strain.push_back(before + cell.B[q] * (to - from) -
-                              (surroundings.curvature - of_cell_before[1]) * cell.curvature[q]);
-    solution.strain.back()[0] -= surroundings.axial_strain - of_cell_before[0];
   }
   const auto law = [&](const unsigned int q, const Vector6 &strain_of_point, Vector6 &result,
                        SectionChain::Matrix6 &tangent) {
@@ -275,9 +270,16 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
     result[0] -= values[thrust];
     return true;
   };
-  const std::vector<Vector6> guess = solution.strain;
   if (!stays_elastic(cell, to, free, surroundings, old, now, solution)) {
-    solution.strain = guess;
+    const double *const of_cell_before = old.data() + cell.first_value + 12;
+    solution.strain.resize(cell.chain.size());
+    for (unsigned int q = 0; q < cell.chain.size(); ++q) { // a first guess
+      Vector6 before = Values(old.data() + place_of(cell, q) + strain);
+      before[0] -= old[place_of(cell, q) + thrust] / cell.profile.EA;
+      solution.strain[q] = before + cell.B[q] * (to - from) -
+                           (surroundings.curvature - of_cell_before[1]) * cell.curvature[q];
+      solution.strain[q][0] -= surroundings.axial_strain - of_cell_before[0];
+    }
     cell.chain.solve(law, to, free, surroundings.line_force, solution);
   }
   answer.failed = !solution.solved;

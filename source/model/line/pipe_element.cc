@@ -40,10 +40,8 @@ CellMatrices turned_matrices(const CellMatrices &from, const Eigen::Matrix3d &ax
   for (int row = 0; row < 12; row += 3) {
     result.line_loads.middleRows<3>(row).noalias() =
         axes * (from.line_loads.middleRows<3>(row) * axes.transpose()).eval();
-    result.axial_strain.segment<3>(row).noalias() =
-        axes * from.axial_strain.segment<3>(row);
-    result.curvature.segment<3>(row).noalias() =
-        axes * from.curvature.segment<3>(row);
+    result.axial_strain.segment<3>(row).noalias() = axes * from.axial_strain.segment<3>(row);
+    result.curvature.segment<3>(row).noalias() = axes * from.curvature.segment<3>(row);
   }
   return result;
 }

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-
 namespace frictionbeam {
 
 /// Local axes of a straight cell in the direction of deal.II's, in columns.
@@ -94,7 +93,7 @@ private:
   const bool takes_like;
   CellMatrices *like = nullptr; ///< those that the cell takes, local axes
   CellMatrices not_kept;        ///< the same where no more are kept
-  Eigen::Matrix3d cell_axes; ///< of the cell, in columns, by which they are turned
+  Eigen::Matrix3d cell_axes;    ///< of the cell, in columns, by which they are turned
 
   const Profile *section = nullptr;
   CellMatrices plain; ///< of the cell, global axes
