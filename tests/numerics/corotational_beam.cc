@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A cell that turns with its ends: a rigid motion deforms nothing, a stretch is a stretch in any
-// direction, B is the derivative of the deformations by spins of the ends, and the geometric
-// stiffness that of B^T s.
+// direction, B is the derivative of the deformations by spins of the ends, no axes across the cell
+// are better than others, and the geometric stiffness is that of B^T s.
 #include "../check.h"
 
 #include "model/cell/corotational_beam.h"
@@ -75,6 +75,19 @@ int main() {
   CHECK_NEAR((B.transpose() * s).head<3>().dot(Eigen::Vector3d::Ones()) +
                  (B.transpose() * s).segment<3>(6).dot(Eigen::Vector3d::Ones()),
              0., 1e-11); // forces on the ends are in equilibrium
+
+  // The same forces whatever axes a round section has across its own, however far its ends turn.
+  const Beam other(chord, turn({0.7, 0., 0.}), stiffness());
+  for (const Beam::Ends &far :
+       {ends, Beam::Ends{{-0.4, 0.9, -0.8}, {turn({0.6, -0.9, 1.2}), turn({-0.5, 1.1, -0.4})}}}) {
+    const auto one = beam.deform(far), two = other.deform(far);
+    const Beam::Vector12 forces =
+        beam.derivative(one, one.length).transpose() * (beam.stiffness() * one.d);
+    CHECK_NEAR((other.derivative(two, two.length).transpose() * (other.stiffness() * two.d) - forces)
+                       .norm() /
+                   forces.norm(),
+               0., 1e-13);
+  }
 
   // A straight cell under tension P: translations across feel P/l.
   Beam::Vector7 tension = Beam::Vector7::Zero();

@@ -16,6 +16,19 @@ void from_global(Matrix &matrix, const Matrix3d &axes) {
         (matrix.template middleCols<3>(3 * block) * axes.transpose()).eval();
 }
 
+double twist_of(const Eigen::Quaterniond &turn) {
+  const double half = std::atan2(turn.x(), turn.w()); // q and -q are one rotation
+  return 2. * (half > EIGEN_PI / 2.    ? half - EIGEN_PI
+               : half < -EIGEN_PI / 2. ? half + EIGEN_PI
+                                       : half);
+}
+
+/// Of twist_of(), by a spin about the fixed axes in which the rotation is.
+Vector3d twist_by_spin(const Eigen::Quaterniond &turn) {
+  const double x = turn.x(), y = turn.y(), z = turn.z(), w = turn.w(), size = w * w + x * x;
+  return {1., (x * y + z * w) / size, (x * z - y * w) / size};
+}
+
 } // namespace
 
 CorotationalBeam::CorotationalBeam(const Vector3d &chord, const Matrix3d &axes,
@@ -32,34 +45,36 @@ CorotationalBeam::Deformed CorotationalBeam::deform(const Ends &ends) const {
   Deformed result;
   result.chord = chord + ends.relative;
   result.length = result.chord.norm();
-  const Vector3d marks[2] = {ends.turn[0] * rest.col(1), ends.turn[1] * rest.col(1)};
   result.axes.col(0) = result.chord / result.length;
-  result.axes.col(2) = result.axes.col(0).cross(marks[0] + marks[1]).normalized();
+  const Vector3d carried = (ends.turn[0] + ends.turn[1]) * rest.col(1); // near the second axis
+  result.axes.col(2) = result.axes.col(0).cross(carried).normalized();
   result.axes.col(1) = result.axes.col(2).cross(result.axes.col(0));
+  double twist = 0.;
+  for (const Matrix3d &turn : ends.turn)
+    twist += twist_of(Eigen::Quaterniond(Matrix3d(result.axes.transpose() * turn * rest))) / 2.;
+  result.axes *= Eigen::AngleAxisd(twist, Vector3d::UnitX()).toRotationMatrix();
   // Not l - l0, for the digits.
   result.d[0] = ends.relative.dot(2. * chord + ends.relative) / (result.length + chord.norm());
   for (int end = 0; end < 2; ++end) {
-    const Matrix3d turn = result.axes.transpose() * ends.turn[end] * rest;
-    result.d.segment<3>(1 + 3 * end) = rotation_vector(Eigen::Quaterniond(turn));
-    result.mark[end] = result.axes.transpose() * marks[end];
+    const Eigen::Quaterniond turn(Matrix3d(result.axes.transpose() * ends.turn[end] * rest));
+    result.d.segment<3>(1 + 3 * end) = rotation_vector(turn);
+    result.twist_by_spin[end] = twist_by_spin(turn);
   }
   return result;
 }
 
 CorotationalBeam::Matrix3_12 CorotationalBeam::frame_spin(const Deformed &at) const {
-  const Vector3d mean = (at.mark[0] + at.mark[1]) / 2.;
-  const double l = at.length, eta = mean[0] / mean[1];
+  const double l = at.length;
   Matrix3_12 spin = Matrix3_12::Zero();
-  spin(0, 2) = eta / l;
-  spin(0, 8) = -eta / l;
-  for (int end = 0; end < 2; ++end) {
-    spin(0, 6 * end + 3) = at.mark[end][1] / mean[1] / 2.;
-    spin(0, 6 * end + 4) = -at.mark[end][0] / mean[1] / 2.;
-  }
   spin(1, 2) = 1. / l;
   spin(1, 8) = -1. / l;
   spin(2, 1) = -1. / l;
   spin(2, 7) = 1. / l;
+  for (int end = 0; end < 2; ++end) {
+    const Vector3d &by = at.twist_by_spin[end];
+    spin.block<1, 3>(0, 6 * end + 3) += by.transpose() / 2.;
+    spin.row(0) -= (by[1] * spin.row(1) + by[2] * spin.row(2)) / 2.;
+  }
   return spin;
 }
 

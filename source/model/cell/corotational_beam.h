@@ -10,13 +10,14 @@ namespace frictionbeam {
 /**
  * A two-node beam cell, straight or an arc, that moves and turns by any amount, while its strains
  * stay small: a frame E goes along with its ends, and in that frame the cell is the linear element.
- * E has its first axis along the chord and shares the turning about it evenly between the ends;
- * what the ends do relative to E are seven deformations d = (l - l0, rotation vectors of E^T R_1
- * E_0 and of E^T R_2 E_0), with forces K_7 d less those of free strains. By virtual work the forces
- * on the ends are B^T s, B the derivative of d by translations and spins of the ends (J.-M.
- * Battini, C. Pacoste, CMAME 191 (2002) 1755-1789, doi:10.1016/S0045-7825(01)00352-8; C. Nour-Omid,
- * C. C. Rankin, CMAME 93 (1991) 353-384, doi:10.1016/0045-7825(91)90248-5). See doc/theory.md,
- * "Large displacements".
+ * E has its first axis along the chord, about which the two ends are twisted by opposite angles:
+ * those by which the shortest turn of the axis leaves them short of where they are, whatever the
+ * other two axes at rest (q_x, q_w of E^T R E_0: 2 atan(q_x/q_w)). What the ends do relative to E
+ * are seven deformations d = (l - l0, rotation vectors of E^T R_1 E_0 and of E^T R_2 E_0), with
+ * forces K_7 d less those of free strains. By virtual work the forces on the ends are B^T s, B the
+ * derivative of d by translations and spins of the ends (J.-M. Battini, C. Pacoste, CMAME 191
+ * (2002) 1755-1789, doi:10.1016/S0045-7825(01)00352-8; C. Nour-Omid, C. C. Rankin, CMAME 93 (1991)
+ * 353-384, doi:10.1016/0045-7825(91)90248-5). See doc/theory.md, "Large displacements".
  *
  * Vectors of 12 are translations and spins, or forces and moments, of the first and the second end,
  * in global axes.
@@ -35,11 +36,11 @@ public:
   };
   /// The cell in its frame.
   struct Deformed {
-    Eigen::Matrix3d axes;    ///< E, in columns
-    Eigen::Vector3d chord;   ///< [m]
-    double length = 0.;      ///< of the chord [m]
-    Vector7 d;               ///< [m, rad]
-    Eigen::Vector3d mark[2]; ///< in E: where the ends have carried the second axis
+    Eigen::Matrix3d axes;             ///< E, in columns
+    Eigen::Vector3d chord;            ///< [m]
+    double length = 0.;               ///< of the chord [m]
+    Vector7 d;                        ///< [m, rad]
+    Eigen::Vector3d twist_by_spin[2]; ///< in E: of the ends
   };
 
   /**
