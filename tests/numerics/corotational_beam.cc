@@ -83,10 +83,11 @@ int main() {
     const auto one = beam.deform(far), two = other.deform(far);
     const Beam::Vector12 forces =
         beam.derivative(one, one.length).transpose() * (beam.stiffness() * one.d);
-    CHECK_NEAR((other.derivative(two, two.length).transpose() * (other.stiffness() * two.d) - forces)
-                       .norm() /
-                   forces.norm(),
-               0., 1e-13);
+    CHECK_NEAR(
+        (other.derivative(two, two.length).transpose() * (other.stiffness() * two.d) - forces)
+                .norm() /
+            forces.norm(),
+        0., 1e-13);
   }
 
   // A straight cell under tension P: translations across feel P/l.
