@@ -234,9 +234,8 @@ PipeElement::Matrix12 PipeElement::mass(const Discretization::Cell &cell) {
 }
 
 PipeElement::Matrix12 PipeElement::integrate_mass(const Discretization::Cell &cell) {
-  if (!bend)
-    straight_mass_values.reinit(cell);
-  const FEValues<1, 3> &shapes = bend ? *arc_values : straight_mass_values;
+  FEValues<1, 3> &shapes = bend ? *arc_values : straight_mass_values;
+  shapes.reinit(cell);
   const Profile &profile = *section;
   Vector3 tangent = cell->vertex(1) - cell->vertex(0);
   tangent /= tangent.norm();
