@@ -3,8 +3,6 @@
 
 #include "results/frame/frame_builder.h"
 
-#include <algorithm>
-#include <array>
 #include <limits>
 
 namespace frictionbeam {
@@ -315,21 +313,8 @@ void FrameBuilder::place(const PipeCell &pipe_cell, const LocalAxes &axes, Stati
 }
 
 void FrameBuilder::begin_cell(const Station &first, std::vector<Station> &line) const {
-  constexpr double least_jump = 1e-6, rounding = 1e-9; // of a component; of all forces or moments
-  bool jumps = both_sides || line.empty() || line.back().pipe != first.pipe;
-  if (!jumps) {
-    const std::array<double, 6> &before = line.back().force, &after = first.force;
-    for (unsigned int kind = 0; kind < 6; kind += 3) {
-      double largest = 0.;
-      for (unsigned int c = kind; c < kind + 3; ++c)
-        largest = std::max({largest, std::abs(before[c]), std::abs(after[c])});
-      for (unsigned int c = kind; c < kind + 3; ++c)
-        jumps = jumps || std::abs(after[c] - before[c]) >
-                             std::max(least_jump * (std::abs(before[c]) + std::abs(after[c])),
-                                      rounding * largest);
-    }
-  }
-  if (jumps)
+  if (both_sides || line.empty() || line.back().pipe != first.pipe ||
+      section_forces_jump(line.back().force, first.force))
     line.push_back(first);
 }
 

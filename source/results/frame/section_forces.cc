@@ -162,4 +162,18 @@ const double *SectionForces::forces_of(const Kind &kind, const Vector9 &start) {
   return buffer.data();
 }
 
+bool section_forces_jump(const Motion &before, const Motion &after) {
+  constexpr double least_jump = 1e-6, rounding = 1e-9; // of a component; of all forces or moments
+  for (unsigned int kind = 0; kind < 6; kind += 3) {
+    double largest = 0.;
+    for (unsigned int c = kind; c < kind + 3; ++c)
+      largest = std::max({largest, std::abs(before[c]), std::abs(after[c])});
+    for (unsigned int c = kind; c < kind + 3; ++c)
+      if (std::abs(after[c] - before[c]) >
+          std::max(least_jump * (std::abs(before[c]) + std::abs(after[c])), rounding * largest))
+        return true;
+  }
+  return false;
+}
+
 } // namespace frictionbeam

@@ -95,6 +95,9 @@ private:
   std::vector<double> buffer;
 };
 
+/// Whether forces N, Vy, Vz or moments Mx, My, Mz differ by more than rounding does.
+bool section_forces_jump(const Motion &before, const Motion &after);
+
 /// Section force and moment (global axes) of an arc at @p psi from those at its beginning.
 std::pair<Vector3, Vector3> section_of_arc(const ArcBeam &arc, const double psi,
                                            const Vector3 &force, const Vector3 &moment,
