@@ -112,7 +112,9 @@ void list_steps(const Scene &scene) {
     for (const auto &[load, factor] : step.loads)
       loads += (loads.empty() ? "" : ", ") + scene.loads[load].name +
                (factor == 1. ? "" : " x " + rounded_number(factor));
-    std::cout << "Step " << step.name << ": " << (loads.empty() ? "no loads" : loads) << ", "
+    std::cout << "Step " << step.name
+              << (step.from ? " from the end of " + scene.steps[*step.from].name : "") << ": "
+              << (loads.empty() ? "no loads" : loads) << ", "
               << (step.transient ? "transient, " + rounded_number(step.duration) + " s"
                                  : plural(step.n_increments, "increment"))
               << '\n';

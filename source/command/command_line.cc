@@ -18,6 +18,7 @@ using Command = CommandLine::Command;
 const char *const exit_status =
     "Exit status: 0 solved; 1 the input is wrong; 2 no convergence or no equilibrium; "
     "3 a mistake of the program's own; 4 results cannot be written, as on a full disk; "
+    "5 solved, but a check of the report fails ('Fail on = checks' in section Output); "
     "130 and 143 ended by SIGINT and SIGTERM, with a checkpoint for --resume.";
 
 /// All options and sub-commands; what is read goes into @p line.

@@ -24,6 +24,7 @@
 #include "results/report/report_study.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
+#include "results/verdicts.h"
 #include "scene/read_scene.h"
 
 #include <deal.II/base/timer.h>
@@ -63,6 +64,8 @@ void print_summary(const Scene &scene, const Results &results) {
     std::cout << "Known to: load increments " << in_words(results.known.increments)
               << ", time step " << in_words(results.known.time_step) << ", cells "
               << in_words(results.known.cells) << '\n';
+  if (const std::string failures = failures_in_words(results.verdicts); !failures.empty())
+    std::cout << failures << '\n';
   for (const QuantityResult &quantity : results.quantities) {
     std::cout << quantity.name << " = " << quantity.value << ' ' << quantity.unit;
     if (quantity.error)
@@ -174,6 +177,7 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
     return;
   include_accuracy(results);
   add_remarks(results.known, results);
+  results.verdicts = verdicts_of(scene, results);
   write_modes(results, scene.output.directory);
   if (scene.output.report)
     write_report(scene, results, scene.output.directory);
@@ -275,6 +279,7 @@ std::unique_ptr<RunFolder> take_folder(const std::string &folder, const Scene &s
 } // namespace
 
 int run_case(const RunOptions &options) {
+  constexpr int checks_fail = 5; // exit status
   const dealii::Timer wall;
   LawLibrary laws;
   laws.load_builtin();
@@ -312,7 +317,10 @@ int run_case(const RunOptions &options) {
     print_summary(solved.scene, solved.results);
     std::cout << "Results are in " << folder << ", the report is report.html\n";
   }
-  return solved.results.status == RunStatus::converged ? 0 : 2;
+  if (solved.results.status != RunStatus::converged)
+    return 2;
+  return solved.scene.checks.decide_exit_status && any_fails(solved.results.verdicts) ? checks_fail
+                                                                                      : 0;
 }
 
 } // namespace frictionbeam

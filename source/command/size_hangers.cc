@@ -30,8 +30,11 @@ std::map<std::string, std::vector<unsigned int>> open_springs(const Scene &scene
   return springs;
 }
 
-/// The scene up to the end of a step, without what only its results need.
+/// The scene up to the end of a step, without what only its results need. Its sections stay
+/// elastic: springs are chosen for the line as it is built, not for one that yields or creeps on
+/// them.
 Scene up_to(Scene scene, const std::string &step) {
+  scene.keeps_elastic = true;
   const auto last = std::find_if(scene.steps.begin(), scene.steps.end(),
                                  [&](const LoadStep &s) { return s.name == step; });
   scene.steps.erase(last + 1, scene.steps.end());
@@ -124,6 +127,7 @@ void size_spring(const Hanger &hanger, const double travel, Spring &spring, Scen
                        : ", cold load " + number(spring.preload, "N") + ", stiffness " +
                              number(spring.stiffness[2], "N/m")) +
       ", travel " + number(travel, "m") +
+      (scene.yields() ? ", of the line while it is elastic" : "") +
       (travels_less
            ? ". For so little it was sized as for " + number(sizing_travel, "m") +
                  ", which is its hot load over " + number(least_travel, "m") + " for a stiffness."

@@ -22,6 +22,7 @@ struct SupportInfo {
   std::string kind;
   Point3 position;
   Vector3 normal, t1, t2; ///< right-handed (t1, t2, n), n from the ground into the pipe
+  double capacity = 0.;   ///< largest force that it is made for [N]; 0: not said
 };
 
 /// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in
@@ -49,6 +50,7 @@ constexpr unsigned int n_shown_support_numbers = 8;
 struct RestraintInfo {
   std::string name, kind;
   Point3 position;
+  double capacity = 0.; ///< as of SupportInfo
 };
 
 /// A point with a name.
@@ -210,9 +212,10 @@ struct QuantityResult {
   std::string name, unit, source;
   double value = 0.;
   std::optional<double> reference,
-      error;         ///< error relative to the reference (absolute if that is 0)
-  double whole = 0.; ///< of a change or rate: the largest of what changes; else 0
-  double in_si = 1.; ///< SI units in its unit; 0: that is a word of the file's own
+      error;                   ///< error relative to the reference (absolute if that is 0)
+  std::optional<double> limit; ///< of its size, in its unit
+  double whole = 0.;           ///< of a change or rate: the largest of what changes; else 0
+  double in_si = 1.;           ///< SI units in its unit; 0: that is a word of the file's own
   /// An extreme of a force that a rigid support has in an impact: there is no such number.
   bool of_impact = false;
 };
@@ -222,6 +225,16 @@ struct Check {
   std::string name, unit, meaning;
   double value = 0.;     ///< nan where there was nothing to judge
   bool is_judged = true; ///< whether there was something
+};
+
+/// Whether something that was checked is as it should be (verdicts.h).
+struct Verdict {
+  std::string check, of, step; ///< step: or case; may be empty
+  double value = 0.;
+  std::optional<double> allowed; ///< none: nothing but whether
+  std::string unit;              ///< SI, of both; empty: that of the quantity
+  bool passes = true;
+  std::string section; ///< of the report, where there is more
 };
 
 /// A section of the report besides those that every report has.
@@ -277,6 +290,7 @@ struct Results {
   UnitSystem units;                   ///< in which the writers show everything
   std::vector<StepReport> steps;
   std::vector<Check> certificate;
+  std::vector<Verdict> verdicts;
   std::optional<EnergyAccount> energy; ///< of all steps together
   std::vector<std::string> remarks;    ///< warnings to the user
   HowWellKnown known;

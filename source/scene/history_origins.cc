@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "base/user_error.h"
+#include "scene/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,20 +27,32 @@ std::vector<double> beginnings(const Scene &scene) {
   return result;
 }
 
-/// The first of the steps up to @p step in all of which a load acts; a cycle begins anew.
+/// The same, each without the steps that do not lead to it.
+std::vector<double> beginnings_on_paths(const Scene &scene) {
+  std::vector<double> result;
+  for (unsigned int s = 0; s < scene.steps.size(); ++s) {
+    const auto before = step_before(scene, s);
+    result.push_back(before ? result[*before] + scene.steps[*before].duration : 0.);
+  }
+  return result;
+}
+
+/// The first of the steps that lead to @p step in all of which a load acts; a cycle begins anew.
 unsigned int first_step(const Scene &scene, unsigned int step, const unsigned int load,
                         const bool of_one_kind) {
-  while (step > 0 && !(of_one_kind && scene.steps[step].cycle.begins) &&
-         acts(scene.steps[step - 1], load) &&
-         !(of_one_kind && scene.steps[step - 1].transient != scene.steps[step].transient))
-    --step;
+  for (auto before = step_before(scene, step);
+       before && !(of_one_kind && scene.steps[step].cycle.begins) &&
+       acts(scene.steps[*before], load) &&
+       !(of_one_kind && scene.steps[*before].transient != scene.steps[step].transient);
+       before = step_before(scene, step))
+    step = *before;
   return step;
 }
 
 /// Run's time, of a step that a user reads about.
 std::string beginning(const Scene &scene, const unsigned int step) {
-  return "step " + scene.steps[step].name + " begins at " + to_text(beginnings(scene)[step]) +
-         " s of the run";
+  return "step " + scene.steps[step].name + " begins at " +
+         to_text(beginnings_on_paths(scene)[step]) + " s of the run";
 }
 
 [[noreturn]] void fail(const Scene &scene, const std::string &message) {
@@ -59,11 +72,13 @@ void check_ground(const Scene &scene, const FrictionSupport &support) {
                       " s\n  allowed: records that begin at 0 s or later\n  try:     shifting its "
                       "times");
     for (unsigned int s = 1; s < scene.steps.size(); ++s) {
-      const double before = HistoryOrigins(scene, s - 1).of_ground(motion),
+      const unsigned int last = *step_before(scene, s);
+      const double before = HistoryOrigins(scene, last).of_ground(motion),
                    now = HistoryOrigins(scene, s).of_ground(motion);
       if (before == now)
         continue;
-      const double ends = motion.before(begin[s] - before), starts = motion.after(begin[s] - now);
+      const double ends = motion.before(begin[last + 1] - before),
+                   starts = motion.after(begin[s] - now);
       if (std::abs(starts - ends) > 1e-12 * std::max(std::abs(starts), std::abs(ends)))
         fail(scene, "Support " + support.name + ": its ground would jump by " +
                         to_text(starts - ends) + " m where step " + scene.steps[s].name +
@@ -81,26 +96,29 @@ void check_ground(const Scene &scene, const FrictionSupport &support) {
 
 HistoryOrigins::HistoryOrigins(const Scene &scene, const unsigned int step)
     : loads(scene.loads.size(), 0.) {
-  const std::vector<double> begin = beginnings(scene);
+  const std::vector<double> on_path = beginnings_on_paths(scene);
+  elsewhere = beginnings(scene)[step] - on_path[step];
   for (unsigned int l = 0; l < loads.size(); ++l) {
+    loads[l] = elsewhere;
     if (scene.loads[l].history.clock == TimeFunction::Clock::run)
       continue;
-    unsigned int from = step;
-    if (!acts(scene.steps[step], l) && step > 0 && acts(scene.steps[step - 1], l))
-      --from;
-    loads[l] = begin[first_step(scene, from, l, true)];
+    const auto before = step_before(scene, step);
+    const bool goes_back = !acts(scene.steps[step], l) && before && acts(scene.steps[*before], l);
+    loads[l] = elsewhere + on_path[first_step(scene, goes_back ? *before : step, l, true)];
   }
   unsigned int from = step;
-  while (from > 0 && !scene.steps[from].cycle.begins &&
-         scene.steps[from - 1].transient == scene.steps[step].transient)
-    --from;
-  ground = begin[from];
+  for (auto before = step_before(scene, from);
+       before && !scene.steps[from].cycle.begins &&
+       scene.steps[*before].transient == scene.steps[step].transient;
+       before = step_before(scene, from))
+    from = *before;
+  ground = elsewhere + on_path[from];
 }
 
 } // namespace frictionbeam
 
 void frictionbeam::parts::check_histories(Scene &scene) {
-  const std::vector<double> begin = beginnings(scene);
+  const std::vector<double> begin = beginnings_on_paths(scene);
   for (unsigned int l = 0; l < scene.loads.size(); ++l) {
     const Load &load = scene.loads[l];
     if (!load.history.is_given())
@@ -110,9 +128,9 @@ void frictionbeam::parts::check_histories(Scene &scene) {
     for (unsigned int s = 0; s < scene.steps.size(); ++s) {
       if (!acts(scene.steps[s], l) || first_step(scene, s, l, of_step) != s)
         continue;
-      const double starts = of_step ? 0. : begin[s];
+      const double on_path = begin[s], starts = of_step ? 0. : on_path;
       if (std::isfinite(load.history.begins) &&
-          load.history.begins < starts - same_instant_of_step * begin[s])
+          load.history.begins < starts - same_instant_of_step * on_path)
         fail(scene, "Load " + load.name +
                         ": the beginning of its History would be lost.\n  read:    '" +
                         load.history.text + "', a record that begins at " +
@@ -123,12 +141,12 @@ void frictionbeam::parts::check_histories(Scene &scene) {
                         (of_step ? "shifting its times"
                                  : "'History time = step', which counts from the step's "
                                    "beginning"));
-      if (of_step && begin[s] > 0. && !told)
+      if (of_step && on_path > 0. && !told)
         scene.remarks.push_back("Load " + load.name +
                                 ": the time of its History begins with step " +
-                                scene.steps[s].name + ", at " + to_text(begin[s]) +
+                                scene.steps[s].name + ", at " + to_text(on_path) +
                                 " s of the run; with 'History time = run' it would be the run's.");
-      told = told || (of_step && begin[s] > 0.);
+      told = told || (of_step && on_path > 0.);
     }
   }
   for (const FrictionSupport &support : scene.supports)

@@ -12,17 +12,20 @@ namespace frictionbeam {
  * steps that follow each other up to this one, all static or all transient, and in all of which the
  * load acts; a load that goes back to zero in this step keeps the time that it had. Motions of the
  * ground act in all steps. Each cycle of steps that repeat themselves is a beginning. Static steps
- * begin where the one before has ended, their Duration being their time.
+ * begin where the one before has ended, their Duration being their time. The step before is that of
+ * the entry From; what others took in between, which the run's time counts on, counts for none of
+ * these.
  */
 struct HistoryOrigins {
   std::vector<double> loads; ///< beside Scene::loads [s]
   double ground = 0.;        ///< of motions of the ground with the clock `step` [s]
+  double elsewhere = 0.; ///< of the run's time, what steps took that do not lead to this one [s]
 
   HistoryOrigins() = default;
   HistoryOrigins(const Scene &scene, const unsigned int step);
 
   double of_ground(const TimeFunction &motion) const {
-    return motion.clock == TimeFunction::Clock::run ? 0. : ground;
+    return motion.clock == TimeFunction::Clock::run ? elsewhere : ground;
   }
 };
 

@@ -192,6 +192,7 @@ struct Quantity {
   double scale = 1.;
   std::string unit; ///< to show, of a scaled one; empty: what it measures
   std::optional<double> reference;
+  std::optional<double> limit; ///< that its size should not exceed, in its unit
   std::string source;
 
   const QuantityKind &kind() const { return *find_word(quantity_kinds, what); }

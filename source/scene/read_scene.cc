@@ -27,7 +27,7 @@ const std::vector<std::string> part_kinds = {
     "Tee",      "Load",    "Step",  "Initial", "Hanger",  "Nozzle", "Spectrum", "Combination"};
 const std::vector<std::string> settings = {"Mesh",   "Continuum",  "Solver",   "Time",
                                            "Output", "Modes",      "Response", "Stress",
-                                           "Exact",  "Quantities", "Study"};
+                                           "Exact",  "Quantities", "Checks",   "Study"};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -184,6 +184,7 @@ void read_settings(ParameterReader &in, Scene &scene) {
       {"Solver", &parts::declare_solver, &parts::parse_solver},
       {"Time", &parts::declare_time, &parts::parse_time},
       {"Output", &parts::declare_output, &parts::parse_output},
+      {"Checks", &parts::declare_checks, &parts::parse_checks},
       {"Modes", &parts::declare_modes, &parts::parse_modes},
       {"Response", &parts::declare_response, &parts::parse_response}};
   for (const auto &[heading, declare, parse] : sections) {

@@ -143,6 +143,7 @@ struct FrictionSupport {
   double normal_force = 0.; ///< of a platen that is pressed on [N], for a whole element (per metre
                             ///< for a bed); 0: the ground is fixed
   std::string ground;       ///< named point of another pipe to stand on; empty: the ground
+  double capacity = 0.;     ///< largest force that it is made for [N]; 0: not said
   double restitution = 0.;  ///< Newton's, of an impact on a rigid contact: 0 to 1
   std::array<TimeFunction, 3> ground_motion; ///< of the ground, global axes [m]; not given: 0
 
@@ -162,6 +163,7 @@ struct Restraint {
   Placement placement;
   std::array<bool, 6> fixed{};         ///< global axes
   std::vector<Direction> translations; ///< further directions held
+  double capacity = 0.;                ///< largest force that it is made for [N]; 0: not said
 };
 
 /// Linear spring in global axes, to the ground or between two points.
@@ -215,6 +217,7 @@ struct LoadStep {
   double duration = 1.;     ///< [s]; of a static step, the pseudo-time it takes
   bool finds_limit = false; ///< static: whether it ends at the largest part of its loads
   double ramp = 0.; ///< transient: time in which the loads reach their values [s]; 0: at once
+  std::optional<unsigned int> from; ///< step from whose end it starts; empty: the one before it
   /// Of loads that repeat themselves, which the step is one of: its number from 1 on, or 0.
   struct Cycle {
     unsigned int number = 0, of = 0;
@@ -299,11 +302,15 @@ struct Scene {
   SolverSettings solver;
   TimeSettings time;
   OutputSettings output;
+  CheckSettings checks;
   StudySettings study;
+
+  /// Whether sections stay as stiff as their laws are at rest, whatever the laws say of yielding.
+  bool keeps_elastic = false;
 
   /// Whether it has pipes whose section has an inelastic law.
   bool yields() const {
-    return std::any_of(pipes.begin(), pipes.end(), [this](const Pipe &pipe) {
+    return !keeps_elastic && std::any_of(pipes.begin(), pipes.end(), [this](const Pipe &pipe) {
       return !pipe.rigid && sections[pipe.section].is_inelastic();
     });
   }

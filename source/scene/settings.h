@@ -131,6 +131,13 @@ struct OutputSettings {
   bool quiet = false;               ///< no progress on a terminal
 };
 
+/// What a run is judged by besides its solution.
+struct CheckSettings {
+  double reference_tolerance = 0.01; ///< of quantities with a reference, relative
+  bool uplift = true;                ///< rests have to hold the line at the ends of static steps
+  bool decide_exit_status = false;   ///< whether a check that fails is an exit status of its own
+};
+
 /// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.
 enum class ModelKind { line, continuum, both, automatic };
 

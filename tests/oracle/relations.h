@@ -32,6 +32,7 @@ const std::vector<Relation> &relations();
 
 // In relations_of_steps.cc: of load sequences rather than of lines.
 std::optional<Related> step_split(const Scene &scene, Random &random);
+std::optional<Related> detour(const Scene &scene, Random &random);
 std::optional<Related> last_step_again(const Scene &scene, Random &random);
 std::optional<Related> slowly(const Scene &scene, Random &random);
 std::optional<Related> interrupted(const Scene &scene, Random &random);

@@ -96,6 +96,28 @@ std::optional<Related> step_split(const Scene &scene, Random &random) {
   return related;
 }
 
+/// Between two steps a third, whatever it does, from whose beginning the second starts.
+std::optional<Related> detour(const Scene &scene, Random &random) {
+  if (scene.quantities || scene.steps.size() < 2) // which look at all steps
+    return {};
+  for (const Hanger &hanger : scene.hangers)
+    if (hanger.cold_load == 0. && (hanger.weight_step.empty() || hanger.hot_step.empty()))
+      return {}; // which is sized for the first and the second
+  Related related{scene, {}};
+  const std::size_t next = random.whole(1, static_cast<int>(scene.steps.size()) - 1);
+  Step away = scene.steps[random.chance(0.5) ? next : next - 1];
+  away.name += "d";
+  away.duration *= random.number(0.5, 1.5);
+  away.ramp = std::min(away.ramp, away.duration);
+  const double factor = random.number(-0.5, 0.9);
+  for (auto &load : away.loads)
+    load.second *= factor;
+  related.scene.steps[next].from = scene.steps[next - 1].name;
+  related.scene.steps.insert(related.scene.steps.begin() + next, away);
+  pair_steps(scene, next, related.mapping);
+  return related;
+}
+
 /// Where nothing changes, nothing moves.
 std::optional<Related> last_step_again(const Scene &scene, Random &random) {
   if (scene.modes > 0 || scene.quantities || any_history(scene) || scene.steps.back().transient ||

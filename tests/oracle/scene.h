@@ -179,6 +179,7 @@ struct Step {
   int increments = 1;
   bool transient = false;
   double duration = 1., ramp = 0.;
+  std::string from; ///< step from whose end it starts; empty: the one before
 };
 
 /// Which motions or directions and how much; a turn of the scene turns them.

@@ -230,6 +230,8 @@ std::string Writer::all() {
     for (const auto &[which, factor] : step.loads)
       loads += (loads.empty() ? "" : ", ") + scene.loads[which].name + " " + text(factor);
     set(out, "Loads", loads);
+    if (!step.from.empty())
+      set(out, "From", step.from);
     if (step.transient)
       set(out, "Analysis", "transient");
     else

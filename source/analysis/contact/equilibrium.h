@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/contact/exact_solver.h>
 #include "model/line_state.h"
 #include <frictionbeam/contact/exact_solver.h>
 
@@ -13,7 +12,8 @@ namespace frictionbeam {
 /// One nonlinear problem of a line: find q with  A q + contact forces(C q + imposed) = right hand
 /// side.
 struct EquilibriumProblem : contact::Problem {
-  Vector imposed; ///< on all degrees of freedom
+  Vector imposed;  ///< on all degrees of freedom
+  double end = 0.; ///< of a time step, the run's time, which laws may not see [s]
 };
 
 using EquilibriumResult = contact::Result;
@@ -53,8 +53,7 @@ public:
 
   Residual(const EquilibriumProblem &problem, const Contacts &contacts, const ReducedSpace &space,
            Evaluate evaluate)
-      : Balance(problem, contacts), problem(problem), space(space),
-        evaluate(std::move(evaluate)) {}
+      : Balance(problem, contacts), problem(problem), space(space), evaluate(std::move(evaluate)) {}
 
   /// right_hand_side - A q - contact forces.
   Vector operator()(const Vector &unknowns, const LawTangent tangent, ContactResponse &response);

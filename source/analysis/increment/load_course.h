@@ -28,6 +28,8 @@ public:
                   const double start, const double ramp);
 
   Factors declared(const double time) const;
+  /// The time that laws see: the run's without steps that do not lead to this one [s].
+  double time_of_laws(const double time) const { return time - origins.elsewhere; }
   /// With the loads' histories.
   Factors factors(const double time) const;
   /// At the end and the start of a step: where a history jumps, its value before and after.

@@ -10,6 +10,7 @@
 #include "analysis/march/integrator_library.h"
 #include "analysis/march/load_jumps.h"
 #include "analysis/march/time_instants.h"
+#include "scene/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,9 +82,10 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
 
 void TimeMarch::set_rates_before() {
   state->load_rates.clear();
-  if (step_number == 0)
+  const auto last = step_before(model.scene, step_number);
+  if (!last)
     return; // nothing is known before a run
-  const LoadStep &before = model.scene.steps[step_number - 1];
+  const LoadStep &before = model.scene.steps[*last];
   course->set_rates(*state, LoadCourse::Side::before);
   for (unsigned int l = 0; l < state->load_rates.size(); ++l)
     if (!before.transient || !acts(before, l))

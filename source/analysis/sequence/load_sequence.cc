@@ -5,6 +5,7 @@
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/reduction/transient_reduction.h"
 #include "model/cell/line_cells.h"
+#include "scene/step_tree.h"
 
 #include "analysis/increment/time_step.h"
 #include "analysis/time/step_helpers.h"
@@ -15,6 +16,16 @@
 namespace frictionbeam {
 
 using namespace dealii;
+
+namespace {
+/// Whether a step that leads to this one is transient.
+bool has_moved_before(const Scene &scene, const unsigned int step) {
+  for (auto before = step_before(scene, step); before; before = step_before(scene, *before))
+    if (scene.steps[*before].transient)
+      return true;
+  return false;
+}
+} // namespace
 
 LoadSequence::LoadSequence(const Model &model)
     : model(model), own_statics(make_statics(model)), statics(*own_statics), course(model),
@@ -90,6 +101,12 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
       StepReport report;
       report.step = declared_step.name;
       step_reports.push_back(report);
+      if (is_branch(model.scene, position.step)) {
+        go_back_to(*declared_step.from);
+        observer({position.step, 0, 0}, current);
+        if (each_increment)
+          each_increment({position.step, 0, 0}, current);
+      }
       position.from = declared;
       position.start = current.time;
       position.next = 0;
@@ -98,10 +115,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
     const Factors target = target_of(declared_step);
     course.begin_step(position.step, position.from, target, position.start,
                       declared_step.transient ? declared_step.ramp : declared_step.duration);
-    const auto steps = model.scene.steps.begin();
-    if (declared_step.transient && !is_resumed &&
-        std::none_of(steps, steps + position.step,
-                     [](const LoadStep &step) { return step.transient; }))
+    if (declared_step.transient && !is_resumed && !has_moved_before(model.scene, position.step))
       set_initial_motion(false);
     const bool reduced = is_resumed
                              ? reduction && reduction->is_within_step()
@@ -115,16 +129,37 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
     if (model.scene.solver.is_exact())
       step_reports.back().undetermined_forces =
           contacts_with_undetermined_forces(model.contacts, current);
+    if (is_returned_to(model.scene, position.step)) {
+      Archive archive;
+      transfer_state(archive);
+      kept[position.step] = archive.bytes();
+    }
   }
   return true;
+}
+
+void LoadSequence::transfer_state(Archive &archive) {
+  archive(declared, current, force_so_far, in_equilibrium, statics, cycles, *resolution);
+}
+
+void LoadSequence::go_back_to(const unsigned int step) {
+  const double time = current.time;
+  Archive archive(kept.at(step));
+  transfer_state(archive);
+  current.time = time;
+  current.events.clear();
+  if (march)
+    march = std::make_unique<TimeMarch>(model, piece_observer);
 }
 
 void LoadSequence::transfer(Archive &archive) {
   bool has_moved = march != nullptr, has_reduced = reduction != nullptr;
   if (!resolution)
     resolution = std::make_unique<FollowResolution>(model);
-  archive(position, declared, current, step_reports, force_so_far, in_equilibrium, statics, cycles,
-          *resolution, has_moved, has_reduced);
+  transfer_state(archive);
+  std::vector<std::pair<unsigned int, std::string>> ends(kept.begin(), kept.end());
+  archive(position, step_reports, ends, has_moved, has_reduced);
+  kept = {ends.begin(), ends.end()};
   if (archive.reads() && has_moved)
     march = std::make_unique<TimeMarch>(model, piece_observer);
   if (has_moved)

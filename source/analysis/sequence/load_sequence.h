@@ -7,7 +7,9 @@
 #include "analysis/march/time_march.h"
 #include "analysis/statics/statics.h"
 
+#include <map>
 #include <memory>
+#include <string>
 
 namespace frictionbeam {
 
@@ -66,6 +68,10 @@ private:
   };
 
   void initialize();
+  /// What steps to come depend on of those before, but for how far the sequence is.
+  void transfer_state(Archive &archive);
+  /// Go back to the end of a step; the run's time goes on.
+  void go_back_to(const unsigned int step);
   /// Factors of the loads at a step's end, without their histories.
   Factors target_of(const LoadStep &step) const;
   bool run_static(const Factors &target, const Observer &observer);
@@ -110,6 +116,7 @@ private:
   PieceObserver piece_observer;
   Pause between_increments;
   Position position;
+  std::map<unsigned int, std::string> kept; ///< at the ends of steps that others go back to
   bool is_resumed = false, looks_at_uniqueness = true;
   NeedsLine observer_needs_line;
   std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for

@@ -54,7 +54,7 @@ NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
   return {model.cells.moved(pose, imposed),
           Vector::Zero(from.unknowns.size()),
           increment.factors,
-          {increment.time, increment.time - from.time},
+          {increment.course.time_of_laws(increment.time), increment.time - from.time},
           pose,
           largest_before,
           balance};
@@ -171,7 +171,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     }
     const auto solve_at_pose = [&]() {
       EquilibriumProblem problem{{at.balance.stiffness, at.forces}, at.pose.dofs};
-      problem.increment = {increment.time, 0., model.contacts.temperatures(increment.factors)};
+      problem.increment = {at.clock.time, 0., model.contacts.temperatures(increment.factors)};
       problem.largest_force = at.largest;
       problem.force_so_far = std::max(increment.force_so_far, at.balance.free);
       problem.forces_before = &contact_forces;

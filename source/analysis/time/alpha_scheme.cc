@@ -156,7 +156,7 @@ EquilibriumResult AlphaScheme::solve(EquilibriumProblem &problem, const Step &st
                                      ContactResponse &response) {
   if (!p.impulses)
     return return_mapping->solve(problem, from.contacts, to.unknowns, response);
-  const double reach = step.h * p.beta / p.gamma, end = problem.increment.time;
+  const double reach = step.h * p.beta / p.gamma, end = problem.end;
   return contacts.solve(
       problem, from, loads.imposed(from.time),
       {step.motion - reach * step.velocity, reach, p.gamma / ratio, loads.may_jump(from.time, end)},
@@ -195,7 +195,8 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
     return unbalanced(step, unknowns, low);
   };
-  problem.increment = {time, step.h, model.contacts.temperatures(step.factors)};
+  problem.end = time;
+  problem.increment = {loads.time_of_laws(time), step.h, model.contacts.temperatures(step.factors)};
 
   TimeStep report;
   ContactResponse response;

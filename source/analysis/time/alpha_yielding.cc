@@ -24,9 +24,15 @@ void AlphaScheme::evaluate(const LoadCourse &loads, const Vector &unknowns, cons
   model.space.expand(unknowns, step.pose.dofs);
   step.pose.dofs += loads.imposed(time);
   step.moved = (unknowns - step.motion) / (p.beta * h * h);
-  model.cells.evaluate(
-      {step.pose, step.pose, step.pose, step.pose.dofs, 0., {time, h}, nullptr, &step.start},
-      step.factors, step.balance);
+  model.cells.evaluate({step.pose,
+                        step.pose,
+                        step.pose,
+                        step.pose.dofs,
+                        0.,
+                        {loads.time_of_laws(time), h},
+                        nullptr,
+                        &step.start},
+                       step.factors, step.balance);
   Vector inertia = -(M * Vector(ratio * step.moved + step.rest));
   loads.add_inertia(time, inertia, LoadCourse::Side::before);
   step.residual = step.balance.forces + model.contacts.platen_forces() + inertia;
@@ -44,7 +50,8 @@ EquilibriumResult AlphaScheme::solve_linearized(const Step &step, const LineStat
                                                 ContactResponse &response) {
   const SparseMatrix symmetric = symmetric_part(step.matrix);
   EquilibriumProblem problem{{symmetric, step.residual}, step.pose.dofs};
-  problem.increment = {time, step.h, model.contacts.temperatures(step.factors)};
+  problem.end = time;
+  problem.increment = {loads.time_of_laws(time), step.h, model.contacts.temperatures(step.factors)};
   problem.largest_force = step.largest;
   problem.force_so_far =
       std::max(step.balance.free, largest(step.momentum_before) * ratio / (p.beta * step.h));
@@ -81,9 +88,15 @@ bool AlphaScheme::is_solved(const Step &step, const double time, const ContactRe
   const auto rounding = [&]() {
     const Pose beside = with_other_digits(model, step.pose);
     LineCells::Balance there;
-    model.cells.evaluate(
-        {beside, beside, beside, beside.dofs, 0., {time, step.h}, nullptr, &step.start},
-        step.factors, there);
+    model.cells.evaluate({beside,
+                          beside,
+                          beside,
+                          beside.dofs,
+                          0.,
+                          {loads.time_of_laws(time), step.h},
+                          nullptr,
+                          &step.start},
+                         step.factors, there);
     return largest(there.forces - step.balance.forces);
   };
   return is_balanced(model, step.matrix, size, force, step.pose, rounding, scale);

@@ -73,7 +73,7 @@ void ImpulseContacts::set_ground_rates(const EquilibriumProblem &problem, const 
   if ((is_next && !follows) || may_jump)
     ground_rate_before = ground_rate;
   step_begin = from.time;
-  step_end = problem.increment.time;
+  step_end = problem.end;
 }
 
 bool ImpulseContacts::test_reversals(const LineState &from, const Vector &imposed,

@@ -112,7 +112,8 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
     return unbalanced(step, from, unknowns, low);
   };
-  problem.increment = {time, step.h, model.contacts.temperatures(last_factors)};
+  problem.end = time;
+  problem.increment = {loads.time_of_laws(time), step.h, model.contacts.temperatures(last_factors)};
 
   TimeStep report;
   ContactResponse response;

@@ -82,7 +82,9 @@ EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, cons
   contacts.set_matrix(symmetric);
   // In what the unknowns still have to move beyond the pose.
   EquilibriumProblem problem{{symmetric, step.residual}, step.to.dofs};
-  problem.increment = {time, h, model.contacts.temperatures(loads.factors_before(time))};
+  problem.end = time;
+  problem.increment = {loads.time_of_laws(time), h,
+                       model.contacts.temperatures(loads.factors_before(time))};
   problem.largest_force = step.largest;
   problem.force_so_far = step.without_force();
   change.setZero(step.moved.size());
@@ -243,7 +245,7 @@ NonlinearMotion::Step NonlinearMotion::begin(const LineState &from, const LoadCo
                                              const LineState &to) const {
   Step step;
   step.h = to.time - from.time;
-  step.start = from.time;
+  step.start = loads.time_of_laws(from.time);
   step.from = pose_of(from);
   step.moved = step.h * from.velocity;
   step.momentum = 2. / step.h * (model.cells.mass() * from.velocity).lpNorm<Eigen::Infinity>();

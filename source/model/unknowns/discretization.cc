@@ -292,6 +292,8 @@ void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
         const Section section = section_of(scene, pipe, meshed, i);
         sections.push_back(
             make_profile(pipe, section, scene.materials[pipe.material], bend_of(meshed, i), laws));
+        if (scene.keeps_elastic)
+          sections[id].law = {};
         if (pipe.total_mass)
           give_mass(*pipe.total_mass / meshed.s.back(), section, sections[id]);
       }

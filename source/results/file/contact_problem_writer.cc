@@ -46,12 +46,12 @@ ContactProblemWriter::ContactProblemWriter(const Model &model, Results &results,
 }
 
 void ContactProblemWriter::observe(const Progress &progress, const LineState &state) {
-  if (started && model.scene.steps[progress.step].transient)
+  const bool is_start = progress.increment == 0; // of the run, or of a step that goes back
+  if (!is_start && model.scene.steps[progress.step].transient)
     remark("Contact problems are written of static steps only.");
-  else if (started)
+  else if (!is_start)
     write(progress, state);
   before = state;
-  started = true;
 }
 
 void ContactProblemWriter::write(const Progress &progress, const LineState &after) {

@@ -17,7 +17,7 @@ public:
   /// Makes the folder; problems of an earlier run in it are removed, unless @p keep is set.
   ContactProblemWriter(const Model &model, Results &results, const bool keep = false);
 
-  void transfer(Archive &archive) { archive(before, started); }
+  void transfer(Archive &archive) { archive(before); }
 
   /// @param state after an increment of the step in @p progress, or at the start
   void observe(const Progress &progress, const LineState &state);
@@ -30,7 +30,6 @@ private:
   Results &results;
   const std::string folder;
   LineState before;
-  bool started = false;
 };
 
 } // namespace frictionbeam

@@ -223,6 +223,15 @@ void write_summary(const Scene &scene, const Results &results, const std::string
   Json &certificate = summary["certificate"] = Json::object();
   for (const Check &check : results.certificate)
     certificate[check.name] = number(check.value);
+  Json &verdicts = summary["verdicts"] = Json::array();
+  for (const Verdict &verdict : results.verdicts)
+    verdicts.push_back({{"check", verdict.check},
+                        {"of", verdict.of},
+                        {"step", verdict.step},
+                        {"value", number(verdict.value)},
+                        {"allowed", number(verdict.allowed)},
+                        {"unit", verdict.unit},
+                        {"passes", verdict.passes}});
   if (results.energy)
     summary["energy"] = summary_of(*results.energy);
   summary["known"] = summary_of(results.known);
@@ -240,8 +249,11 @@ void write_summary(const Scene &scene, const Results &results, const std::string
   summary["method"] = results.method;
   summary["integrator"] = results.integrator;
   Json &steps = summary["steps"] = Json::array();
-  for (const auto &step : results.steps)
-    steps.push_back(summary_of(step));
+  for (std::size_t s = 0; s < results.steps.size(); ++s) {
+    steps.push_back(summary_of(results.steps[s]));
+    if (s < scene.steps.size() && scene.steps[s].from)
+      steps.back()["from"] = scene.steps[*scene.steps[s].from].name;
+  }
   summary["remarks"] = all_remarks(scene, results);
   // Bytes that are no UTF-8 become the character that says so.
   write_file(folder + "/summary.json",

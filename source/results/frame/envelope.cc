@@ -7,6 +7,7 @@
 #include "model/cell/line_cells.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
+#include "scene/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,8 +75,9 @@ void Envelope::observe(const unsigned int step, const unsigned int increment,
   const bool is_start = n_increments == 0, is_end = !is_start && increment == n_increments;
   if (!is_start && steps[step].transient)
     include(state, line_is_known);
-  const unsigned int next = is_start ? 0 : step + 1;
-  if ((is_start || is_end) && next < steps.size() && steps[next].transient) {
+  const unsigned int next = is_start ? step : step + 1;
+  if ((is_start || (is_end && next < steps.size() && !is_branch(model.scene, next))) &&
+      steps[next].transient) {
     begin(next, state);
     include(state, true);
   }

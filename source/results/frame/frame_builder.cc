@@ -70,7 +70,7 @@ std::vector<SupportInfo> FrameBuilder::support_infos() const {
     infos.push_back(
         {instance_name(support.name, contact.site, model.mesh.supports[contact.support].size() > 1),
          support.kind, model.discretization.vertices()[contact.vertices[0]], -contact.axes.x,
-         contact.axes.z, contact.axes.y});
+         contact.axes.z, contact.axes.y, support.capacity});
   }
   return infos;
 }
@@ -82,7 +82,8 @@ std::vector<RestraintInfo> FrameBuilder::restraint_infos() const {
       infos.push_back(
           {instance_name(model.scene.restraints[i].name, site, model.mesh.restraints[i].size() > 1),
            model.scene.restraints[i].kind,
-           model.mesh.vertices[model.mesh.restraints[i][site].vertex]});
+           model.mesh.vertices[model.mesh.restraints[i][site].vertex],
+           model.scene.restraints[i].capacity});
   for (const Spring &spring : model.scene.springs)
     infos.push_back(
         {spring.name, spring.kind, model.mesh.vertices[model.mesh.points.at(spring.point)]});

@@ -30,6 +30,10 @@ p { margin: 6px 0; max-width: 95ch }
 .converged { background: #e4f4ee; border-color: #009e73 }
 .no_equilibrium { background: #fdf1dc; border-color: #e69f00 }
 .failed { background: #fbe6da; border-color: #d55e00 }
+.checks_fail { background: #fdf1dc; border-color: #d55e00 }
+.verdicts { margin: 12px 0 }
+.verdicts a { color: #0b5cad }
+tr.fails td, tr.fails:nth-child(even) td { background: #fbe6da; font-weight: 600 }
 .remarks { margin: 12px 0; padding: 10px 18px; background: #fdf8ea; border: 1px solid #ecdcae;
   border-radius: 4px }
 .remarks ul { margin: 4px 0; padding-left: 20px }

@@ -28,6 +28,7 @@ QuantityResult shown(const Scene &scene, const Quantity &quantity, const double 
     result.error =
         *quantity.reference != 0. ? difference / std::abs(*quantity.reference) : difference;
   }
+  result.limit = quantity.limit;
   result.in_si = quantity.unit.empty() ? factor : 0.;
   return result;
 }

@@ -12,8 +12,10 @@
 #include "results/report/report_modes.h"
 #include "results/report/report_study.h"
 #include "results/report/report_tables.h"
+#include "results/report/report_tree.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
+#include "results/verdicts.h"
 
 #include <algorithm>
 #include <ctime>
@@ -46,9 +48,10 @@ std::string where_it_stopped(const Results &results) {
 
 std::string status_box(const Results &results) {
   std::string word, sentence;
+  const bool fails = any_fails(results.verdicts);
   switch (results.status) {
   case RunStatus::converged:
-    word = "\u2713 Converged";
+    word = fails ? "\u26a0 Converged, and not all is well" : "\u2713 Converged";
     sentence = "Every step of the load sequence came to its end. Displacements are known to: load "
                "increments " +
                in_words(results.known.increments) + ", time step " +
@@ -66,8 +69,36 @@ std::string status_box(const Results &results) {
                where_it_stopped(results);
     break;
   }
-  return "<div class=\"status " + status_word(results.status) + "\"><b>" + word + "</b>" +
-         escape_xml(sentence) + "</div>\n";
+  if (results.status == RunStatus::converged && fails)
+    sentence = failures_in_words(results.verdicts) + " " + sentence;
+  const std::string look =
+      results.status == RunStatus::converged && fails ? "checks_fail" : status_word(results.status);
+  return "<div class=\"status " + look + "\"><b>" + word + "</b>" + escape_xml(sentence) +
+         "</div>\n";
+}
+
+/// What was checked, each with a link to where there is more.
+std::string verdict_table(const Scene &scene, const Results &results) {
+  if (results.verdicts.empty())
+    return "";
+  std::string rows;
+  const auto number = [&](const double value, const std::string &unit) {
+    const bool has_unit = !unit.empty() && unit != "-";
+    return has_unit
+               ? rounded_number(value / scene.units.factor(unit), 4) + " " + scene.units.name(unit)
+               : rounded_number(value, 4);
+  };
+  for (const Verdict &verdict : results.verdicts)
+    rows += std::string("<tr") + (verdict.passes ? "" : " class=\"fails\"") + "><td>" +
+            (verdict.passes ? "\u2713 passes" : "\u2717 fails") + "</td><td><a href=\"#" +
+            verdict.section + "\">" + escape_xml(verdict.check) + "</a></td><td class=\"wrap\">" +
+            escape_xml(verdict.of) + "</td><td>" +
+            (verdict.step.empty() ? dash : escape_xml(verdict.step)) + "</td><td class=\"r\">" +
+            number(verdict.value, verdict.unit) + "</td><td class=\"r\">" +
+            (verdict.allowed ? number(*verdict.allowed, verdict.unit) : dash) + "</td></tr>\n";
+  return "<div class=\"scroll verdicts\"><table><thead><tr><th></th><th>check</th><th>of</th>"
+         "<th>step or case</th><th>value</th><th>allowed</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table></div>\n";
 }
 
 std::string heading(const Scene &scene, const Results &results) {
@@ -81,7 +112,7 @@ std::string heading(const Scene &scene, const Results &results) {
   fact(results.method);
   fact("FrictionBeam " + program_version() + " with deal.II " + deal_ii_version());
   fact(now());
-  text += "</p>\n" + status_box(results);
+  text += "</p>\n" + status_box(results) + verdict_table(scene, results);
   const auto remarks = all_remarks(scene, results);
   if (!remarks.empty()) {
     text += "<div class=\"remarks\"><b>Remarks</b><ul>\n";
@@ -134,7 +165,7 @@ void write_report(const Scene &scene, const Results &results, const std::string 
   if (results.accuracy)
     add("accuracy", "Accuracy", accuracy_section(*results.accuracy));
   if (!frames.empty()) {
-    std::string steps = step_table(scene, results, frames);
+    std::string steps = step_tree(scene) + step_table(scene, results, frames);
     const std::size_t n_ends = std::count_if(results.frames.begin(), results.frames.end(),
                                              [](const Frame &frame) { return frame.end_of_step; });
     if (frames.size() == n_frames_at_most && n_ends > n_frames_at_most)

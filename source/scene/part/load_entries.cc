@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
+#include "scene/step_tree.h"
 
 #include <algorithm>
 
@@ -55,6 +56,13 @@ void parse_ground_acceleration(const ParameterReader &in, Scene &, Load &load) {
   if (!in.given("Acceleration"))
     in.fail("Acceleration", "the direction and scale of the ground's motion", "'1 0 0'");
   load.vector = -1. * in.vector("Acceleration", "m/s2");
+}
+
+void parse_seismic(const ParameterReader &in, Scene &, Load &load) {
+  constexpr double g = 9.80665; // [m/s2], CGPM 1901
+  load.vector = g * in.vector("Seismic", "-");
+  if (load.vector.norm() == 0.)
+    in.fail("Seismic", "a vector that is not zero, in g", "'0.3 0 0.2'");
 }
 
 void parse_temperature(const ParameterReader &in, Scene &, Load &load) {
@@ -141,6 +149,11 @@ const LoadWord load_kinds[] = {
      "of all supports together, motions are then relative to the ground",
      {"Acceleration"},
      &parse_ground_acceleration},
+    {"seismic",
+     Load::Kind::weight,
+     "static forces of an earthquake, so many g on all that has mass",
+     {"Seismic"},
+     &parse_seismic},
     {"wind",
      Load::Kind::wind,
      "on the pipe's outer diameter",
@@ -170,6 +183,8 @@ void declare_load(ParameterReader &in) {
   in.declare_choice("Kind", Load::Kind::weight, load_kinds, "");
   in.declare_text("Acceleration", "0 0 -9.81", "x y z [m/s2]",
                   "Of weight; of the ground for ground acceleration.");
+  in.declare_text("Seismic", "0 0 0", "x y z [g], g = 9.80665 m/s2",
+                  "Of seismic: the forces are mass times this.");
   in.declare_text("History", "", time_function_form,
                   "Factor on the load; 0 before a table's beginning, its last value after its "
                   "end. In a static step it multiplies the load, which goes evenly from its value "
@@ -233,6 +248,9 @@ void declare_step(ParameterReader &in) {
       "All loads that act at the end of the step, such as 'weight, hot 0.5'. Loads of "
       "the step before that are not named go back to zero. Steps are taken in the order "
       "of the file.");
+  in.declare_text("From", "", "name of an earlier step",
+                  "The step starts from the state at the end of that one, as if those between had "
+                  "not been; empty: of the step before it in the file.");
   in.declare_count("Increments", 1, 1, "Of a static step: how many pieces the change is cut into.");
   in.declare_choice("Analysis", false, analyses, "Without or with inertia.");
   in.declare_choice("Find", false, searches, "");
@@ -276,6 +294,9 @@ void repeat_steps(const ParameterReader &in, Scene &scene) {
       in.fail("Repeat from", "steps that are not repeated already", "a later step", step.name);
     if (step.finds_limit)
       in.fail("Repeat", "steps with Find = nothing", "a step of its own for the limit", step.name);
+    if (s > first && is_branch(scene, s))
+      in.fail("From", "steps of a cycle that follow each other; its first may start elsewhere",
+              "leaving it out", step.name);
     step.cycle = {1, n, s == first, s == last};
   }
   for (unsigned int k = 2; k <= n; ++k)
@@ -283,6 +304,7 @@ void repeat_steps(const ParameterReader &in, Scene &scene) {
       LoadStep step = scene.steps[s];
       step.name += " (" + std::to_string(k) + ")";
       step.cycle.number = k;
+      step.from.reset();
       scene.steps.push_back(step);
     }
 }
@@ -304,6 +326,8 @@ void parse_step(const ParameterReader &in, const std::string &name, Scene &scene
         in.fail("Loads", "every load once", "one factor for '" + words[0] + "'");
     step.loads.emplace_back(load, factor);
   }
+  if (const std::string from = in.text("From"); !from.empty())
+    step.from = in.find("From", from, names(scene.steps), "step before this one in the file");
   step.n_increments = in.count("Increments");
   step.transient = in.choice("Analysis", analyses);
   step.finds_limit = in.choice("Find", searches);

@@ -64,6 +64,8 @@ void declare_reduction(ParameterReader &in);
 void parse_reduction(const ParameterReader &in, Scene &scene);
 void declare_exact(ParameterReader &in);
 void parse_exact(const ParameterReader &in, Scene &scene);
+void declare_checks(ParameterReader &in);
+void parse_checks(const ParameterReader &in, Scene &scene);
 void declare_output(ParameterReader &in);
 void parse_output(const ParameterReader &in, Scene &scene);
 

@@ -176,7 +176,8 @@ std::string words_of_intervals() {
 [[noreturn]] void fail_form(const ParameterReader &in, const std::string &entry,
                             const std::string &read) {
   in.fail(entry,
-          "what at where, step NAME, time T; scale F; unit U; reference R; source TEXT (all but "
+          "what at where, step NAME, time T; scale F; unit U; reference R; limit L; source TEXT "
+          "(all but "
           "'what' may be left out; |what| is its absolute value), or " +
               words_of_intervals() +
               " and then what at where, from T, to T, or time_of slip at SUPPORT, from T",
@@ -253,7 +254,7 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
             "the times at which the step begins and ends", "'" + text + "'");
 }
 
-/// `[scale F][; unit U][; reference R][; source TEXT]`, the pieces from @p first on
+/// `[scale F][; unit U][; reference R][; limit L][; source TEXT]`, the pieces from @p first on
 void parse_attributes(const ParameterReader &in, const std::vector<std::string> &pieces,
                       const unsigned int first, Quantity &quantity) {
   for (unsigned int i = first; i < pieces.size(); ++i) {
@@ -264,7 +265,11 @@ void parse_attributes(const ParameterReader &in, const std::vector<std::string> 
       quantity.scale = number_of(in, quantity.name, value);
     else if (key == "reference")
       quantity.reference = number_of(in, quantity.name, value);
-    else if (key == "unit")
+    else if (key == "limit") {
+      quantity.limit = number_of(in, quantity.name, value);
+      if (!(*quantity.limit >= 0.))
+        in.fail(quantity.name, "a limit of its size, not below 0", "'limit 0.02'", pieces[i]);
+    } else if (key == "unit")
       quantity.unit = value;
     else if (key == "source")
       quantity.source = value;
@@ -283,9 +288,10 @@ void declare_quantities(ParameterReader &in) {
     return;
   for (const ParameterFile::Entry &entry : section->entries)
     if (entry.name != "Source")
-      in.declare_text(entry.name, "",
-                      "what at where, step NAME, time T; scale F; reference R; source TEXT",
-                      "A number to compute.");
+      in.declare_text(
+          entry.name, "",
+          "what at where, step NAME, time T; scale F; reference R; limit L; source TEXT",
+          "A number to compute.");
 }
 
 void parse_quantities(const ParameterReader &in, Scene &scene) {

@@ -15,6 +15,9 @@ constexpr Word<bool> bends[] = {
 constexpr Word<Mesher> meshers[] = {
     {"auto", Mesher::automatic, "gmsh for a File alone; routes are divided without it"},
     {"gmsh", Mesher::gmsh, "routes, too, drawn and meshed by gmsh, to the same nodes"}};
+constexpr Word<bool> failures[] = {
+    {"nothing", false, "a run whose steps converge has the exit status 0"},
+    {"checks", true, "5 if one of the checks on top of the report fails"}};
 } // namespace
 
 void declare_mesh(ParameterReader &in) {
@@ -183,6 +186,19 @@ void parse_exact(const ParameterReader &in, Scene &scene) {
   scene.exact = ExactHistory{point, motion, history.course, in.number("Scale")};
 }
 
+void declare_checks(ParameterReader &in) {
+  in.declare_number("Reference tolerance", 0.01, "-", 0., 1e300,
+                    "How far a quantity may be from its reference, relative to it.");
+  in.declare_flag("Uplift", true,
+                  "Whether a rest fails that the line stands off at the end of a static step, or "
+                  "that a sum of cases pulls up.");
+}
+
+void parse_checks(const ParameterReader &in, Scene &scene) {
+  scene.checks.reference_tolerance = in.number("Reference tolerance");
+  scene.checks.uplift = in.flag("Uplift");
+}
+
 void declare_output(ParameterReader &in) {
   in.declare_count("Stations", 3, 0, "Between the two nodes of a cell, in line.csv.", 1000);
   in.declare_text(
@@ -201,6 +217,7 @@ void declare_output(ParameterReader &in) {
       "Checkpoint interval", 60., "s", 0., 1e300,
       "Of wall time, between two writings of checkpoint.bin, from which a run that was "
       "killed goes on with the option --resume; 0: at SIGINT and SIGTERM only.");
+  in.declare_choice("Fail on", false, failures, "What else than its steps a run may fail by.");
 }
 
 void parse_output(const ParameterReader &in, Scene &scene) {
@@ -213,6 +230,7 @@ void parse_output(const ParameterReader &in, Scene &scene) {
   scene.output.report = in.flag("Report");
   scene.output.contact_problems = in.flag("Write contact problems");
   scene.output.checkpoint_interval = in.number("Checkpoint interval");
+  scene.checks.decide_exit_status = in.choice("Fail on", failures);
 }
 
 void declare_global(ParameterReader &in) {

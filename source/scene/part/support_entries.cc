@@ -113,6 +113,9 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_flag("Torsion", false, "Torsional stiffness about the normal, from the law.");
   in.declare_number("Normal force", 0., "N", 0., 1e300,
                     "Of a platen that is pressed onto the pipe; 0: the ground stands still.");
+  in.declare_number("Capacity", 0., "N", 0., 1e300,
+                    "Largest force that the support is made for, which the report checks, at each "
+                    "place; 0: not said.");
   in.declare_text("Ground", "", "name of a point of another pipe",
                   "What the support stands on; empty: the ground. What of the way there is across "
                   "the normal, is a rigid arm of that pipe.");
@@ -182,6 +185,7 @@ Restraint parse_restraint(const ParameterReader &in, const std::string &name,
   restraint.kind = kind;
   restraint.placement = placement;
   restraint.fixed = parse_motions(in, "Fixed");
+  restraint.capacity = in.number("Capacity");
   if (std::count(restraint.fixed.begin(), restraint.fixed.end(), true) == 0)
     in.fail("Fixed", "at least one of " + join(motions), "'ux, uy, uz'");
   return restraint;
@@ -284,6 +288,7 @@ FrictionSupport parse_friction_support(const ParameterReader &in, const std::str
   support.torsion = in.flag("Torsion");
   support.normal_force = in.number("Normal force");
   support.restitution = in.number("Restitution");
+  support.capacity = in.number("Capacity");
   remark_on_restitution(in, law, support, scene);
   parse_ground(in, scene, support);
   return support;
@@ -341,6 +346,7 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     restraint.kind = kind;
     restraint.placement = placement;
     restraint.translations.push_back(support.normal);
+    restraint.capacity = support.capacity;
     scene.restraints.push_back(restraint);
   }
 }

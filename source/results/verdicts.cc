@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/verdicts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double most_energy_left =
+    0.01;                         ///< of the account of energy, a share of what it turns over
+constexpr double no_force = 1e-9; ///< of the largest, in a sum of cases
+constexpr std::size_t most_named = 3;
+
+/// All of one check that was judged; what of it is told is chosen at the end.
+class OneCheck {
+public:
+  OneCheck(const std::string &name, const std::string &section, const std::string &unit)
+      : like{name, "", "", 0., {}, unit, true, section} {}
+
+  void judge(const std::string &of, const std::string &step, const double value,
+             const double allowed) {
+    add(of, step, value, allowed, value <= allowed);
+  }
+  void add(const std::string &of, const std::string &step, const double value,
+           const std::optional<double> allowed, const bool passes) {
+    Verdict verdict = like;
+    verdict.of = of;
+    verdict.step = step;
+    verdict.value = value;
+    verdict.allowed = allowed;
+    verdict.passes = passes;
+    all.push_back(verdict);
+  }
+  /// What fails, or else what came nearest to it.
+  void tell(std::vector<Verdict> &told) const {
+    const std::size_t before = told.size();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(told),
+                 [](const Verdict &verdict) { return !verdict.passes; });
+    if (told.size() == before && !all.empty())
+      told.push_back(
+          *std::max_element(all.begin(), all.end(),
+                            [](const Verdict &a, const Verdict &b) { return use(a) < use(b); }));
+  }
+
+private:
+  static double use(const Verdict &verdict) {
+    return verdict.allowed && *verdict.allowed > 0. ? verdict.value / *verdict.allowed
+                                                    : verdict.value;
+  }
+
+  Verdict like;
+  std::vector<Verdict> all;
+};
+
+OneCheck solution(const Results &results) {
+  OneCheck check("solution", "solver", "-");
+  for (const Check &one : results.certificate)
+    if (one.name == "equilibrium")
+      check.add("every step", "", one.value, {}, results.status == RunStatus::converged);
+  return check;
+}
+
+OneCheck energy(const Results &results) {
+  OneCheck check("energy", "solver", "-");
+  for (const Check &one : results.certificate)
+    if (one.name == "energy" && std::isfinite(one.value))
+      check.judge("what the account leaves over", "", one.value, most_energy_left);
+  return check;
+}
+
+OneCheck stress(const Results &results) {
+  OneCheck check("stress", "stresses", "Pa");
+  for (const StressCase &one : results.stresses)
+    if (!one.stress.empty())
+      check.judge(one.kind + " " + one.name, one.step, one.stress[one.worst],
+                  one.allowed[one.worst]);
+  return check;
+}
+
+OneCheck nozzles(const Results &results) {
+  OneCheck check("allowable loads", "nozzles", "-");
+  for (const NozzleUse &one : results.nozzles)
+    check.judge(one.name + " at " + one.support, one.step, one.utilization, 1.);
+  return check;
+}
+
+/// Whether a combination is a state of the line, and no difference of states.
+bool is_state(const Scene &scene, const Combination &combination) {
+  double sum = 0.;
+  for (const auto &[name, factor] : combination.cases)
+    for (const LoadStep &step : scene.steps)
+      sum += step.name == name ? factor : 0.;
+  return combination.kind == Combination::Kind::sum && sum > 0.5;
+}
+
+/// Of rests, the force that is left to hold the line up; a pipe that stands off has none.
+OneCheck uplift(const Scene &scene, const Results &results) {
+  OneCheck check("uplift", "supports", "N");
+  const auto each_rest = [&](const Frame &frame, const auto &judge) {
+    double largest = 0.;
+    for (const SupportState &state : frame.supports)
+      largest = std::max(largest, std::abs(state.fn));
+    for (std::size_t i = 0; i < frame.supports.size(); ++i)
+      if (results.supports[i].kind == "rest")
+        judge(results.supports[i].name, frame.supports[i], largest);
+  };
+  for (const Frame &frame : results.frames) {
+    if (!frame.end_of_step || frame.step >= scene.steps.size() || scene.steps[frame.step].transient)
+      continue;
+    each_rest(frame, [&](const std::string &name, const SupportState &state, const double) {
+      check.add(name, frame.name, state.fn, {}, state.status != ContactStatus::open);
+    });
+  }
+  for (const Combination &combination : scene.combinations)
+    if (is_state(scene, combination))
+      for (const Frame &frame : results.frames)
+        if (frame.name == combination.name) {
+          const Frame *least = &frame;
+          for (const CombinationRange &range : results.combination_ranges)
+            if (range.step == frame.step)
+              least = &range.least;
+          each_rest(*least,
+                    [&](const std::string &name, const SupportState &state, const double largest) {
+                      check.add(name, frame.name, state.fn, {}, state.fn >= -no_force * largest);
+                    });
+        }
+  return check;
+}
+
+double size_of(const Motion &force) { return std::hypot(force[0], force[1], force[2]); }
+
+/// Over all steps, transient ones at each instant, and combinations.
+OneCheck capacity(const Results &results) {
+  OneCheck check("capacity", "supports", "N");
+  const auto judge = [&](const std::string &name, const double limit, const auto &at_end,
+                         const auto &at_most) {
+    if (limit == 0.)
+      return;
+    for (const Frame &frame : results.frames) {
+      const StepEnvelope *const envelope = results.envelope_of(frame.step);
+      check.judge(name, frame.name, envelope != nullptr ? at_most(*envelope) : at_end(frame),
+                  limit);
+    }
+  };
+  for (std::size_t i = 0; i < results.supports.size(); ++i)
+    judge(
+        results.supports[i].name, results.supports[i].capacity,
+        [&](const Frame &frame) {
+          const SupportState &state = frame.supports[i];
+          return std::hypot(state.fn, state.ft1, state.ft2);
+        },
+        [&](const StepEnvelope &envelope) {
+          return std::abs(envelope.supports[i].force.extreme());
+        });
+  for (std::size_t i = 0; i < results.restraints.size(); ++i)
+    judge(
+        results.restraints[i].name, results.restraints[i].capacity,
+        [&](const Frame &frame) { return size_of(frame.reactions[i]); },
+        [&](const StepEnvelope &envelope) {
+          return std::abs(envelope.restraints[i].force.extreme());
+        });
+  return check;
+}
+
+OneCheck limits(const Results &results) {
+  OneCheck check("limit", "quantities", "");
+  for (const QuantityResult &one : results.quantities)
+    if (one.limit)
+      check.judge(one.name + " [" + one.unit + "]", "", std::abs(one.value), *one.limit);
+  return check;
+}
+
+OneCheck references(const Scene &scene, const Results &results) {
+  OneCheck check("reference", "quantities", "-");
+  for (const QuantityResult &one : results.quantities)
+    if (one.error)
+      check.judge(one.name, "", *one.error, scene.checks.reference_tolerance);
+  return check;
+}
+
+} // namespace
+
+std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
+  std::vector<Verdict> told;
+  solution(results).tell(told);
+  if (results.accuracy)
+    told.push_back({"accuracy", "all quantities", "", results.accuracy->estimate,
+                    results.accuracy->demanded, "-", results.accuracy->reached, "accuracy"});
+  energy(results).tell(told);
+  stress(results).tell(told);
+  nozzles(results).tell(told);
+  if (scene.checks.uplift)
+    uplift(scene, results).tell(told);
+  capacity(results).tell(told);
+  limits(results).tell(told);
+  references(scene, results).tell(told);
+  return told;
+}
+
+bool any_fails(const std::vector<Verdict> &verdicts) {
+  return std::any_of(verdicts.begin(), verdicts.end(),
+                     [](const Verdict &verdict) { return !verdict.passes; });
+}
+
+std::string failures_in_words(const std::vector<Verdict> &verdicts) {
+  std::string text;
+  std::size_t n = 0;
+  for (const Verdict &verdict : verdicts)
+    if (!verdict.passes && ++n <= most_named)
+      text += (n == 1 ? "" : ", ") + verdict.check + " of " + verdict.of +
+              (verdict.step.empty() ? "" : " in " + verdict.step);
+  if (n == 0)
+    return "";
+  if (n > most_named)
+    text += " and " + std::to_string(n - most_named) + " more";
+  return (n == 1 ? "A check fails: " : std::to_string(n) + " checks fail: ") + text + ".";
+}
+
+} // namespace frictionbeam

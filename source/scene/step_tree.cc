@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/step_tree.h"
+
+namespace frictionbeam {
+
+std::optional<unsigned int> step_before(const Scene &scene, const unsigned int step) {
+  if (scene.steps[step].from)
+    return scene.steps[step].from;
+  return step > 0 ? std::optional<unsigned int>(step - 1) : std::nullopt;
+}
+
+bool is_branch(const Scene &scene, const unsigned int step) {
+  return step > 0 && step_before(scene, step) != step - 1;
+}
+
+bool is_returned_to(const Scene &scene, const unsigned int step) {
+  for (unsigned int later = step + 2; later < scene.steps.size(); ++later)
+    if (scene.steps[later].from == step)
+      return true;
+  return false;
+}
+
+} // namespace frictionbeam
