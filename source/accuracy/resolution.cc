@@ -2,7 +2,7 @@
 #include "accuracy/resolution.h"
 
 #include "base/numbers.h"
-#include "scene/history_origins.h"
+#include "scene/steps/history_origins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,6 +13,7 @@ struct RunOptions {
   std::string output_directory;       ///< empty: output/<name of the parameter file>
   bool resume = false;                ///< from the checkpoint of a run that was killed
   bool quiet = false;                 ///< print errors only
+  bool strict = false;                ///< what is hardly meant is an error
 };
 
 } // namespace frictionbeam

@@ -175,13 +175,17 @@ void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene
   std::cout << "Quantities: " << scene.quantities.size() << '\n'
             << "Unknowns: " << model.space.n_unknowns() << ", contacts: " << model.contacts.size()
             << '\n';
-  for (const std::vector<std::string> *const remarks : {&scene.remarks, &model.mesh.remarks})
+  for (const std::vector<std::string> *const remarks :
+       {&scene.doubts, &scene.remarks, &model.mesh.remarks})
     for (const std::string &remark : *remarks)
       std::cout << "Note: " << remark << '\n';
   if (!has_transient_step(scene))
     for (const std::string &warning : check_mechanisms(model))
       std::cout << "Note: " << warning << '\n';
   draw_as_built(model);
+  if (options.strict && !scene.doubts.empty())
+    throw UserError("With --strict, a note of what is hardly meant is an error: " +
+                    scene.doubts.front());
 }
 
 } // namespace

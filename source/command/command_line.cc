@@ -36,6 +36,11 @@ void declare(CLI::App &app, CommandLine &line) {
         ->type_name("FOLDER");
     to.add_flag("-q,--quiet", line.options.quiet, "Print errors only; results are written as ever");
   };
+  const auto add_strict = [&line](CLI::App &to) {
+    to.add_flag("--strict", line.options.strict,
+                "Take for errors what is hardly meant: moduli far from any metal's, displacements "
+                "as large as the line, spans that sag, ... (else they are remarks)");
+  };
   const auto add_command = [&](const std::string &word, const std::string &meaning,
                                const Command command) {
     CLI::App *const added = app.add_subcommand(word, meaning);
@@ -50,14 +55,17 @@ void declare(CLI::App &app, CommandLine &line) {
   app.add_flag("--print-man-page", "Print the man page");
   app.add_flag("--print-completion", "Print completion for bash; source it");
   add_case(app);
+  add_strict(app);
   const auto add_resume = [&line](CLI::App &to) {
     to.add_flag("--resume", line.options.resume, "Go on where a run into that folder was killed");
   };
   add_resume(app);
   app.footer(exit_status);
 
-  add_case(*add_command("check", "Draw the model and say what was understood; solve nothing",
-                        Command::check));
+  CLI::App *const check = add_command(
+      "check", "Draw the model and say what was understood; solve nothing", Command::check);
+  add_case(*check);
+  add_strict(*check);
   CLI::App *const study = add_command(
       "study", "Run a case many times with other values, and say what becomes of its results",
       Command::study);

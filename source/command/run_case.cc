@@ -283,11 +283,19 @@ int run_case(const RunOptions &options) {
   const dealii::Timer wall;
   LawLibrary laws;
   laws.load_builtin();
+  const auto refuse_doubts = [&](const std::vector<std::string> &doubts, const std::string &when) {
+    std::string text = "Hardly meant, " + when + ", and an error with --strict:";
+    for (const std::string &doubt : doubts)
+      text += "\n  " + doubt;
+    if (options.strict && !doubts.empty())
+      throw UserError(text);
+  };
   const std::string folder =
       options.output_directory.empty()
           ? "output/" + std::filesystem::path(options.parameter_file).stem().string()
           : options.output_directory;
   const Scene scene = read_case(options, options.overrides, folder, laws);
+  refuse_doubts(scene.doubts, "by what was read");
   if (options.resume)
     check_resumable(scene);
   const std::unique_ptr<RunFolder> run = take_folder(folder, scene);
@@ -319,6 +327,7 @@ int run_case(const RunOptions &options) {
   }
   if (solved.results.status != RunStatus::converged)
     return 2;
+  refuse_doubts(solved.results.doubts, "by the results");
   return solved.scene.checks.decide_exit_status && any_fails(solved.results.verdicts) ? checks_fail
                                                                                       : 0;
 }

@@ -293,6 +293,7 @@ struct Results {
   std::vector<Verdict> verdicts;
   std::optional<EnergyAccount> energy; ///< of all steps together
   std::vector<std::string> remarks;    ///< warnings to the user
+  std::vector<std::string> doubts;     ///< likewise, of what is hardly meant: errors of --strict
   HowWellKnown known;
   std::optional<AccuracyAccount> accuracy;
   std::string method;     ///< in plain words

@@ -252,6 +252,7 @@ struct Scene {
   std::string input;                  ///< the file's text, as read, for the report
   std::vector<std::string> overrides; ///< the --set options
   std::vector<std::string> remarks;   ///< what the user should know about how the file was read
+  std::vector<std::string> doubts;    ///< likewise, of what is hardly meant: errors of --strict
   double accuracy = 0.; ///< demanded of the quantities, relative; 0: the file says how finely
   /// Whether it is solved several times, until that is so.
   bool takes_many_runs() const { return accuracy > 0. || mesh.refine_hinges; }

@@ -3,7 +3,7 @@
 
 #include "model/line_state.h"
 #include "model/model.h"
-#include "scene/history_origins.h"
+#include "scene/steps/history_origins.h"
 
 #include <array>
 #include <functional>

@@ -10,7 +10,7 @@
 #include "analysis/march/integrator_library.h"
 #include "analysis/march/load_jumps.h"
 #include "analysis/march/time_instants.h"
-#include "scene/step_tree.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/reduction/transient_reduction.h"
 #include "model/cell/line_cells.h"
-#include "scene/step_tree.h"
+#include "scene/steps/step_tree.h"
 
 #include "analysis/increment/time_step.h"
 #include "analysis/time/step_helpers.h"

@@ -156,7 +156,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     if (at.balance.failed || !at.forces.allFinite()) {
       result.remark = at.balance.failed ? "a section that yields or creeps has no answer"
                                         : "the iteration diverges";
-      remember_failure(at);
+      remember_failure(at, from, increment);
       return result;
     }
     if (judged && is_solved(at, response, result)) {
@@ -164,6 +164,8 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
         return result;
       result.converged = true;
       to.sections.swap(at.balance.sections);
+      if (model.cells.pipe_sections().any())
+        last_tangent = at.balance.stiffness;
       to.unknowns = from.unknowns + at.moved;
       model.space.expand(at.moved, last_motion);
       set_pose(model, at.pose, to);
@@ -178,7 +180,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       return linearized.solve(problem, from.contacts, change, response);
     };
     if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result)) {
-      remember_failure(at);
+      remember_failure(at, from, increment);
       return result;
     }
     contact_forces = response.stress;
@@ -196,7 +198,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
     }
     if (is_searched && model.contacts.size() == 0 && gives_way(forces, at, steps_in_vain)) {
       result.remark = "the line gives way: it moves on and on without coming nearer to equilibrium";
-      remember_failure(at);
+      remember_failure(at, from, increment);
       return result;
     }
   }
@@ -208,7 +210,8 @@ std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
   if (!model.cells.pipe_sections().any())
     return {};
   std::optional<Collapse> best;
-  for (const Vector *const motion : {&last_motion, &failed_motion, &soft_motion})
+  for (const Vector *const motion :
+       {&last_motion, &failed_motion, &softest_at_failure, &softest_before})
     if (motion->size() > 0)
       if (const auto found = find_collapse(model, at, *motion, begin, end);
           found && (!best || found->bound < best->bound))
@@ -216,21 +219,30 @@ std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
   return best;
 }
 
-void NonlinearStatics::remember_failure(const Approach &at) {
-  constexpr double shift = 1e-8; // of the stiffness: below what is elastic, above a mechanism's
+void NonlinearStatics::remember_failure(const Approach &at, const LineState &from,
+                                        const StaticIncrement &increment) {
   if (!model.cells.pipe_sections().any())
     return;
   model.space.expand(at.moved, failed_motion);
-  soft_motion.resize(0);
+  softest_at_failure.resize(0);
+  softest_before.resize(0);
   if (model.contacts.size() > 0 || at.forces.size() == 0)
     return; // whose motion contacts would have to allow
-  SparseMatrix matrix = at.balance.stiffness;
-  for (int i = 0; i < matrix.rows(); ++i)
-    matrix.coeffRef(i, i) += shift * std::abs(matrix.coeff(i, i));
-  Vector motion;
+  softest_at_failure = soft_motion(at.balance.stiffness, at.forces);
+  if (last_tangent.rows() == at.forces.size())
+    softest_before = soft_motion(last_tangent, increment.course.forces(increment.factors) -
+                                                   increment.course.forces(from.load_factors));
+}
+
+Vector NonlinearStatics::soft_motion(SparseMatrix tangent, const Vector &forces) const {
+  constexpr double shift = 1e-8; // of the stiffness: below what is elastic, above a mechanism's
+  for (int i = 0; i < tangent.rows(); ++i)
+    tangent.coeffRef(i, i) += shift * std::abs(tangent.coeff(i, i));
+  Vector motion, dofs;
   LinearizedSolver shifted(model);
-  if (shifted.solve_without_contacts(matrix, at.forces, motion))
-    model.space.expand(motion, soft_motion);
+  if (shifted.solve_without_contacts(tangent, forces, motion))
+    model.space.expand(motion, dofs);
+  return dofs;
 }
 
 Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCourse &) const {

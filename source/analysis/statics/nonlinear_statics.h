@@ -69,12 +69,16 @@ private:
   LinearizedSolver linearized;
   LineCells::Balance balance_at_hand; ///< kept for its memory, which is large
   /// Keep what an increment that fails has come to, for collapse().
-  void remember_failure(const Approach &at);
+  void remember_failure(const Approach &at, const LineState &from,
+                        const StaticIncrement &increment);
+  /// By forces, of a line that is a little stiffer than a mechanism; empty where there is none.
+  Vector soft_motion(SparseMatrix tangent, const Vector &forces) const;
 
   /// Of all degrees of freedom, without what was imposed: of the last increment that was solved, of
-  /// the last that was not, and where its tangent is softest.
-  Vector last_motion, failed_motion, soft_motion;
-  bool too_long = false; ///< the last increment, for creep
+  /// the last that was not, where its tangent is softest, and where that of the state before is.
+  Vector last_motion, failed_motion, softest_at_failure, softest_before;
+  SparseMatrix last_tangent; ///< of the last increment that was solved
+  bool too_long = false;     ///< the last increment, for creep
 };
 
 } // namespace frictionbeam

@@ -6,6 +6,7 @@
 #include "mesh/build_line_mesh.h"
 #include "model/line_model.h"
 #include "model/mechanism.h"
+#include "results/doubts.h"
 #include "results/energy_judgement.h"
 #include "results/how_well_known.h"
 #include "results/quantity/wall_quantities.h"
@@ -76,6 +77,7 @@ void solve_sequence(const Model &model, LoadSequence &sequence, Results &results
   judge_energy(scene, results);
   results.known = how_well_known(scene, results);
   add_remarks_on_supports(model, results);
+  add_doubts(scene, results);
   if (scene.mesh.refine_hinges)
     results.yielded = yielded_cells(model, sequence.state());
   results.cost.unknowns = model.space.n_unknowns();

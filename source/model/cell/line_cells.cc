@@ -261,6 +261,9 @@ void LineCells::integrate_sections(const unsigned int cell, const Vector12 &befo
     around.line_force = (turn.transpose() * around.line_force).eval();
     if (step.is_trial)
       sections.answer_elastically(cell, before, after, around, old, inelastic);
+    else if (sections.is_far(cell, after))
+      inelastic.failed =
+          true; // beyond a limit an iteration goes on and on, and laws take long there
     else
       sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic);
   }

@@ -46,6 +46,17 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
     worst.imbalance = std::max(worst.imbalance, off / largest);
 }
 
+bool PipeSections::is_far(const unsigned int index, const Vector12 &motions) const {
+  constexpr double most = 0.3; // of the wall
+  const Cell &cell = *cells[index];
+  const double radius = std::sqrt(2. * cell.profile.EI / cell.profile.EA);
+  return std::any_of(cell.B.begin(), cell.B.end(), [&](const auto &B) {
+    const Vector6 strain = B * motions;
+    return !(std::abs(strain[0]) + radius * std::hypot(strain[4], strain[5]) < most) ||
+           !(radius * std::abs(strain[3]) < most);
+  });
+}
+
 PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Vector12 &at,
                                               const Vector12 &motion,
                                               const Surroundings &surroundings,

@@ -7,7 +7,7 @@
 #include "model/cell/line_cells.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
-#include "scene/step_tree.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "results/page/html.h"
 #include "results/picture/marker.h"
 #include "results/text.h"
-#include "scene/step_tree.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 

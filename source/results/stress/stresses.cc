@@ -3,7 +3,7 @@
 
 #include "results/stress/stresses.h"
 #include "results/text.h"
-#include "scene/history_origins.h"
+#include "scene/steps/history_origins.h"
 
 #include <algorithm>
 #include <cmath>

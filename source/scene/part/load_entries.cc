@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
-#include "scene/step_tree.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 

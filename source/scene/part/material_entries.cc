@@ -84,6 +84,11 @@ void parse_material(const ParameterReader &in, const std::string &name, Scene &s
   } else if (in.given("Modulus temperature"))
     in.fail("Modulus temperature", "this entry beside 'Grade' or 'Table' only",
             "removing it, or a grade");
+  constexpr double least = 1e9, most = 1e12; // Pa, of any metal or plastic that pipes are made of
+  if (material.youngs_modulus < least || material.youngs_modulus > most)
+    scene.doubts.push_back(
+        "Material " + name + ": its Young's modulus is " + to_text(material.youngs_modulus) +
+        " Pa, and no pipe's is below 1e9 Pa or above 1e12 Pa. Look at its unit.");
   scene.materials.push_back(material);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "scene/step_tree.h"
+#include "scene/steps/step_tree.h"
 
 namespace frictionbeam {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
 
-#include "scene/history_origins.h"
+#include "scene/steps/history_origins.h"
 
 #include "base/numbers.h"
 #include "base/user_error.h"
-#include "scene/step_tree.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>

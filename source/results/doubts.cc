@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/doubts.h"
+
+#include "mesh/point_set.h"
+#include "results/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double large = 0.1;          ///< displacement over the line's size
+constexpr double sagging = 0.01;       ///< sag over span
+constexpr double instants = 10.;       ///< in a period of the highest mode
+constexpr double same_place = 1e-6;    ///< [m]
+constexpr unsigned int most_spans = 3; ///< that are named
+
+double size_of(const std::vector<Station> &line) {
+  Point3 low, high;
+  for (unsigned int d = 0; d < 3; ++d) {
+    const auto [least, most] =
+        std::minmax_element(line.begin(), line.end(), [d](const Station &a, const Station &b) {
+          return a.position[d] < b.position[d];
+        });
+    low[d] = least->position[d];
+    high[d] = most->position[d];
+  }
+  return low.distance(high);
+}
+
+/// Ends of static steps.
+std::vector<const Frame *> static_ends(const Scene &scene, const Results &results) {
+  std::vector<const Frame *> frames;
+  for (const Frame &frame : results.frames)
+    if (frame.end_of_step && frame.step < scene.steps.size() && !scene.steps[frame.step].transient)
+      frames.push_back(&frame);
+  return frames;
+}
+
+class Doubts {
+public:
+  Doubts(const Scene &scene, Results &results)
+      : scene(scene), results(results), ends(static_ends(scene, results)), places(same_place) {
+    for (const SupportInfo &info : results.supports)
+      places.insert(info.position);
+    for (const RestraintInfo &info : results.restraints)
+      places.insert(info.position);
+    n_held = places.points.size();
+  }
+
+  void of_displacements() {
+    if (scene.kinematics != Kinematics::linear)
+      return;
+    double largest = 0., size = 0.;
+    const Frame *where = nullptr;
+    for (const Frame &frame : results.frames) {
+      if (frame.step >= scene.steps.size() || frame.line.size() < 2)
+        continue;
+      size = size_of(frame.line);
+      for (const Station &station : frame.line)
+        if (const double moved = std::hypot(station.displacement[0], station.displacement[1],
+                                            station.displacement[2]);
+            moved > largest) {
+          largest = moved;
+          where = &frame;
+        }
+    }
+    if (where != nullptr && largest > large * size)
+      say("Step " + where->name + ": the line moves by " + length(largest) +
+          ", more than a tenth of its size, while its displacements are taken for small ones. Look "
+          "at loads, stiffnesses and units, or take Kinematics = corotational.");
+  }
+
+  void of_open_supports() {
+    for (const Frame *const frame : ends)
+      if (!frame->supports.empty() && has_rest() &&
+          std::all_of(
+              frame->supports.begin(), frame->supports.end(),
+              [](const SupportState &state) { return state.status == ContactStatus::open; }))
+        return say("Step " + frame->name +
+                   ": no support touches the line at its end. Look at the direction of the loads.");
+  }
+
+  void of_sags() {
+    std::vector<std::string> spans;
+    for (const Frame *const frame : ends)
+      for (std::size_t begin = 0; begin < frame->line.size();) {
+        std::size_t end = begin + 1;
+        while (end < frame->line.size() && frame->line[end].pipe == frame->line[begin].pipe &&
+               !is_held(frame->line[end]))
+          ++end;
+        if (end < frame->line.size() && frame->line[end].pipe == frame->line[begin].pipe &&
+            is_held(frame->line[begin]) && sags(*frame, begin, end))
+          note(spans, span_in_words(*frame, begin, end));
+        begin = end;
+      }
+    if (spans.empty())
+      return;
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(spans.size(), most_spans); ++i)
+      text += (i == 0 ? "" : ", ") + spans[i];
+    if (spans.size() > most_spans)
+      text += " and " + std::to_string(spans.size() - most_spans) + " more";
+    say("Sag above a hundredth of the span: " + text + ".");
+  }
+
+  void of_time_steps() {
+    if (scene.time.is_exact() || scene.time.step == 0. || results.modes.empty() ||
+        std::none_of(scene.steps.begin(), scene.steps.end(),
+                     [](const LoadStep &step) { return step.transient; }))
+      return;
+    const double frequency = results.modes.back().frequency;
+    if (scene.time.step * frequency * instants > 1.)
+      say("The time step of " + rounded_number(scene.time.step) +
+          " s has fewer than ten instants "
+          "in a period of mode " +
+          std::to_string(results.modes.size()) + " (" + rounded_number(frequency, 4) + " Hz).");
+  }
+
+private:
+  void say(const std::string &text) { results.doubts.push_back(text); }
+  static void note(std::vector<std::string> &list, const std::string &text) {
+    if (std::count(list.begin(), list.end(), text) == 0)
+      list.push_back(text);
+  }
+  std::string length(const double metres) const {
+    return rounded_number(metres / scene.units.factor("m"), 3) + " " + scene.units.name("m");
+  }
+  bool has_rest() const {
+    return std::any_of(results.supports.begin(), results.supports.end(),
+                       [](const SupportInfo &info) { return info.kind == "rest"; });
+  }
+  /// Whether anything stands there.
+  bool is_held(const Station &station) {
+    return station.is_node() && places.insert(station.position) < n_held;
+  }
+  /// Between two that are held, below the straight line from one to the other.
+  static bool sags(const Frame &frame, const std::size_t begin, const std::size_t end) {
+    const Station &first = frame.line[begin], &last = frame.line[end];
+    const double span =
+        std::hypot(last.position[0] - first.position[0], last.position[1] - first.position[1]);
+    if (!(span > 0.))
+      return false;
+    double sag = 0.;
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      const Station &station = frame.line[i];
+      const double part = (station.s - first.s) / (last.s - first.s),
+                   chord = first.displacement[2] +
+                           part * (last.displacement[2] - first.displacement[2]);
+      sag = std::max(sag, chord - station.displacement[2]);
+    }
+    return sag > sagging * span;
+  }
+  std::string span_in_words(const Frame &frame, const std::size_t begin,
+                            const std::size_t end) const {
+    return "pipe " + scene.pipes[frame.line[begin].pipe].name +
+           ", s = " + length(frame.line[begin].s) + " to " + length(frame.line[end].s) +
+           " in step " + frame.name;
+  }
+
+  const Scene &scene;
+  Results &results;
+  const std::vector<const Frame *> ends;
+  PointSet places; ///< those of supports first
+  int n_held = 0;  ///< of them
+};
+
+} // namespace
+
+void add_doubts(const Scene &scene, Results &results) {
+  Doubts doubts(scene, results);
+  doubts.of_displacements();
+  doubts.of_open_supports();
+  doubts.of_sags();
+  doubts.of_time_steps();
+}
+
+} // namespace frictionbeam

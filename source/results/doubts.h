@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "results/results.h"
+
+namespace frictionbeam {
+
+/// Say what of an answer is hardly meant (Results::doubts): displacements for which small ones are
+/// wrong, supports that all stand open, sagging spans, time steps that miss a mode.
+void add_doubts(const Scene &scene, Results &results);
+
+} // namespace frictionbeam
