@@ -86,6 +86,7 @@ struct Frame {
   unsigned int increment = 0;
   double time = 0.;
   bool end_of_step = true;
+  bool is_amplitude = false; ///< of a case: its numbers are sizes, of either sign
   std::vector<Station> line;
   std::vector<SupportState> supports;
   std::vector<Motion> reactions; ///< of RestraintInfo

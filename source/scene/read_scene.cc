@@ -243,6 +243,7 @@ void check_whole(ParameterReader &in, Scene &scene) {
   parts::parse_monitors(in, scene);
   parts::check_kinematics(in, scene);
   parts::check_inelastic(in, scene);
+  parts::check_output(in, scene);
   in.enter("");
   parts::remark_on_free_motions(scene);
   parts::remark_on_unused(in, scene);

@@ -123,6 +123,8 @@ struct OutputSettings {
   /// Points whose sections are followed through all increments; empty: where most yields and
   /// creeps.
   std::vector<std::string> sections = {};
+  std::vector<std::string> steps =
+      {};                       ///< that the report shows, or cases; empty: as many as can be
   bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
   bool vtu = true, report = true;
   bool contact_problems = false;    ///< FCLIB files of every static increment

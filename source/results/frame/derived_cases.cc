@@ -182,6 +182,15 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
   }
 }
 
+namespace {
+/// What is made of states has none of its own.
+void become_case(Frame &frame, const bool is_amplitude) {
+  frame.is_amplitude = is_amplitude;
+  for (SupportState &support : frame.supports)
+    support.status = ContactStatus::none;
+}
+} // namespace
+
 Frame spectrum_response(const Model &model, const ModalAnalysis &analysis) {
   FrameBuilder builder(model, true);
   std::vector<Vector> shapes;
@@ -199,6 +208,7 @@ Frame spectrum_response(const Model &model, const ModalAnalysis &analysis) {
   if (squares)
     sum = sum.cwiseSqrt().eval();
   frame.name = spectrum_case;
+  become_case(frame, true);
   frame.step = model.scene.steps.size();
   return with_numbers(frame, sum);
 }
@@ -243,6 +253,8 @@ Frame combine(const Combination &combination, const std::vector<CaseRange> &case
   Frame frame = *cases.back().least;
   frame.sections.clear(); // what flows does not add up
   frame.end_of_step = true;
+  become_case(frame,
+              combination.kind == Kind::range || combination.kind == Kind::absolute || is_srss);
   if (range != nullptr) {
     range->least = with_numbers(frame, least);
     range->largest = with_numbers(frame, most);

@@ -11,7 +11,7 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr std::size_t n_panels_at_most = 6;
+constexpr std::size_t n_panels_at_most = 64;
 constexpr std::size_t n_unwrapped = 36; ///< characters of a cell that stay in one line
 
 const char *const style = R"(

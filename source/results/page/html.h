@@ -50,7 +50,7 @@ private:
 };
 
 /// Panels of HTML one behind the other, each with a tab of its title; the last one is in front.
-/// Only one panel: no tabs. At most six panels.
+/// Only one panel: no tabs. At most 64 panels.
 std::string html_tabs(const std::string &id,
                       const std::vector<std::pair<std::string, std::string>> &titles_and_panels);
 

@@ -24,7 +24,7 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr unsigned int n_frames_at_most = 6;
+constexpr unsigned int n_curves_at_most = 6;    ///< of a chart
 constexpr std::size_t n_input_at_most = 200000; ///< characters
 
 std::string now() {
@@ -127,12 +127,19 @@ std::string pictures(const Scene &scene, const Results &results,
                      const std::vector<const Frame *> &frames, const double scale) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const Frame *frame : frames)
-    panels.emplace_back(frame->name, "<div class=\"picture\">" +
-                                         draw_line(scene, results, *frame, scale) + "</div>\n");
+    panels.emplace_back(frame->name,
+                        "<div class=\"picture\">" +
+                            draw_line(scene, results, *frame, frame->is_amplitude ? 0. : scale) +
+                            "</div>\n");
+  const bool any_amplitude = std::any_of(frames.begin(), frames.end(),
+                                         [](const Frame *frame) { return frame->is_amplitude; });
   return html_tabs("line-of", panels) +
          (results.envelopes.empty()
               ? ""
-              : html_note("Of a transient step the line is shown as it is at the step's end."));
+              : html_note("Of a transient step the line is shown as it is at the step's end.")) +
+         (any_amplitude ? html_note("Cases of sizes, which may have either sign, are no shapes: "
+                                    "their line is drawn as it is built.")
+                        : "");
 }
 
 std::string input(const Scene &scene) {
@@ -152,7 +159,7 @@ std::string input(const Scene &scene) {
 } // namespace
 
 void write_report(const Scene &scene, const Results &results, const std::string &folder) {
-  const auto frames = frames_to_show(results, n_frames_at_most);
+  const auto frames = frames_of_report(scene, results);
   const double scale = displacement_scale(frames);
 
   std::string links, sections;
@@ -168,13 +175,14 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     std::string steps = step_tree(scene) + step_table(scene, results, frames);
     const std::size_t n_ends = std::count_if(results.frames.begin(), results.frames.end(),
                                              [](const Frame &frame) { return frame.end_of_step; });
-    if (frames.size() == n_frames_at_most && n_ends > n_frames_at_most)
+    if (n_ends > frames.size())
       steps += html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
                          std::to_string(n_ends) + " steps; the csv files have all of them.");
     add("steps", "Steps", steps);
     if (!frames.back()->line.empty()) // a scene may have no pipe at all
       add("line", "Line", pictures(scene, results, frames, scale));
-    const ReportCharts charts = make_report_charts(scene, results, frames);
+    const ReportCharts charts =
+        make_report_charts(scene, results, few_of(frames, n_curves_at_most));
     if (!charts.section_forces.empty())
       add("forces", "Section forces", charts.section_forces);
     if (!charts.histories.empty())

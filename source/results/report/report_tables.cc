@@ -93,7 +93,9 @@ std::string support_table(const Results &results, const Frame &frame) {
     names.push_back(results.supports[row].name);
     kinds.push_back(results.supports[row].kind);
     status.push_back(status_cell(state.status));
-    ratio.push_back(state.fn > 0. ? fixed_number(friction_force(state) / state.fn, 3) : dash);
+    ratio.push_back(state.fn > 0. && state.status != ContactStatus::none
+                        ? fixed_number(friction_force(state) / state.fn, 3)
+                        : dash);
   }
   const bool any_moment = std::any_of(frame.supports.begin(), frame.supports.end(),
                                       [](const SupportState &state) { return state.mt != 0.; });

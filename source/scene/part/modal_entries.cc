@@ -194,6 +194,12 @@ std::vector<std::string> case_names(const Scene &scene) {
   return result;
 }
 
+void check_output(ParameterReader &in, const Scene &scene) {
+  in.enter("Output");
+  for (const std::string &step : scene.output.steps)
+    in.find("Steps", step, case_names(scene), "step or case");
+}
+
 } // namespace parts
 
 } // namespace frictionbeam

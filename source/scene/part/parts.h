@@ -106,6 +106,8 @@ void parse_monitors(const ParameterReader &in, Scene &scene);
 void check_kinematics(const ParameterReader &in, const Scene &scene);
 /// What sections that yield or creep do not go with.
 void check_inelastic(ParameterReader &in, Scene &scene);
+/// Steps and cases that the report shall show.
+void check_output(ParameterReader &in, const Scene &scene);
 /// Says where pipes may be displaced but points not turned, so that the answer depends on the
 /// points.
 void remark_on_free_motions(Scene &scene);

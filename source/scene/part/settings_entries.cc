@@ -201,6 +201,9 @@ void parse_checks(const ParameterReader &in, Scene &scene) {
 
 void declare_output(ParameterReader &in) {
   in.declare_count("Stations", 3, 0, "Between the two nodes of a cell, in line.csv.", 1000);
+  in.declare_text("Steps", "", "names of steps and cases, separated by commas",
+                  "That the report shows. Empty: all up to 24, of lines of many cells up to 6, "
+                  "evenly chosen.");
   in.declare_text(
       "Sections", "", "names of points, separated by commas",
       "Of pipes that yield or creep: points whose sections' forces and strains are shown "
@@ -222,6 +225,7 @@ void declare_output(ParameterReader &in) {
 
 void parse_output(const ParameterReader &in, Scene &scene) {
   scene.output.stations = in.count("Stations");
+  scene.output.steps = in.list("Steps"); // check_output() looks whether they exist
   for (const std::string &point : in.list("Sections"))
     if (std::count(scene.output.sections.begin(), scene.output.sections.end(), point) == 0)
       scene.output.sections.push_back(point); // check_inelastic() looks whether there is one

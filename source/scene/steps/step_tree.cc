@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/steps/step_tree.h"
 
+#include <cmath>
+
 namespace frictionbeam {
 
 std::optional<unsigned int> step_before(const Scene &scene, const unsigned int step) {
@@ -17,6 +19,25 @@ bool is_returned_to(const Scene &scene, const unsigned int step) {
   for (unsigned int later = step + 2; later < scene.steps.size(); ++later)
     if (scene.steps[later].from == step)
       return true;
+  return false;
+}
+
+bool is_difference(const Scene &scene, const std::string &name) {
+  for (const Combination &combination : scene.combinations) {
+    if (combination.name != name)
+      continue;
+    double sum = 0.;
+    bool any_step = false;
+    for (const auto &[part, factor] : combination.cases)
+      for (const LoadStep &step : scene.steps)
+        if (step.name == part) {
+          sum += factor;
+          any_step = true;
+        }
+    constexpr double nothing = 1e-9;
+    return combination.kind == Combination::Kind::range ||
+           (combination.kind == Combination::Kind::sum && any_step && std::abs(sum) < nothing);
+  }
   return false;
 }
 
