@@ -65,6 +65,10 @@ public:
     return p[primary_coefficient] > 0. && p[primary_hardening] >= 0.5;
   }
 
+  /// Whether a stress that relaxes alone does so by its power: not where primary creep hardens by
+  /// its strain, whose rate falls with what it has done as well.
+  bool relaxes_by_power() const { return by_strain == 0.; }
+
   struct Dose {
     double total, slope; ///< creep strain, its derivative by stress
     double primary;      ///< of the total

@@ -150,8 +150,8 @@ inline void RingIncrement::set_weights(const FibreStrains &old_strain, const dou
 
 /**
  * What the rates of creep at the start and in both stages tell of the next term of the series, or
- * if that is less, of the term that SDIRK2 has; of the rates, or if that is less, of what they
- * differ by from relaxation, which is exact.
+ * if that is less, of the term that SDIRK2 has; of the rates, or if that is less and relaxation is
+ * exact, of what they differ by from it.
  */
 inline void RingIncrement::estimate_error() {
   const auto smaller = [](const double k0, const double k1, const double k2) {
@@ -167,7 +167,10 @@ inline void RingIncrement::estimate_error() {
                  by_others = smaller(0., k1 - alone[i][0] * old_x[i], k2 - alone[i][1] * old_x[i]);
     // Differences may vanish by chance: where the rates say that much happens, they are believed.
     const double share_of_stress = pipe.E * by_rates / std::max(b.s, std::abs(old_x[i]));
-    error = std::max(error, pipe.E * std::min(by_rates, by_others + share_of_stress * by_rates));
+    const double known = ring.fibre.creep->relaxes_by_power()
+                             ? std::min(by_rates, by_others + share_of_stress * by_rates)
+                             : by_rates;
+    error = std::max(error, pipe.E * known);
     shear[0] += 3. * old_q[i] * old_tau / n;
     shear[1] += 3. * a.q * first.tau / gamma_stage / n;
     shear[2] += 3. * b.q * ring.tau / share / n;

@@ -144,6 +144,9 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
   if ((has_bed || has_transient || is_large || scene.yields()) && !scene.pipes.empty() &&
       scene.mesh.file.empty())
     list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
+  if (scene.mesh.file.empty() && std::any_of(scene.pipes.begin(), scene.pipes.end(),
+                                             [](const Pipe &pipe) { return pipe.end_section; }))
+    list.push_back(entry("cells of reducers", "Mesh/Cells per reducer", 10));
   if (kind.has_elements)
     list.push_back({"elements of the slab",
                     [file](const unsigned int level) { return slab_elements(file, 8u << level); },

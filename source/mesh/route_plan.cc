@@ -112,8 +112,6 @@ private:
   }
 };
 
-/// A reducer's section changes from cell to cell.
-constexpr int cells_of_reducer = 10;
 /// A piece of a bend of a smaller angle than this [rad] is as well a straight cell, to its
 /// square/6: 2e-9, where rounding leaves the arc no more digits.
 constexpr double smallest_arc = 1e-4;
@@ -160,7 +158,7 @@ private:
   void divide(RoutePiece &piece, const bool is_reducer) const {
     piece.n_cells = straight_cells(scene.mesh, piece);
     if (is_reducer)
-      piece.n_cells = std::max(piece.n_cells, cells_of_reducer);
+      piece.n_cells = std::max<int>(piece.n_cells, scene.mesh.cells_of_reducer);
     if (!scene.mesh.arcs || !piece.bends())
       return;
     const double radius = piece.segment->radius;

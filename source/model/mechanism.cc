@@ -201,12 +201,14 @@ std::vector<std::string> check_mechanisms(const Model &model) {
   return check.judge();
 }
 
-std::string place_in_words(const Model &model, const unsigned int index) {
+std::string place_in_words(const Model &model, const unsigned int index, const double part) {
   const PipeCell &cell = model.discretization.pipe_cells()[index];
   const MeshedPipe &pipe = model.mesh.pipes[cell.pipe];
+  const double along = cell.reversed ? 1. - part : part,
+               s = (1. - along) * pipe.s[cell.position] + along * pipe.s[cell.position + 1];
+  const UnitSystem &units = model.scene.units;
   return "pipe " + model.scene.pipes[cell.pipe].name +
-         " at s = " + rounded_number((pipe.s[cell.position] + pipe.s[cell.position + 1]) / 2., 3) +
-         " m";
+         " at s = " + rounded_number(s / units.factor("m"), 3) + " " + units.name("m");
 }
 
 } // namespace frictionbeam

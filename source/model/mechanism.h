@@ -14,7 +14,7 @@ namespace frictionbeam {
  */
 std::vector<std::string> check_mechanisms(const Model &model);
 
-/// Middle of a pipe cell: "pipe NAME at s = 1.5 m".
-std::string place_in_words(const Model &model, const unsigned int cell);
+/// A part of the way from the first to the second vertex of a pipe cell: "pipe NAME at s = 1.5 m".
+std::string place_in_words(const Model &model, const unsigned int cell, const double part);
 
 } // namespace frictionbeam

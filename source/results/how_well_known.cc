@@ -117,7 +117,7 @@ KnownError by_cells(const Scene &scene, const Results &results, const Resolution
     return {{}, "inertia is spread over cells"};
   for (const Pipe &pipe : scene.pipes)
     if (pipe.end_section)
-      return {{}, "the cells of a reducer have one section each"};
+      return {{}, "the cells of a reducer have one section each; Accuracy measures it"};
     else if (pipe.bend_radius > 0. && !scene.mesh.arcs)
       return {{}, "a bend of the mesh file is in straight cells"};
   for (const FrictionSupport &support : scene.supports)

@@ -20,12 +20,13 @@ namespace frictionbeam {
 enum class Mesher { automatic, gmsh };
 
 struct MeshSettings {
-  std::string file;                ///< .geo or .msh of the user's own; empty: routes
-  double cell_length = 0.;         ///< longest cell of a straight run [m]; 0: one cell a run
-  unsigned int section_points = 5; ///< along a cell whose section yields or creeps
-  unsigned int cells_per_bend = 8; ///< in 90 degrees
-  bool arcs = false;               ///< a bend is one exact arc, not straight cells
-  double most_cells = 200000.;     ///< more are refused
+  std::string file;                   ///< .geo or .msh of the user's own; empty: routes
+  double cell_length = 0.;            ///< longest cell of a straight run [m]; 0: one cell a run
+  unsigned int section_points = 5;    ///< along a cell whose section yields or creeps
+  unsigned int cells_per_bend = 8;    ///< in 90 degrees
+  unsigned int cells_of_reducer = 10; ///< whose section changes from cell to cell
+  bool arcs = false;                  ///< a bend is one exact arc, not straight cells
+  double most_cells = 200000.;        ///< more are refused
   Mesher mesher = Mesher::automatic;
   bool refine_hinges = false; ///< halve cells that yield until that changes little
   /// Nodes that this has added, by the number of their pipe and the way along it [m].

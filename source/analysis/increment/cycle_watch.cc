@@ -30,10 +30,10 @@ CycleVerdict::Kind kind_of(const CycleVerdict &cycle, const double largest_loss)
              : Kind::unsettled;
 }
 
-std::string words_of(const CycleVerdict &cycle, const Model &model) {
+std::string words_of(const CycleVerdict &cycle, const double part, const Model &model) {
   using Kind = CycleVerdict::Kind;
   const auto number = [](const double value) { return rounded_number(value, 4); };
-  const std::string there = " (" + place_in_words(model, cycle.cell) + ")";
+  const std::string there = " (" + place_in_words(model, cycle.cell, part) + ")";
   switch (cycle.kind) {
   case Kind::elastic:
     return "elastic: nothing has yielded or crept";
@@ -77,7 +77,7 @@ std::optional<CycleVerdict> CycleWatch::step_ends(const LoadStep &step, const Li
   cycle.cell = change.cell;
   largest_loss = std::max(largest_loss, cycle.dissipated);
   cycle.kind = kind_of(cycle, largest_loss);
-  cycle.words = words_of(cycle, model);
+  cycle.words = words_of(cycle, change.part, model);
   before = state.sections;
   growth_before = cycle.growth;
   return cycle;

@@ -15,6 +15,7 @@ namespace {
 struct Hinge {
   unsigned int cell;
   double power; ///< dissipated on the motion [J]
+  double part;  ///< of the way along the cell
 };
 
 Vector loads_at(const Model &model, const LineState &at, const std::vector<double> &factors) {
@@ -72,7 +73,7 @@ std::string words_of(const Model &model, std::vector<Hinge> hinges, const LineSt
   }
   std::string text;
   for (std::size_t i = 0; i < std::min(named.size(), most_named); ++i)
-    text += (i == 0 ? "" : ", ") + place_in_words(model, named[i].cell);
+    text += (i == 0 ? "" : ", ") + place_in_words(model, named[i].cell, named[i].part);
   if (named.size() > most_named)
     text += " and " + std::to_string(named.size() - most_named) + " more";
   std::string slipping;
@@ -98,11 +99,12 @@ std::optional<Collapse> find_collapse(const Model &model, const LineState &at, c
   double power = contact_power(model, at, motion), of_pipes = 0.;
   for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i) {
     const PipeSections::Flow flow = flow_of(model, i, at, motion);
-    hinges.push_back({i, flow.power});
-    const Eigen::Vector3d load_first = model.cells.surroundings(i, begin).line_force,
-                          load_last = model.cells.surroundings(i, end).line_force;
-    by_first += load_first.dot(flow.interior);
-    gain += (load_last - load_first).dot(flow.interior);
+    hinges.push_back({i, flow.power, flow.part});
+    const PipeSections::Surroundings at_first = model.cells.surroundings(i, begin),
+                                     at_last = model.cells.surroundings(i, end);
+    by_first += at_first.line_force.dot(flow.interior) + at_first.pressure * flow.bore;
+    gain += (at_last.line_force - at_first.line_force).dot(flow.interior) +
+            (at_last.pressure - at_first.pressure) * flow.bore;
     of_pipes += hinges.back().power;
   }
   power += of_pipes;

@@ -91,6 +91,8 @@ public:
     /// Integral of the displacement that the ends' motions leave out [m2]: a load per length does
     /// work on it.
     Eigen::Vector3d interior = Eigen::Vector3d::Zero();
+    double bore = 0.;  ///< by which the bore grows along the axis [m3]: pressure does work on it
+    double part = 0.5; ///< of the way along the cell, where most is dissipated
   };
   Flow plastic_flow(const unsigned int cell, const Vector12 &at, const Vector12 &motion,
                     const Surroundings &surroundings, const Vector &states) const;
@@ -115,6 +117,7 @@ public:
     double growth = 0.;
     double flow = 0.;      ///< growth of plastic and creep strain that laws accumulate [-]
     unsigned int cell = 0; ///< of `growth`, or of `flow` if that is beyond 1000 times as much
+    double part = 0.5;     ///< of the way along it, likewise
   };
   Change largest_change(const Vector &before, const Vector &after) const;
 

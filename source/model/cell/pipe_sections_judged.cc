@@ -91,10 +91,20 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
     place = end;
     so_far = sum(cell, there, stored) + sum(cell, there, lost);
     flow.interior = -cell.carried.transpose() * motion;
-    for (unsigned int q = 0; q < cell.chain.size(); ++q)
-      flow.interior += cell.chain[q].length / length * cell.chain[q].load_stress.transpose() *
-                       (Values(there.data() + place_of(cell, q) + strain) -
-                        Values(begin.data() + place_of(cell, q) + strain));
+    flow.bore = 0.;
+    double most = 0.;
+    for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+      const double *const from = begin.data() + place_of(cell, q), *const to = there.data() +
+                                                                               place_of(cell, q);
+      const Vector6 by =
+          cell.chain[q].length / length * (Values(to + strain) - Values(from + strain));
+      flow.interior += cell.chain[q].load_stress.transpose() * by;
+      flow.bore += cell.profile.bore_area * by[0];
+      if (const double power = Values(to + stress).dot(by); power > most) {
+        most = power;
+        flow.part = cell.part[q];
+      }
+    }
   }
   flow.power = (work[2] - work[1]) / length;
   return work[3] - work[2] <= (1. + same) * (work[2] - work[1]) ? flow : none;
@@ -104,6 +114,7 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
   constexpr double closed = 1e-3;
   Change change;
   unsigned int cell_of_flow = 0;
+  double part_of_flow = 0.5;
   for (unsigned int i = 0; i < cells.size(); ++i) {
     if (!cells[i])
       continue;
@@ -123,15 +134,19 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       if (growth > change.growth) {
         change.growth = growth;
         change.cell = i;
+        change.part = cell.part[q];
       }
       if (flow > change.flow) {
         change.flow = flow;
         cell_of_flow = i;
+        part_of_flow = cell.part[q];
       }
     }
   }
-  if (change.growth <= closed * change.flow)
+  if (change.growth <= closed * change.flow) {
     change.cell = cell_of_flow;
+    change.part = part_of_flow;
+  }
   return change;
 }
 
