@@ -212,9 +212,9 @@ std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
   std::optional<Collapse> best;
   for (const Vector *const motion :
        {&last_motion, &failed_motion, &softest_at_failure, &softest_before})
-    if (motion->size() > 0)
+    if (motion->size() > 0 && motion->allFinite())
       if (const auto found = find_collapse(model, at, *motion, begin, end);
-          found && (!best || found->bound < best->bound))
+          found && !std::isnan(found->bound) && (!best || found->bound < best->bound))
         best = found;
   return best;
 }

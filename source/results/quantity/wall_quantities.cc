@@ -79,7 +79,9 @@ std::optional<double> value_of_step(const Quantity &quantity, const StepReport &
   if (!quantity.step.empty() && step.step != quantity.step)
     return {};
   if (quantity.is(Of::limit) && step.limit)
-    return which == 0 ? step.limit->reached : step.limit->bound;
+    if (const double value = which == 0 ? step.limit->reached : step.limit->bound;
+        std::isfinite(value)) // no bound may be known
+      return value;
   if (quantity.is(Of::cycle) && step.cycle)
     return which == 0 ? step.cycle->growth : which == 1 ? step.cycle->flow : step.cycle->dissipated;
   return {};
