@@ -96,7 +96,7 @@ private:
                                      ContactResponse &response);
   /// The residual with the forces and impulses of the contacts.
   Vector left_over(const Step &step, const ContactResponse &response) const;
-  bool is_solved(const Step &step, const double time, const ContactResponse &response,
+  bool is_solved(const Step &step, const double time_of_laws, const ContactResponse &response,
                  EquilibriumResult &result) const;
   EquilibriumResult solve_yielding(Step &step, const LineState &from, const LoadCourse &loads,
                                    const double time, LineState &to, ContactResponse &response);

@@ -78,8 +78,8 @@ Vector AlphaScheme::left_over(const Step &step, const ContactResponse &response)
   return left;
 }
 
-bool AlphaScheme::is_solved(const Step &step, const double time, const ContactResponse &response,
-                            EquilibriumResult &result) const {
+bool AlphaScheme::is_solved(const Step &step, const double time_of_laws,
+                            const ContactResponse &response, EquilibriumResult &result) const {
   const double size = largest(left_over(step, response)),
                force = std::max(step.largest, largest_contact_force(model.contacts, response)),
                scale = std::max({force, step.balance.free,
@@ -88,15 +88,9 @@ bool AlphaScheme::is_solved(const Step &step, const double time, const ContactRe
   const auto rounding = [&]() {
     const Pose beside = with_other_digits(model, step.pose);
     LineCells::Balance there;
-    model.cells.evaluate({beside,
-                          beside,
-                          beside,
-                          beside.dofs,
-                          0.,
-                          {loads.time_of_laws(time), step.h},
-                          nullptr,
-                          &step.start},
-                         step.factors, there);
+    model.cells.evaluate(
+        {beside, beside, beside, beside.dofs, 0., {time_of_laws, step.h}, nullptr, &step.start},
+        step.factors, there);
     return largest(there.forces - step.balance.forces);
   };
   return is_balanced(model, step.matrix, size, force, step.pose, rounding, scale);
@@ -118,7 +112,7 @@ EquilibriumResult AlphaScheme::solve_yielding(Step &step, const LineState &from,
                                           : "the iteration diverges";
       return result;
     }
-    if (judged && is_solved(step, time, response, result)) {
+    if (judged && is_solved(step, loads.time_of_laws(time), response, result)) {
       result.converged = true;
       to.sections = step.balance.sections;
       return result;
