@@ -283,6 +283,7 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
     cell.chain.solve(law, to, free, surroundings.line_force, solution);
   }
   answer.failed = !solution.solved;
+  answer.compatible = solution.compatible;
   if (answer.failed)
     return;
   Eigen::Map<Vector12>(now.data() + cell.first_value) =

@@ -53,6 +53,8 @@ public:
     double free_work = 0.;
     double error = 0.; ///< what the increment's length leaves in the stress, a share
     bool failed = false;
+    /// Where it failed: whether the states are those of strains that belong to the motions.
+    bool compatible = false;
   };
   /**
    * Integrate a cell's sections to the end of an increment.

@@ -86,7 +86,7 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
     const Vector12 end = place + length * motion;
     Answer answer;
     integrate(index, place, end, surroundings, {}, begin, there, answer);
-    if (answer.failed)
+    if (answer.failed && !answer.compatible) // any strains of the motion give a bound
       return none;
     place = end;
     so_far = sum(cell, there, stored) + sum(cell, there, lost);

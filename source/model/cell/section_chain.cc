@@ -198,7 +198,7 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
   const Vector6 moved = G * motions;
   double size_of_stress = 0., size_of_motion = 0.;
   Linear linear(*this);
-  solution.solved = false;
+  solution.solved = solution.compatible = false;
 
   for (unsigned int q = 0; q < n_points; ++q)
     for (int i = 0; i < 6; ++i)
@@ -292,6 +292,8 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
         break;
     }
   }
+  solution.compatible =
+      linear.right.tail<6>().lpNorm<Eigen::Infinity>() <= as_good_as_rounding * size_of_motion;
   if (!is_solved(as_good_as_rounding))
     return;
   linear.factorize(tangent);

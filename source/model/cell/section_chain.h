@@ -43,6 +43,8 @@ public:
     Vector12 forces;             ///< G^T beta, on the ends
     Matrix12 stiffness;          ///< derivative by the motions
     bool solved = false;
+    /// Whether the strains, which each section has answered, are those of the motions at least.
+    bool compatible = false;
   };
   /**
    * @param free strains of each point @param load per length in global axes [N/m]
