@@ -177,7 +177,8 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
     return;
   include_accuracy(results);
   add_remarks(results.known, results);
-  results.verdicts = verdicts_of(scene, results);
+  if (results.verdicts.empty()) // those of line and continuum together are there
+    results.verdicts = verdicts_of(scene, results);
   write_modes(results, scene.output.directory);
   if (scene.output.report)
     write_report(scene, results, scene.output.directory);

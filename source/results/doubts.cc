@@ -75,10 +75,9 @@ public:
 
   void of_open_supports() {
     for (const Frame *const frame : ends)
-      if (!frame->supports.empty() && has_rest() &&
-          std::all_of(
-              frame->supports.begin(), frame->supports.end(),
-              [](const SupportState &state) { return state.status == ContactStatus::open; }))
+      if (!frame->supports.empty() && has_rest() && !scene.steps[frame->step].loads.empty() &&
+          std::all_of(frame->supports.begin(), frame->supports.end(),
+                      [](const SupportState &state) { return stands_off(state, same_place); }))
         return say("Step " + frame->name +
                    ": no support touches the line at its end. Look at the direction of the loads.");
   }

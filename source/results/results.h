@@ -46,6 +46,12 @@ inline constexpr double SupportState::*support_numbers[] = {
     &SupportState::wear,  &SupportState::impulse};
 constexpr unsigned int n_shown_support_numbers = 8;
 
+/// Whether a support is open by more than rounding of a motion, or @p touching [m]: some methods
+/// call a contact open that touches without a force.
+inline bool stands_off(const SupportState &state, const double touching) {
+  return state.status == ContactStatus::open && state.gap > touching;
+}
+
 /// A restraint or spring in place; its forces on the pipe in global axes are in Frame::reactions.
 struct RestraintInfo {
   std::string name, kind;
@@ -84,6 +90,7 @@ struct Frame {
   std::string name;      ///< of its step, or of a case made after the steps
   unsigned int step = 0; ///< place in Scene::steps; of cases, on from there
   unsigned int increment = 0;
+  int step_before = -1; ///< that the step starts from; -1: none, or of a case
   double time = 0.;
   bool end_of_step = true;
   bool is_amplitude = false; ///< of a case: its numbers are sizes, of either sign

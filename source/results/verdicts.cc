@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/verdicts.h"
 
+#include "scene/steps/step_tree.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double most_energy_left =
     0.01;                         ///< of the account of energy, a share of what it turns over
+constexpr double no_gap = 1e-9;   ///< of the line's motion
 constexpr double no_force = 1e-9; ///< of the largest, in a sum of cases
 constexpr std::size_t most_named = 3;
 
@@ -46,9 +49,11 @@ public:
   }
 
 private:
+  /// Of what is allowed; where nothing is, the least value is nearest to failing.
   static double use(const Verdict &verdict) {
-    return verdict.allowed && *verdict.allowed > 0. ? verdict.value / *verdict.allowed
-                                                    : verdict.value;
+    return !verdict.allowed        ? -verdict.value
+           : *verdict.allowed > 0. ? verdict.value / *verdict.allowed
+                                   : verdict.value;
   }
 
   Verdict like;
@@ -63,8 +68,21 @@ OneCheck solution(const Results &results) {
   return check;
 }
 
-OneCheck energy(const Results &results) {
+/// Whether a transient step takes energy away on purpose.
+bool damps(const Scene &scene) {
+  const TimeSettings &time = scene.time;
+  const bool is_newmark = time.integrator == Integrator::newmark;
+  return std::any_of(scene.steps.begin(), scene.steps.end(),
+                     [](const LoadStep &step) { return step.transient; }) &&
+         !time.is_exact() &&
+         (time.theta > 0.5 || (is_newmark && time.gamma > 0.5) ||
+          (!is_newmark && time.spectral_radius < 1.));
+}
+
+OneCheck energy(const Scene &scene, const Results &results) {
   OneCheck check("energy", "solver", "-");
+  if (damps(scene))
+    return check;
   for (const Check &one : results.certificate)
     if (one.name == "energy" && std::isfinite(one.value))
       check.judge("what the account leaves over", "", one.value, most_energy_left);
@@ -87,13 +105,13 @@ OneCheck nozzles(const Results &results) {
   return check;
 }
 
-/// Whether a combination is a state of the line, and no difference of states.
-bool is_state(const Scene &scene, const Combination &combination) {
-  double sum = 0.;
-  for (const auto &[name, factor] : combination.cases)
-    for (const LoadStep &step : scene.steps)
-      sum += step.name == name ? factor : 0.;
-  return combination.kind == Combination::Kind::sum && sum > 0.5;
+/// Of the line's nodes and stations [m].
+double largest_motion(const Frame &frame) {
+  double largest = 0.;
+  for (const Station &station : frame.line)
+    largest = std::max(largest, std::hypot(station.displacement[0], station.displacement[1],
+                                           station.displacement[2]));
+  return largest;
 }
 
 /// Of rests, the force that is left to hold the line up; a pipe that stands off has none.
@@ -108,14 +126,16 @@ OneCheck uplift(const Scene &scene, const Results &results) {
         judge(results.supports[i].name, frame.supports[i], largest);
   };
   for (const Frame &frame : results.frames) {
-    if (!frame.end_of_step || frame.step >= scene.steps.size() || scene.steps[frame.step].transient)
+    if (!frame.end_of_step || frame.step >= scene.steps.size() ||
+        scene.steps[frame.step].transient || scene.steps[frame.step].loads.empty())
       continue;
+    const double touching = no_gap * largest_motion(frame);
     each_rest(frame, [&](const std::string &name, const SupportState &state, const double) {
-      check.add(name, frame.name, state.fn, {}, state.status != ContactStatus::open);
+      check.add(name, frame.name, state.fn, {}, !stands_off(state, touching));
     });
   }
   for (const Combination &combination : scene.combinations)
-    if (is_state(scene, combination))
+    if (combination.kind == Combination::Kind::sum && is_state(scene, combination.name))
       for (const Frame &frame : results.frames)
         if (frame.name == combination.name) {
           const Frame *least = &frame;
@@ -133,16 +153,22 @@ OneCheck uplift(const Scene &scene, const Results &results) {
 double size_of(const Motion &force) { return std::hypot(force[0], force[1], force[2]); }
 
 /// Over all steps, transient ones at each instant, and combinations.
-OneCheck capacity(const Results &results) {
+OneCheck capacity(const Scene &scene, const Results &results) {
   OneCheck check("capacity", "supports", "N");
   const auto judge = [&](const std::string &name, const double limit, const auto &at_end,
-                         const auto &at_most) {
+                         const auto &at_most, const auto &is_struck) {
     if (limit == 0.)
       return;
     for (const Frame &frame : results.frames) {
+      if (is_difference(scene, frame.name))
+        continue;
       const StepEnvelope *const envelope = results.envelope_of(frame.step);
-      check.judge(name, frame.name, envelope != nullptr ? at_most(*envelope) : at_end(frame),
-                  limit);
+      if (envelope != nullptr && is_struck(*envelope))
+        check.add(name + ", which is struck: the force of an impact has no largest", frame.name,
+                  std::numeric_limits<double>::infinity(), limit, false);
+      else
+        check.judge(name, frame.name, envelope != nullptr ? at_most(*envelope) : at_end(frame),
+                    limit);
     }
   };
   for (std::size_t i = 0; i < results.supports.size(); ++i)
@@ -154,27 +180,47 @@ OneCheck capacity(const Results &results) {
         },
         [&](const StepEnvelope &envelope) {
           return std::abs(envelope.supports[i].force.extreme());
-        });
+        },
+        [&](const StepEnvelope &envelope) { return envelope.supports[i].n_impacts > 0; });
   for (std::size_t i = 0; i < results.restraints.size(); ++i)
     judge(
         results.restraints[i].name, results.restraints[i].capacity,
         [&](const Frame &frame) { return size_of(frame.reactions[i]); },
         [&](const StepEnvelope &envelope) {
           return std::abs(envelope.restraints[i].force.extreme());
-        });
+        },
+        [](const StepEnvelope &) { return false; });
   return check;
 }
 
-OneCheck limits(const Results &results) {
+/// Quantities of which something is asked and that the run did not come to.
+void add_not_reached(const Scene &scene, const Results &results,
+                     const std::optional<double> Quantity::*const asked, OneCheck &check) {
+  if (scene.model != ModelKind::line) // bodies have quantities of their own
+    return;
+  for (const Quantity &quantity : scene.quantities)
+    if (quantity.*asked &&
+        std::none_of(results.quantities.begin(), results.quantities.end(),
+                     [&](const QuantityResult &one) { return one.name == quantity.name; }))
+      check.add(quantity.name + ", which was not reached", quantity.step,
+                std::numeric_limits<double>::infinity(), *(quantity.*asked), false);
+}
+
+OneCheck limits(const Scene &scene, const Results &results) {
   OneCheck check("limit", "quantities", "");
+  add_not_reached(scene, results, &Quantity::limit, check);
   for (const QuantityResult &one : results.quantities)
-    if (one.limit)
+    if (one.limit && one.of_impact)
+      check.add(one.name + ", the force of an impact, which has no largest", "",
+                std::numeric_limits<double>::infinity(), *one.limit, false);
+    else if (one.limit)
       check.judge(one.name + " [" + one.unit + "]", "", std::abs(one.value), *one.limit);
   return check;
 }
 
 OneCheck references(const Scene &scene, const Results &results) {
   OneCheck check("reference", "quantities", "-");
+  add_not_reached(scene, results, &Quantity::reference, check);
   for (const QuantityResult &one : results.quantities)
     if (one.error)
       check.judge(one.name, "", *one.error, scene.checks.reference_tolerance);
@@ -189,13 +235,13 @@ std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
   if (results.accuracy)
     told.push_back({"accuracy", "all quantities", "", results.accuracy->estimate,
                     results.accuracy->demanded, "-", results.accuracy->reached, "accuracy"});
-  energy(results).tell(told);
+  energy(scene, results).tell(told);
   stress(results).tell(told);
   nozzles(results).tell(told);
   if (scene.checks.uplift)
     uplift(scene, results).tell(told);
-  capacity(results).tell(told);
-  limits(results).tell(told);
+  capacity(scene, results).tell(told);
+  limits(scene, results).tell(told);
   references(scene, results).tell(told);
   return told;
 }

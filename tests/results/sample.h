@@ -51,6 +51,7 @@ inline Sample make_sample(const unsigned int n_supports, const unsigned int n_st
       Frame frame;
       frame.name = scene.steps[step].name;
       frame.step = step;
+      frame.step_before = static_cast<int>(step) - 1;
       frame.increment = increment;
       frame.time = step + 0.5 * increment;
       frame.end_of_step = increment == 2;

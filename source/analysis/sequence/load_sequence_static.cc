@@ -64,7 +64,8 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
         return false; // it was not the loads
       report.no_equilibrium = false;
       report.remark.clear();
-      i = declared_step.n_increments; // it ends here
+      current.time = start + declared_step.duration; // where the next step's time begins
+      i = declared_step.n_increments;                // it ends here
     }
     observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
     if (between_increments)

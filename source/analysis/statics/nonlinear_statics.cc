@@ -245,6 +245,21 @@ Vector NonlinearStatics::soft_motion(SparseMatrix tangent, const Vector &forces)
   return dofs;
 }
 
+void NonlinearStatics::transfer(Archive &archive) {
+  linearized.transfer(archive);
+  int n = last_tangent.rows();
+  std::vector<int> outer(last_tangent.outerIndexPtr(),
+                         last_tangent.outerIndexPtr() + (n > 0 ? n + 1 : 0)),
+      inner(last_tangent.innerIndexPtr(),
+            last_tangent.innerIndexPtr() + (n > 0 ? last_tangent.nonZeros() : 0));
+  std::vector<double> values(last_tangent.valuePtr(), last_tangent.valuePtr() + inner.size());
+  archive(last_motion, failed_motion, softest_at_failure, softest_before, n, outer, inner, values);
+  if (archive.reads())
+    last_tangent = n > 0 ? SparseMatrix(Eigen::Map<const SparseMatrix>(
+                               n, n, values.size(), outer.data(), inner.data(), values.data()))
+                         : SparseMatrix();
+}
+
 Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCourse &) const {
   LineCells::Balance balance;
   model.cells.evaluate(pose_of(state), state.load_factors, balance);

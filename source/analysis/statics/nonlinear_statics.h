@@ -33,7 +33,7 @@ public:
   std::optional<Collapse> collapse(const LineState &at, const std::vector<double> &begin,
                                    const std::vector<double> &end) const override;
   bool wants_shorter() const override { return too_long; }
-  void transfer(Archive &archive) override { linearized.transfer(archive); }
+  void transfer(Archive &archive) override;
 
   /// An increment on its way to its solution.
   struct Approach {

@@ -4,6 +4,7 @@
 #include "base/interruption.h"
 #include "results/file/envelope_tables.h"
 #include "results/frame/derived_cases.h"
+#include "results/quantity/wall_quantities.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 
@@ -218,6 +219,10 @@ void LineRun::observe(const Progress &progress, const LineState &state) {
   line_is_known = true;
   if (progress.increment == progress.n_increments && wants_modes_after(scene, progress.step))
     modal_state = state;
+  if (scene.mesh.refine_hinges && progress.increment == progress.n_increments)
+    for (const auto &cell : yielded_cells(model, state))
+      if (std::count(results.yielded.begin(), results.yielded.end(), cell) == 0)
+        results.yielded.push_back(cell);
   output_timer.stop();
 }
 

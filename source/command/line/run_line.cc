@@ -78,8 +78,6 @@ void solve_sequence(const Model &model, LoadSequence &sequence, Results &results
   results.known = how_well_known(scene, results);
   add_remarks_on_supports(model, results);
   add_doubts(scene, results);
-  if (scene.mesh.refine_hinges)
-    results.yielded = yielded_cells(model, sequence.state());
   results.cost.unknowns = model.space.n_unknowns();
   results.cost.cells = model.discretization.pipe_cells().size();
   results.cost.contacts = model.contacts.size();

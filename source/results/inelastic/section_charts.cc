@@ -182,8 +182,10 @@ std::vector<Plot> section_charts(const Results &results) {
   for (const SectionHistory &history : histories) {
     for (const Pair &pair : working_pairs(history))
       plots.push_back(force_over_strain(results.units, history, pair));
-    yields = yields || history.states.back().plastic_strain > 0.;
-    creeps = creeps || history.states.back().creep_strain > 0.;
+    for (const SectionState &state : history.states) { // steps may have gone back to others
+      yields = yields || state.plastic_strain > 0.;
+      creeps = creeps || state.creep_strain > 0.;
+    }
   }
   const bool in_cycles = std::any_of(results.steps.begin(), results.steps.end(),
                                      [](const StepReport &step) { return step.cycle.has_value(); });

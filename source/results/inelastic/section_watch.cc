@@ -88,6 +88,9 @@ std::vector<SectionHistory> SectionWatch::histories(const LineState &last) {
     return result;
   if ((n_seen - 1) % every != 0)
     keep(last);
+  most.assign(followed.size(), 0.);
+  for (std::size_t k = 0; k < states.size(); ++k)
+    most[k % followed.size()] = std::max(most[k % followed.size()], states[k].inelastic_strain());
   for (const std::string &point : model.scene.output.sections)
     result.push_back(history_of(most_flowed_at(model.mesh.points.at(point)), point));
   if (model.scene.output.sections.empty())

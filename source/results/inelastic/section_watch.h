@@ -35,9 +35,7 @@ private:
   void follow(const unsigned int cell, const unsigned int vertex);
   void keep(const LineState &state);
   void forget_every_second();
-  double flowed(const unsigned int section) const { // at the last instant
-    return states[states.size() - followed.size() + section].inelastic_strain();
-  }
+  double flowed(const unsigned int section) const { return most[section]; }
   /// Of several at a point the one that has flowed most.
   unsigned int most_flowed_at(const unsigned int vertex) const;
   /// The one that has flowed most, and the next one elsewhere.
@@ -50,6 +48,7 @@ private:
   std::vector<double> time;         ///< of the instants kept
   std::vector<SectionState> states; ///< all of `followed` at the first instant, the second, ...
   unsigned int n_seen = 0, every = 1;
+  std::vector<double> most; ///< inelastic strain of each of `followed`, at any instant kept
 };
 
 } // namespace frictionbeam

@@ -97,14 +97,15 @@ std::string pictures(const Scene &scene, const Results &results,
   for (std::size_t i = 0; i < n; ++i) // the last ones among them
     add(*frames[n == 1 ? frames.size() - 1 : i * (frames.size() - 1) / (n - 1)],
         &SectionState::utilization, "utilization");
-  const double plastic = largest(*frames.back(), &SectionState::plastic_strain),
-               creep = largest(*frames.back(), &SectionState::creep_strain);
+  const Frame end = most_flowed(frames);
+  const double plastic = largest(end, &SectionState::plastic_strain),
+               creep = largest(end, &SectionState::creep_strain);
   if (creep > 0. && creep <= plastic)
-    add(*frames.back(), &SectionState::creep_strain, "creep strain");
+    add(end, &SectionState::creep_strain, "creep strain");
   if (plastic > 0.)
-    add(*frames.back(), &SectionState::plastic_strain, "plastic strain");
+    add(end, &SectionState::plastic_strain, "plastic strain");
   if (creep > plastic) // the larger one is in front
-    add(*frames.back(), &SectionState::creep_strain, "creep strain");
+    add(end, &SectionState::creep_strain, "creep strain");
   return html_tabs("flow-of", panels);
 }
 
@@ -249,7 +250,7 @@ std::string yield_section(const Scene &scene, const Results &results) {
 }
 
 std::string draw_flow(const Scene &scene, const Results &results) {
-  const Frame &end = *frames_of_sections(results).back();
+  const Frame end = most_flowed(frames_of_sections(results));
   const double plastic = largest(end, &SectionState::plastic_strain),
                creep = largest(end, &SectionState::creep_strain);
   if (plastic == 0. && creep == 0.)

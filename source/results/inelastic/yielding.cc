@@ -3,30 +3,53 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <map>
 
 namespace frictionbeam {
 
 namespace {
 
-/// Of a strain that only grows: the largest at the end, and the step in which that grew most.
-WorstSection worst_of(const std::vector<const Frame *> &frames, const std::vector<std::size_t> &own,
+/// The end of the step from which that of a frame starts; null if there is none.
+const Frame *before(const std::vector<const Frame *> &frames, const Frame &frame) {
+  const auto found = std::lower_bound(
+      frames.begin(), frames.end(), frame.step_before,
+      [](const Frame *one, const int step) { return static_cast<int>(one->step) < step; });
+  return found != frames.end() && static_cast<int>((*found)->step) == frame.step_before ? *found
+                                                                                        : nullptr;
+}
+
+/// By which a section's strain grew in the step that ends with a frame.
+double growth(const std::vector<const Frame *> &frames, const Frame &frame, const std::size_t i,
+              double SectionState::*const strain) {
+  const Frame *const last = before(frames, frame);
+  return frame.sections[i].*strain - (last != nullptr ? last->sections[i].*strain : 0.);
+}
+
+/// Where a section has flowed most, the last such frame.
+const Frame &most_flowed_in(const std::vector<const Frame *> &frames, const std::size_t i) {
+  const Frame *most = frames.front();
+  for (const Frame *frame : frames)
+    if (frame->sections[i].inelastic_strain() >= most->sections[i].inelastic_strain())
+      most = frame;
+  return *most;
+}
+
+/// Of a strain that only grows: the largest, and the step in which that grew most.
+WorstSection worst_of(const std::vector<const Frame *> &frames,
+                      const std::vector<SectionState> &end, const std::vector<std::size_t> &own,
                       double SectionState::*const strain) {
-  const std::vector<SectionState> &end = frames.back()->sections;
   std::size_t worst = own.front();
   for (const std::size_t i : own)
     if (end[i].*strain > end[worst].*strain)
       worst = i;
   WorstSection result{end[worst].*strain, end[worst].s, ""};
-  double before = 0., most = 0.;
-  for (const Frame *frame : frames) {
-    const double now = frame->sections[worst].*strain;
-    if (now - before > most) {
-      most = now - before;
+  double most = 0.;
+  for (const Frame *frame : frames)
+    if (const double now = growth(frames, *frame, worst, strain); now > most) {
+      most = now;
       result.step = frame->name;
     }
-    before = now;
-  }
   return result;
 }
 
@@ -41,16 +64,14 @@ WorstSection largest_utilization(const std::vector<const Frame *> &frames,
 }
 
 /// @param first, last of its sections in each frame
-Hinge hinge_between(const std::vector<const Frame *> &frames, const std::size_t first,
-                    const std::size_t last) {
-  const std::vector<SectionState> &end = frames.back()->sections;
+Hinge hinge_between(const std::vector<const Frame *> &frames, const std::vector<SectionState> &end,
+                    const std::size_t first, const std::size_t last) {
   Hinge hinge{end[first].s, end[last].s, end[first], "", false};
   for (std::size_t i = first; i <= last; ++i) {
     if (end[i].plastic_strain > hinge.worst.plastic_strain)
       hinge.worst = end[i];
-    const double before =
-        frames.size() > 1 ? frames[frames.size() - 2]->sections[i].plastic_strain : 0.;
-    hinge.flows = hinge.flows || end[i].plastic_strain > before;
+    hinge.flows = hinge.flows ||
+                  growth(frames, most_flowed_in(frames, i), i, &SectionState::plastic_strain) > 0.;
   }
   for (const Frame *frame : frames)
     for (std::size_t i = first; i <= last && hinge.since.empty(); ++i)
@@ -72,12 +93,24 @@ std::vector<const Frame *> frames_of_sections(const Results &results) {
   return frames;
 }
 
+Frame most_flowed(const std::vector<const Frame *> &frames) {
+  Frame result = *frames.back();
+  for (std::size_t i = 0; i < result.sections.size(); ++i) {
+    const Frame &most = most_flowed_in(frames, i);
+    if (most.step == frames.back()->step)
+      continue;
+    result.sections[i] = most.sections[i];
+    result.name = "all steps";
+  }
+  return result;
+}
+
 std::vector<PipeYield> yield_of_pipes(const Results &results) {
   const std::vector<const Frame *> frames = frames_of_sections(results);
   std::vector<PipeYield> pipes;
   if (frames.empty())
     return pipes;
-  const std::vector<SectionState> &end = frames.back()->sections;
+  const std::vector<SectionState> end = most_flowed(frames).sections;
   std::map<unsigned int, std::vector<std::size_t>> sections_of_pipe;
   for (std::size_t i = 0; i < end.size(); ++i)
     sections_of_pipe[end[i].pipe].push_back(i);
@@ -85,8 +118,8 @@ std::vector<PipeYield> yield_of_pipes(const Results &results) {
   for (const auto &[pipe, own] : sections_of_pipe) {
     PipeYield one;
     one.pipe = pipe;
-    one.plastic = worst_of(frames, own, &SectionState::plastic_strain);
-    one.creep = worst_of(frames, own, &SectionState::creep_strain);
+    one.plastic = worst_of(frames, end, own, &SectionState::plastic_strain);
+    one.creep = worst_of(frames, end, own, &SectionState::creep_strain);
     one.utilization = largest_utilization(frames, own);
     for (const std::size_t i : own)
       one.dissipated += end[i].length * end[i].dissipated;
@@ -99,7 +132,7 @@ std::vector<PipeYield> yield_of_pipes(const Results &results) {
 
 std::vector<Hinge> hinges_of(const std::vector<const Frame *> &frames) {
   std::vector<Hinge> found;
-  const std::vector<SectionState> &end = frames.back()->sections;
+  const std::vector<SectionState> end = most_flowed(frames).sections;
   for (std::size_t first = 0; first < end.size(); ++first) {
     if (!end[first].is_hinge())
       continue;
@@ -107,7 +140,7 @@ std::vector<Hinge> hinges_of(const std::vector<const Frame *> &frames) {
     while (last + 1 < end.size() && end[last + 1].pipe == end[first].pipe &&
            end[last + 1].is_hinge())
       ++last;
-    found.push_back(hinge_between(frames, first, last));
+    found.push_back(hinge_between(frames, end, first, last));
     first = last;
   }
   return found;

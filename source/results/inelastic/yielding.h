@@ -16,7 +16,7 @@ struct WorstSection {
 struct PipeYield {
   unsigned int pipe = 0;
   WorstSection plastic, creep, utilization;
-  double dissipated = 0.;    ///< to the end of the run [J]
+  double dissipated = 0.;    ///< to the end of the run, or where most has flowed [J]
   unsigned int n_hinges = 0; ///< then
 };
 
@@ -25,16 +25,20 @@ struct Hinge {
   double from = 0., to = 0.; ///< along the pipe [m]
   SectionState worst;
   std::string since;  ///< the step at whose end it was one first
-  bool flows = false; ///< in the last step
+  bool flows = false; ///< in the last step, or that in which it has flowed most
 };
 
 /// Ends of steps of which sections are known.
 std::vector<const Frame *> frames_of_sections(const Results &results);
 
+/// Of these, each section where it has flowed most by, the last such: the end of the run, unless
+/// steps went back to others.
+Frame most_flowed(const std::vector<const Frame *> &frames);
+
 /// Pipes that could yield or creep, at the ends of steps.
 std::vector<PipeYield> yield_of_pipes(const Results &results);
 
-/// At the end of the last of these frames of sections, in the order of the pipes.
+/// Where most has flowed among these frames of sections, in the order of the pipes.
 std::vector<Hinge> hinges_of(const std::vector<const Frame *> &frames);
 
 } // namespace frictionbeam

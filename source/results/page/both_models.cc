@@ -21,6 +21,12 @@ void include_model(Results &both, const Results &results, const std::string &mod
     check.name = prefix + check.name;
     both.certificate.push_back(check);
   }
+  for (Verdict verdict : results.verdicts) {
+    verdict.of = prefix + verdict.of;
+    both.verdicts.push_back(verdict);
+  }
+  for (const std::string &doubt : results.doubts)
+    both.doubts.push_back(model + ": " + doubt);
   for (const std::string &remark : results.remarks)
     both.remarks.push_back(model + ": " + remark);
   both.method += (both.method.empty() ? "" : "; ") + model + ": " + results.method;

@@ -10,6 +10,7 @@
 #include "results/quantity/support_quantities.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/stress/stresses.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -284,9 +285,12 @@ void Collector::observe(const unsigned int step, const unsigned int increment,
     const Quantity &quantity = model.scene.quantities[i];
     if (quantity.over == Quantity::Over::time_of)
       find_change(quantity, state, last && !model.scene.steps[step].transient, pending[i]);
-    else if (quantity.over != Quantity::Over::end)
-      follow(quantity, state, pending[i]);
-    else if (quantity.time)
+    else if (quantity.over != Quantity::Over::end) {
+      if (start && step > 0)
+        follow_back(quantity, state, pending[i]);
+      else
+        follow(quantity, state, pending[i]);
+    } else if (quantity.time)
       await(quantity, state, start, pending[i]);
     else if (last && !quantity.kind().is_of_the_end() &&
              (quantity.step.empty() || quantity.step == model.scene.steps[step].name))
@@ -325,6 +329,8 @@ void Collector::put_out(const LineState &state, const bool keep) {
   current_frame(state);
   frame.step = current_step;
   frame.name = model.scene.steps[current_step].name;
+  const auto before = step_before(model.scene, current_step);
+  frame.step_before = before ? static_cast<int>(*before) : -1;
   frame.increment = current_increment;
   frame.end_of_step = keep;
   if (keep)

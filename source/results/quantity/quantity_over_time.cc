@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -99,6 +100,20 @@ void Collector::follow(const Quantity &quantity, const LineState &state, Pending
                                                    : value;
   }
   course.begun = true;
+}
+
+void Collector::follow_back(const Quantity &quantity, const LineState &state, Pending &course) {
+  const double rounding = same_instant_of_time * std::abs(state.time);
+  if (quantity.to <= state.time + rounding)
+    course.since = std::numeric_limits<double>::infinity(); // it has ended with the step before
+  else if (quantity.from >= state.time - rounding) {
+    course = {};
+    course.since = state.time;
+    follow(quantity, state, course);
+  } else {
+    course.previous = evaluate(quantity, state);
+    course.since = state.time;
+  }
 }
 
 namespace {

@@ -29,7 +29,8 @@ std::string state_table(const Results &results) {
     rows.push_back(i);
   const auto changes = [&](const std::size_t i) {
     return std::any_of(frames.begin(), frames.end(), [&](const Frame *frame) {
-      return frame->supports[i].status != frames.front()->supports[i].status;
+      const ContactStatus status = frame->supports[i].status;
+      return status != ContactStatus::none && status != frames.front()->supports[i].status;
     });
   };
   if (rows.size() > n_rows_at_most) { // those that change stay first

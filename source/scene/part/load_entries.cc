@@ -328,6 +328,13 @@ void parse_step(const ParameterReader &in, const std::string &name, Scene &scene
   }
   if (const std::string from = in.text("From"); !from.empty())
     step.from = in.find("From", from, names(scene.steps), "step before this one in the file");
+  if (step.from && scene.steps[*step.from].cycle.number == 1) {
+    const std::string last = scene.steps[*step.from].name + " (" +
+                             std::to_string(scene.steps[*step.from].cycle.of) + ")";
+    scene.remarks.push_back("Step " + name + " starts from the end of " +
+                            scene.steps[*step.from].name +
+                            " in its first cycle; the last one is called '" + last + "'.");
+  }
   step.n_increments = in.count("Increments");
   step.transient = in.choice("Analysis", analyses);
   step.finds_limit = in.choice("Find", searches);

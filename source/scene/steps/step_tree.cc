@@ -22,23 +22,39 @@ bool is_returned_to(const Scene &scene, const unsigned int step) {
   return false;
 }
 
-bool is_difference(const Scene &scene, const std::string &name) {
+namespace {
+/// How many states of the line a case is; 0 of a difference, or of what a spectrum does.
+double states_in(const Scene &scene, const std::string &name, unsigned int &n_steps) {
+  for (const LoadStep &step : scene.steps)
+    if (step.name == name) {
+      ++n_steps;
+      return 1.;
+    }
   for (const Combination &combination : scene.combinations) {
     if (combination.name != name)
       continue;
-    double sum = 0.;
-    bool any_step = false;
-    for (const auto &[part, factor] : combination.cases)
-      for (const LoadStep &step : scene.steps)
-        if (step.name == part) {
-          sum += factor;
-          any_step = true;
-        }
-    constexpr double nothing = 1e-9;
-    return combination.kind == Combination::Kind::range ||
-           (combination.kind == Combination::Kind::sum && any_step && std::abs(sum) < nothing);
+    double sum = 0., last = 0.;
+    for (const auto &[part, factor] : combination.cases) {
+      last = factor * states_in(scene, part, n_steps);
+      sum += last;
+    }
+    return combination.kind == Combination::Kind::range      ? 0.
+           : combination.kind == Combination::Kind::envelope ? last
+                                                             : sum;
   }
-  return false;
+  return 0.;
+}
+} // namespace
+
+bool is_difference(const Scene &scene, const std::string &name) {
+  constexpr double nothing = 1e-9;
+  unsigned int n_steps = 0;
+  return std::abs(states_in(scene, name, n_steps)) < nothing && n_steps > 0;
+}
+
+bool is_state(const Scene &scene, const std::string &name) {
+  unsigned int n_steps = 0;
+  return states_in(scene, name, n_steps) > 0.5;
 }
 
 } // namespace frictionbeam

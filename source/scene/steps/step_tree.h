@@ -15,8 +15,10 @@ bool is_branch(const Scene &scene, const unsigned int step);
 /// Whether a later step goes back to the end of this one.
 bool is_returned_to(const Scene &scene, const unsigned int step);
 
-/// Whether this is a combination that is a difference of states: a range, or a sum whose factors of
-/// steps add up to nothing.
+/// Whether a case is a difference of states: a range, or a sum whose factors of steps, and of cases
+/// that are such, add up to nothing.
 bool is_difference(const Scene &scene, const std::string &name);
+/// Whether it is a state, or as many.
+bool is_state(const Scene &scene, const std::string &name);
 
 } // namespace frictionbeam
