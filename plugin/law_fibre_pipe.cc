@@ -131,6 +131,10 @@ void fibre_report(const LawInput &in, const double *state, SectionReport &report
   using namespace section;
   const FibrePipe pipe(in.parameters, in.temperature, in.pressure);
   const FibreLayout &at = pipe.layout;
+  if (std::all_of(state, state + at.size(), [](const double x) { return x == 0.; })) {
+    report.utilization = pipe.elastic_bound(in.strain); // nothing has flowed, as in most sections
+    return;
+  }
   const FibrePlaces places(at.fibres);
   const double H = pipe.material.H;
   for (int j = 0; j < at.rings; ++j) {
