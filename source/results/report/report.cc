@@ -18,6 +18,7 @@
 #include "results/verdicts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
 namespace frictionbeam {
@@ -82,11 +83,12 @@ std::string verdict_table(const Scene &scene, const Results &results) {
   if (results.verdicts.empty())
     return "";
   std::string rows;
-  const auto number = [&](const double value, const std::string &unit) {
-    const bool has_unit = !unit.empty() && unit != "-";
-    return has_unit
-               ? rounded_number(value / scene.units.factor(unit), 4) + " " + scene.units.name(unit)
-               : rounded_number(value, 4);
+  const auto number = [&](const double value, const Verdict &verdict) {
+    if (verdict.unit.empty() || verdict.unit == "-" || !std::isfinite(value))
+      return optional_number(value, 4);
+    const DisplayUnit unit =
+        display_unit(scene.units, verdict.unit, std::abs(verdict.allowed.value_or(value)));
+    return rounded_number(unit.factor * value + 0., 4) + " " + unit.name; // + 0.: no -0
   };
   for (const Verdict &verdict : results.verdicts)
     rows += std::string("<tr") + (verdict.passes ? "" : " class=\"fails\"") + "><td>" +
@@ -94,8 +96,8 @@ std::string verdict_table(const Scene &scene, const Results &results) {
             verdict.section + "\">" + escape_xml(verdict.check) + "</a></td><td class=\"wrap\">" +
             escape_xml(verdict.of) + "</td><td>" +
             (verdict.step.empty() ? dash : escape_xml(verdict.step)) + "</td><td class=\"r\">" +
-            number(verdict.value, verdict.unit) + "</td><td class=\"r\">" +
-            (verdict.allowed ? number(*verdict.allowed, verdict.unit) : dash) + "</td></tr>\n";
+            number(verdict.value, verdict) + "</td><td class=\"r\">" +
+            (verdict.allowed ? number(*verdict.allowed, verdict) : dash) + "</td></tr>\n";
   return "<div class=\"scroll verdicts\"><table><thead><tr><th></th><th>check</th><th>of</th>"
          "<th>step or case</th><th>value</th><th>allowed</th></tr></thead><tbody>\n" +
          rows + "</tbody></table></div>\n";
