@@ -152,7 +152,15 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
 }
 
 /// What is known only at the end of a run has no course in time.
-void check_when(const ParameterReader &in, const Quantity &quantity) {
+void check_when(const ParameterReader &in, const Quantity &quantity, const Scene &scene) {
+  constexpr unsigned int first_of_status = 2; // after the sums of forces
+  const bool is_case = !quantity.step.empty() &&
+                       std::none_of(scene.steps.begin(), scene.steps.end(),
+                                    [&](const auto &step) { return step.name == quantity.step; });
+  if (is_case && quantity.is(Of::supports) && quantity.kind().component >= first_of_status)
+    in.fail(quantity.name,
+            quantity.what + " of a step: a case made of others has no contact status",
+            "a step in place of " + quantity.step);
   if (quantity.kind().is_of_the_end() && (quantity.over != Over::end || quantity.time))
     in.fail(quantity.name, quantity.what + " of a step, without an interval and a time",
             "'" + quantity.what +
@@ -324,7 +332,7 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
     if (!is_reference || known == scene.quantities.end()) {
       parse_definition(in, pieces[0], scene, quantity);
       check_where(in, quantity, scene);
-      check_when(in, quantity);
+      check_when(in, quantity, scene);
     }
     parse_attributes(in, pieces, is_reference ? 0 : 1, quantity);
     if (quantity.reference && in.scene_changed() && !entry.is_override) {
