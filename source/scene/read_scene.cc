@@ -365,6 +365,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_time(in);
   in.enter("Output");
   parts::declare_output(in);
+  in.enter("Checks");
+  parts::declare_checks(in);
   in.enter("Exact");
   parts::declare_exact(in);
   in.enter("Modes");

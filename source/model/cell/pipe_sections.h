@@ -65,7 +65,7 @@ public:
   void integrate(const unsigned int cell, const Vector12 &from, const Vector12 &to,
                  const Surroundings &surroundings, const Clock &clock, const Vector &old,
                  Vector &now, Answer &answer) const;
-  /// Whether a cell whose ends move so would be strained, evenly, beyond what small strains are.
+  /// Whether a cell whose ends move so would be strained, evenly, beyond what any wall is.
   bool is_far(const unsigned int cell, const Vector12 &motions) const;
   /// The same as if nothing yielded or crept on the way: forces and stiffness alone.
   void answer_elastically(const unsigned int cell, const Vector12 &from, const Vector12 &to,

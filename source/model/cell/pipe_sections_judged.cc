@@ -47,7 +47,7 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
 }
 
 bool PipeSections::is_far(const unsigned int index, const Vector12 &motions) const {
-  constexpr double most = 0.3; // of the wall
+  constexpr double most = 10.; // of the wall
   const Cell &cell = *cells[index];
   const double radius = std::sqrt(2. * cell.profile.EI / cell.profile.EA);
   return std::any_of(cell.B.begin(), cell.B.end(), [&](const auto &B) {
