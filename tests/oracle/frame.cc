@@ -237,12 +237,18 @@ void Frame::hold() {
       for (const Place &place : places(support))
         for (const Vec6 &direction : held(support, place))
           at[place.node].push_back(direction);
-  for (const Load &load : scene.loads)
-    if (load.kind == "displacement")
+  std::set<int> named; // by steps
+  for (const Step &step : scene.steps)
+    for (const auto &load : step.loads)
+      named.insert(load.first);
+  for (const int l : named) {
+    const Load &load = scene.loads[l];
+    if (load.kind == "displacement") // holds its points in all steps, with the others' loads too
       for (std::size_t i = 0; i < load.at.size(); ++i)
         for (int c = 0; c < 6; ++c)
           if (load.given[i][c])
             at[point_node.at(load.at[i].first)].push_back(Vec6::Unit(c));
+  }
   std::set<int> with_turns; // free points have no rotations
   for (const Member &member : members)
     with_turns.insert(member.node.begin(), member.node.end());
