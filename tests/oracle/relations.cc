@@ -246,7 +246,7 @@ const std::vector<Relation> &relations() {
        0., false, false, &unload},
       {"newton", "method newton where contacts are elastic", &by_newton, 1e-6, 0., true},
       {"split", "a step cut into two", &step_split, 1e-9, 1e-9},
-      {"detour", "a step that is gone back from, between two", &detour, 1e-12, 1e-12},
+      {"detour", "a step that is gone back from, between two", &detour, 1e-9, 1e-9},
       {"again", "the last step once more", &last_step_again, 1e-7, 0.},
       {"slow", "all steps as slow motions", &slowly, 1e-5, 0., true, false, &make_static, 0.},
       {"resumed", "the run interrupted and resumed", &interrupted, 1e-15, 1e-15, false, true},
