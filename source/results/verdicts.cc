@@ -114,7 +114,14 @@ double largest_motion(const Frame &frame) {
   return largest;
 }
 
-/// Of rests, the force that is left to hold the line up; a pipe that stands off has none.
+/// Rests by whatever name, and rods.
+bool holds_up(const SupportInfo &support) {
+  constexpr double upwards = 0.7; // of the normal
+  return support.kind == "rest" || support.kind == "rod" ||
+         (support.kind == "friction" && support.normal[2] > upwards);
+}
+
+/// Of what holds the line up, the force that is left; a pipe that stands off has none.
 OneCheck uplift(const Scene &scene, const Results &results) {
   OneCheck check("uplift", "supports", "N");
   const auto each_rest = [&](const Frame &frame, const auto &judge) {
@@ -122,7 +129,7 @@ OneCheck uplift(const Scene &scene, const Results &results) {
     for (const SupportState &state : frame.supports)
       largest = std::max(largest, std::abs(state.fn));
     for (std::size_t i = 0; i < frame.supports.size(); ++i)
-      if (results.supports[i].kind == "rest")
+      if (holds_up(results.supports[i]))
         judge(results.supports[i].name, frame.supports[i], largest);
   };
   for (const Frame &frame : results.frames) {
@@ -222,7 +229,7 @@ OneCheck references(const Scene &scene, const Results &results) {
   OneCheck check("reference", "quantities", "-");
   add_not_reached(scene, results, &Quantity::reference, check);
   for (const QuantityResult &one : results.quantities)
-    if (one.error)
+    if (one.error && one.reference != 0.) // of which nothing is relative
       check.judge(one.name, "", *one.error, scene.checks.reference_tolerance);
   return check;
 }

@@ -58,11 +58,15 @@ void parse_ground_acceleration(const ParameterReader &in, Scene &, Load &load) {
   load.vector = -1. * in.vector("Acceleration", "m/s2");
 }
 
-void parse_seismic(const ParameterReader &in, Scene &, Load &load) {
+void parse_seismic(const ParameterReader &in, Scene &scene, Load &load) {
   constexpr double g = 9.80665; // [m/s2], CGPM 1901
   load.vector = g * in.vector("Seismic", "-");
   if (load.vector.norm() == 0.)
     in.fail("Seismic", "a vector that is not zero, in g", "'0.3 0 0.2'");
+  constexpr double strongest = 5.; // g
+  if (load.vector.norm() > strongest * g)
+    scene.doubts.push_back("Load " + load.name + ": Seismic is " + to_text(load.vector.norm() / g) +
+                           " g, more than any earthquake. Its unit is g, not m/s2.");
 }
 
 void parse_temperature(const ParameterReader &in, Scene &, Load &load) {
@@ -327,7 +331,8 @@ void parse_step(const ParameterReader &in, const std::string &name, Scene &scene
     step.loads.emplace_back(load, factor);
   }
   if (const std::string from = in.text("From"); !from.empty())
-    step.from = in.find("From", from, names(scene.steps), "step before this one in the file");
+    step.from =
+        in.find("From", from, names(scene.steps), "step that stands before this one in the file");
   if (step.from && scene.steps[*step.from].cycle.number == 1) {
     const std::string last = scene.steps[*step.from].name + " (" +
                              std::to_string(scene.steps[*step.from].cycle.of) + ")";

@@ -89,6 +89,11 @@ void parse_material(const ParameterReader &in, const std::string &name, Scene &s
     scene.doubts.push_back(
         "Material " + name + ": its Young's modulus is " + to_text(material.youngs_modulus) +
         " Pa, and no pipe's is below 1e9 Pa or above 1e12 Pa. Look at its unit.");
+  constexpr double heaviest = 23e3; // kg/m3, osmium
+  if (material.density > heaviest)
+    scene.doubts.push_back("Material " + name + ": its density is " + to_text(material.density) +
+                           " kg/m3, more than any metal's. Look at its unit, and at the mass in "
+                           "Units.");
   scene.materials.push_back(material);
 }
 
