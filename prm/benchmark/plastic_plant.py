@@ -77,7 +77,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=7)
     parser.add_argument("--program", default=os.path.join(ROOT, "build", "bin", "frictionbeam"))
-    parser.add_argument("--yield-stress", default="0.72e8")
+    parser.add_argument("--yield-stress", default="0.695e8")
     arguments = parser.parse_args()
     cases = variants(arguments.yield_stress)
     seconds = {name: [] for name in cases}
