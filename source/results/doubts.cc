@@ -2,6 +2,8 @@
 #include "results/doubts.h"
 
 #include "mesh/point_set.h"
+#include "model/line_model.h"
+#include "results/frame/frame_choice.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -53,21 +55,15 @@ public:
   void of_displacements() {
     if (scene.kinematics != Kinematics::linear)
       return;
-    double largest = 0., size = 0.;
+    double largest = 0.;
     const Frame *where = nullptr;
-    for (const Frame &frame : results.frames) {
-      if (frame.step >= scene.steps.size() || frame.line.size() < 2)
-        continue;
-      size = size_of(frame.line);
-      for (const Station &station : frame.line)
-        if (const double moved = std::hypot(station.displacement[0], station.displacement[1],
-                                            station.displacement[2]);
-            moved > largest) {
-          largest = moved;
-          where = &frame;
-        }
-    }
-    if (where != nullptr && largest > large * size)
+    for (const Frame &frame : results.frames)
+      if (const double moved = frame.step < scene.steps.size() ? largest_motion(frame) : 0.;
+          moved > largest) {
+        largest = moved;
+        where = &frame;
+      }
+    if (where != nullptr && largest > large * size_of(where->line))
       say("Step " + where->name + ": the line moves by " + length(largest) +
           ", more than a tenth of its size, while its displacements are taken for small ones. Look "
           "at loads, stiffnesses and units, or take Kinematics = corotational.");
@@ -107,8 +103,7 @@ public:
 
   void of_time_steps() {
     if (scene.time.is_exact() || scene.time.step == 0. || results.modes.empty() ||
-        std::none_of(scene.steps.begin(), scene.steps.end(),
-                     [](const LoadStep &step) { return step.transient; }))
+        !has_transient_step(scene))
       return;
     const double frequency = results.modes.back().frequency;
     if (scene.time.step * frequency * instants > 1.)

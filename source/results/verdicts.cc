@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/verdicts.h"
 
+#include "model/line_model.h"
+#include "results/frame/frame_choice.h"
 #include "scene/steps/step_tree.h"
 
 #include <algorithm>
@@ -72,9 +74,7 @@ OneCheck solution(const Results &results) {
 bool damps(const Scene &scene) {
   const TimeSettings &time = scene.time;
   const bool is_newmark = time.integrator == Integrator::newmark;
-  return std::any_of(scene.steps.begin(), scene.steps.end(),
-                     [](const LoadStep &step) { return step.transient; }) &&
-         !time.is_exact() &&
+  return has_transient_step(scene) && !time.is_exact() &&
          (time.theta > 0.5 || (is_newmark && time.gamma > 0.5) ||
           (!is_newmark && time.spectral_radius < 1.));
 }
@@ -103,15 +103,6 @@ OneCheck nozzles(const Results &results) {
   for (const NozzleUse &one : results.nozzles)
     check.judge(one.name + " at " + one.support, one.step, one.utilization, 1.);
   return check;
-}
-
-/// Of the line's nodes and stations [m].
-double largest_motion(const Frame &frame) {
-  double largest = 0.;
-  for (const Station &station : frame.line)
-    largest = std::max(largest, std::hypot(station.displacement[0], station.displacement[1],
-                                           station.displacement[2]));
-  return largest;
 }
 
 /// Rests by whatever name, and rods.

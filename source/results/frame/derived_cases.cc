@@ -2,6 +2,7 @@
 #include "results/frame/derived_cases.h"
 #include "base/numbers.h"
 #include "results/frame/frame_builder.h"
+#include "results/frame/frame_choice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,10 +173,7 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
       result.effective_mass[d] = result.participation[d] * result.participation[d];
     }
     result.shape = builder.make(analysis.displaced(mode.unknowns));
-    double largest = 0.;
-    for (const Station &station : result.shape.line)
-      largest = std::max(largest, std::hypot(station.displacement[0], station.displacement[1],
-                                             station.displacement[2]));
+    const double largest = largest_motion(result.shape);
     if (largest > 0.)
       for_each_number(result.shape, [&](double &value) { value /= largest; });
     results.modes.push_back(result);

@@ -2,8 +2,17 @@
 #include "results/frame/frame_choice.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam {
+
+double largest_motion(const Frame &frame) {
+  double largest = 0.;
+  for (const Station &station : frame.line)
+    largest = std::max(largest, std::hypot(station.displacement[0], station.displacement[1],
+                                           station.displacement[2]));
+  return largest;
+}
 
 std::vector<const Frame *> few_of(const std::vector<const Frame *> &frames,
                                   const unsigned int n_most) {

@@ -5,6 +5,9 @@
 
 namespace frictionbeam {
 
+/// Of a frame's nodes and stations, the size of the displacement that is largest [m].
+double largest_motion(const Frame &frame);
+
 /// At most so many of them, evenly chosen, with the first and the last.
 std::vector<const Frame *> few_of(const std::vector<const Frame *> &frames,
                                   const unsigned int n_most);

@@ -68,7 +68,7 @@ double largest(const Frame &frame, double SectionState::*const value) {
 std::string draw(const Scene &scene, const Results &results, const Frame &frame,
                  double SectionState::*const value, const std::string &name) {
   ColouredLine what;
-  what.title = name + ", end of step " + frame.name;
+  what.title = name + (frame.name == over_all_steps ? ", " : ", end of step ") + frame.name;
   for (const Station &station : frame.line)
     what.values.push_back(interpolated(frame.sections, value, station.pipe, station.s));
   const bool is_utilization = value == &SectionState::utilization;

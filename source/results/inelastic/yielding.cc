@@ -35,6 +35,14 @@ const Frame &most_flowed_in(const std::vector<const Frame *> &frames, const std:
   return *most;
 }
 
+/// Each section where it has flowed most.
+std::vector<SectionState> most_flowed_sections(const std::vector<const Frame *> &frames) {
+  std::vector<SectionState> result;
+  for (std::size_t i = 0; i < frames.back()->sections.size(); ++i)
+    result.push_back(most_flowed_in(frames, i).sections[i]);
+  return result;
+}
+
 /// Of a strain that only grows: the largest, and the step in which that grew most.
 WorstSection worst_of(const std::vector<const Frame *> &frames,
                       const std::vector<SectionState> &end, const std::vector<std::size_t> &own,
@@ -70,8 +78,8 @@ Hinge hinge_between(const std::vector<const Frame *> &frames, const std::vector<
   for (std::size_t i = first; i <= last; ++i) {
     if (end[i].plastic_strain > hinge.worst.plastic_strain)
       hinge.worst = end[i];
-    hinge.flows = hinge.flows ||
-                  growth(frames, most_flowed_in(frames, i), i, &SectionState::plastic_strain) > 0.;
+    hinge.flows =
+        hinge.flows || growth(frames, *frames.back(), i, &SectionState::plastic_strain) > 0.;
   }
   for (const Frame *frame : frames)
     for (std::size_t i = first; i <= last && hinge.since.empty(); ++i)
@@ -95,13 +103,10 @@ std::vector<const Frame *> frames_of_sections(const Results &results) {
 
 Frame most_flowed(const std::vector<const Frame *> &frames) {
   Frame result = *frames.back();
-  for (std::size_t i = 0; i < result.sections.size(); ++i) {
-    const Frame &most = most_flowed_in(frames, i);
-    if (most.step == frames.back()->step)
-      continue;
-    result.sections[i] = most.sections[i];
-    result.name = "all steps";
-  }
+  result.sections = most_flowed_sections(frames);
+  for (std::size_t i = 0; i < result.sections.size(); ++i)
+    if (most_flowed_in(frames, i).step != result.step)
+      result.name = over_all_steps;
   return result;
 }
 
@@ -110,7 +115,7 @@ std::vector<PipeYield> yield_of_pipes(const Results &results) {
   std::vector<PipeYield> pipes;
   if (frames.empty())
     return pipes;
-  const std::vector<SectionState> end = most_flowed(frames).sections;
+  const std::vector<SectionState> end = most_flowed_sections(frames);
   std::map<unsigned int, std::vector<std::size_t>> sections_of_pipe;
   for (std::size_t i = 0; i < end.size(); ++i)
     sections_of_pipe[end[i].pipe].push_back(i);
@@ -132,7 +137,7 @@ std::vector<PipeYield> yield_of_pipes(const Results &results) {
 
 std::vector<Hinge> hinges_of(const std::vector<const Frame *> &frames) {
   std::vector<Hinge> found;
-  const std::vector<SectionState> end = most_flowed(frames).sections;
+  const std::vector<SectionState> end = most_flowed_sections(frames);
   for (std::size_t first = 0; first < end.size(); ++first) {
     if (!end[first].is_hinge())
       continue;

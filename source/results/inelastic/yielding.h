@@ -25,11 +25,14 @@ struct Hinge {
   double from = 0., to = 0.; ///< along the pipe [m]
   SectionState worst;
   std::string since;  ///< the step at whose end it was one first
-  bool flows = false; ///< in the last step, or that in which it has flowed most
+  bool flows = false; ///< in the last step
 };
 
 /// Ends of steps of which sections are known.
 std::vector<const Frame *> frames_of_sections(const Results &results);
+
+/// Name of a frame that is of no one step.
+inline constexpr char over_all_steps[] = "all steps";
 
 /// Of these, each section where it has flowed most by, the last such: the end of the run, unless
 /// steps went back to others.
