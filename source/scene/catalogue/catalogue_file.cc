@@ -41,6 +41,8 @@ public:
     std::ifstream in(file);
     for (std::string text; std::getline(in, text);) {
       ++line;
+      if (line == 1 && text.rfind("\xef\xbb\xbf", 0) == 0) // of spreadsheets
+        text.erase(0, 3);
       text = tidy(text.substr(0, text.find('#')));
       if (text.empty())
         continue;
