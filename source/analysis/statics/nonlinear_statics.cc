@@ -61,9 +61,11 @@ NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
 }
 
 void NonlinearStatics::evaluate(Approach &at, const bool is_trial) const {
-  model.cells.evaluate(
-      {at.pose, at.pose, at.pose, at.pose.dofs, 0., at.clock, nullptr, &at.start, is_trial},
-      at.factors, at.balance);
+  LineCells::Step step{at.pose,  at.pose, at.pose,   at.pose.dofs, 0.,
+                       at.clock, nullptr, &at.start, is_trial};
+  step.is_near_last = at.is_answered;
+  model.cells.evaluate(step, at.factors, at.balance);
+  at.is_answered = !is_trial && !at.balance.failed;
   at.forces = at.balance.forces + model.contacts.platen_forces();
   at.largest = std::max(at.largest_before, at.balance.largest);
 }

@@ -44,6 +44,7 @@ public:
     Pose start;
     double largest_before;       ///< force on the unknowns as the increment begins
     LineCells::Balance &balance; ///< at the pose
+    bool is_answered = false;    ///< by the sections, at one pose of the increment
     double largest = 0.;         ///< likewise
     Vector forces;               ///< left at the pose, but for the contacts
   };
