@@ -72,6 +72,11 @@ private:
   /// Keep what an increment that fails has come to, for collapse().
   void remember_failure(const Approach &at, const LineState &from,
                         const StaticIncrement &increment);
+  /// Of a line whose sections flow as they do where a motion from a state turns a vertex so far:
+  /// it knows hinges that form on the way; empty where they have no answer.
+  Vector softer_motion(const LineState &at, const Vector &motion, const double turn,
+                       const std::vector<double> &factors, const Vector &forces) const;
+  Vector loads_on_unknowns(const LineState &at, const std::vector<double> &factors) const;
   /// By forces, of a line that is a little stiffer than a mechanism; empty where there is none.
   Vector soft_motion(SparseMatrix tangent, const Vector &forces) const;
 
