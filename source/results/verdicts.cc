@@ -105,6 +105,24 @@ OneCheck nozzles(const Results &results) {
   return check;
 }
 
+/// Variability over all temperatures, and the range of items of a catalogue.
+OneCheck hangers(const Results &results) {
+  OneCheck check("hanger", "hangers", "-");
+  for (const HangerUse &one : results.hangers) {
+    if (one.stiffness > 0.)
+      check.judge(one.name + ", variability", one.step, one.variability, one.allowed_variability);
+    if (!one.item.empty()) {
+      check.judge(one.name + ", load over the most of " + one.item, one.most_step,
+                  one.most_load / one.most_allowed, 1.);
+      check.judge(one.name + ", least load of " + one.item + " over the load", one.least_step,
+                  one.least_load > 0. ? one.least_allowed / one.least_load
+                                      : std::numeric_limits<double>::infinity(),
+                  1.);
+    }
+  }
+  return check;
+}
+
 /// Rests by whatever name, and rods.
 bool holds_up(const SupportInfo &support) {
   constexpr double upwards = 0.7; // of the normal
@@ -236,6 +254,7 @@ std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
   energy(scene, results).tell(told);
   stress(results).tell(told);
   nozzles(results).tell(told);
+  hangers(results).tell(told);
   if (scene.checks.uplift)
     uplift(scene, results).tell(told);
   capacity(scene, results).tell(told);

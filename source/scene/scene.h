@@ -273,6 +273,7 @@ struct Scene {
   std::vector<PointMass> masses;
   std::vector<Joint> joints;
   std::vector<Tee> tees;
+  Catalogue catalogue;
   std::vector<Hanger> hangers;
   std::vector<NozzleLimit> nozzles;
   StressSettings stress;

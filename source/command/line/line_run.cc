@@ -4,6 +4,7 @@
 #include "base/interruption.h"
 #include "results/file/envelope_tables.h"
 #include "results/frame/derived_cases.h"
+#include "results/listing/hangers.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
@@ -262,6 +263,7 @@ void LineRun::conclude(const bool converged) {
         return known->second;
       });
   results.nozzles = evaluate_nozzles(scene, results);
+  results.hangers = evaluate_hangers(scene, results);
   add_envelope_remarks(scene, results);
   collector.finish(sequence.state());
   results.section_histories = sections.histories(sequence.state());

@@ -5,6 +5,9 @@
 #include "results/frame/frame_choice.h"
 #include "results/how_well_known.h"
 #include "results/inelastic/yield_report.h"
+#include "results/listing/compliance.h"
+#include "results/listing/hangers.h"
+#include "results/listing/model_echo.h"
 #include "results/page/html.h"
 #include "results/picture/line_picture.h"
 #include "results/remarks.h"
@@ -203,9 +206,12 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     if (!results.points.empty())
       add("displacements", "Displacements", displacement_tables(results, frames));
     if (!results.stresses.empty())
-      add("stresses", "Stresses", stress_section(scene, results));
+      add("stresses", "Stresses",
+          stress_section(scene, results) + compliance_section(scene, results));
     if (!results.nozzles.empty())
       add("nozzles", "Allowable loads", nozzle_section(results));
+    if (!results.hangers.empty())
+      add("hangers", "Hangers", hanger_section(results));
     if (!results.friction_study.multipliers.empty())
       add("friction", "Friction study", friction_study_section(results));
     if (!results.supports.empty() || !results.restraints.empty())
@@ -218,6 +224,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
   for (const ReportSection &section : results.sections)
     add(section.id, section.title, section.html);
   add("solver", "Solver", solver_tables(results));
+  if (const std::string echo = model_echo(scene, results); !echo.empty())
+    add("echo", "Nodes and elements", echo);
   add("input", "Input", input(scene));
   write_file(folder + "/report.html",
              html_page(scene.title.empty() ? scene.name : scene.title,
