@@ -16,6 +16,7 @@
 #include "results/file/checkpoint.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
+#include "results/file/model_tables.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/finite.h"
@@ -177,6 +178,7 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
   write_compliance(scene, results, scene.output.directory);
   write_hangers(results, scene.output.directory);
   write_section_histories(scene, results, scene.output.directory);
+  write_force_tables(scene, results, scene.output.directory);
   write_envelopes(scene, results, scene.output.directory);
   write_governing_cases(scene, results, scene.output.directory);
   write_uplift(scene, results, scene.output.directory);
