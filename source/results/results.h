@@ -25,6 +25,13 @@ struct SupportInfo {
   double capacity = 0.;   ///< largest force that it is made for [N]; 0: not said
 };
 
+/// Rests by whatever name, and rods: what holds the line up, and from what it may lift off.
+inline bool holds_up(const SupportInfo &support) {
+  constexpr double upwards = 0.7; // of the normal
+  return support.kind == "rest" || support.kind == "rod" ||
+         (support.kind == "friction" && support.normal[2] > upwards);
+}
+
 /// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in
 /// compression.
 struct SupportState {
@@ -76,7 +83,9 @@ struct Station {
   Point3 position;
   Motion displacement{};   ///< global axes [m, rad]
   Motion force{};          ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
-  Vector3 y, z;            ///< local axes of the section forces
+  Vector3 y, z;            ///< local axes of the section forces, of the line as it was built
+  Vector3 y_now, z_now;    ///< the same, as they have turned
+  double pressure = 0.;    ///< inside [Pa]; of a case made of others not known
   double part = 0.;        ///< s over the pipe's length
   double bend_radius = 0.; ///< [m]; 0: not in a bend
   Vector3 bend_axis;       ///< of a bend: unit normal of its plane
@@ -93,7 +102,8 @@ struct Frame {
   int step_before = -1; ///< that the step starts from; -1: none, or of a case
   double time = 0.;
   bool end_of_step = true;
-  bool is_amplitude = false; ///< of a case: its numbers are sizes, of either sign
+  bool is_amplitude = false; ///< of a case whose numbers are sizes, or each from another state: no
+                             ///< shape to draw
   std::vector<Station> line;
   std::vector<SupportState> supports;
   std::vector<Motion> reactions; ///< of RestraintInfo
@@ -172,6 +182,24 @@ struct ModeResult {
   std::array<double, 3> effective_mass{}; ///< [kg]
   double residual = 0.;                   ///< |K q - w^2 M q| / (w^2 |M q|)
   Frame shape;
+};
+
+/// What a spectrum does to a mode in one direction.
+struct ModalExcitation {
+  unsigned int mode = 0;      ///< from 1 on
+  unsigned int direction = 0; ///< 0, 1, 2: x, y, z
+  std::string spectrum;
+  double participation = 0.; ///< phi^T M r [kg^1/2]
+  double acceleration = 0.;  ///< with the direction's factor [m/s2]
+  double rigid = 0.;         ///< share that follows the ground without delay
+};
+
+/// Which cases gave the numbers of a combination.
+struct GoverningCases {
+  std::string name; ///< of the combination
+  std::vector<std::string> cases; ///< steps, the spectrum and sums, not combinations that have some
+  std::vector<unsigned int> of;   ///< place in cases, in the order of numbers_of()
+  std::vector<unsigned int> least; ///< of a range, that of the smaller number; else empty
 };
 
 /// Stresses of one case by a stress code, at each station of its frame.
@@ -312,6 +340,8 @@ struct Results {
   std::vector<SectionHistory> section_histories;
   std::vector<QuantityResult> quantities;
   std::vector<ModeResult> modes;
+  std::vector<ModalExcitation> excitations; ///< by direction, spectrum and mode
+  std::vector<GoverningCases> governing;    ///< of envelopes, maxima, minima and ranges
   std::vector<StressCase> stresses;
   std::vector<NozzleUse> nozzles;
   std::vector<HangerUse> hangers;

@@ -63,7 +63,7 @@ struct Catalogue {
   std::vector<ComponentItem> components;
 };
 
-/// A spring hanger or a constant one: a vertical spring with a force of its own.
+/// A spring hanger or a constant one: a spring along one direction with a force of its own.
 struct Hanger {
   std::string name;
   std::vector<std::string> points;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/report/report.h"
+#include "results/combination/uplift.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/frame/frame_choice.h"
@@ -9,6 +10,7 @@
 #include "results/listing/hangers.h"
 #include "results/listing/model_echo.h"
 #include "results/page/html.h"
+#include "results/picture/displacement_scale.h"
 #include "results/picture/line_picture.h"
 #include "results/remarks.h"
 #include "results/report/report_charts.h"
@@ -18,6 +20,7 @@
 #include "results/report/report_tree.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
+#include "results/turnable/model_section.h"
 #include "results/verdicts.h"
 
 #include <algorithm>
@@ -142,8 +145,9 @@ std::string pictures(const Scene &scene, const Results &results,
          (results.envelopes.empty()
               ? ""
               : html_note("Of a transient step the line is shown as it is at the step's end.")) +
-         (any_amplitude ? html_note("Cases of sizes, which may have either sign, are no shapes: "
-                                    "their line is drawn as it is built.")
+         (any_amplitude ? html_note("Cases of sizes, which may have either sign, and of numbers from "
+                                    "different cases are no shapes: their line is drawn as it is "
+                                    "built.")
                         : "");
 }
 
@@ -184,8 +188,10 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       steps += html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
                          std::to_string(n_ends) + " steps; the csv files have all of them.");
     add("steps", "Steps", steps);
-    if (!frames.back()->line.empty()) // a scene may have no pipe at all
+    if (!frames.back()->line.empty()) { // a scene may have no pipe at all
+      add("model", "Model", model_section(scene, results, frames, scale));
       add("line", "Line", pictures(scene, results, frames, scale));
+    }
     const ReportCharts charts =
         make_report_charts(scene, results, few_of(frames, n_curves_at_most));
     if (!charts.section_forces.empty())
@@ -201,6 +207,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("states", "States", state_table(results));
     if (!results.supports.empty())
       add("supports", "Supports", support_tables(results, frames));
+    if (const std::string left = uplift_table(scene, results); !left.empty())
+      add("uplift", "Uplift", left);
     if (!results.restraints.empty())
       add("reactions", "Reactions", reaction_tables(results, frames));
     if (!results.points.empty())

@@ -227,8 +227,28 @@ void check_stress_code(const Scene &scene, const LineMesh &mesh, const std::vect
   StressEvaluation(scene, mesh, Results()).check(line);
 }
 
-std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
-                                      const Results &results) {
+namespace {
+
+/// Whether a station is on the side of its point and on the pipe that a quantity asks for. The
+/// frames of stresses have both sides of every node.
+bool is_asked(const Quantity &quantity, const Scene &scene, const LineMesh &mesh,
+              const std::vector<Station> &line, const unsigned int i) {
+  using Side = Quantity::Side;
+  if (quantity.where.empty())
+    return true;
+  const Station &station = line[i];
+  if (station.vertex != mesh.points.at(quantity.where) ||
+      (!quantity.pipe.empty() && scene.pipes[station.pipe].name != quantity.pipe))
+    return false;
+  const bool ends_a_cell =
+      i > 0 && line[i - 1].pipe == station.pipe && line[i - 1].vertex != station.vertex;
+  return quantity.side == Side::any || (quantity.side == Side::before) == ends_a_cell;
+}
+
+} // namespace
+
+std::optional<double> stress_quantity(const Quantity &quantity, const Scene &scene,
+                                      const LineMesh &mesh, const Results &results) {
   // in the order of quantity_kinds
   enum Component : unsigned int { flexibility, sif_in, sif_out, sustained, range, utilization };
   const auto component = static_cast<Component>(quantity.kind().component);
@@ -239,7 +259,7 @@ std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &
         (!quantity.step.empty() && quantity.step != one.step))
       continue;
     for (unsigned int i = 0; i < one.stress.size(); ++i) {
-      if (!quantity.where.empty() && one.frame.line[i].vertex != mesh.points.at(quantity.where))
+      if (!is_asked(quantity, scene, mesh, one.frame.line, i))
         continue;
       const double value = component == flexibility   ? one.factors[i].flexibility
                            : component == sif_in      ? one.factors[i].in_plane
@@ -277,7 +297,7 @@ std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &resul
   const auto sites = nozzle_sites(scene, results);
   for (unsigned int n = 0; n < scene.nozzles.size(); ++n)
     for (const Frame &frame : results.frames) {
-      if (is_difference(scene, frame.name))
+      if (!is_judged(scene, frame.name))
         continue; // which no nozzle carries
       const StepEnvelope *const envelope = results.envelope_of(frame.step);
       for (unsigned int k = 0; frame.end_of_step && k < sites.size(); ++k) {

@@ -159,11 +159,13 @@ void declare_hanger(ParameterReader &in) {
   in.declare_number("Stiffness", 0., "N/m", 0., 1e300,
                     "Of a variable hanger; 0: sized, for 'Variation'.");
   in.declare_number("Cold load", 0., "N", 0., 1e300,
-                    "Its upward force before anything has moved; 0: sized, so that it carries the "
+                    "Its force before anything has moved; 0: sized, so that it carries the "
                     "weight when the line is hot.");
   in.declare_text("Item", "", "name of an item of Catalogue/Hangers, or by load",
                   "Whose stiffness and range of loads it has. by load: the first of the table that "
                   "carries hot and cold load with no more than 'Variation'.");
+  in.declare_text("Direction", "0 0 1", "x y z [-]",
+                  "Of its force on the pipe, and of its stiffness: a hanger that pulls askew.");
   in.declare_number("Variation", 0.25, "-", positive, 1.,
                     "Largest change of load between hot and cold over the hot load: what it is "
                     "sized for, and a check.");
@@ -200,6 +202,9 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
     spring.name = hanger.points.size() > 1 ? name + "." + std::to_string(i + 1) : name;
     spring.kind = kind.of_spring;
     spring.point = hanger.points[i];
+    const Vector3 direction = parse_unit_vector(in, "Direction");
+    for (unsigned int d = 0; d < 3; ++d)
+      spring.directions[2][d] = direction[d];
     spring.stiffness[2] = hanger.stiffness;
     spring.preload = hanger.cold_load;
     hanger.springs.push_back(scene.springs.size());
@@ -290,10 +295,18 @@ void parse_stress(const ParameterReader &in, Scene &scene) {
     in.find("Code", stress.code, allowed, "stress code");
   }
   const std::vector<std::string> known = case_names(scene);
+  const auto find_case = [&](const std::string &entry, const std::string &name) {
+    in.find(entry, name, known, "step");
+    for (const Combination &one : scene.combinations)
+      if (one.name == name && (one.kind == Combination::Kind::maximum ||
+                               one.kind == Combination::Kind::minimum))
+        in.fail(entry, "no maximum or minimum, which has one side of the forces alone",
+                "a combination of kind envelope", "'" + name + "'");
+  };
   const auto steps = [&](const std::string &entry) {
     const std::vector<std::string> list = in.list(entry);
     for (const std::string &step : list)
-      in.find(entry, step, known, "step");
+      find_case(entry, step);
     return list;
   };
   stress.sustained = steps("Sustained");
@@ -303,8 +316,8 @@ void parse_stress(const ParameterReader &in, Scene &scene) {
     if (words.size() != 3 || words[1] != "to")
       in.fail("Expansion", "pairs 'step to step', separated by commas", "'weight to heat'",
               "'" + pair + "'");
-    in.find("Expansion", words[0], known, "step");
-    in.find("Expansion", words[2], known, "step");
+    find_case("Expansion", words[0]);
+    find_case("Expansion", words[2]);
     stress.expansion.emplace_back(words[0], words[2]);
   }
   stress.cycles_factor = in.number("Cycles factor");
