@@ -17,6 +17,9 @@ namespace frictionbeam {
 namespace {
 
 constexpr double least_travel = 0.025; ///< [m]
+/// Of the variation that is allowed, the part that a size may use: friction and the springs
+/// themselves change the travel a little.
+constexpr double usable = 0.98;
 
 /// Springs of hangers that are to be sized, by the step of each hanger.
 std::map<std::string, std::vector<unsigned int>> open_springs(const Scene &scene,
@@ -130,7 +133,7 @@ HangerItem pick_item(const Scene &scene, const Hanger &hanger, const Spring &spr
   for (const HangerItem &item : scene.catalogue.hangers) {
     if (!carries(item, hot, travel))
       continue;
-    if (item.stiffness * std::abs(travel) <= hanger.largest_variation * hot)
+    if (item.stiffness * std::abs(travel) <= usable * hanger.largest_variation * hot)
       return item;
     ++n_carrying;
     if (least == nullptr || item.stiffness < least->stiffness)
@@ -142,8 +145,8 @@ HangerItem pick_item(const Scene &scene, const Hanger &hanger, const Spring &spr
       in_words(scene, travel, "m") +
       "\n  allowed: an item whose range holds hot and cold load, of " +
       std::to_string(scene.catalogue.hangers.size()) + " there are " + std::to_string(n_carrying) +
-      ", and that varies by no more than " + rounded_number(100. * hanger.largest_variation, 4) +
-      " %" +
+      ", and that varies by no more than " +
+      rounded_number(100. * usable * hanger.largest_variation, 4) + " %" +
       (least != nullptr ? ", these vary by " +
                               rounded_number(100. * least->stiffness * std::abs(travel) / hot, 4) +
                               " % and more, " + least->name + " least"
@@ -154,7 +157,8 @@ HangerItem pick_item(const Scene &scene, const Hanger &hanger, const Spring &spr
 /// Choose stiffness and cold load of a spring that has its hot load, and say so.
 void size_spring(Hanger &hanger, const std::size_t place, const double travel, Scene &scene) {
   Spring &spring = scene.springs[hanger.springs[place]];
-  const double hot = spring.preload, sizing_travel = hanger.largest_variation * least_travel;
+  const double hot = spring.preload, variation = usable * hanger.largest_variation,
+               sizing_travel = variation * least_travel;
   if (hanger.picks_item)
     hanger.items.push_back(pick_item(scene, hanger, spring, travel));
   const bool has_item = place < hanger.items.size();
@@ -162,7 +166,7 @@ void size_spring(Hanger &hanger, const std::size_t place, const double travel, S
   if (!hanger.constant) {
     spring.stiffness[2] = has_item       ? hanger.items[place].stiffness
                           : travels_less ? hot / least_travel
-                                         : hanger.largest_variation * hot / std::abs(travel);
+                                         : variation * hot / std::abs(travel);
     spring.preload = hot + spring.stiffness[2] * travel;
   }
   const auto number = [&](const double value, const std::string &unit) {

@@ -60,7 +60,7 @@ const ComponentItem &component_item(const ParameterReader &in, const Scene &scen
   if (known.empty())
     in.fail("Item", "an item beside section Catalogue with Components",
             "'set Components = components.csv' there");
-  return known[in.find("Item", in.text("Item"), names(known), "item")];
+  return known[in.find("Item", in.text("Item"), names(known), "catalogue item")];
 }
 
 void parse_component_of_pipe(const ParameterReader &in, const Scene &scene, Pipe &pipe) {
@@ -104,7 +104,7 @@ void parse_item_of_hanger(const ParameterReader &in, const Scene &scene, Hanger 
   }
   std::vector<std::string> allowed = names(known);
   allowed.emplace_back("by load");
-  const HangerItem &item = known[in.find("Item", name, allowed, "item")];
+  const HangerItem &item = known[in.find("Item", name, allowed, "catalogue item")];
   hanger.items.assign(hanger.points.size(), item);
   if (hanger.cold_load > 0.)
     hanger.stiffness = item.stiffness;

@@ -292,7 +292,11 @@ void parse_stress(const ParameterReader &in, Scene &scene) {
     stress.codes = load_codes(in);
     std::vector<std::string> allowed = stress.codes->names();
     allowed.emplace_back("none");
-    in.find("Code", stress.code, allowed, "stress code");
+    if (stress.codes->find(stress.code) == nullptr) {
+      const std::string like = nearest(stress.code, allowed);
+      in.fail("Code", join(allowed),
+              like.empty() ? "the library that has it, in 'Code libraries'" : "'" + like + "'");
+    }
   }
   const std::vector<std::string> known = case_names(scene);
   const auto find_case = [&](const std::string &entry, const std::string &name) {
