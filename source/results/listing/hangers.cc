@@ -27,14 +27,13 @@ bool is_operating(const Scene &scene, const Frame &frame) {
          });
 }
 
-/// How far a point has risen; empty where it is on no pipe.
-std::optional<double> rise_of(const Results &results, const Frame &frame,
-                              const std::string &point) {
+/// How far a spring's point has moved the way it pulls; empty where it is on no pipe.
+std::optional<double> travel_of(const Results &results, const Frame &frame, const Spring &spring) {
   for (const PointInfo &info : results.points)
-    if (info.name == point)
+    if (info.name == spring.point)
       for (const Station &station : frame.line)
         if (station.vertex == info.vertex)
-          return station.displacement[2];
+          return product(station.displacement, spring.directions[2]);
   return {};
 }
 
@@ -65,9 +64,9 @@ public:
     for (const Frame &frame : results.frames)
       if (frame.end_of_step && frame.name == hanger.hot_step &&
           restraint < frame.reactions.size()) {
-        use.hot_load = frame.reactions[restraint][2];
+        use.hot_load = load(frame);
         use.travel =
-            rise_of(results, frame, spring.point)
+            travel_of(results, frame, spring)
                 .value_or(use.stiffness > 0. ? (use.cold_load - use.hot_load) / use.stiffness
                                              : std::numeric_limits<double>::quiet_NaN());
         return true;
@@ -79,12 +78,17 @@ public:
     include("cold", use.cold_load);
     for (const Frame &frame : results.frames)
       if (is_operating(scene, frame))
-        include(frame.name, frame.reactions[restraint][2]);
+        include(frame.name, load(frame));
   }
 
   HangerUse use;
 
 private:
+  /// The way it pulls.
+  double load(const Frame &frame) const {
+    return product(frame.reactions[restraint], spring.directions[2]);
+  }
+
   void include(const std::string &step, const double load) {
     const double change = use.hot_load > 0. ? std::abs(load - use.hot_load) / use.hot_load
                                             : std::numeric_limits<double>::max();
@@ -166,11 +170,10 @@ std::string hanger_section(const Results &results) {
         .numbers("range to", "N", column([](const HangerUse &use) { return use.most_allowed; }),
                  largest);
   return table.str() +
-         html_note(
-             "Cold: before anything has moved. Variability is the largest change of load "
-             "against the hot one over all static steps with weight that are not occasional, "
-             "and the cold load; \u2717: more than the hanger's Variation. Travel is up, from "
-             "cold to hot. hangers.csv has the same.");
+         html_note("Cold: before anything has moved. Variability is the largest change of load "
+                   "against the hot one over all static steps with weight that are not occasional, "
+                   "and the cold load; \u2717: more than the hanger's Variation. Travel is the way "
+                   "it pulls, from cold to hot. hangers.csv has the same.");
 }
 
 void write_hangers(const Results &results, const std::string &folder) {
