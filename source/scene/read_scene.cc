@@ -180,25 +180,31 @@ void check_unique_names(const ParameterReader &in, const Scene &scene) {
     add(spring.name, "spring");
 }
 
+struct SettingsSection {
+  std::string heading;
+  void (*declare)(ParameterReader &);
+  void (*parse)(const ParameterReader &, Scene &);
+};
+
+/// Sections that need no part of the scene.
+const std::vector<SettingsSection> settings_sections = {
+    {"Catalogue", &parts::declare_catalogue, &parts::parse_catalogue},
+    {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
+    {"Continuum", &parts::declare_continuum, &parts::parse_continuum},
+    {"Solid", &parts::declare_solid, &parts::parse_solid},
+    {"Solver", &parts::declare_solver, &parts::parse_solver},
+    {"Time", &parts::declare_time, &parts::parse_time},
+    {"Output", &parts::declare_output, &parts::parse_output},
+    {"Checks", &parts::declare_checks, &parts::parse_checks},
+    {"Modes", &parts::declare_modes, &parts::parse_modes},
+    {"Response", &parts::declare_response, &parts::parse_response}};
+
 void read_settings(ParameterReader &in, Scene &scene) {
-  using Declare = void (*)(ParameterReader &);
-  using Parse = void (*)(const ParameterReader &, Scene &);
-  const std::vector<std::tuple<std::string, Declare, Parse>> sections = {
-      {"Catalogue", &parts::declare_catalogue, &parts::parse_catalogue},
-      {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
-      {"Continuum", &parts::declare_continuum, &parts::parse_continuum},
-      {"Solid", &parts::declare_solid, &parts::parse_solid},
-      {"Solver", &parts::declare_solver, &parts::parse_solver},
-      {"Time", &parts::declare_time, &parts::parse_time},
-      {"Output", &parts::declare_output, &parts::parse_output},
-      {"Checks", &parts::declare_checks, &parts::parse_checks},
-      {"Modes", &parts::declare_modes, &parts::parse_modes},
-      {"Response", &parts::declare_response, &parts::parse_response}};
-  for (const auto &[heading, declare, parse] : sections) {
-    in.enter(heading);
-    declare(in);
+  for (const SettingsSection &section : settings_sections) {
+    in.enter(section.heading);
+    section.declare(in);
     in.take();
-    parse(in, scene);
+    section.parse(in, scene);
   }
 }
 
@@ -364,31 +370,14 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
     in.enter(kind + " name");
     declare_part(in, laws, kind);
   }
-  Scene scene;
-  in.enter("Mesh");
-  parts::declare_mesh(in);
-  in.enter("Continuum");
-  parts::declare_continuum(in);
-  in.enter("Solid");
-  parts::declare_solid(in);
-  in.enter("Solver");
-  parts::declare_solver(in);
-  in.enter("Time");
-  parts::declare_time(in);
-  in.enter("Output");
-  parts::declare_output(in);
-  in.enter("Checks");
-  parts::declare_checks(in);
+  for (const SettingsSection &section : settings_sections) {
+    in.enter(section.heading);
+    section.declare(in);
+  }
   in.enter("Exact");
   parts::declare_exact(in);
-  in.enter("Modes");
-  parts::declare_modes(in);
-  in.enter("Response");
-  parts::declare_response(in);
   in.enter("Stress");
   parts::declare_stress(in);
-  in.enter("Catalogue");
-  parts::declare_catalogue(in);
   in.enter("Quantities");
   parts::declare_quantities(in);
   parts::declare_study(in);
