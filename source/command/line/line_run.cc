@@ -8,40 +8,10 @@
 #include "results/stress/stresses.h"
 #include "results/text.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <iostream>
 #include <map>
 
 namespace frictionbeam {
-
-/// A line that is written over on a terminal; nothing in a log.
-class ProgressLine {
-public:
-  explicit ProgressLine(const Scene &scene)
-      : scene(scene), on_terminal(!scene.output.quiet && isatty(STDERR_FILENO)) {}
-  ~ProgressLine() { clear(); }
-
-  void clear() {
-    if (shown)
-      std::cerr << "\r\033[K";
-    shown = false;
-  }
-
-  void show(const Progress &progress) {
-    if (!on_terminal || progress.n_increments == 0)
-      return;
-    shown = true;
-    std::cerr << "\r\033[K" << scene.steps[progress.step].name << ' ' << progress.increment << '/'
-              << progress.n_increments << std::flush;
-  }
-
-private:
-  const Scene &scene;
-  const bool on_terminal;
-  bool shown = false;
-};
 
 namespace {
 
@@ -151,11 +121,10 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
                   Frame converted;
                   const Frame &shown = in_units(scene.units, frame, converted);
                   csv->append(shown);
-                  if (vtu)
+                  if (vtu && vtu_frames.takes(frame))
                     vtu->append(shown);
                 }),
-      envelope(model, results), sections(model),
-      progress_line(std::make_unique<ProgressLine>(scene)) {
+      envelope(model, results), sections(model), vtu_frames(scene), progress_line(scene) {
   output_timer.reset();
   if (scene.time.is_exact())
     sequence.watch([this](const MotionPiece &piece) {
@@ -187,7 +156,7 @@ LineRun::~LineRun() = default;
 void LineRun::transfer(Archive &archive) {
   archive(sequence, collector, envelope, sections, *csv, modal_state);
   if (vtu)
-    archive(*vtu);
+    archive(*vtu, vtu_frames);
   if (contact_problems)
     archive(*contact_problems);
 }
@@ -205,7 +174,7 @@ bool LineRun::run() {
       },
       [this]() { pause(); },
       [this](const Progress &progress, const double time) { return needs_line(progress, time); });
-  progress_line->clear();
+  progress_line.clear();
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
   return converged;
 }
@@ -213,7 +182,9 @@ bool LineRun::run() {
 void LineRun::observe(const Progress &progress, const LineState &state) {
   output_timer.start();
   interruption::end_if_overdue();
-  progress_line->show(progress);
+  progress_line.show(progress);
+  if (progress.n_increments == 0)
+    vtu_frames.begin(state.time);
   collector.observe(progress.step, progress.increment, progress.n_increments, state);
   envelope.observe(progress.step, progress.increment, progress.n_increments, state, line_is_known);
   line_is_known = true;
@@ -268,6 +239,8 @@ void LineRun::conclude(const bool converged) {
   if (csv)
     csv->finish();
   if (vtu) {
+    for (const std::string &remark : vtu_frames.remarks())
+      results.remarks.push_back(remark);
     vtu->append_modes();
     vtu->finish();
   }
