@@ -71,7 +71,10 @@ void find_hot_loads(const SpringsByStep &by_weight, const LawLibrary &laws, Scen
       restraint.name = scene.springs[s].name + " held";
       restraint.kind = "restraint";
       restraint.placement.points = {scene.springs[s].point};
-      restraint.fixed[2] = true;
+      Direction along;
+      for (unsigned int d = 0; d < 3; ++d)
+        along.vector[d] = scene.springs[s].directions[2][d];
+      restraint.translations.push_back(along);
       held.restraints.push_back(restraint);
     }
   for (const auto &[step, springs] : by_weight) {
@@ -83,18 +86,19 @@ void find_hot_loads(const SpringsByStep &by_weight, const LawLibrary &laws, Scen
             for (const unsigned int s : open)
               for (unsigned int i = 0; i < infos.size(); ++i)
                 if (infos[i].name == scene.springs[s].name + " held")
-                  scene.springs[s].preload = frame.reactions[i][2];
+                  scene.springs[s].preload =
+                      product(frame.reactions[i], scene.springs[s].directions[2]);
           });
     for (const unsigned int s : open)
       if (scene.springs[s].preload <= 0.)
         throw UserError("Hanger " + scene.springs[s].name +
-                        " would have to push the line down by " +
+                        " would have to push the line the other way by " +
                         in_words(scene, -scene.springs[s].preload, "N") +
                         ". Remove it, or give its Cold load.");
   }
 }
 
-/// How far the springs' points rise with these forces in their places [m], by spring.
+/// How far the springs' points go along them with these forces in their places [m], by spring.
 std::vector<double> find_travels(const SpringsByStep &by_heat, const LawLibrary &laws,
                                  const Scene &scene) {
   std::vector<double> travel(scene.springs.size(), 0.);
@@ -103,7 +107,8 @@ std::vector<double> find_travels(const SpringsByStep &by_heat, const LawLibrary 
     solve(up_to(scene, step), laws, "with constant forces in their places",
           [&](FrameBuilder &builder, const LineState &state) {
             for (const unsigned int s : open)
-              travel[s] = builder.motion(state, scene.springs[s].point)[2];
+              travel[s] = product(builder.motion(state, scene.springs[s].point),
+                                  scene.springs[s].directions[2]);
           });
   }
   return travel;

@@ -25,6 +25,13 @@ struct SupportInfo {
   double capacity = 0.;   ///< largest force that it is made for [N]; 0: not said
 };
 
+/// Rests by whatever name, and rods: what holds the line up, and from what it may lift off.
+inline bool holds_up(const SupportInfo &support) {
+  constexpr double upwards = 0.7; // of the normal
+  return support.kind == "rest" || support.kind == "rod" ||
+         (support.kind == "friction" && support.normal[2] > upwards);
+}
+
 /// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in
 /// compression.
 struct SupportState {
@@ -76,7 +83,9 @@ struct Station {
   Point3 position;
   Motion displacement{};   ///< global axes [m, rad]
   Motion force{};          ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
-  Vector3 y, z;            ///< local axes of the section forces
+  Vector3 y, z;            ///< local axes of the section forces, of the line as it was built
+  Vector3 y_now, z_now;    ///< the same, as they have turned
+  double pressure = 0.;    ///< inside [Pa]; of a case made of others not known
   double part = 0.;        ///< s over the pipe's length
   double bend_radius = 0.; ///< [m]; 0: not in a bend
   Vector3 bend_axis;       ///< of a bend: unit normal of its plane

@@ -105,13 +105,6 @@ OneCheck nozzles(const Results &results) {
   return check;
 }
 
-/// Rests by whatever name, and rods.
-bool holds_up(const SupportInfo &support) {
-  constexpr double upwards = 0.7; // of the normal
-  return support.kind == "rest" || support.kind == "rod" ||
-         (support.kind == "friction" && support.normal[2] > upwards);
-}
-
 /// Of what holds the line up, the force that is left; a pipe that stands off has none.
 OneCheck uplift(const Scene &scene, const Results &results) {
   OneCheck check("uplift", "supports", "N");

@@ -48,7 +48,7 @@ struct Tee {
   double crotch_radius = 0.; ///< of extruded ones [m]
 };
 
-/// A spring hanger or a constant one: a vertical spring with a force of its own.
+/// A spring hanger or a constant one: a spring along one direction with a force of its own.
 struct Hanger {
   std::string name;
   std::vector<std::string> points;

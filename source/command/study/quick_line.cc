@@ -185,7 +185,7 @@ void QuickLine::find_quantities() {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Quantity &quantity = scene.quantities[i];
     if (quantity.is(Of::stress))
-      if (const auto largest = stress_quantity(quantity, model.mesh, results))
+      if (const auto largest = stress_quantity(quantity, scene, model.mesh, results))
         values[i] = quantity.scale * *largest;
     if (values[i])
       results.quantities.push_back(shown(scene, quantity, *values[i]));

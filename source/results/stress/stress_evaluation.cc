@@ -2,6 +2,7 @@
 #include "results/stress/stress_evaluation.h"
 
 #include "base/numbers.h"
+#include "results/stress/wall_stress.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -59,9 +60,7 @@ const Frame *StressEvaluation::frame_of(const std::string &step) const {
 StressPoint StressEvaluation::point(const Station &station) const {
   const Pipe &pipe = scene.pipes[station.pipe];
   const Material &material = scene.materials[pipe.material];
-  Section section = scene.sections[pipe.section];
-  if (pipe.end_section)
-    section = between(section, scene.sections[*pipe.end_section], station.part);
+  const Section section = section_at(scene, station);
   StressPoint point;
   point.diameter = 2. * section.outer_radius;
   point.wall = section.wall;
@@ -87,14 +86,18 @@ StressPoint StressEvaluation::point(const Station &station) const {
   return point;
 }
 
+Vector3 StressEvaluation::normal_of_plane(const Scene &scene, const LineMesh &mesh,
+                                          const Station &station) {
+  return normal_at(find_tee(find_tees(scene, mesh), station), station);
+}
+
 StressEvaluation::Axes StressEvaluation::axes(const Station &station, const double pressure) const {
-  Vector3 normal = station.bend_axis;
-  if (const TeeSite *const site = tee_at(station))
-    normal = site->normal;
+  const Vector3 normal = normal_at(tee_at(station), station);
   return {station.y * normal, station.z * normal, pressure};
 }
 
-const StressEvaluation::TeeSite *StressEvaluation::tee_at(const Station &station) const {
+const StressEvaluation::TeeSite *StressEvaluation::find_tee(const std::vector<TeeSite> &tees,
+                                                            const Station &station) {
   for (const TeeSite &site : tees)
     if (site.vertex == station.vertex)
       return &site;

@@ -227,8 +227,28 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
   return cases;
 }
 
-std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
-                                      const Results &results) {
+namespace {
+
+/// Whether a station is on the side of its point and on the pipe that a quantity asks for. The
+/// frames of stresses have both sides of every node.
+bool is_asked(const Quantity &quantity, const Scene &scene, const LineMesh &mesh,
+              const std::vector<Station> &line, const unsigned int i) {
+  using Side = Quantity::Side;
+  if (quantity.where.empty())
+    return true;
+  const Station &station = line[i];
+  if (station.vertex != mesh.points.at(quantity.where) ||
+      (!quantity.pipe.empty() && scene.pipes[station.pipe].name != quantity.pipe))
+    return false;
+  const bool ends_a_cell =
+      i > 0 && line[i - 1].pipe == station.pipe && line[i - 1].vertex != station.vertex;
+  return quantity.side == Side::any || (quantity.side == Side::before) == ends_a_cell;
+}
+
+} // namespace
+
+std::optional<double> stress_quantity(const Quantity &quantity, const Scene &scene,
+                                      const LineMesh &mesh, const Results &results) {
   // in the order of quantity_kinds
   enum Component : unsigned int { flexibility, sif_in, sif_out, sustained, range, utilization };
   const auto component = static_cast<Component>(quantity.kind().component);
@@ -239,7 +259,7 @@ std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &
         (!quantity.step.empty() && quantity.step != one.step))
       continue;
     for (unsigned int i = 0; i < one.stress.size(); ++i) {
-      if (!quantity.where.empty() && one.frame.line[i].vertex != mesh.points.at(quantity.where))
+      if (!is_asked(quantity, scene, mesh, one.frame.line, i))
         continue;
       const double value = component <= sif_out       ? one.factors[i][component]
                            : component == utilization ? one.stress[i] / one.allowed[i]

@@ -33,9 +33,10 @@ double utilization(const NozzleLimit &nozzle, const Motion &force);
 std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &results);
 
 /// A quantity of the stress code: flexibility, sif_in, sif_out at a point, SL and SE at a point in
-/// a step, utilization of all or of one step; empty if there is none.
-std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
-                                      const Results &results);
+/// a step, utilization of all or of one step; the largest of the sides and pipes that are asked for
+/// at a point. Empty if there is none.
+std::optional<double> stress_quantity(const Quantity &quantity, const Scene &scene,
+                                      const LineMesh &mesh, const Results &results);
 
 /// As HTML; empty if there are none.
 std::string stress_section(const Scene &scene, const Results &results);

@@ -159,8 +159,10 @@ void declare_hanger(ParameterReader &in) {
   in.declare_number("Stiffness", 0., "N/m", 0., 1e300,
                     "Of a variable hanger; 0: sized, for 'Variation'.");
   in.declare_number("Cold load", 0., "N", 0., 1e300,
-                    "Its upward force before anything has moved; 0: sized, so that it carries the "
+                    "Its force before anything has moved; 0: sized, so that it carries the "
                     "weight when the line is hot.");
+  in.declare_text("Direction", "0 0 1", "x y z [-]",
+                  "Of its force on the pipe, and of its stiffness: a hanger that pulls askew.");
   in.declare_number("Variation", 0.25, "-", positive, 1.,
                     "Largest change of load between hot and cold over the hot load, when sized.");
   in.declare_text("Weight step", "", "name of a step",
@@ -195,6 +197,9 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
     spring.name = hanger.points.size() > 1 ? name + "." + std::to_string(i + 1) : name;
     spring.kind = kind.of_spring;
     spring.point = hanger.points[i];
+    const Vector3 direction = parse_unit_vector(in, "Direction");
+    for (unsigned int d = 0; d < 3; ++d)
+      spring.directions[2][d] = direction[d];
     spring.stiffness[2] = hanger.stiffness;
     spring.preload = hanger.cold_load;
     hanger.springs.push_back(scene.springs.size());

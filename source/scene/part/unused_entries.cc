@@ -55,8 +55,10 @@ void remark_on_moved_points(Scene &scene) {
     for (const Load &load : scene.loads)
       for (const Load::AtPoint &moved : load.at)
         for (unsigned int c = 0; c < 6; ++c)
-          if (load.kind == Load::Kind::displacement && moved.given[c] &&
-              (initial.velocity[c] != 0. || initial.displacement[c] != 0.) &&
+          if (const Motion axis = unit_motion(moved.axes, c);
+              load.kind == Load::Kind::displacement && moved.given[c] &&
+              (product(initial.velocity, axis) != 0. ||
+               product(initial.displacement, axis) != 0.) &&
               std::count(points.begin(), points.end(), moved.point) > 0)
             scene.remarks.push_back("The Initial of " + moved.point + " has a part along " +
                                     motions[c] + ", in which load " + load.name +
