@@ -255,7 +255,8 @@ void LineCells::integrate_sections(const unsigned int cell, const Vector12 &befo
       inelastic.failed =
           true; // beyond a limit an iteration goes on and on, and laws take long there
     else
-      sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic);
+      sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic,
+                         step.is_near_last);
   }
   answer.failed = inelastic.failed;
   answer.section_error = inelastic.error;

@@ -17,6 +17,10 @@ public:
 
   StressPoint point(const Station &station) const;
 
+  /// @throws UserError naming the first place that the code has nothing for, or where it does what
+  /// no code may.
+  void check(const std::vector<Station> &line) const;
+
   /// What a station makes of its section forces N, Vy, Vz, Mx, My, Mz.
   struct Axes {
     double y = 0., z = 0.; ///< local axes' part in the normal of the bend's or tee's plane
@@ -40,7 +44,7 @@ public:
 
   const Scene &scene;
   const Results &results;
-  const std::unique_ptr<const StressCode> code;
+  const StressCode code;
 
 private:
   /// Where tees stand: the vertex' position, the normal of their plane, run and branch.

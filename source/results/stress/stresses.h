@@ -17,6 +17,10 @@ std::vector<StressCase>
 evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &results,
                   const std::function<double(const std::string &, const unsigned int)> &pressure);
 
+/// Ask the stress code, which there is, about every node. @throws UserError naming the first that
+/// it has nothing for, or where it does what no code may (stress_code_faults())
+void check_stress_code(const Scene &scene, const LineMesh &mesh, const std::vector<Station> &line);
+
 /// Largest pressure of a step's loads in a pipe [Pa]; of a combination, of its cases.
 double pressure_in(const Scene &scene, const std::string &step, const unsigned int pipe);
 

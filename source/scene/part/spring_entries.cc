@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/catalogue/catalogue_entries.h"
 #include "scene/part/parts.h"
 
 #include <frictionbeam/generalized_strain.h>
@@ -193,6 +194,8 @@ void parse_spring(const ParameterReader &in, const std::string &name, Scene &sce
 void declare_mass(ParameterReader &in) {
   in.declare_text("At", "", "names of points, separated by commas", "One such mass at each.");
   in.declare_number("Mass", 0., "kg", 0., 1e300, "Of a valve, a flange.");
+  in.declare_text("Item", "", "name of an item of Catalogue/Components",
+                  "Of your own table, whose mass it has.");
 }
 
 void parse_mass(const ParameterReader &in, const std::string &name, Scene &scene) {
@@ -204,6 +207,11 @@ void parse_mass(const ParameterReader &in, const std::string &name, Scene &scene
   for (const std::string &point : mass.points)
     check_point(in, "At", point, scene);
   mass.mass = in.number("Mass");
+  if (!in.text("Item").empty()) {
+    if (in.given("Mass"))
+      in.fail("Item", "an item, which has a mass, or 'Mass'", "removing 'Mass'");
+    mass.mass = component_item(in, scene).mass;
+  }
   scene.masses.push_back(mass);
 }
 
