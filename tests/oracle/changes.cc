@@ -99,6 +99,40 @@ void turn(Scene &scene, const Eigen::Matrix3d &Q) {
   scene.free_motions = permuted(Q, scene.free_motions);
 }
 
+void turn_askew(Scene &scene, const Eigen::Matrix3d &Q) {
+  for (Pipe &pipe : scene.pipes)
+    for (Corner &corner : pipe.route)
+      corner.position = Q * corner.position;
+  for (Point &point : scene.points)
+    point.position = Q * point.position;
+  for (Support &support : scene.supports) {
+    support.normal = Q * support.normal;
+    support.axes = Q * support.axes;
+    for (auto &row : support.ground_motion) {
+      const Vec x = Q * Vec(row[1], row[2], row[3]);
+      row = {row[0], x[0], x[1], x[2]};
+    }
+  }
+  for (Spring &spring : scene.springs) {
+    spring.axes = Q * spring.axes;
+    spring.as_matrix = spring.damping == Six{};
+  }
+  for (Hanger &hanger : scene.hangers)
+    hanger.direction = Q * hanger.direction;
+  for (Load &load : scene.loads) {
+    load.vector = Q * load.vector;
+    if (load.kind == "displacement")
+      load.axes = Q * load.axes;
+    else
+      for (auto &at : load.at)
+        at.second = turned(Q, at.second);
+  }
+  for (Initial &initial : scene.initial) {
+    initial.displacement = turned(Q, initial.displacement);
+    initial.velocity = turned(Q, initial.velocity);
+  }
+}
+
 bool reverse_routes(Scene &scene) {
   for (const Pipe &pipe : scene.pipes)
     if (pipe.end_section >= 0 &&

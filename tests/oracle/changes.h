@@ -13,6 +13,10 @@ namespace oracle {
 /// Supports that are vertical by their kind become ones with a normal.
 void turn(Scene &scene, const Eigen::Matrix3d &Q);
 
+/// The same by any rotation: what has components along axes gets axes of its own, springs without
+/// damping a full matrix. Free motions, nozzles and spectra keep their axes.
+void turn_askew(Scene &scene, const Eigen::Matrix3d &Q);
+
 /// Routes from their ends. @return false where that would not be the same line.
 bool reverse_routes(Scene &scene);
 

@@ -50,6 +50,31 @@ Maybe turned(const Scene &scene, Random &random) {
   return related;
 }
 
+/// Without what has components along global axes and nowhere others.
+void leave_out_components(Scene &scene) {
+  scene.nozzles.clear();
+  scene.spectra.clear();
+  scene.combinations.clear();
+  scene.free_motions.fill(true);
+}
+
+/// Guides stay across their pipes where the vertical keeps its direction.
+Maybe turned_askew(const Scene &scene, Random &random) {
+  if (any_anisotropic(scene))
+    return {};
+  const bool keep_vertical =
+      std::any_of(scene.supports.begin(), scene.supports.end(),
+                  [](const Support &s) { return s.kind == "guide" || s.direction == "across"; });
+  const Vec axis = keep_vertical ? Vec(0., 0., 1.) : random.direction();
+  Related related{scene, {}};
+  related.mapping.turn =
+      Eigen::AngleAxisd(random.number(0.1, 3.), axis.normalized()).toRotationMatrix();
+  turn_askew(related.scene, related.mapping.turn);
+  if (!keep_vertical && scene.has_laws()) // fibres stand elsewhere round the pipe
+    related.mapping.accuracy = of_fibres;
+  return related;
+}
+
 Maybe reversed(const Scene &scene, Random &) {
   Related related{scene, {}};
   return reverse_routes(related.scene) ? Maybe(related) : Maybe();
@@ -228,6 +253,8 @@ Maybe by_newton(const Scene &scene, Random &) {
 const std::vector<Relation> &relations() {
   static const std::vector<Relation> all = {
       {"turned", "the scene turned or mirrored, gravity with it", &turned},
+      {"skew", "the scene turned by any angle about any axis", &turned_askew, 1e-7, 1e-6, false,
+       false, &leave_out_components},
       {"reversed", "all routes from their ends", &reversed},
       {"cut", "a pipe cut into two", &cut, 1e-7, 0.},
       {"point", "a named point and a mass of zero added", &point_added, 1e-7, 0.},

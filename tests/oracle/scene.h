@@ -116,6 +116,7 @@ struct Support {
   std::string law;  ///< "skeleton" (axial rigidity and drag), "whip_restraint"; empty: coulomb
   double drag = 0.; ///< of the skeleton [N s]
   Whip whip;
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns: those of fixed
   bool as_pair = false; ///< a guide or stop without gap as two contacts, not as a held direction
 
   bool holds_exactly() const {
@@ -131,6 +132,8 @@ struct Support {
 struct Spring {
   std::string name, at, to; ///< to empty: the ground
   Six stiffness{}, damping{};
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns: those of both
+  bool as_matrix = false;                             ///< written as a full matrix in global axes
 };
 
 struct Mass {
@@ -159,6 +162,7 @@ struct Hanger {
   double stiffness = 0., cold_load = 0.; ///< without cold load it is sized
   double variation = 0.25;
   std::string weight_step, hot_step; ///< for which it is sized; empty: the first and the second
+  Vec direction = Vec(0., 0., 1.);
 };
 
 struct Load {
@@ -166,11 +170,12 @@ struct Load {
   Vec vector = Vec(0., 0., -9.81); ///< acceleration, dynamic pressure of wind, force per length
   double value = 0.;               ///< temperature, pressure, shape factor of wind
   std::vector<std::string> pipes;  ///< empty: all
-  std::vector<std::pair<std::string, Six>> at; ///< forces, or displacements [m, degrees]
-  std::vector<std::array<bool, 6>> given;      ///< displacements: which
-  std::vector<std::array<double, 2>> history;  ///< rows of a table of its factor: t, factor
-  bool run_time = false;                       ///< of the history
-  bool follow = false;                         ///< of forces
+  std::vector<std::pair<std::string, Six>> at;        ///< forces, or displacements [m, degrees]
+  std::vector<std::array<bool, 6>> given;             ///< displacements: which
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns: those of displacements
+  std::vector<std::array<double, 2>> history;         ///< rows of a table of its factor: t, factor
+  bool run_time = false;                              ///< of the history
+  bool follow = false;                                ///< of forces
 };
 
 struct Step {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "writer.h"
 
+#include <algorithm>
+
 namespace oracle {
 
 std::string text(const double value) {
@@ -51,6 +53,23 @@ void Writer::snubber(const Support &s, Entries &out) const {
   number(out, "Drag", s.snubber.drag * l / f);
 }
 
+void Writer::matrix(Entries &out, const Spring &s) const {
+  Eigen::Matrix<double, 6, 6> K = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int first : {0, 3})
+    for (int d = 0; d < 3; ++d)
+      K.block<3, 3>(first, first) +=
+          s.stiffness[first + d] * s.axes.col(d) * s.axes.col(d).transpose();
+  std::string rows;
+  for (int i = 0; i < 6; ++i) {
+    Six row;
+    for (int j = 0; j < 6; ++j)
+      row[j] = K(std::min(i, j), std::max(i, j)); // the same to the last bit
+    const double l = units.length, f = units.force;
+    rows += (i > 0 ? "; " : "") + (i < 3 ? six(row, f / l, f) : six(row, f, f * l));
+  }
+  set(out, "Matrix", rows);
+}
+
 void Writer::support(const Support &s) {
   Entries out;
   const double l = units.length, f = units.force;
@@ -62,14 +81,18 @@ void Writer::support(const Support &s) {
   set(out, "To", s.to);
   if (s.continuous)
     set(out, "Continuous", "true");
-  if (s.kind == "restraint")
+  if (s.kind == "restraint") {
     set(out, "Fixed", motions(s.fixed));
+    axes(out, s.axes);
+  }
   const bool normal_is_way = !s.ground.empty() && !s.own_normal;
   if (s.kind == "snubber")
     snubber(s, out);
   else if (!s.direction.empty())
     set(out, "Normal", s.direction);
-  else if (!normal_is_way && (s.kind == "stop" || s.kind == "friction" || s.kind == "rest"))
+  else if (s.kind == "rod"
+               ? s.normal != Vec(0., 0., 1.)
+               : !normal_is_way && (s.kind == "stop" || s.kind == "friction" || s.kind == "rest"))
     set(out, "Normal", vector(s.normal, 1.));
   if (!s.law.empty()) {
     set(out, "Law", s.law);

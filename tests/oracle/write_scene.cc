@@ -136,6 +136,7 @@ void Writer::load(const Load &load) {
                   text(load.at[i].second[c] / (c < 3 ? l : 1.));
     }
     set(out, "Displacements", list);
+    axes(out, load.axes);
   }
   if (!load.history.empty())
     set(out, "History", table(load.history));
@@ -152,7 +153,12 @@ void Writer::rest() {
     Entries out;
     set(out, "At", s.at);
     set(out, "To", s.to);
-    set(out, "Stiffness", six(s.stiffness, f / l, f * l));
+    if (s.as_matrix)
+      matrix(out, s);
+    else {
+      set(out, "Stiffness", six(s.stiffness, f / l, f * l));
+      axes(out, s.axes);
+    }
     if (s.damping != Six{})
       set(out, "Damping", six(s.damping, f / l, f * l));
     part("Spring " + s.name, out);
@@ -187,6 +193,8 @@ void Writer::rest() {
     number(out, "Variation", h.variation, 0.25);
     set(out, "Weight step", h.weight_step);
     set(out, "Hot step", h.hot_step);
+    if (h.direction != Vec(0., 0., 1.))
+      set(out, "Direction", vector(h.direction, 1.));
     part("Hanger " + h.name, out);
   }
   for (const Initial &i : scene.initial) {

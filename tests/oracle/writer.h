@@ -51,6 +51,13 @@ private:
       result += (c > 0 ? " " : "") + text(values[c] / (c < 3 ? unit : turning_unit));
     return result;
   }
+  /// Entry Axes of what has its own, by columns.
+  void axes(Entries &out, const Eigen::Matrix3d &Q) const {
+    if (Q != Eigen::Matrix3d::Identity())
+      set(out, "Axes", vector(Q.col(0), 1.) + "; " + vector(Q.col(1), 1.));
+  }
+  /// Entry Matrix, of stiffnesses along and about axes.
+  void matrix(Entries &out, const Spring &s) const;
   void part(const std::string &heading, const Entries &entries) {
     parts.push_back("\nsubsection " + heading + "\n" + entries.str() + "end\n");
   }

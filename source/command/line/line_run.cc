@@ -138,8 +138,7 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
                   if (vtu && vtu_frames.takes(frame))
                     vtu->append(shown);
                 }),
-      envelope(model, results), sections(model),
-      vtu_frames(scene), progress_line(scene) {
+      envelope(model, results), sections(model), vtu_frames(scene), progress_line(scene) {
   output_timer.reset();
   if (scene.time.is_exact())
     sequence.watch([this](const MotionPiece &piece) {

@@ -61,8 +61,8 @@ void ProgressLine::show(const Progress &progress) {
       since_last.count() < (on_terminal ? between_words : between_lines))
     return;
   last = now;
-  const std::string words = progress_in_words(scene.steps[progress.step].name, progress, first,
-                                              since_begin.count());
+  const std::string words =
+      progress_in_words(scene.steps[progress.step].name, progress, first, since_begin.count());
   if (on_terminal)
     std::cerr << "\r\033[K" << words << std::flush;
   else

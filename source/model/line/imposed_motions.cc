@@ -5,6 +5,7 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
@@ -13,33 +14,48 @@ using namespace dealii;
 
 namespace {
 
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
 /// The smallest motion of a vertex that has the values of @p given, in one load, and respects all
-/// that is held there.
+/// that is held there. What is held along a given motion moves with it, either way it points, and
+/// so does an anchor along one that lies askew between the directions it holds.
 Eigen::VectorXd smallest_motion(const Load::AtPoint &given, const std::string &load,
                                 const unsigned int vertex, const ReducedSpace &space) {
-  Eigen::MatrixXd rows(0, 6);
-  Eigen::VectorXd values(0);
+  std::vector<Vector6> rows_held, axes;
+  std::vector<double> values_given;
+  for (unsigned int c = 0; c < 6; ++c)
+    if (given.given[c]) {
+      axes.emplace_back(unit_motion(given.axes, c).data());
+      values_given.push_back(given.value[c]);
+    }
+  Eigen::MatrixXd others(6, 0); // held, and none of the given motions
   for (const auto &held : space.held()) {
     if (held.vertex != vertex)
       continue;
-    const Eigen::Index n = rows.rows();
-    rows.conservativeResize(n + 1, 6);
-    values.conservativeResize(n + 1);
-    values[n] = 0.;
-    double left = 1., moves = 0.; // of the direction, what is not given; what of it is
-    for (unsigned int c = 0; c < 6; ++c) {
-      rows(n, c) = held.direction[c];
-      if (!given.given[c])
-        continue;
-      const Motion axis = unit_motion(given.axes, c);
-      double part = 0.;
-      for (unsigned int d = 0; d < 6; ++d)
-        part += held.direction[d] * axis[d];
-      left -= part * part;
-      moves += part * given.value[c];
+    Vector6 &row = rows_held.emplace_back();
+    for (unsigned int c = 0; c < 6; ++c)
+      row[c] = held.direction[c];
+    if (std::none_of(axes.begin(), axes.end(), [&](const Vector6 &axis) {
+          return std::abs(std::abs(row.dot(axis)) - 1.) < no_component;
+        })) {
+      others.conservativeResize(6, others.cols() + 1);
+      others.col(others.cols() - 1) = row;
     }
-    if (std::abs(left) < no_component) // what is held along given motions moves with them
-      values[n] = moves;
+  }
+  Vector6 carried = Vector6::Zero(); // by what is held askew to the given motions
+  for (std::size_t k = 0; k < axes.size() && others.cols() > 0; ++k)
+    if ((others * others.completeOrthogonalDecomposition().solve(axes[k]) - axes[k]).norm() <
+        no_direction)
+      carried += values_given[k] * axes[k];
+  Eigen::MatrixXd rows(rows_held.size(), 6);
+  Eigen::VectorXd values(rows_held.size());
+  for (std::size_t n = 0; n < rows_held.size(); ++n) {
+    rows.row(n) = rows_held[n];
+    values[n] = rows_held[n].dot(carried);
+    for (std::size_t k = 0; k < axes.size(); ++k)
+      if (const double part = rows_held[n].dot(axes[k]);
+          std::abs(std::abs(part) - 1.) < no_component)
+        values[n] = part * values_given[k];
   }
   const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
   if ((rows * motion - values).norm() > 1e-9 * values.norm())

@@ -115,13 +115,13 @@ void transfer(Archive &archive, Vector3 &vector) { archive(vector[0], vector[1],
 
 void transfer(Archive &archive, Station &station) {
   archive(station.pipe, station.vertex, station.s, station.position, station.displacement,
-          station.force, station.y, station.z, station.y_now, station.z_now, station.pressure, station.part, station.bend_radius,
-          station.bend_axis);
+          station.force, station.y, station.z, station.y_now, station.z_now, station.pressure,
+          station.part, station.bend_radius, station.bend_axis);
 }
 
 void transfer(Archive &archive, Frame &frame) {
-  archive(frame.name, frame.step, frame.step_before, frame.increment, frame.time, frame.end_of_step, frame.line,
-          frame.supports, frame.reactions, frame.sections);
+  archive(frame.name, frame.step, frame.step_before, frame.increment, frame.time, frame.end_of_step,
+          frame.line, frame.supports, frame.reactions, frame.sections);
 }
 
 void transfer(Archive &archive, History &history) {

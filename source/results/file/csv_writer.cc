@@ -165,14 +165,18 @@ void CsvWriter::append_reactions(const Frame &frame) {
 void CsvWriter::append_line(const Frame &frame) {
   const std::string step = csv_field(frame.name) + ',';
   std::string row;
-  for (const Station &station : frame.line) {
+  for (std::size_t i = 0; i < frame.line.size(); ++i) {
+    const Station &station = frame.line[i];
     AssertIndexRange(station.pipe, scene.pipes.size());
     (row = step) += csv_field(scene.pipes[station.pipe].name);
     add_numbers(row, std::array<double, 4>{{station.s, station.position[0], station.position[1],
                                             station.position[2]}});
     add_numbers(row, station.displacement);
     add_numbers(row, station.force);
-    add_numbers(row, moments_of_bend(station.bend_axis, station));
+    // The node where a bend begins may be the last station of what is before it.
+    const bool begins_cell = station.is_node() && station.bend_radius == 0. &&
+                             i + 1 < frame.line.size() && frame.line[i + 1].pipe == station.pipe;
+    add_numbers(row, moments_of_bend(frame.line[begins_cell ? i + 1 : i].bend_axis, station));
     line.stream() << row << '\n';
   }
   line.flush();

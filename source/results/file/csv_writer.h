@@ -15,8 +15,8 @@ namespace frictionbeam {
  * - `supports.csv`: support, step, increment, time, status, fn, ft1, ft2, gap, slip1, slip2,
  *   work_friction, of every frame;
  * - `reactions.csv`: restraint, step, increment, time, fx, fy, fz, mx, my, mz, of every frame;
- * - `line.csv`: step, pipe, s, x, y, z, ux, uy, uz, rx, ry, rz, N, Vy, Vz, Mx, My, Mz, at the ends
- * of the steps only, since its rows carry no time;
+ * - `line.csv`: step, pipe, s, x, y, z, ux, uy, uz, rx, ry, rz, N, Vy, Vz, Mx, My, Mz, M_in, M_out
+ * (of bends; 0 elsewhere), at the ends of the steps only, since its rows carry no time;
  * - `sections.csv`: step, pipe, s, eps, gamma_y, gamma_z, chi, kappa_y, kappa_z, N, Vy, Vz, Mx, My,
  * Mz, utilization, plastic_strain, creep_strain, dissipation, likewise, of pipes that yield or
  * creep, if there are any;

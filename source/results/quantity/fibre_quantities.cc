@@ -31,15 +31,18 @@ std::array<double, 2> moments_of_bend(const Vector3 &normal, const Station &stat
 
 namespace {
 
-/// The side of a point that lies in a bend, where none is asked for.
-const Station &station_in_bend(const Model &model, const Quantity &quantity, const Frame &made) {
-  const Station &first = station_at(model, quantity, made);
-  if (first.bend_radius > 0. || quantity.side != Quantity::Side::any)
-    return first;
-  Quantity other = quantity;
-  other.side = Quantity::Side::after;
-  const Station *const after = find_station(model, other, made);
-  return after != nullptr && after->bend_radius > 0. ? *after : first;
+/// Normal of the bend that begins, ends or goes on at a quantity's point, on the asked side of it;
+/// zero if there is none. Where forces do not jump a frame has one station for both sides.
+Vector3 normal_of_bend(const Model &model, const Quantity &quantity, const Station &station) {
+  using Side = Quantity::Side;
+  const MeshedPipe &pipe = model.mesh.pipes[station.pipe];
+  for (unsigned int i = 0; i < pipe.vertices.size(); ++i)
+    for (const bool after : {false, true})
+      if (pipe.vertices[i] == station.vertex && (after || i > 0) &&
+          quantity.side != (after ? Side::before : Side::after))
+        if (const auto axis = pipe.bend_axis.find(after ? i : i - 1); axis != pipe.bend_axis.end())
+          return axis->second;
+  return Vector3();
 }
 
 } // namespace
@@ -48,8 +51,10 @@ double value_of_fibre(const Model &model, const Quantity &quantity, const Frame 
   const auto which = static_cast<Fibre>(quantity.kind().component);
   const std::string name = "Quantity " + quantity.name + ": ";
   if (which == Fibre::in_plane || which == Fibre::out_of_plane) {
-    const Station &station = station_in_bend(model, quantity, made);
-    const Vector3 normal = StressEvaluation::normal_of_plane(model.scene, model.mesh, station);
+    const Station &station = station_at(model, quantity, made);
+    Vector3 normal = StressEvaluation::normal_of_tee(model.scene, model.mesh, station);
+    if (normal.norm() == 0.)
+      normal = normal_of_bend(model, quantity, station);
     if (normal.norm() == 0.)
       throw UserError(name + "the point '" + quantity.where +
                       "' is in no bend and no Tee, and has no plane. Take My and Mz, or M along a "

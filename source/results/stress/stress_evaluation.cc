@@ -114,13 +114,15 @@ void StressEvaluation::check(const std::vector<Station> &line) const {
   }
 }
 
-Vector3 StressEvaluation::normal_of_plane(const Scene &scene, const LineMesh &mesh,
-                                          const Station &station) {
-  return normal_at(find_tee(find_tees(scene, mesh), station), station);
+Vector3 StressEvaluation::normal_of_tee(const Scene &scene, const LineMesh &mesh,
+                                        const Station &station) {
+  const std::vector<TeeSite> tees = find_tees(scene, mesh);
+  const TeeSite *const tee = find_tee(tees, station);
+  return tee != nullptr ? tee->normal : Vector3();
 }
 
 StressEvaluation::Axes StressEvaluation::axes(const Station &station, const double pressure) const {
-  const Vector3 normal = normal_at(tee_at(station), station);
+  const Vector3 normal = tee_at(station) != nullptr ? tee_at(station)->normal : station.bend_axis;
   return {station.y * normal, station.z * normal, pressure};
 }
 

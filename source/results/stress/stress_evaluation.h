@@ -39,8 +39,8 @@ public:
   };
   Axes axes(const Station &station, const double pressure) const;
 
-  /// Unit normal of the plane of the bend or tee there; zero elsewhere.
-  static Vector3 normal_of_plane(const Scene &scene, const LineMesh &mesh, const Station &station);
+  /// Unit normal of the plane of the tee there; zero elsewhere.
+  static Vector3 normal_of_tee(const Scene &scene, const LineMesh &mesh, const Station &station);
 
   const Scene &scene;
   const Results &results;
@@ -57,9 +57,6 @@ private:
   static std::vector<TeeSite> find_tees(const Scene &scene, const LineMesh &mesh);
   static const TeeSite *find_tee(const std::vector<TeeSite> &tees, const Station &station);
   const TeeSite *tee_at(const Station &station) const { return find_tee(tees, station); }
-  static Vector3 normal_at(const TeeSite *const tee, const Station &station) {
-    return tee != nullptr ? tee->normal : station.bend_axis;
-  }
 
   const std::vector<TeeSite> tees;
 };
