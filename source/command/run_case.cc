@@ -10,6 +10,8 @@
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
+#include "results/combination/governing_cases.h"
+#include "results/combination/uplift.h"
 #include "results/file/checkpoint.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
@@ -22,6 +24,7 @@
 #include "results/report/report.h"
 #include "results/report/report_modes.h"
 #include "results/report/report_study.h"
+#include "results/spectrum/modal_csv.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 #include "results/verdicts.h"
@@ -156,6 +159,9 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
   write_stresses(scene, results, scene.output.directory);
   write_section_histories(scene, results, scene.output.directory);
   write_envelopes(scene, results, scene.output.directory);
+  write_governing_cases(scene, results, scene.output.directory);
+  write_uplift(scene, results, scene.output.directory);
+  write_excitations(results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
   return results;
 }

@@ -93,7 +93,8 @@ struct Frame {
   int step_before = -1; ///< that the step starts from; -1: none, or of a case
   double time = 0.;
   bool end_of_step = true;
-  bool is_amplitude = false; ///< of a case: its numbers are sizes, of either sign
+  bool is_amplitude = false; ///< of a case whose numbers are sizes, or each from another state: no
+                             ///< shape to draw
   std::vector<Station> line;
   std::vector<SupportState> supports;
   std::vector<Motion> reactions; ///< of RestraintInfo
@@ -172,6 +173,24 @@ struct ModeResult {
   std::array<double, 3> effective_mass{}; ///< [kg]
   double residual = 0.;                   ///< |K q - w^2 M q| / (w^2 |M q|)
   Frame shape;
+};
+
+/// What a spectrum does to a mode in one direction.
+struct ModalExcitation {
+  unsigned int mode = 0;      ///< from 1 on
+  unsigned int direction = 0; ///< 0, 1, 2: x, y, z
+  std::string spectrum;
+  double participation = 0.; ///< phi^T M r [kg^1/2]
+  double acceleration = 0.;  ///< with the direction's factor [m/s2]
+  double rigid = 0.;         ///< share that follows the ground without delay
+};
+
+/// Which cases gave the numbers of a combination.
+struct GoverningCases {
+  std::string name;               ///< of the combination
+  std::vector<std::string> cases; ///< steps, the spectrum and sums, not combinations that have some
+  std::vector<unsigned int> of;   ///< place in cases, in the order of numbers_of()
+  std::vector<unsigned int> least; ///< of a range, that of the smaller number; else empty
 };
 
 /// Stresses of one case by a stress code, at each station of its frame.
@@ -290,6 +309,8 @@ struct Results {
   std::vector<SectionHistory> section_histories;
   std::vector<QuantityResult> quantities;
   std::vector<ModeResult> modes;
+  std::vector<ModalExcitation> excitations; ///< by direction, spectrum and mode
+  std::vector<GoverningCases> governing;    ///< of envelopes, maxima, minima and ranges
   std::vector<StressCase> stresses;
   std::vector<NozzleUse> nozzles;
   FrictionStudy friction_study;

@@ -209,6 +209,8 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
   parts::parse_support_places(in, laws, scene);
   in.enter("Modes");
   parts::check_modes(in, scene);
+  in.enter("Response");
+  parts::check_response(in, scene);
   in.enter("Stress");
   parts::declare_stress(in);
   in.take();

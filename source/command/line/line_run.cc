@@ -2,9 +2,12 @@
 #include "command/line/line_run.h"
 
 #include "base/interruption.h"
+#include "results/combination/governing_cases.h"
 #include "results/file/envelope_tables.h"
 #include "results/frame/derived_cases.h"
 #include "results/quantity/wall_quantities.h"
+#include "results/spectrum/modal_csv.h"
+#include "results/spectrum/spectrum_response.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 
@@ -74,7 +77,12 @@ std::optional<Frame> vibrate(const Model &model, const LineState &state, Results
         "Friction is off in the modes and in the response to the spectra: a closed support holds "
         "along its normal only. The method is linear and cannot do otherwise; a transient step "
         "has friction.");
-    return spectrum_response(model, analysis);
+    if (!scene.response.write_modes || scene.output.directory.empty())
+      return spectrum_response(model, analysis, results);
+    ModalCsv csv(scene, results, scene.output.directory);
+    return spectrum_response(model, analysis, results,
+                             [&](const unsigned int mode, const unsigned int direction,
+                                 const Frame &frame) { csv.append(mode, direction, frame); });
   }
   if (model.contacts.size() > 0)
     results.remarks.push_back(
@@ -131,6 +139,8 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     collector.observe_case(frame);
     if (cases.of_either_sign)
       results.combination_ranges.push_back(range);
+    if (has_governing_cases(combination.kind))
+      results.governing.push_back(governing_cases(combination, cases.ranges, results));
     if (cases.over_steps.empty())
       continue;
     results.remarks.push_back(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/report/report.h"
+#include "results/combination/uplift.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/frame/frame_choice.h"
@@ -139,9 +140,11 @@ std::string pictures(const Scene &scene, const Results &results,
          (results.envelopes.empty()
               ? ""
               : html_note("Of a transient step the line is shown as it is at the step's end.")) +
-         (any_amplitude ? html_note("Cases of sizes, which may have either sign, are no shapes: "
-                                    "their line is drawn as it is built.")
-                        : "");
+         (any_amplitude
+              ? html_note("Cases of sizes, which may have either sign, and of numbers from "
+                          "different cases are no shapes: their line is drawn as it is "
+                          "built.")
+              : "");
 }
 
 std::string input(const Scene &scene) {
@@ -198,6 +201,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("states", "States", state_table(results));
     if (!results.supports.empty())
       add("supports", "Supports", support_tables(results, frames));
+    if (const std::string left = uplift_table(scene, results); !left.empty())
+      add("uplift", "Uplift", left);
     if (!results.restraints.empty())
       add("reactions", "Reactions", reaction_tables(results, frames));
     if (!results.points.empty())

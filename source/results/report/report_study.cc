@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/report/report_study.h"
+#include "results/combination/governing_cases.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
 #include "results/file/output_file.h"
@@ -164,7 +165,7 @@ std::string displacement_tables(const Results &results, const std::vector<const 
                                                    displacement_envelope_table(results, *envelope) +
                                                    "<h3>At its end</h3>\n"
                                              : "") +
-                            table.str());
+                            table.str() + governing_point_table(results, *frame));
   }
   return html_tabs("displacements-of", panels) +
          html_note("Of the named points, in global axes; line.csv has every station.");

@@ -261,10 +261,18 @@ void parse_stress(const ParameterReader &in, Scene &scene) {
   StressSettings &stress = scene.stress;
   stress.code = in.choice("Code", stress_codes);
   const std::vector<std::string> known = case_names(scene);
+  const auto find_case = [&](const std::string &entry, const std::string &name) {
+    in.find(entry, name, known, "step");
+    for (const Combination &one : scene.combinations)
+      if (one.name == name &&
+          (one.kind == Combination::Kind::maximum || one.kind == Combination::Kind::minimum))
+        in.fail(entry, "no maximum or minimum, which has one side of the forces alone",
+                "a combination of kind envelope", "'" + name + "'");
+  };
   const auto steps = [&](const std::string &entry) {
     const std::vector<std::string> list = in.list(entry);
     for (const std::string &step : list)
-      in.find(entry, step, known, "step");
+      find_case(entry, step);
     return list;
   };
   stress.sustained = steps("Sustained");
@@ -274,8 +282,8 @@ void parse_stress(const ParameterReader &in, Scene &scene) {
     if (words.size() != 3 || words[1] != "to")
       in.fail("Expansion", "pairs 'step to step', separated by commas", "'weight to heat'",
               "'" + pair + "'");
-    in.find("Expansion", words[0], known, "step");
-    in.find("Expansion", words[2], known, "step");
+    find_case("Expansion", words[0]);
+    find_case("Expansion", words[2]);
     stress.expansion.emplace_back(words[0], words[2]);
   }
   stress.cycles_factor = in.number("Cycles factor");

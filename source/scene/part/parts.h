@@ -91,6 +91,8 @@ void declare_spectrum(ParameterReader &in);
 void parse_spectrum(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_response(ParameterReader &in);
 void parse_response(const ParameterReader &in, Scene &scene);
+/// What of it depends on the spectra, in section Response.
+void check_response(const ParameterReader &in, const Scene &scene);
 void declare_combination(ParameterReader &in);
 void parse_combination(const ParameterReader &in, const std::string &name, Scene &scene);
 /// Names of steps, of the spectra's result and of combinations.

@@ -176,7 +176,8 @@ void remark_on_sections(ParameterReader &in, Scene &scene) {
   in.enter("Response");
   if (scene.spectra.empty())
     remark_on(in, "Response",
-              {"Modes", "Directions", "Groups", "Interpolation", "Damping", "Missing mass"},
+              {"Modes", "Directions", "Groups", "First", "Interpolation", "Damping", "Duration",
+               "Missing mass", "Rigid part", "Rigid frequencies", "Write modes"},
               "without a Spectrum", scene);
 }
 
