@@ -40,6 +40,11 @@ void test_oscillators() {
       const AccelerationRecord cut = sampled(12. / f, 12. / f / 1237., [](double) { return 3.; });
       CHECK_NEAR(pseudo_acceleration(cut, f, zeta), pseudo_acceleration(whole, f, zeta), 1e-11);
     }
+  // A long piece of which the middle is passed over, and the same in many pieces.
+  const AccelerationRecord slope = {{0., 30.}, {2., -1.}},
+                           pieces = sampled(30., 0.05, [](const double t) { return 2. - 0.1 * t; });
+  for (const double zeta : {0., 0.01, 0.5})
+    CHECK_NEAR(pseudo_acceleration(slope, 3., zeta), pseudo_acceleration(pieces, 3., zeta), 1e-11);
   // An impulse, in the limit: w u -> velocity of the ground, and free vibration behind the record.
   const AccelerationRecord blow = {{0., 1e-5}, {100., 100.}};
   CHECK_NEAR(largest_response(blow, 1., 0.).displacement, 1e-3 / (2. * pi), 1e-9);
