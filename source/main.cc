@@ -5,6 +5,7 @@
 #include "command/command_line.h"
 #include "command/compare_command.h"
 #include "command/contact_command.h"
+#include "command/import_command.h"
 #include "command/run_case.h"
 #include "command/spectrum_command.h"
 #include "command/study/study_command.h"
@@ -89,6 +90,8 @@ int run(int argc, char **argv) {
     return frictionbeam::spectrum_command(line.spectrum);
   case CommandLine::Command::record:
     return frictionbeam::record_command(line.spectrum);
+  case CommandLine::Command::import:
+    return frictionbeam::import_file(line.import);
   case CommandLine::Command::chart:
     return frictionbeam::chart_command(line.chart_list, line.chart_folder);
   case CommandLine::Command::chart_parameters:

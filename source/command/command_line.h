@@ -4,6 +4,7 @@
 #include "base/run_options.h"
 #include "command/contact_command.h"
 #include "command/spectrum_command.h"
+#include "import/import_pcf.h"
 
 namespace frictionbeam {
 
@@ -19,6 +20,7 @@ struct CommandLine {
     study,
     spectrum,
     record,
+    import,
     nothing
   };
   Command command = Command::nothing;
@@ -26,6 +28,7 @@ struct CommandLine {
   std::string folders[2]; ///< of compare
   ContactOptions contact;
   SpectrumOptions spectrum; ///< of spectrum and record
+  import::ImportOptions import;
   std::string chart_list;   ///< of chart
   std::string chart_folder; ///< where it goes; empty: output/chart_<its name>
 };

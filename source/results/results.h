@@ -25,6 +25,13 @@ struct SupportInfo {
   double capacity = 0.;   ///< largest force that it is made for [N]; 0: not said
 };
 
+/// Rests by whatever name, and rods: what holds the line up, and from what it may lift off.
+inline bool holds_up(const SupportInfo &support) {
+  constexpr double upwards = 0.7; // of the normal
+  return support.kind == "rest" || support.kind == "rod" ||
+         (support.kind == "friction" && support.normal[2] > upwards);
+}
+
 /// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in
 /// compression.
 struct SupportState {
@@ -76,7 +83,9 @@ struct Station {
   Point3 position;
   Motion displacement{};   ///< global axes [m, rad]
   Motion force{};          ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
-  Vector3 y, z;            ///< local axes of the section forces
+  Vector3 y, z;            ///< local axes of the section forces, of the line as it was built
+  Vector3 y_now, z_now;    ///< the same, as they have turned
+  double pressure = 0.;    ///< inside [Pa]; of a case made of others not known
   double part = 0.;        ///< s over the pipe's length
   double bend_radius = 0.; ///< [m]; 0: not in a bend
   Vector3 bend_axis;       ///< of a bend: unit normal of its plane
@@ -197,10 +206,12 @@ struct GoverningCases {
 struct StressCase {
   std::string name, kind, code; ///< kind: sustained, expansion, occasional
   Frame frame;
-  std::vector<double> stress, allowed;        ///< [Pa]
-  std::vector<std::array<double, 3>> factors; ///< flexibility, intensification in and out of plane
-  std::string step;                           ///< that it is of; of a range, the later one
-  unsigned int worst = 0;                     ///< the station of largest stress over allowed
+  std::vector<double> stress, allowed; ///< [Pa]
+  std::vector<StressFactors> factors;
+  /// That make each stress; empty where they are not kept: of transient steps.
+  std::vector<StressForces> forces;
+  std::string step;         ///< that it is of; of a range, the later one
+  unsigned int worst = 0;   ///< the station of largest stress over allowed
   std::vector<double> time; ///< when each stress was met, of a transient step; empty: at the end
 };
 
@@ -213,11 +224,31 @@ struct NozzleUse {
   std::optional<double> time; ///< of the largest use in a transient step [s]; empty: at its end
 };
 
-/// Largest force of one support or restraint over all steps, for each multiplier of friction.
+/// What a spring hanger carries over the static steps that have weight.
+struct HangerUse {
+  std::string name, point, item;        ///< item of a catalogue; may be empty
+  double stiffness = 0.;                ///< [N/m]; 0: constant
+  double cold_load = 0., hot_load = 0.; ///< before anything has moved; in the hot step [N]
+  double travel = 0.;                   ///< up, to the hot step [m]
+  /// Largest |F - F_hot|/F_hot over these steps and the cold load, and where; how much is allowed.
+  double variability = 0., allowed_variability = 0.;
+  std::string step;                       ///< "cold" or a step
+  double least_load = 0., most_load = 0.; ///< of all these [N]
+  std::string least_step, most_step;
+  double least_allowed = 0., most_allowed = 0.; ///< of the item [N]; 0: none
+};
+
+/// What a study over multipliers of friction compares.
 struct FrictionStudy {
-  std::vector<double> multipliers;
+  /// Use of a nozzle's allowable loads or of an allowable stress, the largest of the steps.
+  struct Ratio {
+    std::string kind, of;       ///< "nozzle" or "stress"; which
+    std::vector<double> values; ///< by multiplier; nan where the run did not come to it
+  };
+  std::vector<double> multipliers; ///< rising
+  std::vector<Ratio> ratios;
   std::vector<std::string> names;           ///< of supports and restraints
-  std::vector<std::vector<double>> largest; ///< by multiplier, by name [N]
+  std::vector<std::vector<double>> largest; ///< force over all steps, by multiplier, by name [N]
 };
 
 /// Motion of a monitored point at every increment.
@@ -313,6 +344,7 @@ struct Results {
   std::vector<GoverningCases> governing;    ///< of envelopes, maxima, minima and ranges
   std::vector<StressCase> stresses;
   std::vector<NozzleUse> nozzles;
+  std::vector<HangerUse> hangers;
   FrictionStudy friction_study;
   std::array<double, 3> total_mass{}; ///< that modes could move [kg]
   std::string modal_method;           ///< in plain words

@@ -103,6 +103,24 @@ OneCheck nozzles(const Results &results) {
   return check;
 }
 
+/// Variability over all temperatures, and the range of items of a catalogue.
+OneCheck hangers(const Results &results) {
+  OneCheck check("hanger", "hangers", "-");
+  for (const HangerUse &one : results.hangers) {
+    if (one.stiffness > 0.)
+      check.judge(one.name + ", variability", one.step, one.variability, one.allowed_variability);
+    if (!one.item.empty()) {
+      check.judge(one.name + ", load over the most of " + one.item, one.most_step,
+                  one.most_load / one.most_allowed, 1.);
+      check.judge(one.name + ", least load of " + one.item + " over the load", one.least_step,
+                  one.least_load > 0. ? one.least_allowed / one.least_load
+                                      : std::numeric_limits<double>::infinity(),
+                  1.);
+    }
+  }
+  return check;
+}
+
 OneCheck uplift(const Scene &scene, const Results &results) {
   OneCheck check("uplift", "uplift", "N");
   for (const Uplift &one : uplifts_of(scene, results))
@@ -198,6 +216,7 @@ std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
   energy(scene, results).tell(told);
   stress(results).tell(told);
   nozzles(results).tell(told);
+  hangers(results).tell(told);
   if (scene.checks.uplift)
     uplift(scene, results).tell(told);
   capacity(scene, results).tell(told);

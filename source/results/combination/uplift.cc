@@ -20,12 +20,6 @@ constexpr double no_gap = 1e-9;   ///< of the line's motion
 constexpr double no_force = 1e-9; ///< of the largest, in a sum of cases
 constexpr std::size_t most_cases = 12;
 
-bool holds_up(const SupportInfo &support) {
-  constexpr double upwards = 0.7; // of the normal
-  return support.kind == "rest" || support.kind == "rod" ||
-         (support.kind == "friction" && support.normal[2] > upwards);
-}
-
 void add_step(const Results &results, const Frame &frame, std::vector<Uplift> &all) {
   const double touching = no_gap * largest_motion(frame);
   for (unsigned int i = 0; i < frame.supports.size(); ++i)

@@ -6,7 +6,11 @@
 #include "results/frame/frame_choice.h"
 #include "results/how_well_known.h"
 #include "results/inelastic/yield_report.h"
+#include "results/listing/compliance.h"
+#include "results/listing/hangers.h"
+#include "results/listing/model_echo.h"
 #include "results/page/html.h"
+#include "results/picture/displacement_scale.h"
 #include "results/picture/line_picture.h"
 #include "results/remarks.h"
 #include "results/report/report_charts.h"
@@ -16,6 +20,7 @@
 #include "results/report/report_tree.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
+#include "results/turnable/model_section.h"
 #include "results/verdicts.h"
 
 #include <algorithm>
@@ -184,8 +189,10 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       steps += html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
                          std::to_string(n_ends) + " steps; the csv files have all of them.");
     add("steps", "Steps", steps);
-    if (!frames.back()->line.empty()) // a scene may have no pipe at all
+    if (!frames.back()->line.empty()) { // a scene may have no pipe at all
+      add("model", "Model", model_section(scene, results, frames, scale));
       add("line", "Line", pictures(scene, results, frames, scale));
+    }
     const ReportCharts charts =
         make_report_charts(scene, results, few_of(frames, n_curves_at_most));
     if (!charts.section_forces.empty())
@@ -208,9 +215,12 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     if (!results.points.empty())
       add("displacements", "Displacements", displacement_tables(results, frames));
     if (!results.stresses.empty())
-      add("stresses", "Stresses", stress_section(scene, results));
+      add("stresses", "Stresses",
+          stress_section(scene, results) + compliance_section(scene, results));
     if (!results.nozzles.empty())
       add("nozzles", "Allowable loads", nozzle_section(results));
+    if (!results.hangers.empty())
+      add("hangers", "Hangers", hanger_section(results));
     if (!results.friction_study.multipliers.empty())
       add("friction", "Friction study", friction_study_section(results));
     if (!results.supports.empty() || !results.restraints.empty())
@@ -223,6 +233,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
   for (const ReportSection &section : results.sections)
     add(section.id, section.title, section.html);
   add("solver", "Solver", solver_tables(results));
+  if (const std::string echo = model_echo(scene, results); !echo.empty())
+    add("echo", "Nodes and elements", echo);
   add("input", "Input", input(scene));
   write_file(folder + "/report.html",
              html_page(scene.title.empty() ? scene.name : scene.title,
