@@ -39,10 +39,11 @@ struct MatchedRecord {
  * R76-4 (1976)):
  *   a(t) = E(t) sum A_j cos(2 pi f_j t + p_j), f_j = j/duration,
  * with E = (t/rise)^2, 1, cos^2 over the fall. The A_j are multiplied by target over response at
- * f_j again and again, response being the exact spectrum of the record (acceleration_record.h). Two
- * smooth waves as long as the record take velocity and displacement of the ground to zero at its
- * end. The best of all iterations is given back, of the first seed whose best fits, or of all.
- * Equal settings give equal records.
+ * f_j again and again, and peaks of a are cut off at 1.1 of the target at the highest frequency,
+ * which no spectrum of a higher peak could meet; response is the exact spectrum of the record
+ * (acceleration_record.h). Two smooth waves as long as the record take velocity and displacement of
+ * the ground to zero at its end. The best of all iterations is given back, of the first seed whose
+ * best fits, or of all. Equal settings give equal records.
  */
 MatchedRecord match_record(const Spectrum &spectrum, const MatchedRecordSettings &settings);
 
