@@ -106,13 +106,13 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     CombinationRange range;
     range.step = next;
     Frame frame = combine(combination, cases.ranges, &range);
+    if (has_governing_cases(combination.kind)) // before there are more frames: the cases move then
+      results.governing.push_back(governing_cases(combination, cases.ranges, results));
     frame.name = combination.name;
     frame.step = next++;
     collector.observe_case(frame);
     if (cases.of_either_sign)
       results.combination_ranges.push_back(range);
-    if (has_governing_cases(combination.kind))
-      results.governing.push_back(governing_cases(combination, cases.ranges, results));
     if (cases.over_steps.empty())
       continue;
     results.remarks.push_back(
