@@ -124,7 +124,10 @@ void list_steps(const Scene &scene) {
     std::cout << "Modes: " << scene.modal.n_modes << ", "
               << (scene.modal.lumped ? "lumped" : "consistent") << " mass\n";
   for (const Spectrum &spectrum : scene.spectra)
-    std::cout << "Spectrum " << spectrum.name << ": " << plural(spectrum.curve.size(), "point")
+    std::cout << "Spectrum " << spectrum.name << ": "
+              << (spectrum.record == nullptr
+                      ? plural(spectrum.curve.size(), "point")
+                      : "of a record with " + plural(spectrum.record->time.size(), "instant"))
               << '\n';
   for (const Combination &combination : scene.combinations)
     std::cout << "Combination " << combination.name << ": "

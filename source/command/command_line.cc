@@ -59,8 +59,9 @@ void declare_spectra(CLI::App &spectrum, CLI::App &record, SpectrumOptions &opti
   for (CLI::App *const one : {&spectrum, &record}) {
     const bool is_record = one == &record;
     one->add_option("--from", options.first,
-                    is_record ? "Lowest frequency that shall fit (that of the spectrum if not given)"
-                              : "Lowest frequency (0.1 if not given)")
+                    is_record
+                        ? "Lowest frequency that shall fit (that of the spectrum if not given)"
+                        : "Lowest frequency (0.1 if not given)")
         ->type_name("HERTZ")
         ->check(CLI::Range(1e-3, 1e4));
     one->add_option("--to", options.last,
@@ -207,8 +208,8 @@ void declare(CLI::App &app, CommandLine &line) {
                    "Where the chart goes (output/chart_LIST if not given)")
       ->type_name("FOLDER");
   chart->add_flag("--print-parameters", "Print the entries of a list");
-  CLI::App *const spectrum = add_command(
-      "spectrum", "Response spectra of a record of accelerations", Command::spectrum);
+  CLI::App *const spectrum =
+      add_command("spectrum", "Response spectra of a record of accelerations", Command::spectrum);
   CLI::App *const record = add_command(
       "record", "Make a record of accelerations that fits a response spectrum", Command::record);
   declare_spectra(*spectrum, *record, line.spectrum);

@@ -23,8 +23,8 @@ CurveForm form_of(const SpectrumOptions &options) {
   form.unit_name = options.unit.empty() ? "m/s2" : options.unit;
   form.unit = acceleration_unit(form.unit_name);
   if (form.unit == 0.)
-    throw UserError("--unit:\n  read:    '" + options.unit + "'\n  allowed: " +
-                    acceleration_units + "\n  try:     --unit g");
+    throw UserError("--unit:\n  read:    '" + options.unit + "'\n  allowed: " + acceleration_units +
+                    "\n  try:     --unit g");
   form.unit_given = !options.unit.empty();
   form.over_period = options.over_period;
   form.axis_given = options.over_period;
@@ -45,8 +45,8 @@ void check_frequencies(const double first, const double last) {
                     "0.2 --to 50");
 }
 
-Plot::Series line_of(const std::string &label, const std::vector<double> &x,
-                     std::vector<double> y, const double unit, const bool dashed = false) {
+Plot::Series line_of(const std::string &label, const std::vector<double> &x, std::vector<double> y,
+                     const double unit, const bool dashed = false) {
   for (double &value : y)
     value /= unit;
   Plot::Series series;
@@ -116,24 +116,23 @@ int spectrum_command(const SpectrumOptions &options) {
     plot.series.push_back(
         line_of("damping " + rounded_number(damping), frequencies, accelerations, form.unit));
     std::cout << file << ": largest "
-              << rounded_number(*std::max_element(accelerations.begin(), accelerations.end()) /
-                                    form.unit,
-                                4)
+              << rounded_number(
+                     *std::max_element(accelerations.begin(), accelerations.end()) / form.unit, 4)
               << ' ' << form.unit_name << '\n';
   }
-  write_file(folder + "/spectrum.html",
-             html_page("Spectra of " + options.file,
-                       "<h1>Spectra of " + escape_xml(options.file) + "</h1>\n" +
-                           html_of_plots({history_plot("The record", record, record.acceleration,
-                                                       form.unit,
-                                                       "acceleration [" + form.unit_name + "]"),
-                                          plot},
-                                         "spectrum") +
-                           html_note("Pseudo-acceleration \u03c9\u00b2|u| of oscillators, exact for a "
-                                     "record that is straight between its instants. Largest "
-                                     "acceleration of the record, which is that of zero period: " +
-                                     rounded_number(record.largest() / form.unit, 5) + " " +
-                                     form.unit_name + ".")));
+  write_file(
+      folder + "/spectrum.html",
+      html_page("Spectra of " + options.file,
+                "<h1>Spectra of " + escape_xml(options.file) + "</h1>\n" +
+                    html_of_plots({history_plot("The record", record, record.acceleration,
+                                                form.unit, "acceleration [" + form.unit_name + "]"),
+                                   plot},
+                                  "spectrum") +
+                    html_note("Pseudo-acceleration \u03c9\u00b2|u| of oscillators, exact for a "
+                              "record that is straight between its instants. Largest "
+                              "acceleration of the record, which is that of zero period: " +
+                              rounded_number(record.largest() / form.unit, 5) + " " +
+                              form.unit_name + ".")));
   std::cout << "The charts are in " << folder << "/spectrum.html\n";
   return 0;
 }
@@ -157,16 +156,17 @@ std::string record_page(const SpectrumOptions &options, const CurveForm &form,
       "<h1>A record for " + escape_xml(options.file) + "</h1>\n<p>" +
           (match.fits() ? "It fits: " : "<b>It does not fit:</b> ") + "its spectrum is " +
           rounded_number(match.least, 4) + " to " + rounded_number(match.largest, 4) +
-          " times the target at " + std::to_string(match.frequency.size()) +
-          " frequencies from " + rounded_number(settings.first, 4) + " to " +
-          rounded_number(settings.last, 4) + " Hz, damping " + rounded_number(settings.damping) +
-          ". Largest acceleration " + rounded_number(match.record.largest() / form.unit, 4) + " " +
-          form.unit_name + ", " + std::to_string(match.record.time.size()) + " instants, seed " +
+          " times the target at " + std::to_string(match.frequency.size()) + " frequencies from " +
+          rounded_number(settings.first, 4) + " to " + rounded_number(settings.last, 4) +
+          " Hz, damping " + rounded_number(settings.damping) + ". Largest acceleration " +
+          rounded_number(match.record.largest() / form.unit, 4) + " " + form.unit_name + ", " +
+          std::to_string(match.record.time.size()) + " instants, seed " +
           std::to_string(match.seed) + ".</p>\n" + html_of_plots(plots, "record") +
-          html_note("Asked for is a spectrum nowhere more than 10 % below and 30 % above the target "
-                    "(NUREG-0800, section 3.7.1, option 1, approach 2, asks for the same, and for "
-                    "more: duration, power spectral density). A record made so has random phases, "
-                    "and is no earthquake that was measured: take several seeds."));
+          html_note(
+              "Asked for is a spectrum nowhere more than 10 % below and 30 % above the target "
+              "(NUREG-0800, section 3.7.1, option 1, approach 2, asks for the same, and for "
+              "more: duration, power spectral density). A record made so has random phases, "
+              "and is no earthquake that was measured: take several seeds."));
 }
 
 } // namespace
@@ -185,8 +185,7 @@ int record_command(const SpectrumOptions &options) {
   settings.last = options.last;
   settings.seed = options.seed;
   settings.n_frequencies = options.n_frequencies;
-  settings.interpolation = options.interpolation == "log-log"
-                               ? Spectrum::Interpolation::logarithmic
+  settings.interpolation = options.interpolation == "log-log" ? Spectrum::Interpolation::logarithmic
                            : options.interpolation == "linear"
                                ? Spectrum::Interpolation::in_frequency
                                : Spectrum::Interpolation::in_period;
@@ -199,14 +198,20 @@ int record_command(const SpectrumOptions &options) {
   constexpr double most_waves = 1e5, most_instants = 1e6;
   if (settings.last * settings.duration > most_waves ||
       settings.duration / settings.step > most_instants || settings.step * settings.last > 0.2)
-    throw UserError("--step, --duration, --to:\n  read:    " + rounded_number(settings.step) + " s, " +
-                    rounded_number(settings.duration) + " s, " + rounded_number(settings.last) +
-                    " Hz\n  allowed: at least five instants in the shortest period, a million "
-                    "instants, and 100,000 periods\n  try:     leaving out --step, or another --to");
+    throw UserError(
+        "--step, --duration, --to:\n  read:    " + rounded_number(settings.step) + " s, " +
+        rounded_number(settings.duration) + " s, " + rounded_number(settings.last) +
+        " Hz\n  allowed: at least five instants in the shortest period, a million "
+        "instants, and 100,000 periods\n  try:     leaving out --step, or another --to");
   if (std::isinf(spectrum.curve.back().first) &&
       settings.interpolation != Spectrum::Interpolation::in_period)
     throw UserError(options.file + ":\n  read:    period 0\n  allowed: periods > 0\n  try:     "
                                    "--interpolation 'linear in period'");
+  for (const double f : {settings.first, settings.last})
+    if (!(spectrum.at(f, settings.interpolation) > 0.))
+      throw UserError(options.file + ":\n  read:    acceleration 0 at " + rounded_number(f) +
+                      " Hz\n  allowed: a spectrum > 0 where the record shall fit it\n  try:     "
+                      "other frequencies by --from and --to");
   const MatchedRecord match = match_record(spectrum, settings);
   const GroundMotion motion = integrate(match.record);
   const std::string folder = folder_of(options, "record"), unit = form.unit_name;
@@ -227,9 +232,9 @@ int record_command(const SpectrumOptions &options) {
                          {1., form.unit, form.unit, 1.}));
   write_file(folder + "/record.html", record_page(options, form, settings, match, motion));
   std::cout << folder << "/record.csv: " << time.size() << " instants, largest "
-            << rounded_number(match.record.largest() / form.unit, 4) << ' ' << unit
-            << ", seed " << match.seed << ". Its spectrum is " << rounded_number(match.least, 3)
-            << " to " << rounded_number(match.largest, 3) << " times the target from "
+            << rounded_number(match.record.largest() / form.unit, 4) << ' ' << unit << ", seed "
+            << match.seed << ". Its spectrum is " << rounded_number(match.least, 3) << " to "
+            << rounded_number(match.largest, 3) << " times the target from "
             << rounded_number(settings.first) << " to " << rounded_number(settings.last)
             << " Hz.\n";
   if (!match.fits())

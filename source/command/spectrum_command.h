@@ -8,10 +8,10 @@ namespace frictionbeam {
 
 /// What `frictionbeam spectrum` and `frictionbeam record` are asked for. 0 or empty: chosen.
 struct SpectrumOptions {
-  std::string file;    ///< a record; of `record`, a spectrum
-  std::string folder;  ///< where the results go; empty: output/ and the file's name
-  std::string unit;    ///< of accelerations without a header; empty: m/s2
-  std::vector<double> damping; ///< ratios; empty: 0.05
+  std::string file;             ///< a record; of `record`, a spectrum
+  std::string folder;           ///< where the results go; empty: output/ and the file's name
+  std::string unit;             ///< of accelerations without a header; empty: m/s2
+  std::vector<double> damping;  ///< ratios; empty: 0.05
   double first = 0., last = 0.; ///< frequencies [Hz]
   unsigned int n_frequencies = 200;
 

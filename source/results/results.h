@@ -196,7 +196,7 @@ struct ModalExcitation {
 
 /// Which cases gave the numbers of a combination.
 struct GoverningCases {
-  std::string name; ///< of the combination
+  std::string name;               ///< of the combination
   std::vector<std::string> cases; ///< steps, the spectrum and sums, not combinations that have some
   std::vector<unsigned int> of;   ///< place in cases, in the order of numbers_of()
   std::vector<unsigned int> least; ///< of a range, that of the smaller number; else empty

@@ -14,7 +14,7 @@ namespace frictionbeam {
 namespace {
 
 constexpr double most_energy_left =
-    0.01;                         ///< of the account of energy, a share of what it turns over
+    0.01; ///< of the account of energy, a share of what it turns over
 constexpr std::size_t most_named = 3;
 
 /// All of one check that was judged; what of it is told is chosen at the end.

@@ -12,6 +12,7 @@ namespace frictionbeam {
 namespace {
 
 constexpr double pi = dealii::numbers::PI;
+constexpr double cut = 1.1;    ///< largest acceleration, of the target at the highest frequency
 constexpr double good = 0.5;   ///< of what is allowed: no more iterations
 constexpr double damped = 0.7; ///< of the correction in an iteration
 
@@ -23,7 +24,8 @@ public:
     std::mt19937 random(settings.seed); // whose numbers are the same everywhere
     for (unsigned int j = 1; j <= settings.last * settings.duration * (1. + 1e-12); ++j) {
       const double f = j / settings.duration,
-                   phase = 2. * pi * random() / 4294967296.; // drawn for all, so that 'first' may change
+                   phase = 2. * pi * random() /
+                           4294967296.; // drawn for all, so that 'first' may change
       if (f < settings.first / 1.2)
         continue;
       frequency.push_back(f);
@@ -31,7 +33,8 @@ public:
     }
   }
 
-  AccelerationRecord record(const std::vector<double> &amplitudes) const {
+  /// @param limit that no acceleration is beyond [m/s2]
+  AccelerationRecord record(const std::vector<double> &amplitudes, const double limit) const {
     AccelerationRecord result;
     result.acceleration.assign(n_instants, 0.);
     for (std::size_t j = 0; j < frequency.size(); ++j) {
@@ -48,7 +51,8 @@ public:
     }
     for (unsigned int i = 0; i < n_instants; ++i) {
       result.time.push_back(i * settings.step);
-      result.acceleration[i] *= envelope(result.time[i]);
+      result.acceleration[i] =
+          std::max(-limit, std::min(limit, result.acceleration[i] * envelope(result.time[i])));
     }
     stop_at_end(result);
     return result;
@@ -117,7 +121,7 @@ MatchedRecord match_phases(const Spectrum &spectrum, const MatchedRecordSettings
     amplitudes.push_back(spectrum.at(f, settings.interpolation) / std::sqrt(f * settings.duration));
   for (unsigned int i = 1; i <= settings.n_iterations; ++i) {
     now.iterations = i;
-    now.record = waves.record(amplitudes);
+    now.record = waves.record(amplitudes, cut * now.target.back());
     now.response.clear();
     std::vector<double> ratio;
     for (std::size_t k = 0; k < now.frequency.size(); ++k) {

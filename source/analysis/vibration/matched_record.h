@@ -9,16 +9,16 @@ namespace frictionbeam {
 
 /// What a record that fits a spectrum shall be like.
 struct MatchedRecordSettings {
-  double duration = 20.;              ///< of all [s]
-  double rise = 3., fall = 7.;        ///< of its beginning and end, the rest is strong [s]
-  double step = 0.;                   ///< between instants [s]; 0: chosen
-  double damping = 0.05;              ///< of the spectrum, ratio
-  double first = 0., last = 0.;       ///< frequencies that shall fit [Hz]; 0: those of the curve
+  double duration = 20.;        ///< of all [s]
+  double rise = 3., fall = 7.;  ///< of its beginning and end, the rest is strong [s]
+  double step = 0.;             ///< between instants [s]; 0: chosen
+  double damping = 0.05;        ///< of the spectrum, ratio
+  double first = 0., last = 0.; ///< frequencies that shall fit [Hz]; 0: those of the curve
   Spectrum::Interpolation interpolation = Spectrum::Interpolation::logarithmic;
-  unsigned int seed = 1;              ///< of the phases, the first that is tried
-  unsigned int n_seeds = 8;           ///< that are tried until a record fits
-  unsigned int n_frequencies = 200;   ///< that are compared
-  unsigned int n_iterations = 25;     ///< at most, of each
+  unsigned int seed = 1;            ///< of the phases, the first that is tried
+  unsigned int n_seeds = 8;         ///< that are tried until a record fits
+  unsigned int n_frequencies = 200; ///< that are compared
+  unsigned int n_iterations = 25;   ///< at most, of each
 };
 
 /// The record, and its spectrum beside the one asked for.
@@ -39,10 +39,11 @@ struct MatchedRecord {
  * R76-4 (1976)):
  *   a(t) = E(t) sum A_j cos(2 pi f_j t + p_j), f_j = j/duration,
  * with E = (t/rise)^2, 1, cos^2 over the fall. The A_j are multiplied by target over response at
- * f_j again and again, response being the exact spectrum of the record (acceleration_record.h). Two
- * smooth waves as long as the record take velocity and displacement of the ground to zero at its
- * end. The best of all iterations is given back, of the first seed whose best fits, or of all.
- * Equal settings give equal records.
+ * f_j again and again, and peaks of a are cut off at 1.1 of the target at the highest frequency,
+ * which no spectrum of a higher peak could meet; response is the exact spectrum of the record
+ * (acceleration_record.h). Two smooth waves as long as the record take velocity and displacement of
+ * the ground to zero at its end. The best of all iterations is given back, of the first seed whose
+ * best fits, or of all. Equal settings give equal records.
  */
 MatchedRecord match_record(const Spectrum &spectrum, const MatchedRecordSettings &settings);
 

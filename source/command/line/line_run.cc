@@ -52,11 +52,9 @@ std::optional<Frame> vibrate(const Model &model, const LineState &state, Results
     if (!scene.response.write_modes || scene.output.directory.empty())
       return spectrum_response(model, analysis, results);
     ModalCsv csv(scene, results, scene.output.directory);
-    return spectrum_response(
-        model, analysis, results,
-        [&](const unsigned int mode, const unsigned int direction, const Frame &frame) {
-          csv.append(mode, direction, frame);
-        });
+    return spectrum_response(model, analysis, results,
+                             [&](const unsigned int mode, const unsigned int direction,
+                                 const Frame &frame) { csv.append(mode, direction, frame); });
   }
   if (model.contacts.size() > 0)
     results.remarks.push_back(
@@ -108,13 +106,13 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     CombinationRange range;
     range.step = next;
     Frame frame = combine(combination, cases.ranges, &range);
+    if (has_governing_cases(combination.kind)) // before there are more frames: the cases move then
+      results.governing.push_back(governing_cases(combination, cases.ranges, results));
     frame.name = combination.name;
     frame.step = next++;
     collector.observe_case(frame);
     if (cases.of_either_sign)
       results.combination_ranges.push_back(range);
-    if (has_governing_cases(combination.kind))
-      results.governing.push_back(governing_cases(combination, cases.ranges, results));
     if (cases.over_steps.empty())
       continue;
     results.remarks.push_back(

@@ -33,8 +33,7 @@ std::size_t of_reaction(const Frame &frame, const std::size_t i) {
 /// The case, or of a range both: "hot - cold".
 std::string case_of(const GoverningCases &governing, const std::size_t number) {
   const std::string &name = governing.cases[governing.of[number]];
-  return governing.least.empty() ? name
-                                 : name + " - " + governing.cases[governing.least[number]];
+  return governing.least.empty() ? name : name + " - " + governing.cases[governing.least[number]];
 }
 
 /// The case behind a number of a case, which may be a combination that has some itself.
@@ -121,8 +120,8 @@ GoverningCases governing_cases(const Combination &combination, const std::vector
       continue;
     }
     const bool is_least =
-        least_counts && (!largest_counts || std::abs(bounds[lowest].least[n]) >
-                                                std::abs(bounds[highest].largest[n]));
+        least_counts && (!largest_counts ||
+                         std::abs(bounds[lowest].least[n]) > std::abs(bounds[highest].largest[n]));
     governing.of.push_back(resolve(is_least ? lowest : highest, n));
   }
   return governing;
@@ -193,8 +192,8 @@ void write_governing_cases(const Scene &scene, const Results &results, const std
             frame.supports[i].*support_numbers[k], of_support(frame, i) + k);
     for (std::size_t i = 0; i < frame.reactions.size(); ++i)
       for (unsigned int c = 0; c < 6; ++c)
-        row("restraint", results.restraints[i].name, "", reaction_words[c],
-            frame.reactions[i][c], of_reaction(frame, i) + c);
+        row("restraint", results.restraints[i].name, "", reaction_words[c], frame.reactions[i][c],
+            of_reaction(frame, i) + c);
   }
   file.flush();
 }

@@ -24,8 +24,7 @@ void add_step(const Results &results, const Frame &frame, std::vector<Uplift> &a
   const double touching = no_gap * largest_motion(frame);
   for (unsigned int i = 0; i < frame.supports.size(); ++i)
     if (holds_up(results.supports[i]))
-      all.push_back(
-          {i, frame.name, frame.supports[i].fn, stands_off(frame.supports[i], touching)});
+      all.push_back({i, frame.name, frame.supports[i].fn, stands_off(frame.supports[i], touching)});
 }
 
 void add_sum(const Results &results, const Frame &frame, std::vector<Uplift> &all) {
@@ -90,10 +89,10 @@ std::string uplift_table(const Scene &scene, const Results &results) {
         return uplift.support == row && uplift.case_name == one;
       });
       cells.push_back(found == all.end() ? dash
-                      : !found->lifts    ? fixed_number(unit.factor * found->least, decimals)
-                                         : "<b style=\"color:#b00020\">" +
-                                            fixed_number(unit.factor * found->least, decimals) +
-                                            " lifts</b>");
+                      : !found->lifts
+                          ? fixed_number(unit.factor * found->least, decimals)
+                          : "<b style=\"color:#b00020\">" +
+                                fixed_number(unit.factor * found->least, decimals) + " lifts</b>");
     }
     table.html(one, cells);
   }
@@ -101,9 +100,8 @@ std::string uplift_table(const Scene &scene, const Results &results) {
          html_note("Normal force that is left in " + unit.name +
                    ", at rests and rods, at the end of static steps and in sums of one state and "
                    "what adds to it with either sign, as operating - quake." +
-                   (n_cases > cases.size() || rows.size() == n_rows_at_most
-                        ? " uplift.csv has all."
-                        : ""));
+                   (n_cases > cases.size() || rows.size() == n_rows_at_most ? " uplift.csv has all."
+                                                                            : ""));
 }
 
 void write_uplift(const Scene &scene, const Results &results, const std::string &folder) {

@@ -145,10 +145,11 @@ std::string pictures(const Scene &scene, const Results &results,
          (results.envelopes.empty()
               ? ""
               : html_note("Of a transient step the line is shown as it is at the step's end.")) +
-         (any_amplitude ? html_note("Cases of sizes, which may have either sign, and of numbers from "
-                                    "different cases are no shapes: their line is drawn as it is "
-                                    "built.")
-                        : "");
+         (any_amplitude
+              ? html_note("Cases of sizes, which may have either sign, and of numbers from "
+                          "different cases are no shapes: their line is drawn as it is "
+                          "built.")
+              : "");
 }
 
 std::string input(const Scene &scene) {

@@ -6,6 +6,7 @@
 #include "results/picture/displacement_scale.h"
 #include "results/report/limits.h"
 #include "results/spectrum/modal_csv.h"
+#include "results/spectrum/spectrum_chart.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ std::string mode_section(const Scene &scene, const Results &results) {
              "included, and their sums. Found by: " +
              results.modal_method +
              ". The residual is |K q - w\u00b2 M q| / |w\u00b2 M q|. Shapes are in modes.pvd.") +
-         html_tabs("modes-of", panels) + excitation_table(results);
+         html_tabs("modes-of", panels) + spectrum_chart(scene, results) + excitation_table(results);
 }
 
 void write_modes(const Results &results, const std::string &folder) {

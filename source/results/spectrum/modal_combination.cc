@@ -15,7 +15,7 @@ namespace {
 
 using Numbers = Eigen::VectorXd;
 
-constexpr double close = 1.1 * (1. + 1e-12); ///< ratio of frequencies, of RG 1.92 rev. 1
+constexpr double close_ratio = 1.1 * (1. + 1e-12); ///< ratio of frequencies, of RG 1.92 rev. 1
 
 /// R^2 = sum of share(i, j) times the product of the responses of both.
 template <typename Share>
@@ -36,8 +36,8 @@ Numbers quadratic(const std::vector<Numbers> &responses, const bool of_sizes, co
 std::vector<std::size_t> groups_of(const std::vector<double> &frequencies) {
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < frequencies.size(); ++i)
-    first.push_back(i > 0 && frequencies[i] <= close * frequencies[first.back()] ? first.back()
-                                                                                   : i);
+    first.push_back(
+        i > 0 && frequencies[i] <= close_ratio * frequencies[first.back()] ? first.back() : i);
   return first;
 }
 
@@ -81,7 +81,7 @@ Numbers combine_modes(const std::vector<Numbers> &responses, const std::vector<d
   }
   case Modes::ten_percent:
     return quadratic(responses, true, [&](const std::size_t i, const std::size_t j) {
-      return frequencies[i] <= close * frequencies[j] ? 1. : 0.;
+      return frequencies[i] <= close_ratio * frequencies[j] ? 1. : 0.;
     });
   case Modes::double_sum:
   case Modes::signed_double_sum:

@@ -46,8 +46,8 @@ void ModalCsv::append(const unsigned int mode, const unsigned int direction, con
   Frame converted;
   const Frame &frame = in_units(scene.units, in_si, converted);
   const std::string begin =
-      (mode == 0 ? "missing mass," :
-                   std::to_string(mode) + ',' + exact_number(results.modes[mode - 1].frequency)) +
+      (mode == 0 ? "missing mass,"
+                 : std::to_string(mode) + ',' + exact_number(results.modes[mode - 1].frequency)) +
       ',' + axis_words[direction] + ',';
   for (const Station &station : frame.line)
     line.stream() << begin << csv_field(scene.pipes[station.pipe].name) << ','
@@ -56,8 +56,8 @@ void ModalCsv::append(const unsigned int mode, const unsigned int direction, con
   for (std::size_t i = 0; i < frame.supports.size(); ++i) {
     const SupportState &state = frame.supports[i];
     supports.stream() << begin << csv_field(results.supports[i].name)
-                      << row_of_numbers(std::array<double, 4>{
-                             {state.fn, state.ft1, state.ft2, state.mt}})
+                      << row_of_numbers(
+                             std::array<double, 4>{{state.fn, state.ft1, state.ft2, state.mt}})
                       << '\n';
   }
   for (std::size_t i = 0; i < frame.reactions.size(); ++i)
@@ -73,8 +73,7 @@ void write_excitations(const Results &results, const std::string &folder) {
   std::string text = "spectrum,direction,mode,frequency,period,participation,acceleration,"
                      "displacement,rigid_share\n";
   for (const ModalExcitation &one : results.excitations) {
-    const double f = results.modes[one.mode - 1].frequency,
-                 w = 2. * dealii::numbers::PI * f;
+    const double f = results.modes[one.mode - 1].frequency, w = 2. * dealii::numbers::PI * f;
     text += csv_field(one.spectrum) + ',' + axis_words[one.direction] + ',' +
             std::to_string(one.mode) +
             row_of_numbers(std::array<double, 6>{

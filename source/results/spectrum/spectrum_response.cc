@@ -34,8 +34,8 @@ Vector combined(const Sum how, const Vector &sum, const Vector &more) {
                               : Vector((sum.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt());
 }
 
-/// What the ground does in one direction: the periodic part of each eigenspace, and all that follows
-/// the ground.
+/// What the ground does in one direction: the periodic part of each eigenspace, and all that
+/// follows the ground.
 struct DirectionResponse {
   std::vector<Vector> periodic;
   Vector rigid;
@@ -96,8 +96,8 @@ private:
         const double gamma = modes[k].unknowns.dot(inertia), f = modes[k].frequency,
                      acceleration = spectrum.at(f, settings.interpolation),
                      share = rigid_share(settings, f, acceleration, spectrum.at_zero_period());
-        const Vector whole = factor * gamma * acceleration /
-                             std::pow(2. * dealii::numbers::PI * f, 2) * shapes[k];
+        const Vector whole =
+            factor * gamma * acceleration / std::pow(2. * dealii::numbers::PI * f, 2) * shapes[k];
         periodic += std::sqrt(1. - share * share) * whole;
         rigid += share * whole;
         left -= gamma * analysis.momentum(k);
@@ -109,9 +109,8 @@ private:
       add(periodic, shapes[spaces[space].first], response.periodic[space]);
     }
     if (settings.missing_mass) {
-      const Vector rest =
-          factor * spectrum.at_zero_period() *
-          numbers_of(builder.make(analysis.displaced(analysis.solve(left))));
+      const Vector rest = factor * spectrum.at_zero_period() *
+                          numbers_of(builder.make(analysis.displaced(analysis.solve(left))));
       rigid += rest;
       add(rest, rest, missing);
     }

@@ -302,8 +302,8 @@ void parse_stress(const ParameterReader &in, Scene &scene) {
   const auto find_case = [&](const std::string &entry, const std::string &name) {
     in.find(entry, name, known, "step");
     for (const Combination &one : scene.combinations)
-      if (one.name == name && (one.kind == Combination::Kind::maximum ||
-                               one.kind == Combination::Kind::minimum))
+      if (one.name == name &&
+          (one.kind == Combination::Kind::maximum || one.kind == Combination::Kind::minimum))
         in.fail(entry, "no maximum or minimum, which has one side of the forces alone",
                 "a combination of kind envelope", "'" + name + "'");
   };

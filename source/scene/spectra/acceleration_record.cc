@@ -27,17 +27,21 @@ public:
 
   double displacement = 0., velocity = 0.; ///< relative to the ground
 
-  /// Go on by @p h with ground that accelerates from @p from by @p slope a second, and widen
-  /// @p peak. @p start instant of it
-  void advance(const double h, const double from, const double slope, const double start,
-               OscillatorPeak &peak) {
+  /// Go on by @p h with ground that accelerates from @p from by @p slope a second.
+  void jump(const double h, const double from, const double slope) {
     // u = A + B t + e^(-zeta w t) (C cos + D sin)
     B = -slope / (w * w);
     A = (-from - 2. * zeta * w * B) / (w * w);
     C = displacement - A;
     D = (velocity - B + zeta * w * C) / damped;
-    const double u0 = displacement, v0 = velocity;
     move(h);
+  }
+
+  /// Likewise, and widen @p peak. @param start instant of it
+  void advance(const double h, const double from, const double slope, const double start,
+               OscillatorPeak &peak) {
+    const double u0 = displacement, v0 = velocity;
+    jump(h, from, slope);
     const double size = std::max(std::abs(u0), std::abs(displacement)),
                  speed = std::max(std::abs(v0), std::abs(velocity));
     // Beyond both ends only where the velocity changes its sign, and not by much.
@@ -50,6 +54,7 @@ public:
 
   /// So long that the motion bends little within.
   double longest_piece() const { return 0.1 / w; }
+  double period() const { return 2. * dealii::numbers::PI / damped; }
 
 private:
   /// A record's pieces are equal but for the rounding of its instants.
@@ -62,8 +67,8 @@ private:
       sine = std::sin(damped * t);
     }
     displacement = A + B * t + decay * (C * cosine + D * sine);
-    velocity = B + decay * ((damped * D - zeta * w * C) * cosine -
-                            (damped * C + zeta * w * D) * sine);
+    velocity =
+        B + decay * ((damped * D - zeta * w * C) * cosine - (damped * C + zeta * w * D) * sine);
   }
   double u(const double t) const {
     return A + B * t +
@@ -102,13 +107,26 @@ OscillatorPeak largest_response(const AccelerationRecord &record, const double f
   AssertDimension(record.time.size(), record.acceleration.size());
   Oscillator oscillator(frequency, damping);
   OscillatorPeak peak;
+  const auto scan = [&](const double start, const double length, const double from,
+                        const double slope) {
+    const unsigned int n =
+        std::max(1., std::ceil(length / oscillator.longest_piece() * (1. - 1e-12)));
+    const double h = length / n;
+    for (unsigned int i = 0; i < n; ++i)
+      oscillator.advance(h, from + slope * (i * h), slope, start + i * h, peak);
+  };
   const auto go = [&](const double start, const double length, const double from,
                       const double slope) {
-    const auto n =
-        static_cast<unsigned int>(std::ceil(length / oscillator.longest_piece() * (1. - 1e-12)));
-    const double h = length / std::max(n, 1u);
-    for (unsigned int i = 0; i < std::max(n, 1u); ++i)
-      oscillator.advance(h, from + slope * (i * h), slope, start + i * h, peak);
+    // A straight course and a swing that decays: the largest of its turns is the first or the last,
+    // for a line and a decaying exponential are convex together.
+    const double period = oscillator.period(), between = length - 2. * period;
+    if (between <= 0.) {
+      scan(start, length, from, slope);
+      return;
+    }
+    scan(start, period, from, slope);
+    oscillator.jump(between, from + slope * period, slope);
+    scan(start + period + between, period, from + slope * (period + between), slope);
   };
   for (std::size_t i = 0; i + 1 < record.time.size(); ++i) {
     const double length = record.time[i + 1] - record.time[i];
@@ -141,8 +159,7 @@ GroundMotion integrate(const AccelerationRecord &record) {
   return motion;
 }
 
-std::vector<double> logarithmic_steps(const double first, const double last,
-                                      const unsigned int n) {
+std::vector<double> logarithmic_steps(const double first, const double last, const unsigned int n) {
   std::vector<double> result;
   for (unsigned int i = 0; i < n; ++i)
     result.push_back(i + 1 == n ? last : first * std::pow(last / first, i / (n - 1.)));

@@ -15,9 +15,9 @@ namespace frictionbeam {
 const char *const acceleration_units = "g, m/s2, cm/s2, mm/s2, in/s2, ft/s2";
 
 double acceleration_unit(const std::string &name) {
-  for (const auto &[word, value] : {std::pair("g", standard_gravity), std::pair("m/s2", 1.),
-                                    std::pair("cm/s2", 0.01), std::pair("mm/s2", 0.001),
-                                    std::pair("in/s2", 0.0254), std::pair("ft/s2", 0.3048)})
+  for (const auto &[word, value] :
+       {std::pair("g", standard_gravity), std::pair("m/s2", 1.), std::pair("cm/s2", 0.01),
+        std::pair("mm/s2", 0.001), std::pair("in/s2", 0.0254), std::pair("ft/s2", 0.3048)})
     if (name == word)
       return value;
   return 0.;
@@ -27,8 +27,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string &where, const std::string &read,
                          const std::string &allowed, const std::string &hint) {
-  throw UserError(where + ":\n  read:    " + read + "\n  allowed: " + allowed + "\n  try:     " +
-                  hint);
+  throw UserError(where + ":\n  read:    " + read + "\n  allowed: " + allowed +
+                  "\n  try:     " + hint);
 }
 
 /// Two columns of a file.
@@ -120,8 +120,9 @@ void apply(const Columns &columns, const std::string &where, CurveForm &form) {
 std::vector<std::pair<double, double>> to_curve(const WrittenCurve &written, const CurveForm &form,
                                                 const std::string &where) {
   const std::string axis = form.over_period ? "period" : "frequency",
-                    allowed = form.over_period ? "periods [s] that rise, and accelerations >= 0"
-                                               : "frequencies [Hz] that rise, and accelerations >= 0";
+                    allowed = form.over_period
+                                  ? "periods [s] that rise, and accelerations >= 0"
+                                  : "frequencies [Hz] that rise, and accelerations >= 0";
   std::vector<std::pair<double, double>> curve;
   for (std::size_t i = 0; i < written.points.size(); ++i) {
     const auto [x, a] = written.points[i];

@@ -18,9 +18,9 @@ inline constexpr double standard_gravity = 9.80665; ///< [m/s2]
 
 /// How numbers are to be understood that no header explains.
 struct CurveForm {
-  bool over_period = false;   ///< not over the frequency
-  double unit = 1.;           ///< of accelerations [m/s2]
-  std::string unit_name = ""; ///< likewise, as it is written
+  bool over_period = false;                    ///< not over the frequency
+  double unit = 1.;                            ///< of accelerations [m/s2]
+  std::string unit_name = "";                  ///< likewise, as it is written
   bool axis_given = false, unit_given = false; ///< by the user: then no header may say otherwise
 };
 

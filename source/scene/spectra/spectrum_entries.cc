@@ -49,20 +49,21 @@ constexpr Word<SpectrumSum> spectrum_sums[] = {{"srss", SpectrumSum::srss},
                                                {"absolute", SpectrumSum::absolute}};
 using Interpolation = Spectrum::Interpolation;
 constexpr Word<Interpolation> interpolations[] = {
-    {"log-log", Interpolation::logarithmic, "straight on logarithmic axes; linear where one of the "
-                                            "numbers is 0"},
+    {"log-log", Interpolation::logarithmic,
+     "straight on logarithmic axes; linear where one of the "
+     "numbers is 0"},
     {"linear", Interpolation::in_frequency, "in the frequency"},
     {"linear in period", Interpolation::in_period}};
-constexpr Word<bool> orders[] = {
-    {"modes", false, "in each direction, then the directions"},
-    {"directions", true, "in each mode, by sizes, then the modes"}};
+constexpr Word<bool> orders[] = {{"modes", false, "in each direction, then the directions"},
+                                 {"directions", true, "in each mode, by sizes, then the modes"}};
 using Rigid = SpectrumSettings::Rigid;
 constexpr Word<Rigid> rigid_parts[] = {
     {"none", Rigid::none},
     {"lindley-yow", Rigid::lindley_yow,
      "the spectrum's last acceleration over that of the mode, at most 1"},
-    {"gupta", Rigid::gupta, "by the logarithm of the frequency, from 0 to 1 between the two Rigid "
-                            "frequencies"}};
+    {"gupta", Rigid::gupta,
+     "by the logarithm of the frequency, from 0 to 1 between the two Rigid "
+     "frequencies"}};
 constexpr Word<bool> axes[] = {{"frequency", false, "[Hz]"}, {"period", true, "[s]"}};
 constexpr Word<bool> acceleration_words[] = {
     {"own", false, "that of the file, m/s2 unless Units says otherwise"},
@@ -111,7 +112,8 @@ void parse_source(const ParameterReader &in, Spectrum &spectrum) {
     if (in.text(entry).empty())
       continue;
     if (!source.empty())
-      in.fail(entry, "one of Curve, File and Record", "removing '" + entry + "' or '" + source + "'");
+      in.fail(entry, "one of Curve, File and Record",
+              "removing '" + entry + "' or '" + source + "'");
     source = entry;
   }
   if (source.empty())
@@ -143,8 +145,7 @@ void parse_source(const ParameterReader &in, Spectrum &spectrum) {
 } // namespace
 
 void declare_spectrum(ParameterReader &in) {
-  in.declare_text("Curve", "",
-                  "f a; f a; ...: frequency [Hz] and acceleration [m/s2], rising f",
+  in.declare_text("Curve", "", "f a; f a; ...: frequency [Hz] and acceleration [m/s2], rising f",
                   "Pseudo-acceleration of an oscillator of that frequency on the supports' motion, "
                   "level beyond the ends of the curve; its last point is the zero-period "
                   "acceleration.");
@@ -216,9 +217,10 @@ void parse_response(const ParameterReader &in, Scene &scene) {
   s.rigid = in.choice("Rigid part", rigid_parts);
   s.write_modes = in.flag("Write modes");
   if (s.directions_first && s.needs_signs())
-    in.fail("First", "modes, with Modes = " + in.text("Modes") +
-                         ": it needs the signs of the modes, which a combination of directions "
-                         "takes",
+    in.fail("First",
+            "modes, with Modes = " + in.text("Modes") +
+                ": it needs the signs of the modes, which a combination of directions "
+                "takes",
             "set First = modes, or Modes = grouping");
   if (s.is_double_sum() && s.duration == 0.)
     in.fail("Duration", "the strong motion's duration > 0, with Modes = " + in.text("Modes"),
@@ -226,8 +228,9 @@ void parse_response(const ParameterReader &in, Scene &scene) {
   if (!s.is_double_sum() && in.given("Duration"))
     in.fail("Duration", "this entry with a double sum", "removing it");
   if (s.rigid != Rigid::none && !s.missing_mass)
-    in.fail("Rigid part", "with Missing mass = true: rigid parts of the modes alone leave out those "
-                          "of the others",
+    in.fail("Rigid part",
+            "with Missing mass = true: rigid parts of the modes alone leave out those "
+            "of the others",
             "set Missing mass = true");
   const std::vector<double> frequencies = in.numbers("Rigid frequencies");
   if (s.rigid != Rigid::gupta && !frequencies.empty())

@@ -42,9 +42,7 @@ double states_in(const Scene &scene, const std::string &name, unsigned int &n_st
       last = factor * states_in(scene, part, n_steps);
       sum += last;
     }
-    return combination.kind == Combination::Kind::range ? 0.
-           : picks(combination.kind)                    ? last
-                                                        : sum;
+    return combination.kind == Combination::Kind::range ? 0. : picks(combination.kind) ? last : sum;
   }
   return 0.;
 }
