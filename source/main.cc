@@ -5,6 +5,7 @@
 #include "command/command_line.h"
 #include "command/compare_command.h"
 #include "command/contact_command.h"
+#include "command/import_command.h"
 #include "command/run_case.h"
 #include "command/study/study_command.h"
 
@@ -84,6 +85,8 @@ int run(int argc, char **argv) {
     return frictionbeam::compare_runs(line.folders[0], line.folders[1]);
   case CommandLine::Command::contact:
     return frictionbeam::solve_contact_file(line.contact);
+  case CommandLine::Command::import:
+    return frictionbeam::import_file(line.import);
   case CommandLine::Command::chart:
     return frictionbeam::chart_command(line.chart_list, line.chart_folder);
   case CommandLine::Command::chart_parameters:

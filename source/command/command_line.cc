@@ -21,6 +21,47 @@ const char *const exit_status =
     "5 solved, but a check of the report fails ('Fail on = checks' in section Output); "
     "130 and 143 ended by SIGINT and SIGTERM, with a checkpoint for --resume.";
 
+void declare_import(CLI::App &app, import::ImportOptions &options) {
+  app.add_option("file", options.file, "The piping component file")
+      ->type_name("LINE.pcf")
+      ->required();
+  app.add_option("-o,--output", options.output,
+                 "The parameter file (LINE.prm, in the folder one is in, if not given)")
+      ->type_name("FILE.prm");
+  app.add_flag("--overwrite", options.overwrite, "Replace a parameter file that is there");
+  app.add_option("--support-map", options.support_map,
+                 "Kinds of supports by their names and SKEYs: rows \"WORD : kind, Entry = value\" "
+                 "(doc/import.md)")
+      ->type_name("FILE");
+  app.add_option("--attributes", options.attributes,
+                 "What COMPONENT-ATTRIBUTEs say: none, caesar, caepipe, or a file of rows \"KEY "
+                 "property unit\"")
+      ->type_name("WORD");
+  app.add_option("--tolerance", options.tolerance,
+                 "Within which ends are the same, in mm (1 if not given)")
+      ->type_name("MM")
+      ->check(CLI::Range(0., 1000.));
+  app.add_option("--wall", options.sections.wall,
+                 "Wall thickness where the file says none: \"7.11 mm\", or by bore \"150 7.11 mm, "
+                 "80 5.49 mm\"")
+      ->type_name("WALL");
+  app.add_option("--schedule", options.sections.schedule,
+                 "The same by a schedule of ASME B36.10M: 5 to 160, STD, XS, XXS")
+      ->type_name("WORD")
+      ->check(CLI::IsMember({"5", "10", "20", "30", "40", "60", "80", "100", "120", "140", "160",
+                             "STD", "XS", "XXS"}));
+  app.add_option("--material", options.sections.material,
+                 "Of what has no name that is known: carbon steel or austenitic steel")
+      ->type_name("GRADE")
+      ->check(CLI::IsMember({"carbon steel", "austenitic steel"}));
+  app.add_option("--units", options.units,
+                 "Of the parameter file, as of its entry Units (si if not given)")
+      ->type_name("UNITS");
+  app.add_option("--encoding", options.encoding, "Of the file: utf-8 or latin-1")
+      ->type_name("WORD")
+      ->check(CLI::IsMember({"utf-8", "latin-1"}));
+}
+
 /// All options and sub-commands; what is read goes into @p line.
 void declare(CLI::App &app, CommandLine &line) {
   const auto add_case = [&line](CLI::App &to) {
@@ -93,6 +134,11 @@ void declare(CLI::App &app, CommandLine &line) {
                    "not given)")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
+  declare_import(*add_command("import",
+                              "Make a parameter file of a piping component file (.pcf) that a "
+                              "plant design program has written",
+                              Command::import),
+                 line.import);
   CLI::App *const chart = add_command(
       "chart", "Run a list of configurations and draw error against time", Command::chart);
   chart->add_option("list", line.chart_list, "List of configurations")->type_name("LIST.prm");

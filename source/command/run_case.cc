@@ -13,6 +13,7 @@
 #include "results/file/checkpoint.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
+#include "results/file/model_tables.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/finite.h"
@@ -155,6 +156,7 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
   study_friction(scene, laws, results);
   write_stresses(scene, results, scene.output.directory);
   write_section_histories(scene, results, scene.output.directory);
+  write_force_tables(scene, results, scene.output.directory);
   write_envelopes(scene, results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
   return results;

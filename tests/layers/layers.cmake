@@ -6,7 +6,7 @@
 cmake_minimum_required(VERSION 3.18)
 # From the bottom to the top. A name stands for its folder and all below it that has no line of its own.
 set(floors
-  base scene mesh
+  base scene mesh import/pcf import/line import
   model/unknowns model/contact model/line model/cell model/body model
   analysis/algebra analysis/contact analysis/contact_problem analysis/vibration analysis/increment
   analysis/statics analysis/refinement analysis/time analysis/event analysis/march

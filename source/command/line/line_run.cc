@@ -3,6 +3,7 @@
 
 #include "base/interruption.h"
 #include "results/file/envelope_tables.h"
+#include "results/file/model_tables.h"
 #include "results/frame/derived_cases.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/stress/stresses.h"
@@ -174,6 +175,7 @@ void LineRun::open_files() {
   if (scene.output.resume)
     saved = checkpoint->read();
   csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory, saved.has_value());
+  write_model_tables(model, results, scene.output.directory);
   if (scene.output.vtu)
     vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
   if (scene.output.contact_problems)

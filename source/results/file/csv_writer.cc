@@ -67,7 +67,8 @@ std::string csv_field(const std::string &text) {
 void remove_line_tables(const std::string &folder) {
   std::error_code error; // there may be none
   for (const char *const name :
-       {"supports.csv", "line.csv", "sections.csv", "reactions.csv", "envelope.csv"})
+       {"supports.csv", "line.csv", "sections.csv", "reactions.csv", "envelope.csv", "nodes.csv",
+        "elements.csv", "restraints.csv", "element_forces.csv", "restraint_forces.csv"})
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
 }
 
