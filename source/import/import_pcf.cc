@@ -5,6 +5,7 @@
 #include "import/line/bend_geometry.h"
 #include "import/line/connections.h"
 #include "import/line/neighbours.h"
+#include "import/line/pieces.h"
 #include "import/line/routes.h"
 
 #include <algorithm>
