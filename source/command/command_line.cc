@@ -21,6 +21,66 @@ const char *const exit_status =
     "5 solved, but a check of the report fails ('Fail on = checks' in section Output); "
     "130 and 143 ended by SIGINT and SIGTERM, with a checkpoint for --resume.";
 
+/// Options of `spectrum` and `record`.
+void declare_spectra(CLI::App &spectrum, CLI::App &record, SpectrumOptions &options) {
+  spectrum
+      .add_option("file", options.file,
+                  "The record: two columns, 'time [s], acceleration [g]' or without a first line")
+      ->type_name("RECORD.csv")
+      ->required();
+  spectrum.add_option("--damping", options.damping, "Ratios to critical (0.05 if not given)")
+      ->type_name("NUMBERS")
+      ->check(CLI::Range(0., 0.99));
+  record
+      .add_option("file", options.file,
+                  "The spectrum: two columns, 'frequency [Hz], acceleration [g]' or 'period [s], "
+                  "...' or without a first line")
+      ->type_name("SPECTRUM.csv")
+      ->required();
+  record.add_option("--damping", options.damping, "Ratio to critical (0.05 if not given)")
+      ->type_name("NUMBER")
+      ->expected(1)
+      ->check(CLI::Range(0.001, 0.99));
+  const auto seconds = [&](const std::string &name, double &value, const std::string &meaning) {
+    record.add_option(name, value, meaning)->type_name("SECONDS")->check(CLI::Range(1e-4, 1e3));
+  };
+  seconds("--duration", options.duration, "Of the record (20 if not given)");
+  seconds("--rise", options.rise, "Of its beginning, until it is strong (3 if not given)");
+  seconds("--fall", options.fall, "Of its end (7 if not given)");
+  seconds("--step", options.step,
+          "Between instants (a tenth of the shortest period if not given, at most 0.01)");
+  record.add_option("--seed", options.seed, "Of the random phases (1 if not given)")
+      ->type_name("NUMBER");
+  record.add_flag("--over-period", options.over_period,
+                  "The first column has periods, where no first line says so");
+  record.add_option("--interpolation", options.interpolation, "Of the spectrum")
+      ->type_name("WORDS")
+      ->check(CLI::IsMember({"log-log", "linear", "linear in period"}));
+  for (CLI::App *const one : {&spectrum, &record}) {
+    const bool is_record = one == &record;
+    one->add_option("--from", options.first,
+                    is_record ? "Lowest frequency that shall fit (that of the spectrum if not given)"
+                              : "Lowest frequency (0.1 if not given)")
+        ->type_name("HERTZ")
+        ->check(CLI::Range(1e-3, 1e4));
+    one->add_option("--to", options.last,
+                    is_record ? "Highest frequency that shall fit (that of the spectrum if not "
+                                "given, at most 50)"
+                              : "Highest frequency (100 if not given)")
+        ->type_name("HERTZ")
+        ->check(CLI::Range(1e-3, 1e4));
+    one->add_option("--points", options.n_frequencies, "Frequencies between (200 if not given)")
+        ->type_name("NUMBER")
+        ->check(CLI::Range(2, 10000));
+    one->add_option("--unit", options.unit,
+                    "Of accelerations, where no first line says it: g, m/s2, cm/s2, mm/s2, in/s2, "
+                    "ft/s2 (m/s2 if not given)")
+        ->type_name("UNIT");
+    one->add_option("--output-directory", options.folder, "Where the results go")
+        ->type_name("FOLDER");
+  }
+}
+
 void declare_import(CLI::App &app, import::ImportOptions &options) {
   app.add_option("file", options.file, "The piping component file")
       ->type_name("LINE.pcf")
@@ -147,6 +207,11 @@ void declare(CLI::App &app, CommandLine &line) {
                    "Where the chart goes (output/chart_LIST if not given)")
       ->type_name("FOLDER");
   chart->add_flag("--print-parameters", "Print the entries of a list");
+  CLI::App *const spectrum = add_command(
+      "spectrum", "Response spectra of a record of accelerations", Command::spectrum);
+  CLI::App *const record = add_command(
+      "record", "Make a record of accelerations that fits a response spectrum", Command::record);
+  declare_spectra(*spectrum, *record, line.spectrum);
 }
 
 /// Text as roff takes it literally.

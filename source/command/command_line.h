@@ -3,6 +3,7 @@
 
 #include "base/run_options.h"
 #include "command/contact_command.h"
+#include "command/spectrum_command.h"
 #include "import/import_pcf.h"
 
 namespace frictionbeam {
@@ -17,6 +18,8 @@ struct CommandLine {
     chart,
     chart_parameters,
     study,
+    spectrum,
+    record,
     import,
     nothing
   };
@@ -24,6 +27,7 @@ struct CommandLine {
   RunOptions options;     ///< of run, check and study
   std::string folders[2]; ///< of compare
   ContactOptions contact;
+  SpectrumOptions spectrum; ///< of spectrum and record
   import::ImportOptions import;
   std::string chart_list;   ///< of chart
   std::string chart_folder; ///< where it goes; empty: output/chart_<its name>
