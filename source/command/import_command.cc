@@ -65,11 +65,11 @@ int import_file(const import::ImportOptions &options) {
   std::size_t n_supports = 0;
   for (const import::PlannedSupport &support : line.plan.supports)
     n_supports += support.support ? 1 : 0;
-  std::cout << output << ": " << line.plan.pipes.size() << " pipes of " << line.n_components
-            << " components, " << n_supports << " supports, " << line.plan.tees.size()
-            << " branches; " << line.notes.not_understood.size() << " not understood, "
-            << line.notes.assumed.size() << " assumed, " << line.notes.moved.size() << " moved, "
-            << n_without_effect << " words without effect. The file lists them.\n";
+  std::cout << output << ": components " << line.n_components << ", pipes "
+            << line.plan.pipes.size() << ", supports " << n_supports << ", branches "
+            << line.plan.tees.size() << "; not understood " << line.notes.not_understood.size()
+            << ", assumed " << line.notes.assumed.size() << ", moved " << line.notes.moved.size()
+            << ", words without effect " << n_without_effect << ". The file lists them.\n";
   return 0;
 }
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "import/import_pcf.h"
 
+#include "base/user_error.h"
 #include "import/line/bend_geometry.h"
 #include "import/line/connections.h"
 #include "import/line/neighbours.h"
+#include "import/line/pieces.h"
 #include "import/line/routes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam::import {
 
 namespace {
+
+constexpr double metres_of_inch = 0.0254;
 
 class SupportPlanner {
 public:
@@ -108,7 +113,18 @@ void add_masses(const PcfLine &line, const Network &network, const RouteNames &n
 
 } // namespace
 
+UnitSystem units_of(const ImportOptions &options) {
+  const std::optional<UnitSystem> units = UnitSystem::parse(options.units);
+  if (!units)
+    throw UserError("--units\n  read:    " + options.units +
+                    "\n  allowed: si, or a length and a force, and a mass, a stress, a "
+                    "temperature: " +
+                    UnitSystem::known_words() + "\n  try:     --units \"in lb psi F\"");
+  return *units;
+}
+
 ImportedLine import_pcf(const ImportOptions &options) {
+  const double length = units_of(options).factor("m");
   ImportedLine result;
   const SupportTable table(options.support_map);
   const PcfFile file(options.file, options.encoding);
@@ -119,7 +135,10 @@ ImportedLine import_pcf(const ImportOptions &options) {
       result.plan.title += (result.plan.title.empty() ? "" : ", ") + pipeline;
   const double tolerance = 1e-3 * options.tolerance;
   complete_by_neighbours(line, tolerance, result.notes);
-  SectionPlanner sections(file, line, options.sections, result.plan, result.notes);
+  SectionOptions section_options = options.sections;
+  section_options.in_inches =
+      std::abs(length - metres_of_inch) < 1e-9 || std::abs(length - 12. * metres_of_inch) < 1e-9;
+  SectionPlanner sections(file, line, section_options, result.plan, result.notes);
   const Network network = make_pieces(file, line, tolerance, sections, result.notes);
   check_connections(file, line, network, tolerance, result.notes);
   check_tangents(file, line, network, tolerance, result.notes);

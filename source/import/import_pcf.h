@@ -30,6 +30,9 @@ struct ImportedLine {
 /// of
 ImportedLine import_pcf(const ImportOptions &options);
 
+/// The units of the parameter file.
+UnitSystem units_of(const ImportOptions &options);
+
 /// The parameter file of a line, with what was not understood as comments on top.
 std::string prm_text(const ImportedLine &line, const ImportOptions &options);
 

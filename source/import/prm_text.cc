@@ -2,7 +2,6 @@
 #include "import/import_pcf.h"
 
 #include "base/number_text.h"
-#include "base/user_error.h"
 
 #include <cmath>
 
@@ -232,7 +231,7 @@ private:
   const ImportedLine &line;
   const LinePlan &plan;
   const ImportOptions &options;
-  const UnitSystem &units;
+  const UnitSystem units;
   std::set<std::string> placed;
   std::string text;
 };
@@ -240,13 +239,7 @@ private:
 } // namespace
 
 std::string prm_text(const ImportedLine &line, const ImportOptions &options) {
-  const std::optional<UnitSystem> units = UnitSystem::parse(options.units);
-  if (!units)
-    throw UserError("--units\n  read:    " + options.units +
-                    "\n  allowed: si, or a length and a force, and a mass, a stress, a "
-                    "temperature: " +
-                    UnitSystem::known_words() + "\n  try:     --units \"in lb psi F\"");
-  return PrmText(line, options, *units).write();
+  return PrmText(line, options, units_of(options)).write();
 }
 
 } // namespace frictionbeam::import

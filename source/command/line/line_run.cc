@@ -4,7 +4,7 @@
 #include "base/interruption.h"
 #include "results/combination/governing_cases.h"
 #include "results/file/envelope_tables.h"
-#include "results/file/model_tables.h"
+#include "results/table/model_tables.h"
 #include "results/frame/derived_cases.h"
 #include "results/listing/hangers.h"
 #include "results/quantity/wall_quantities.h"

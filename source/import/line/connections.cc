@@ -72,6 +72,18 @@ public:
     return result;
   }
 
+  /// The shortest gaps whose closing would make one line of all parts.
+  std::vector<Gap> between_parts() {
+    std::vector<Gap> result;
+    for (std::vector<Gap> found; !(found = gaps([&](const FreeEnd &a, const FreeEnd &b, double) {
+                                     return part(a.node) != part(b.node);
+                                   })).empty();) {
+      result.push_back(found.front());
+      parents[part(found.front().one->node)] = part(found.front().other->node);
+    }
+    return result;
+  }
+
   std::string text(const std::vector<Gap> &list) const {
     std::string result;
     for (std::size_t i = 0; i < std::min(most_gaps, list.size()); ++i)
@@ -122,10 +134,7 @@ void check_connections(const PcfFile &file, const PcfLine &line, const Network &
       ++parts_of_pipeline[pipeline];
   for (const auto &[pipeline, n] : parts_of_pipeline)
     if (n > 1) {
-      const std::vector<Gap> gaps =
-          connections.gaps([&](const FreeEnd &a, const FreeEnd &b, const double) {
-            return connections.part(a.node) != connections.part(b.node);
-          });
+      const std::vector<Gap> gaps = connections.between_parts();
       const std::string name = line.pipelines[pipeline];
       file.fail(0,
                 (name.empty() ? "a line" : "pipeline " + name) + " in " + std::to_string(n) +

@@ -2,6 +2,7 @@
 #include "import/line/neighbours.h"
 
 #include "base/number_text.h"
+#include "import/line/section_plan.h"
 #include "mesh/point_set.h"
 
 #include <algorithm>
@@ -32,9 +33,12 @@ void complete_by_neighbours(PcfLine &line, const double tolerance, Notes &notes)
   std::vector<std::vector<int>> of(line.components.size());
   std::vector<std::size_t> known;
   for (std::size_t i = 0; i < line.components.size(); ++i) {
-    const PcfComponent &component = line.components[i];
+    PcfComponent &component = line.components[i];
     if (component.shape == Shape::support || component.shape == Shape::joint)
       continue;
+    for (const std::string &text : {component.description, component.item})
+      if (component.properties.material.empty() && !grade_of(text).empty())
+        component.properties.material = text;
     for (const std::vector<PcfPoint> *const list : {&component.ends, &component.branches})
       for (const PcfPoint &point : *list) {
         of[i].push_back(points.insert(point.position));

@@ -12,7 +12,6 @@ namespace frictionbeam::import {
 
 namespace {
 
-constexpr double grid = 1e9;          ///< of written co-ordinates [1/m]
 constexpr double least_to_say = 1e-6; ///< of an end that was moved [m]
 constexpr double least_tolerance = 1e-8;
 
@@ -298,22 +297,6 @@ private:
 };
 
 } // namespace
-
-Point3 on_grid(const Point3 &point) {
-  Point3 result;
-  for (unsigned int d = 0; d < 3; ++d)
-    result[d] = std::round(point[d] * grid) / grid;
-  return result;
-}
-
-std::vector<std::vector<std::size_t>> Network::pieces_at() const {
-  std::vector<std::vector<std::size_t>> result(nodes.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    result[pieces[i].from].push_back(i);
-    result[pieces[i].to].push_back(i);
-  }
-  return result;
-}
 
 Network make_pieces(const PcfFile &file, const PcfLine &line, const double tolerance,
                     SectionPlanner &sections, Notes &notes) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "import/line/pieces.h"
+#include "import/line/network.h"
+#include "import/line/section_plan.h"
 
 namespace frictionbeam::import {
 

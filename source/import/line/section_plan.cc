@@ -15,6 +15,7 @@ namespace frictionbeam::import {
 namespace {
 
 constexpr double same_length = 1e-9; ///< [m]
+constexpr double least_wall = 1e-6;  ///< of any pipe [m]
 
 /// "NPS 1-1/2" of 1.5.
 std::string nps_of(const double inches) {
@@ -94,7 +95,8 @@ constexpr GradeWord grade_words[] = {
     {"P265GH", "carbon steel"},     {"P250GH", "carbon steel"},     {"CS", "carbon steel"},
     {"CARBON", "carbon steel"}};
 
-/// The grade that a name means; empty if none is known.
+} // namespace
+
 std::string grade_of(const std::string &name) {
   std::string text = capitals(name);
   std::replace_if(
@@ -111,8 +113,6 @@ std::string grade_of(const std::string &name) {
     }
   return "";
 }
-
-} // namespace
 
 bool PlannedSection::is_like(const PlannedSection &other) const {
   return size == other.size && schedule == other.schedule &&
@@ -199,16 +199,23 @@ void SectionPlanner::find_walls_of_bores() {
                                                    " have several walls: fittings that do not say "
                                                    "theirs have that of the first"});
   }
+  std::string bores;
+  unsigned int line_number = 0;
   for (const auto &[bore, component] : without)
-    if (pipe_walls.count(bore) == 0)
-      file.fail(
-          component->line,
-          component->keyword + " of bore " + exact_number(bore) + " without a wall thickness" +
-              (options.schedule.empty() ? ""
-                                        : "; schedule " + options.schedule + " has no wall for it"),
-          "a wall by an attribute that --attributes knows, by SCH or WT in the item's "
-          "description, or by --wall or --schedule",
-          "--attributes caesar, --wall \"" + exact_number(bore) + " 7.11 mm\", or --schedule 40");
+    if (pipe_walls.count(bore) == 0) {
+      bores += (bores.empty() ? "" : ", ") + exact_number(bore) + " (line " +
+               std::to_string(component->line) + ")";
+      line_number = line_number == 0 ? component->line : std::min(line_number, component->line);
+    }
+  if (!bores.empty())
+    file.fail(
+        line_number,
+        "pipes without a wall thickness, of bore " + bores +
+            (options.schedule.empty() ? "" : "; --schedule has none for them"),
+        "a wall by an attribute that --attributes knows, by SCH or WT in the item's "
+        "description, or by --wall or --schedule",
+        "--attributes caesar, --wall \"7.11 mm\", --wall \"150 7.11 mm, 80 5.49 mm\" by bore, "
+        "or --schedule 40");
 }
 
 std::size_t SectionPlanner::section(const PcfComponent &component, const double bore,
@@ -239,7 +246,7 @@ std::size_t SectionPlanner::section(const PcfComponent &component, const double 
   if (given && *given > 0.)
     section.outer_diameter = *given;
   else if (!name.empty())
-    section.outer_diameter = find_pipe_size(name, "STD", false)->outer_diameter;
+    section.outer_diameter = find_pipe_size(name, "STD", options.in_inches)->outer_diameter;
   else {
     section.outer_diameter = bore * (line.bores_in_inches ? 0.0254 : 1e-3);
     if (said["bore " + exact_number(bore)]++ == 0)
@@ -250,14 +257,14 @@ std::size_t SectionPlanner::section(const PcfComponent &component, const double 
   if (!wall.schedule.empty() && !name.empty() && !(given && *given > 0.)) {
     section.size = name;
     section.schedule = wall.schedule;
-    section.wall = find_pipe_size(name, wall.schedule, false)->wall;
+    section.wall = find_pipe_size(name, wall.schedule, options.in_inches)->wall;
   } else
     section.wall = wall.value;
-  if (section.wall > section.outer_diameter / 2. || section.outer_diameter <= 0.)
+  if (section.wall > section.outer_diameter / 2. || section.wall < least_wall)
     file.fail(component.line,
               component.keyword + ": wall " + rounded_number(1e3 * section.wall) +
                   " mm of outer diameter " + rounded_number(1e3 * section.outer_diameter) + " mm",
-              "a bore > 0, and a wall of at most half the outer diameter",
+              "a bore > 0, and a wall from 0.001 mm to half the outer diameter",
               "the right unit in --attributes or --wall, and of UNITS-BORE");
   const auto number = [&](const Property property) {
     return component.properties.number(property).value_or(0.);
@@ -275,10 +282,13 @@ std::size_t SectionPlanner::section(const PcfComponent &component, const double 
 }
 
 std::size_t SectionPlanner::material(const PcfComponent &component) {
-  const std::string of = component.properties.material;
+  std::string of = component.properties.material;
   std::string grade = grade_of(of);
-  if (grade.empty())
-    grade = grade_of(component.description);
+  for (const std::string &other : {component.description, component.item})
+    if (grade.empty()) {
+      grade = grade_of(other);
+      of = of.empty() && !grade.empty() ? other : of;
+    }
   if (grade.empty()) {
     grade = options.material.empty() ? "carbon steel" : options.material;
     const std::string called = of.empty() ? "no material is said" : "material '" + of + "'";

@@ -9,10 +9,15 @@ namespace frictionbeam::import {
 
 /// How walls and metals are found that the file does not say.
 struct SectionOptions {
-  std::string wall;     ///< "7.11 mm", or by bore "150 7.11 mm, 80 5.49 mm"
-  std::string schedule; ///< of all whose wall is said nowhere
-  std::string material; ///< grade of what the file has no known name for; empty: carbon steel
+  std::string wall;       ///< "7.11 mm", or by bore "150 7.11 mm, 80 5.49 mm"
+  std::string schedule;   ///< of all whose wall is said nowhere
+  std::string material;   ///< grade of what the file has no known name for; empty: carbon steel
+  bool in_inches = false; ///< outer diameters of nominal sizes in inches, which differ by 1e-4
 };
+
+/// The grade of Material/Grade that the name or description of a metal means; empty if none is
+/// known.
+std::string grade_of(const std::string &name);
 
 /**
  * Sections and materials of components. A bore that is a nominal size (DN or NPS of ASME B36.10M)

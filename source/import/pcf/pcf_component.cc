@@ -190,7 +190,7 @@ private:
       component.words.push_back(entry.text);
     } else if (table->find(entry.key) != nullptr || entry.key == "WEIGHT" ||
                entry.key.rfind("COMPONENT-ATTRIBUTE", 0) == 0)
-      read_attribute(entry, component.text(), component.properties);
+      read_attribute(entry, component.keyword, component.properties);
     else
       notes.count_without_effect(entry.key, entry.line);
   }

@@ -74,6 +74,10 @@ void SupportTable::add(const std::string &line, const std::string &place) {
       refuse("kind '" + support.kind + "'", join(kinds_of_table));
     for (std::size_t i = 1; i < words.size(); ++i) {
       const std::size_t equal = words[i].find('=');
+      if (equal == std::string::npos && !support.entries.empty()) { // of a list of values
+        support.entries.back().second += ", " + words[i];
+        continue;
+      }
       if (equal == std::string::npos || equal == 0)
         refuse(words[i], "entries 'Entry = value' behind the kind, between commas");
       support.entries.emplace_back(tidy(words[i].substr(0, equal)),

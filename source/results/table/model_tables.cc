@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/file/model_tables.h"
+#include "results/table/model_tables.h"
 
 #include "results/file/csv_writer.h"
 #include "results/text.h"
