@@ -5,6 +5,7 @@
 #include "command/line/run_line.h"
 #include "command/run_body.h"
 #include "command/run_folder.h"
+#include "command/run_solid.h"
 #include "command/size_hangers.h"
 
 #include "base/interruption.h"
@@ -22,6 +23,7 @@
 #include "results/report/report.h"
 #include "results/report/report_modes.h"
 #include "results/report/report_study.h"
+#include "results/solid/line_and_solid.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 #include "results/verdicts.h"
@@ -151,7 +153,8 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
     throw UserError(with_place(scene, error.what()));
   }
   if (n_processes() > 1)
-    results.remarks.push_back("A line is solved by one process: the others have waited.");
+    results.remarks.push_back("A line is solved by one process: the others have waited, and mpirun "
+                              "does not pay.");
   study_friction(scene, laws, results);
   write_stresses(scene, results, scene.output.directory);
   write_section_histories(scene, results, scene.output.directory);
@@ -185,29 +188,41 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   write_summary(scene, results, scene.output.directory); // the last: it says that all is there
 }
 
-/// Solve the scene as beams and as a continuum, each into a folder of its own.
+/// Solve the scene as beams and as a continuum or solid pipes, each into a folder of its own.
 Results run_both(const Scene &scene, const LawLibrary &laws) {
-  Results both;
+  Results both, line;
   both.status = RunStatus::converged;
-  for (const std::string model : {"line", "continuum"}) {
+  const std::string other = scene.is_solid() ? "solid" : "continuum";
+  for (const std::string &model : {std::string("line"), other}) {
     Scene part = scene;
     part.output.directory = scene.output.directory + "/" + model;
     prepare_folder(part.output.directory);
     const dealii::Timer wall;
-    Results results = model == "line" ? run_line(part, laws) : run_continuum(part, laws);
+    Results results = model == "line"    ? run_line(part, laws)
+                      : scene.is_solid() ? run_solid(part, laws)
+                                         : run_continuum(part, laws);
     conclude(part, results, wall);
     if (this_process() == 0)
       print_summary(part, results);
     include_model(both, results, model);
+    if (model == "line")
+      line = std::move(results);
+    else if (scene.is_solid() && this_process() == 0) {
+      both.sections.push_back({"forces", "Forces along the pipes and of supports",
+                               line_and_solid(scene, line, results)});
+      write_line_and_solid(scene, line, results, scene.output.directory);
+    }
   }
-  both.sections.push_back({"models", "Line and continuum", side_by_side(both)});
+  both.sections.insert(both.sections.begin(),
+                       {"models", "Line and " + other, side_by_side(both, other)});
   return both;
 }
 
 /// Where runs of a scene may leave checkpoints.
 std::vector<std::string> folders_of_runs(const Scene &scene) {
   const std::string &folder = scene.output.directory;
-  std::vector<std::string> folders = {folder, folder + "/line", folder + "/continuum"};
+  std::vector<std::string> folders = {folder, folder + "/line", folder + "/continuum",
+                                      folder + "/solid"};
   for (const double multiplier : scene.friction_multipliers)
     folders.push_back(study_folder(folder, multiplier));
   return folders;
@@ -255,6 +270,7 @@ SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scen
     return one.mesh.refine_hinges              ? refine_hinges(one, solve_line)
            : one.model == ModelKind::line      ? run_line(one, laws)
            : one.model == ModelKind::continuum ? run_continuum(one, laws)
+           : one.model == ModelKind::solid     ? run_solid(one, laws)
                                                : run_both(one, laws);
   };
   SolvedScene solved = scene.accuracy > 0. ? solve_to_accuracy(options, scene, read, solve_once)

@@ -5,6 +5,7 @@
 #include "scene/law_entries.h"
 #include "scene/part/body_parts.h"
 #include "scene/part/parts.h"
+#include "scene/solid/solid_entries.h"
 #include "scene/study/study_entries.h"
 
 #include "base/user_error.h"
@@ -25,9 +26,9 @@ namespace {
 const std::vector<std::string> part_kinds = {
     "Material", "Section", "Point", "Pipe",    "Support", "Spring", "Mass",     "Joint",
     "Tee",      "Load",    "Step",  "Initial", "Hanger",  "Nozzle", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",   "Continuum",  "Solver",   "Time",
-                                           "Output", "Modes",      "Response", "Stress",
-                                           "Exact",  "Quantities", "Checks",   "Study"};
+const std::vector<std::string> settings = {
+    "Mesh",     "Continuum", "Solid", "Solver",     "Time",   "Output", "Modes",
+    "Response", "Stress",    "Exact", "Quantities", "Checks", "Study"};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -181,6 +182,7 @@ void read_settings(ParameterReader &in, Scene &scene) {
   const std::vector<std::tuple<std::string, Declare, Parse>> sections = {
       {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
       {"Continuum", &parts::declare_continuum, &parts::parse_continuum},
+      {"Solid", &parts::declare_solid, &parts::parse_solid},
       {"Solver", &parts::declare_solver, &parts::parse_solver},
       {"Time", &parts::declare_time, &parts::parse_time},
       {"Output", &parts::declare_output, &parts::parse_output},
@@ -316,6 +318,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     read_parts(in, laws, scene.installation_temperature, scene);
   check_whole(in, scene);
   read_quantities(in, scene);
+  parts::check_solid(in, scene);
   parts::read_study(in, scene.study);
   find_corners(scene);
   return scene;
@@ -359,6 +362,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_mesh(in);
   in.enter("Continuum");
   parts::declare_continuum(in);
+  in.enter("Solid");
+  parts::declare_solid(in);
   in.enter("Solver");
   parts::declare_solver(in);
   in.enter("Time");

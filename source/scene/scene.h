@@ -144,6 +144,7 @@ struct FrictionSupport {
                             ///< for a bed); 0: the ground is fixed
   std::string ground;       ///< named point of another pipe to stand on; empty: the ground
   double capacity = 0.;     ///< largest force that it is made for [N]; 0: not said
+  double width = 0.;        ///< of its patch on a solid pipe, along [m]; 0: a diameter
   double restitution = 0.;  ///< Newton's, of an impact on a rigid contact: 0 to 1
   std::array<TimeFunction, 3> ground_motion; ///< of the ground, global axes [m]; not given: 0
 
@@ -299,12 +300,18 @@ struct Scene {
   std::optional<ContinuumScene> continuum;    ///< of a scene that has one, unless model is line
 
   ContinuumSettings continuum_settings;
+  SolidSettings solid;
   MeshSettings mesh;
   SolverSettings solver;
   TimeSettings time;
   OutputSettings output;
   CheckSettings checks;
   StudySettings study;
+
+  /// Whether it is solved as solid pipes, alone or beside the line.
+  bool is_solid() const {
+    return model == ModelKind::solid || (model == ModelKind::both && !continuum);
+  }
 
   /// Whether sections stay as stiff as their laws are at rest, whatever the laws say of yielding.
   bool keeps_elastic = false;
