@@ -11,19 +11,25 @@
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
+#include "results/combination/governing_cases.h"
+#include "results/combination/uplift.h"
 #include "results/file/checkpoint.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
+#include "results/file/model_tables.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/finite.h"
 #include "results/how_well_known.h"
+#include "results/listing/compliance.h"
+#include "results/listing/hangers.h"
 #include "results/page/both_models.h"
 #include "results/remarks.h"
 #include "results/report/report.h"
 #include "results/report/report_modes.h"
 #include "results/report/report_study.h"
 #include "results/solid/line_and_solid.h"
+#include "results/spectrum/modal_csv.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 #include "results/verdicts.h"
@@ -97,7 +103,16 @@ std::string study_folder(const std::string &folder, const double multiplier) {
   return folder + "/friction_" + rounded_number(multiplier);
 }
 
-/// Solve the scene again for each multiplier of friction, each into a folder of its own.
+/// Of the study, rising; the scene as it is always belongs to it. None without a study.
+std::vector<double> multipliers_of(const Scene &scene) {
+  std::set<double> multipliers(scene.friction_multipliers.begin(),
+                               scene.friction_multipliers.end());
+  if (!multipliers.empty())
+    multipliers.insert(1.);
+  return {multipliers.begin(), multipliers.end()};
+}
+
+/// Solve the scene again for each multiplier of friction but 1, each into a folder of its own.
 void study_friction(const Scene &scene, const LawLibrary &laws, Results &results) {
   FrictionStudy &study = results.friction_study;
   std::set<std::string> other_laws;
@@ -113,7 +128,11 @@ void study_friction(const Scene &scene, const LawLibrary &laws, Results &results
     study.names.push_back(support.name);
   for (const RestraintInfo &restraint : results.restraints)
     study.names.push_back(restraint.name);
-  for (const double multiplier : scene.friction_multipliers) {
+  for (const double multiplier : multipliers_of(scene)) {
+    if (multiplier == 1.) {
+      include_in_study(multiplier, results, study);
+      continue;
+    }
     Scene variant = with_friction(scene, laws, multiplier);
     variant.output.directory = study_folder(scene.output.directory, multiplier);
     variant.output.vtu = false;
@@ -134,8 +153,7 @@ void study_friction(const Scene &scene, const LawLibrary &laws, Results &results
       results.remarks.push_back("With friction times " + rounded_number(multiplier) +
                                 " the run is not converged: its row of the study is what it "
                                 "reached.");
-    study.multipliers.push_back(multiplier);
-    study.largest.push_back(largest_forces(other));
+    include_in_study(multiplier, other, study);
   }
 }
 
@@ -157,8 +175,14 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
                               "does not pay.");
   study_friction(scene, laws, results);
   write_stresses(scene, results, scene.output.directory);
+  write_compliance(scene, results, scene.output.directory);
+  write_hangers(results, scene.output.directory);
   write_section_histories(scene, results, scene.output.directory);
+  write_force_tables(scene, results, scene.output.directory);
   write_envelopes(scene, results, scene.output.directory);
+  write_governing_cases(scene, results, scene.output.directory);
+  write_uplift(scene, results, scene.output.directory);
+  write_excitations(results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
   return results;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/catalogue/catalogue_entries.h"
 #include "scene/file/parameter_notes.h"
 #include "scene/generated/scene_kinds.h"
 #include "scene/history_corners.h"
@@ -27,8 +28,8 @@ const std::vector<std::string> part_kinds = {
     "Material", "Section", "Point", "Pipe",    "Support", "Spring", "Mass",     "Joint",
     "Tee",      "Load",    "Step",  "Initial", "Hanger",  "Nozzle", "Spectrum", "Combination"};
 const std::vector<std::string> settings = {
-    "Mesh",     "Continuum", "Solid", "Solver",     "Time",   "Output", "Modes",
-    "Response", "Stress",    "Exact", "Quantities", "Checks", "Study"};
+    "Catalogue", "Mesh",     "Continuum", "Solid", "Solver",     "Time",   "Output",
+    "Modes",     "Response", "Stress",    "Exact", "Quantities", "Checks", "Study"};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -96,6 +97,9 @@ void check_heading(ParameterReader &in, const std::string &heading, const SceneK
   const std::string kind = kind_of(heading), name = name_of(heading);
   in.enter(heading);
   std::vector<std::string> allowed = settings;
+  if (generator.is_generated() && heading == "Stress")
+    in.fail_section("section " + heading, "this section with Scene = line only",
+                    "removing it, or Scene = line");
   if (std::count(settings.begin(), settings.end(), heading) > 0)
     return;
   std::vector<std::string> users; // of a section of generated scenes
@@ -180,6 +184,7 @@ void read_settings(ParameterReader &in, Scene &scene) {
   using Declare = void (*)(ParameterReader &);
   using Parse = void (*)(const ParameterReader &, Scene &);
   const std::vector<std::tuple<std::string, Declare, Parse>> sections = {
+      {"Catalogue", &parts::declare_catalogue, &parts::parse_catalogue},
       {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
       {"Continuum", &parts::declare_continuum, &parts::parse_continuum},
       {"Solid", &parts::declare_solid, &parts::parse_solid},
@@ -211,6 +216,8 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
   parts::parse_support_places(in, laws, scene);
   in.enter("Modes");
   parts::check_modes(in, scene);
+  in.enter("Response");
+  parts::check_response(in, scene);
   in.enter("Stress");
   parts::declare_stress(in);
   in.take();
@@ -380,6 +387,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_response(in);
   in.enter("Stress");
   parts::declare_stress(in);
+  in.enter("Catalogue");
+  parts::declare_catalogue(in);
   in.enter("Quantities");
   parts::declare_quantities(in);
   parts::declare_study(in);

@@ -128,6 +128,7 @@ struct OutputSettings {
       {};                       ///< that the report shows, or cases; empty: as many as can be
   bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
   bool vtu = true, report = true;
+  unsigned int vtu_frames = 200;    ///< of a transient step, at most; 0: all
   bool contact_problems = false;    ///< FCLIB files of every static increment
   double checkpoint_interval = 60.; ///< of wall time [s]; 0: none
   bool resume = false;              ///< from the checkpoint in the directory, if there is one
