@@ -19,9 +19,9 @@ using namespace dealii;
 
 namespace {
 
-constexpr double same = 1e-6;          ///< of the outer radius: places of rings that are one
-constexpr double growth = 0.5;         ///< of a straight run's cells, of the distance
-constexpr double no_corner = 1e-6;     ///< of two tangents
+constexpr double same = 1e-6;      ///< of the outer radius: places of rings that are one
+constexpr double growth = 0.5;     ///< of a straight run's cells, of the distance
+constexpr double no_corner = 1e-6; ///< of two tangents
 
 class WallLayout {
 public:
@@ -120,8 +120,7 @@ void WallLayout::chain_pipes() {
       after[p] = q;
       before[q] = p;
     }
-  const unsigned int first_pipe =
-      std::find(before.begin(), before.end(), -1) - before.begin();
+  const unsigned int first_pipe = std::find(before.begin(), before.end(), -1) - before.begin();
   if (first_pipe == n)
     fail(0, "the pipes form a loop.");
   wall.pipe_start.assign(n, 0.);
@@ -167,7 +166,8 @@ void WallLayout::add_patches() {
       WallPatch patch;
       patch.support = i;
       patch.site = k;
-      patch.part = "support " + support.name + (sites.size() > 1 ? "." + std::to_string(k + 1) : "");
+      patch.part =
+          "support " + support.name + (sites.size() > 1 ? "." + std::to_string(k + 1) : "");
       const double width = support.width > 0. ? support.width : 2. * wall.outer,
                    s = s_of(sites[k].vertex), rounding = same * wall.outer;
       patch.from = s - width / 2.;
@@ -181,8 +181,8 @@ void WallLayout::add_patches() {
             "Support " + support.name + ": its patch " +
             (leaves ? "leaves the pipe" : "does not lie on a straight run") +
             ".\n  read:    a patch of width " + text(width) + " at " +
-            in_units(scene.units, line.vertices[sites[k].vertex]) +
-            ", on a run from " + text(s - begin) + " before to " + text(end - s) +
+            in_units(scene.units, line.vertices[sites[k].vertex]) + ", on a run from " +
+            text(s - begin) + " before to " + text(end - s) +
             " behind it\n  allowed: a patch that lies on one straight run, Width along the pipe\n"
             "  try:     Width = " +
             text(2. * std::max(0.1 * wall.outer, std::min(s - begin, end - s))) +

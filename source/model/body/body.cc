@@ -65,9 +65,8 @@ ContinuumBody<dim>::ContinuumBody(const Scene &scene, const ContinuumMesh<dim> &
       is_parallel(Utilities::MPI::job_supports_mpi()),
       communicator(is_parallel ? MPI_COMM_WORLD : MPI_COMM_SELF),
       triangulation(make_triangulation<dim>(is_parallel, communicator)),
-      mapping(mesh.geometry_degree),
-      fe(FE_Q<dim>(scene.continuum_settings.degree), dim), dof_handler(*triangulation),
-      surfaces(mesh.parts.size() + 1, -1) {
+      mapping(mesh.geometry_degree), fe(FE_Q<dim>(scene.continuum_settings.degree), dim),
+      dof_handler(*triangulation), surfaces(mesh.parts.size() + 1, -1) {
   for (unsigned int i = 0; i < continuum.contacts.size(); ++i)
     surfaces[mesh.part(continuum.contacts[i].part)] = i;
   for (const ContinuumTraction &load : continuum.tractions)
@@ -218,8 +217,9 @@ void ContinuumBody<dim>::reinit(ContinuumVector &vector) const {
 }
 
 template <int dim>
-FullMatrix<double> ContinuumBody<dim>::cell_stiffness(
-    const typename DoFHandler<dim>::active_cell_iterator &cell, FEValues<dim> &values) const {
+FullMatrix<double>
+ContinuumBody<dim>::cell_stiffness(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                   FEValues<dim> &values) const {
   values.reinit(cell);
   const LameConstants lame = lame_constants(continuum, cell->material_id());
   const unsigned int n = fe.n_dofs_per_cell(), n_nodes = n / dim;
@@ -239,8 +239,8 @@ FullMatrix<double> ContinuumBody<dim>::cell_stiffness(
         for (unsigned int a = 0; a < dim; ++a)
           for (unsigned int b = 0; b < dim; ++b)
             matrix(index(a, i), index(b, j)) +=
-                weight * (lame.lambda * gi[a] * gj[b] + lame.mu * gi[b] * gj[a] +
-                          (a == b ? product : 0.));
+                weight *
+                (lame.lambda * gi[a] * gj[b] + lame.mu * gi[b] * gj[a] + (a == b ? product : 0.));
       }
   }
   for (unsigned int i = 0; i < n_nodes; ++i)

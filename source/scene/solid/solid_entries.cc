@@ -12,8 +12,9 @@ namespace {
 
 using Anchors = SolidSettings::Anchors;
 constexpr Word<Anchors> anchor_kinds[] = {
-    {"held", Anchors::held, "all displacements of the wall's section are zero, as of a pipe welded "
-                            "into something rigid"},
+    {"held", Anchors::held,
+     "all displacements of the wall's section are zero, as of a pipe welded "
+     "into something rigid"},
     {"breathing", Anchors::breathing,
      "all but along the radii, so that heat and pressure widen the section as elsewhere"}};
 
@@ -21,7 +22,7 @@ constexpr Word<Anchors> anchor_kinds[] = {
 
 void declare_solid(ParameterReader &in) {
   in.declare_count("Degree", 2, 1, "Of the elements' polynomials, and of the wall's geometry.", 4);
-  in.declare_count("Cells around", 16, 8, "The circumference.", 200);
+  in.declare_count("Cells around", 32, 8, "The circumference.", 200);
   in.declare_count("Cells through", 1, 1, "The wall.", 20);
   in.declare_count("Cells per bend", 8, 1, "Along 90 degrees of a bend.", 200);
   in.declare_number("First cell", 0., "m", 0., 1e300,
@@ -100,8 +101,9 @@ private:
 
 void SolidCheck::check_settings() {
   const std::array<bool, 6> all_motions{{true, true, true, true, true, true}};
-  refuse(scene.accuracy > 0., "", "Accuracy", "no Accuracy", "Cells around, Degree and the others "
-                                                             "of section Solid");
+  refuse(scene.accuracy > 0., "", "Accuracy", "no Accuracy",
+         "Cells around, Degree and the others "
+         "of section Solid");
   refuse(scene.kinematics != Kinematics::linear, "", "Kinematics", "linear", "linear");
   refuse(scene.free_motions != all_motions, "", "Free motions", "all six motions",
          "removing the entry");
@@ -110,14 +112,12 @@ void SolidCheck::check_settings() {
   refuse(!scene.monitors.empty(), "", "Monitors", "none", "quantities at the ends of steps");
   refuse(!scene.mesh.file.empty(), "Mesh", "File", "routes", "pipes with a Route");
   refuse(scene.mesh.refine_hinges, "Mesh", "Refine hinges", "false", "false");
-  refuse(!scene.stress.code.empty(), "Stress", "Code", "no stress code",
-         "removing section Stress");
+  refuse(!scene.stress.code.empty(), "Stress", "Code", "no stress code", "removing section Stress");
   refuse(scene.modal.n_modes > 0, "Modes", "Number", "no modes", "0");
   refuse(scene.exact.has_value(), "Exact", "At", "no exact history", "removing section Exact");
   refuse(scene.output.contact_problems, "Output", "Write contact problems", "false", "false");
   refuse(scene.output.every_increment, "Output", "Every increment", "false", "false");
-  refuse(!scene.solver.is_exact() && !scene.supports.empty(), "Solver", "Method", "exact",
-         "exact");
+  refuse(!scene.solver.is_exact() && !scene.supports.empty(), "Solver", "Method", "exact", "exact");
 }
 
 void SolidCheck::check_parts() {
@@ -209,9 +209,8 @@ void SolidCheck::check_loads() {
            "weight, temperature, pressure, force or line force", "another kind");
     refuse(load.follows, heading, "Follow", "false", "false");
     refuse(load.history.is_given(), heading, "History", "none", "factors of the steps");
-    const bool everywhere =
-        std::all_of(scene.pipes.begin(), scene.pipes.end(),
-                    [&](const Pipe &pipe) { return load.is_on(pipe.name); });
+    const bool everywhere = std::all_of(scene.pipes.begin(), scene.pipes.end(),
+                                        [&](const Pipe &pipe) { return load.is_on(pipe.name); });
     refuse(load.kind == Load::Kind::pressure && !everywhere, heading, "Pipes",
            "all pipes: there is no cap inside of a pipe,", "leaving the entry out");
   }
@@ -223,7 +222,8 @@ void SolidCheck::check_steps() {
     const std::string heading = "Step " + step.name;
     refuse(step.transient, heading, "Analysis", "static", "static");
     refuse(step.finds_limit, heading, "Find", "no limit load", "removing the entry");
-    refuse(step.from && *step.from + 1 != s, heading, "From", "the step before", "a run of its own");
+    refuse(step.from && *step.from + 1 != s, heading, "From", "the step before",
+           "a run of its own");
   }
 }
 
