@@ -47,6 +47,9 @@ private:
   const WallSegment &segment_at(const double middle) const;
   /// Length of the cells of a straight run at @p s.
   double cell_length(const double s) const;
+  bool is_straight(const unsigned int segment) const {
+    return wall.segments[segment].path.radius == 0.;
+  }
   std::string text(const double length) const { return in_units(scene.units, length, "m"); }
 
   const Scene &scene;
@@ -173,7 +176,12 @@ void WallLayout::add_patches() {
       patch.from = s - width / 2.;
       patch.to = s + width / 2.;
       const WallSegment &run = segment_at(s);
-      const double begin = run.start, end = run.start + run.path.length;
+      double begin = run.start, end = run.start + run.path.length;
+      const unsigned int number = &run - wall.segments.data();
+      for (unsigned int before = number; before > 0 && is_straight(before - 1); --before)
+        begin = wall.segments[before - 1].start;
+      for (unsigned int next = number + 1; next < wall.segments.size() && is_straight(next); ++next)
+        end = wall.segments[next].start + wall.segments[next].path.length;
       const bool leaves = patch.from < -rounding || patch.to > length + rounding;
       if (leaves || run.path.radius > 0. || patch.from < begin - rounding ||
           patch.to > end + rounding)
