@@ -74,9 +74,9 @@ Scene as_body(const Scene &scene, const Model &line, const PipeWall &wall) {
 
 /// @throws UserError where nothing holds the pipes
 void check_held(const Scene &scene) {
-  if (scene.restraints.empty() && scene.supports.empty())
-    throw UserError("Nothing holds the solid pipe.\n  read:    no Support\n  allowed: anchors, "
-                    "rests, guides, stops\n  try:     an anchor at one end");
+  if (scene.restraints.empty())
+    throw UserError("Nothing holds the solid pipe.\n  read:    no Support\n  allowed: anchors\n  "
+                    "try:     an anchor at one end");
 }
 
 class SolidRun {

@@ -146,12 +146,12 @@ struct CheckSettings {
 struct SolidSettings {
   /// What an anchor holds of its section: everything, or all but that it widens evenly.
   enum class Anchors { held, breathing } anchors = Anchors::held;
-  unsigned int degree = 2;                   ///< of the elements and of their geometry
-  unsigned int cells_around = 32;            ///< the circumference
-  unsigned int cells_through = 1;            ///< the wall
-  unsigned int cells_per_bend = 8;           ///< in 90 degrees
+  unsigned int degree = 2;                  ///< of the elements and of their geometry
+  unsigned int cells_around = 16;           ///< the circumference
+  unsigned int cells_through = 1;           ///< the wall
+  unsigned int cells_per_bend = 8;          ///< in 90 degrees
   double first_cell = 0., longest_cell = 0.; ///< of a straight run [m]; 0: by the section
-  double most_unknowns = 200000.;            ///< more are refused
+  double most_unknowns = 200000.;           ///< more are refused
 };
 
 /// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.

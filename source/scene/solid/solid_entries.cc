@@ -82,8 +82,8 @@ private:
     in.enter("");
     in.fail_section("subsection " + kind + " " + parts.front().name,
                     "no " + kind + " with Model = " + model() +
-                        ": a solid pipe knows routes, anchors, rigid rests, guides and stops, "
-                        "weight, temperature, pressure, line forces and forces at points",
+                        ": a solid pipe knows routes, anchors, weight, temperature, pressure, line "
+                        "forces and forces at points",
                     "Model = line");
   }
 
@@ -169,9 +169,8 @@ void SolidCheck::check_supports() {
     const bool all = std::all_of(restraint.fixed.begin(), restraint.fixed.end(),
                                  [](const bool held) { return held; });
     refuse(!restraint.translations.empty(), heading, "Kind",
-           "a guide or stop with a Gap or a Friction coefficient,",
-           "'Friction coefficient = 0.1', or a Gap");
-    refuse(!all, heading, "Fixed", "all six motions", "Kind = anchor, guide or rest");
+           "anchor: a solid pipe does not stand on rests, guides and stops yet,", "anchors alone");
+    refuse(!all, heading, "Fixed", "all six motions", "Kind = anchor");
     refuse(restraint.placement.continuous, heading, "Continuous", "false", "an anchor At a point");
   }
   for (const FrictionSupport &support : scene.supports) {
@@ -179,26 +178,8 @@ void SolidCheck::check_supports() {
     for (const std::string half : {".plus", ".minus"})
       if (const auto at = heading.rfind(half); at != std::string::npos)
         heading.resize(at);
-    refuse(support.law != "coulomb", heading, "Law", "coulomb", "coulomb");
-    refuse(support.kind == "rod" || support.kind == "snubber", heading, "Kind",
-           "anchor, rest, guide, stop or friction", "rest");
-    refuse(support.normal.kind == Direction::Kind::along, heading,
-           support.kind == "line stop" ? "Kind" : "Normal",
-           "a normal across the pipe: on a wall nothing pushes along it,", "a guide, or an anchor");
-    refuse(support.placement.continuous, heading, "Continuous", "false", "Every");
-    refuse(support.normal_force > 0., heading, "Normal force", "none", "a rest under weight");
-    refuse(support.rotations != FrictionSupport::Rotations::none, heading, "Rotations", "none",
-           "none");
-    refuse(support.torsion, heading, "Torsion", "false: a patch resists twisting by itself,",
-           "false");
-    refuse(!support.ground.empty(), heading, "Ground", "the ground", "removing the entry");
-    refuse(support.ground_moves(), heading, "Ground motion", "none", "removing the entry");
-    for (const char *rigidity : {"Axial rigidity", "Shear rigidity"}) {
-      in.enter(heading);
-      double value = 0.;
-      refuse(to_number(in.raw(rigidity, "0"), value) && value > 0., heading, rigidity,
-             "0, a rigid support,", "0");
-    }
+    refuse(true, heading, "Kind",
+           "anchor: a solid pipe does not stand on rests, guides and stops yet,", "anchors alone");
   }
 }
 
@@ -231,24 +212,16 @@ void SolidCheck::check_quantities() {
   using Of = QuantityKind::Of;
   for (const Quantity &quantity : scene.quantities) {
     const Of of = quantity.kind().of;
-    const bool known = (of == Of::motion || of == Of::section || of == Of::holder ||
-                        of == Of::support || of == Of::supports) &&
-                       quantity.over == Quantity::Over::end && !quantity.time &&
-                       !(of == Of::support && quantity.kind().component > 6);
+    const bool known = (of == Of::motion || of == Of::section || of == Of::holder) &&
+                       quantity.over == Quantity::Over::end && !quantity.time;
     refuse(!known, "Quantities", quantity.name,
-           "motions, section forces, forces of what holds and states of supports, at the ends of "
-           "steps,",
+           "motions, section forces and forces of what holds, at the ends of steps,",
            "'uz at <point>'");
   }
 }
 
 /// What a line does not use.
 void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
-  for (const FrictionSupport &support : scene.supports)
-    if (support.width > 0.)
-      scene.remarks.push_back("Support " + support.name +
-                              ": its Width is of a solid pipe and is not used with Model = " +
-                              row_of(model_kinds, scene.model).word + ".");
   in.enter("Solid");
   for (const char *entry : {"Degree", "Cells around", "Cells through", "Cells per bend",
                             "First cell", "Longest cell", "Anchors", "Most unknowns"})
