@@ -69,6 +69,10 @@ Scene as_body(const Scene &scene, const Model &line, const PipeWall &wall) {
   Scene result = scene;
   result.continuum = body;
   result.continuum_settings.degree = scene.solid.degree;
+  // Long thin cells: a factorization unless the file asks for multigrid.
+  using LinearSolver = ContinuumSettings::LinearSolver;
+  if (result.continuum_settings.linear_solver == LinearSolver::automatic)
+    result.continuum_settings.linear_solver = LinearSolver::direct;
   return result;
 }
 
