@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "command/run_solid.h"
+#include "command/solid/run_solid.h"
 
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
-#include "mesh/build_line_mesh.h"
+#include "mesh/solid/wall_layout.h"
 #include "model/line_model.h"
 #include "results/file/csv_writer.h"
 #include "results/quantity/collector.h"
