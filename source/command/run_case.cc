@@ -5,7 +5,7 @@
 #include "command/line/run_line.h"
 #include "command/run_body.h"
 #include "command/run_folder.h"
-#include "command/run_solid.h"
+#include "command/solid/run_solid.h"
 #include "command/size_hangers.h"
 
 #include "base/interruption.h"

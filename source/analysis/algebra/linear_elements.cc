@@ -138,7 +138,6 @@ void LinearElements::assemble_stiffness(
   const QGauss<3> quadrature(2);
   const FE_Q<3> shapes(1);
   FEValues<3> values(shapes, quadrature, update_gradients | update_JxW_values);
-  const LameConstants lame = lame_constants(body.continuum);
   const FiniteElement<3> &fe = dof_handler.get_fe();
   const unsigned int n = shapes.n_dofs_per_cell();
   FullMatrix<double> matrix(3 * n, 3 * n);
@@ -146,6 +145,7 @@ void LinearElements::assemble_stiffness(
   for (const auto &cell : dof_handler.active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
+    const LameConstants lame = lame_constants(body.continuum, cell->material_id());
     values.reinit(typename Triangulation<3>::cell_iterator(cell));
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j) {

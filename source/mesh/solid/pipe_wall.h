@@ -3,21 +3,9 @@
 
 #include "mesh/body_mesh.h"
 #include "mesh/line_mesh.h"
-#include "mesh/pipe_path.h"
+#include "mesh/solid/wall_segment.h"
 
 namespace frictionbeam {
-
-/// A straight run or a bend of a pipe's axis, with axes of the section that go along it without
-/// turning about it.
-struct WallSegment {
-  PipePath::Segment path;
-  double start = 0.; ///< along the whole chain of pipes [m]
-  unsigned int pipe = 0;
-  Vector3 a, b; ///< unit, at the beginning; a x b is the tangent
-
-  /// A direction of the section at the beginning, at @p s from there.
-  Vector3 carried(const Vector3 &direction, const double s) const;
-};
 
 /// A plane of vertices across the wall.
 struct WallRing {
@@ -59,6 +47,8 @@ struct PipeWall {
                          ///< segment, material id: the pipe
 
   double mean_radius() const { return 0.5 * (inner + outer); }
+  // Of the mesh, whose circle is a polynomial in each cell, so that what is divided by them has
+  // the right sum: a part of 5e-5 smaller than a circle's with 16 cells of degree 2.
   double area() const;      ///< of the metal [m2]
   double bore_area() const; ///< [m2]
   double inertia() const;   ///< of the metal, about a diameter [m4]
@@ -70,15 +60,5 @@ struct PipeWall {
   /// The ring at a vertex of the LineMesh. @throws UserError if there is none
   unsigned int ring_at(const unsigned int vertex) const;
 };
-
-/**
- * Lay out the wall of a scene's pipes: rings at the ends of bends, at named points, supports and
- * anchors and at the edges of patches, between them bends in equal layers and straight runs in
- * layers that grow away from what disturbs them.
- * @param line the scene's mesh as a line, which knows where supports stand
- * @throws UserError for what is no chain of straight runs and bends of one section, and for patches
- * that leave a straight run or meet
- */
-PipeWall build_pipe_wall(const Scene &scene, const LineMesh &line);
 
 } // namespace frictionbeam

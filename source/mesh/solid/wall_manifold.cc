@@ -22,7 +22,8 @@ Point<3> WallManifold::pull_back(const Point<3> &place) const {
     s = path.radius * std::atan2(arm * path.first_tangent, -(arm * path.inward));
   }
   const Vector3 arm = place - path.point(s);
-  double angle = std::atan2(arm * segment.carried(segment.b, s), arm * segment.carried(segment.a, s));
+  double angle =
+      std::atan2(arm * segment.carried(segment.b, s), arm * segment.carried(segment.a, s));
   if (angle < 0.)
     angle += 2. * numbers::PI;
   return {s, angle, arm.norm()};

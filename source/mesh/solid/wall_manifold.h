@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "mesh/solid/pipe_wall.h"
+#include "mesh/solid/wall_segment.h"
+
+#include <deal.II/grid/manifold.h>
 
 namespace frictionbeam {
 

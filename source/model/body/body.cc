@@ -2,6 +2,8 @@
 #include "model/body/body.h"
 #include "base/numbers.h"
 #include "base/user_error.h"
+#include "model/body/cell_stiffness.h"
+#include "model/body/held_section.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/tria.h>
@@ -10,7 +12,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <set>
 
 namespace frictionbeam {
 
@@ -65,9 +66,8 @@ ContinuumBody<dim>::ContinuumBody(const Scene &scene, const ContinuumMesh<dim> &
       is_parallel(Utilities::MPI::job_supports_mpi()),
       communicator(is_parallel ? MPI_COMM_WORLD : MPI_COMM_SELF),
       triangulation(make_triangulation<dim>(is_parallel, communicator)),
-      mapping(mesh.geometry_degree),
-      fe(FE_Q<dim>(scene.continuum_settings.degree), dim), dof_handler(*triangulation),
-      surfaces(mesh.parts.size() + 1, -1) {
+      mapping(mesh.geometry_degree), fe(FE_Q<dim>(scene.continuum_settings.degree), dim),
+      dof_handler(*triangulation), surfaces(mesh.parts.size() + 1, -1) {
   for (unsigned int i = 0; i < continuum.contacts.size(); ++i)
     surfaces[mesh.part(continuum.contacts[i].part)] = i;
   for (const ContinuumTraction &load : continuum.tractions)
@@ -121,7 +121,10 @@ void ContinuumBody<dim>::constrain() {
   for (const ContinuumHold &part : continuum.holds)
     hold(part);
   for (const HeldSection &section : continuum.sections)
-    hold(section);
+    if constexpr (dim == 3)
+      hold_section(mapping, dof_handler, section, constraints);
+    else
+      (void)section;
   constraints.close();
   find_contact_nodes();
 }
@@ -143,46 +146,6 @@ void ContinuumBody<dim>::hold(const ContinuumHold &part) {
           for (unsigned int d = 0; d < dim; ++d)
             if (part.fixed[d])
               constraints.add_line(cell->vertex_dof_index(v, d));
-}
-
-template <int dim>
-void ContinuumBody<dim>::hold(const HeldSection &section) {
-  if constexpr (dim == 3) {
-    constexpr double in_plane = 1e-6, of_radius = 1.01;
-    std::map<types::global_dof_index, Point<dim>> places;
-    DoFTools::map_dofs_to_support_points(mapping, dof_handler, places);
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    std::set<types::global_dof_index> done;
-    for (const auto &cell : dof_handler.active_cell_iterators()) {
-      if (cell->is_artificial())
-        continue;
-      cell->get_dof_indices(dofs);
-      for (unsigned int i = 0; i < dofs.size(); ++i) {
-        const unsigned int node = fe.system_to_component_index(i).second;
-        if (fe.system_to_component_index(i).first > 0)
-          continue;
-        const Tensor<1, 3> arm = places.at(dofs[i]) - section.centre;
-        if (std::abs(arm * section.normal) > in_plane * section.radius ||
-            arm.norm() > of_radius * section.radius || !done.insert(dofs[i]).second)
-          continue;
-        const Tensor<1, 3> out = arm / arm.norm();
-        unsigned int largest = 0;
-        for (unsigned int d = 1; d < 3; ++d)
-          if (std::abs(out[d]) > std::abs(out[largest]))
-            largest = d;
-        const auto dof_of = [&](const unsigned int d) {
-          return dofs[fe.component_to_system_index(d, node)];
-        };
-        for (unsigned int d = 0; d < 3; ++d)
-          if (!(section.breathes && d == largest)) {
-            constraints.add_line(dof_of(d));
-            if (section.breathes) // u = w out
-              constraints.add_entry(dof_of(d), dof_of(largest), out[d] / out[largest]);
-          }
-      }
-    }
-  } else
-    (void)section;
 }
 
 template <int dim>
@@ -218,40 +181,6 @@ void ContinuumBody<dim>::reinit(ContinuumVector &vector) const {
 }
 
 template <int dim>
-FullMatrix<double> ContinuumBody<dim>::cell_stiffness(
-    const typename DoFHandler<dim>::active_cell_iterator &cell, FEValues<dim> &values) const {
-  values.reinit(cell);
-  const LameConstants lame = lame_constants(continuum, cell->material_id());
-  const unsigned int n = fe.n_dofs_per_cell(), n_nodes = n / dim;
-  FullMatrix<double> matrix(n, n);
-  std::vector<Tensor<1, dim>> gradient(n_nodes);
-  const auto index = [&](const unsigned int component, const unsigned int node) {
-    return fe.component_to_system_index(component, node);
-  };
-  for (const unsigned int q : values.quadrature_point_indices()) {
-    const double weight = values.JxW(q) * thickness();
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      gradient[i] = values.shape_grad(index(0, i), q);
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      for (unsigned int j = 0; j <= i; ++j) {
-        const Tensor<1, dim> &gi = gradient[i], &gj = gradient[j];
-        const double product = lame.mu * (gi * gj);
-        for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int b = 0; b < dim; ++b)
-            matrix(index(a, i), index(b, j)) +=
-                weight * (lame.lambda * gi[a] * gj[b] + lame.mu * gi[b] * gj[a] +
-                          (a == b ? product : 0.));
-      }
-  }
-  for (unsigned int i = 0; i < n_nodes; ++i)
-    for (unsigned int j = 0; j < i; ++j)
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = 0; b < dim; ++b)
-          matrix(index(b, j), index(a, i)) = matrix(index(a, i), index(b, j));
-  return matrix;
-}
-
-template <int dim>
 void ContinuumBody<dim>::assemble_stiffness(
     const std::function<void(const FullMatrix<double> &,
                              const std::vector<types::global_dof_index> &)> &add) const {
@@ -265,13 +194,18 @@ void ContinuumBody<dim>::assemble_stiffness(
   std::vector<Known> known;
   const QGauss<dim> quadrature(fe.degree + 1);
   FEValues<dim> values(mapping, fe, quadrature, update_gradients | update_JxW_values);
+  const auto stiffness_of = [&](const auto &cell) {
+    values.reinit(cell);
+    const LameConstants lame = lame_constants(continuum, cell->material_id());
+    return cell_stiffness(values, fe, lame.lambda, lame.mu, thickness());
+  };
   std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
   for (const auto &cell : dof_handler.active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
     cell->get_dof_indices(dofs);
     if (!mesh.manifolds.empty()) { // vertices do not say what a curved cell is
-      add(cell_stiffness(cell, values), dofs);
+      add(stiffness_of(cell), dofs);
       continue;
     }
     const double size = cell->vertex(1).distance(cell->vertex(0));
@@ -285,7 +219,7 @@ void ContinuumBody<dim>::assemble_stiffness(
       return true;
     });
     if (found == known.end()) {
-      Known cell_matrix{shape, cell_stiffness(cell, values), size};
+      Known cell_matrix{shape, stiffness_of(cell), size};
       add(cell_matrix.matrix, dofs);
       if (known.size() < most_known)
         known.push_back(cell_matrix);

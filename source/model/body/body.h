@@ -104,7 +104,6 @@ public:
 
 private:
   void hold(const ContinuumHold &part);
-  void hold(const HeldSection &section);
   /// What the faces of a surface with friction tell of its nodes.
   struct ContactArea {
     ContinuumVector normals; ///< area times outward normal of each node, on its dofs
@@ -116,9 +115,6 @@ private:
   void add_area(const dealii::Vector<double> &local,
                 const std::vector<dealii::types::global_dof_index> &dofs,
                 ContinuumVector &area) const;
-  dealii::FullMatrix<double>
-  cell_stiffness(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-                 dealii::FEValues<dim> &values) const;
 
   std::vector<int> surfaces;                  ///< by boundary id
   std::vector<std::vector<char>> refinements; ///< of each, which cells were flagged

@@ -33,8 +33,8 @@ double WallLoads::free_strain(const unsigned int pipe, const std::vector<double>
   for (std::size_t l = 0; l < factors.size(); ++l) {
     const Load &load = scene.loads[l];
     if (load.kind == Load::Kind::temperature && load.is_on(scene.pipes[pipe].name))
-      strain += factors[l] *
-                material.thermal_strain(load.installation, load.installation + load.value);
+      strain +=
+          factors[l] * material.thermal_strain(load.installation, load.installation + load.value);
   }
   return strain;
 }
@@ -150,9 +150,7 @@ void add_over_faces(const ContinuumBody<3> &body, const FaceOf &face_of, const T
 void WallLoads::add_pressure(const double p, ContinuumVector &forces) const {
   add_over_faces(
       body,
-      [&](const unsigned int cell) {
-        return cell / wall.around % wall.through == 0 ? 0 : -1;
-      },
+      [&](const unsigned int cell) { return cell / wall.around % wall.through == 0 ? 0 : -1; },
       [&](const Point3 &, const Vector3 &normal) { return -p * normal; }, forces);
 }
 
@@ -169,8 +167,7 @@ void WallLoads::add_section(const unsigned int ring, const Motion &load,
       },
       [&](const Point3 &place, const Vector3 &) {
         const Vector3 arm = place - at.centre;
-        return force / wall.area() +
-               moment * cross_product_3d(arm, at.tangent) / I * at.tangent +
+        return force / wall.area() + moment * cross_product_3d(arm, at.tangent) / I * at.tangent +
                twist / (2. * I) * cross_product_3d(at.tangent, arm);
       },
       forces);

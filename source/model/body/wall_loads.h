@@ -7,10 +7,11 @@
 namespace frictionbeam {
 
 /**
- * What the loads of a scene of pipes are on their wall: heat as a free strain of the metal, pressure
- * on the bore and as the thrust of closed ends on the two end sections, weight (of contents and
- * insulation, too) and line forces as forces on the metal's volume, and forces and moments at points
- * as tractions over the section there, uniform or linear in the distance from its middle.
+ * What the loads of a scene of pipes are on their wall: heat as a free strain of the metal,
+ * pressure on the bore and as the thrust of closed ends on the two end sections, weight (of
+ * contents and insulation, too) and line forces as forces on the metal's volume, and forces and
+ * moments at points as tractions over the section there, uniform or linear in the distance from its
+ * middle.
  */
 class WallLoads {
 public:
@@ -31,9 +32,8 @@ public:
   bool is_loaded(const unsigned int ring) const;
 
   /// Stress without free strain, of a displacement gradient.
-  static dealii::SymmetricTensor<2, 3> stress(const LameConstants &lame,
-                                              const dealii::Tensor<2, 3> &gradient,
-                                              const double free_strain);
+  static dealii::SymmetricTensor<2, 3>
+  stress(const LameConstants &lame, const dealii::Tensor<2, 3> &gradient, const double free_strain);
 
 private:
   void add_volume(const std::vector<double> &factors, ContinuumVector &forces) const;

@@ -21,9 +21,9 @@ struct Compared {
 };
 
 const Frame *end_of(const Results &results, const std::string &step) {
-  const auto found = std::find_if(
-      results.frames.begin(), results.frames.end(),
-      [&](const Frame &frame) { return frame.end_of_step && frame.name == step; });
+  const auto found =
+      std::find_if(results.frames.begin(), results.frames.end(),
+                   [&](const Frame &frame) { return frame.end_of_step && frame.name == step; });
   return found == results.frames.end() ? nullptr : &*found;
 }
 
@@ -112,10 +112,9 @@ std::string step_panel(const Scene &scene, const Results &results, const Frame &
   }));
   plots.push_back(both_plot(scene, line, solid, "N" + of_force,
                             [&](const Station &at) { return at.force[0] / N; }));
-  plots.push_back(both_plot(scene, line, solid, "bending moment" + of_moment,
-                            [&](const Station &at) {
-                              return std::hypot(at.force[4], at.force[5]) / Nm;
-                            }));
+  plots.push_back(
+      both_plot(scene, line, solid, "bending moment" + of_moment,
+                [&](const Station &at) { return std::hypot(at.force[4], at.force[5]) / Nm; }));
   plots.push_back(both_plot(scene, line, solid, "torsion" + of_moment,
                             [&](const Station &at) { return at.force[3] / Nm; }));
   return holder_table(scene, results, line, solid) +

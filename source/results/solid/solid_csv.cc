@@ -51,24 +51,21 @@ void write_wall_csv(const Scene &scene, const PipeWall &wall, const std::vector<
           least = std::min(least, point.axial);
           largest = std::max(largest, point.axial);
         }
-      const double y = angle_of_y(at),
-                   angle = 0.5 * std::atan2(ring.mode2[1], ring.mode2[0]) - y,
+      const double y = angle_of_y(at), angle = 0.5 * std::atan2(ring.mode2[1], ring.mode2[0]) - y,
                    half_turn = numbers::PI;
-      rings.stream() << wall_row(head, {at.centre[0] / m, at.centre[1] / m, at.centre[2] / m,
-                                        ring.widening / m,
-                                        std::hypot(ring.mode2[0], ring.mode2[1]) / m,
-                                        180. / numbers::PI *
-                                            (angle - half_turn * std::floor(angle / half_turn)),
-                                        std::hypot(ring.mode3[0], ring.mode3[1]) / m,
-                                        ring.ovality(2. * wall.outer),
-                                        ring.largest_mises(0) / Pa, ring.largest_mises(1) / Pa,
-                                        least / Pa, largest / Pa})
+      rings.stream() << wall_row(head,
+                                 {at.centre[0] / m, at.centre[1] / m, at.centre[2] / m,
+                                  ring.widening / m, std::hypot(ring.mode2[0], ring.mode2[1]) / m,
+                                  180. / numbers::PI *
+                                      (angle - half_turn * std::floor(angle / half_turn)),
+                                  std::hypot(ring.mode3[0], ring.mode3[1]) / m,
+                                  ring.ovality(2. * wall.outer), ring.largest_mises(0) / Pa,
+                                  ring.largest_mises(1) / Pa, least / Pa, largest / Pa})
                      << '\n';
       for (unsigned int side = 0; side < 2; ++side)
         for (unsigned int i = 0; i < ring.stress[side].size(); ++i) {
           const WallStress &point = ring.stress[side][i];
-          const double turn = 2. * numbers::PI,
-                       place = turn * i / ring.stress[side].size() - y;
+          const double turn = 2. * numbers::PI, place = turn * i / ring.stress[side].size() - y;
           points.stream() << wall_row(head, {180. / numbers::PI *
                                              (place - turn * std::floor(place / turn + 1e-12))})
                           << (side == 0 ? ",inside" : ",outside")

@@ -67,8 +67,8 @@ std::vector<Station> FrameOfWall::stations(const std::vector<bool> &jumps) const
     if (!first && !last)
       for (unsigned int c = 0; c < 6; ++c)
         mean[c] = 0.5 * (mean[c] + rings[r].cut[1][c]);
-    const bool two = !first && !last &&
-                     (jumps[r] || wall.pipe_of_layer(r - 1) != wall.pipe_of_layer(r));
+    const bool two =
+        !first && !last && (jumps[r] || wall.pipe_of_layer(r - 1) != wall.pipe_of_layer(r));
     for (const unsigned int side : {0u, 1u}) {
       if (side == 0 ? first : last || (!first && !two))
         continue;

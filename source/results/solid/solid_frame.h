@@ -7,9 +7,9 @@
 namespace frictionbeam {
 
 /**
- * The state of a wall as a line's frame: stations at the rings, with the section's motion as a plane
- * and the forces across it, axes and signs as of a line; N is the effective force, of the wall less
- * pressure times bore, as a beam has it. Supports are the sums over their patches.
+ * The state of a wall as a line's frame: stations at the rings, with the section's motion as a
+ * plane and the forces across it, axes and signs as of a line; N is the effective force, of the
+ * wall less pressure times bore, as a beam has it. Supports are the sums over their patches.
  * @param line the scene as a line, in whose order supports and restraints stand
  */
 Frame solid_frame(const Scene &scene, const Model &line, const PipeWall &wall,

@@ -18,15 +18,16 @@ namespace {
 /// From dark to light, for readers with any kind of colour vision (viridis at five places).
 std::string stress_colour(const double part) {
   constexpr unsigned int n = 5;
-  constexpr std::array<std::array<double, 3>, n> at = {
-      {{{68., 1., 84.}}, {{59., 82., 139.}}, {{33., 145., 140.}}, {{94., 201., 98.}},
-       {{253., 231., 37.}}}};
+  constexpr std::array<std::array<double, 3>, n> at = {{{{68., 1., 84.}},
+                                                        {{59., 82., 139.}},
+                                                        {{33., 145., 140.}},
+                                                        {{94., 201., 98.}},
+                                                        {{253., 231., 37.}}}};
   const double place = std::clamp(part, 0., 1.) * (n - 1);
   const unsigned int i = std::min(static_cast<unsigned int>(place), n - 2);
   std::string text = "rgb(";
   for (unsigned int c = 0; c < 3; ++c)
-    text += std::to_string(
-                std::lround(at[i][c] + (place - i) * (at[i + 1][c] - at[i][c]))) +
+    text += std::to_string(std::lround(at[i][c] + (place - i) * (at[i + 1][c] - at[i][c]))) +
             (c < 2 ? "," : ")");
   return text;
 }
@@ -70,8 +71,8 @@ std::string WallPicture::draw() const {
         const unsigned int next = (i + 1) % n_points;
         const std::array<Point3, 4> corners = {{corner(r, i, side), corner(r, next, side),
                                                 corner(r + 1, next, side), corner(r + 1, i, side)}};
-        const Vector3 out =
-            (side == 1 ? 1. : -1.) * cross_product_3d(corners[2] - corners[0], corners[3] - corners[1]);
+        const Vector3 out = (side == 1 ? 1. : -1.) *
+                            cross_product_3d(corners[2] - corners[0], corners[3] - corners[1]);
         double middle = 0., stress = 0.;
         std::string points;
         for (const Point3 &point : corners) {
@@ -134,9 +135,8 @@ std::string wall_report(const Scene &scene, const PipeWall &wall,
   const double Pa = scene.units.factor("Pa"), m = scene.units.factor("m");
   const std::string stress = " [" + scene.units.name("Pa") + "]";
   std::vector<Plot> plots;
-  plots.push_back(ring_plot(
-      scene, wall, frames, "ovality (D_max - D_min)/D [-]",
-      [&](const RingState &ring) { return ring.ovality(2. * wall.outer); }));
+  plots.push_back(ring_plot(scene, wall, frames, "ovality (D_max - D_min)/D [-]",
+                            [&](const RingState &ring) { return ring.ovality(2. * wall.outer); }));
   plots.push_back(ring_plot(scene, wall, frames, "widening [" + scene.units.name("m") + "]",
                             [&](const RingState &ring) { return ring.widening / m; }));
   for (const unsigned int side : {0u, 1u})

@@ -41,8 +41,7 @@ public:
       Tensor<2, 3> gradient;
       for (unsigned int d = 0; d < 3; ++d)
         gradient[d] = inputs.solution_gradients[q][d];
-      const SymmetricTensor<2, 3> s =
-          WallLoads::stress(lame[pipe], gradient, free_strain[pipe]);
+      const SymmetricTensor<2, 3> s = WallLoads::stress(lame[pipe], gradient, free_strain[pipe]);
       values[q][0] = s[0][0];
       values[q][1] = s[1][1];
       values[q][2] = s[0][1];

@@ -111,8 +111,8 @@ void WallReading::read_forces(const typename DoFHandler<3>::active_cell_iterator
     const SymmetricTensor<2, 3> stress = WallLoads::stress(lame, gradients[q], free_strain);
     for (unsigned int i = 0; i < nodes.size(); ++i) {
       const unsigned int k = body.fe.component_to_system_index(0, i);
-      force[i] += values.JxW(q) *
-                  (stress * values.shape_grad(k, q) - values.shape_value(k, q) * weight);
+      force[i] +=
+          values.JxW(q) * (stress * values.shape_grad(k, q) - values.shape_value(k, q) * weight);
     }
   }
   if (has_bore) {
@@ -150,7 +150,8 @@ void WallReading::read_motion(const typename DoFHandler<3>::active_cell_iterator
     for (unsigned int q = 0; q < face_rule.size(); ++q) {
       const Vector3 arm = on_face.quadrature_point(q) - at.centre, out = arm / arm.norm();
       const double weight = on_face.JxW(q) / wall.area(),
-                   of_inertia = on_face.JxW(q) / wall.inertia(), angle = std::atan2(arm * at.b, arm * at.a);
+                   of_inertia = on_face.JxW(q) / wall.inertia(),
+                   angle = std::atan2(arm * at.b, arm * at.a);
       const Vector3 about = cross_product_3d(arm, at.tangent);
       const Vector3 rotation =
           (u[q] * at.tangent) * of_inertia * about +
@@ -170,9 +171,8 @@ void WallReading::read_motion(const typename DoFHandler<3>::active_cell_iterator
 }
 
 void WallReading::read_stress(const typename DoFHandler<3>::active_cell_iterator &cell) {
-  const unsigned int index = cell->index(), layer = wall.layer_of(index),
-                     i = index % wall.around, j = index / wall.around % wall.through,
-                     pipe = cell->material_id();
+  const unsigned int index = cell->index(), layer = wall.layer_of(index), i = index % wall.around,
+                     j = index / wall.around % wall.through, pipe = cell->material_id();
   if (j > 0 && j + 1 < wall.through)
     return;
   const LameConstants lame = lame_constants(body.continuum, pipe);
@@ -212,8 +212,7 @@ void WallReading::each_number(const Call &call) {
       for (double &number : *motion)
         call(number);
     call(ring.widening);
-    for (double *const number :
-         {&ring.mode2[0], &ring.mode2[1], &ring.mode3[0], &ring.mode3[1]})
+    for (double *const number : {&ring.mode2[0], &ring.mode2[1], &ring.mode3[0], &ring.mode3[1]})
       call(*number);
     for (auto &surface : ring.stress)
       for (WallStress &point : surface)

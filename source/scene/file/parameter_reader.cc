@@ -40,7 +40,7 @@ bool same_value(const std::string &a, const std::string &b) {
 
 /// Sections and entries that do not change what a reference value belongs to.
 bool keeps_references(const std::string &heading, const std::string &name) {
-  const std::vector<std::string> harmless = {"Mesh",   "Solver",     "Time",
+  const std::vector<std::string> harmless = {"Mesh",   "Solid",      "Solver", "Time",
                                              "Output", "Quantities", "Study"};
   return std::count(harmless.begin(), harmless.end(), heading) > 0 ||
          (heading == "Continuum" && name != "Increments" && name != "Dimension") ||

@@ -55,7 +55,7 @@ constexpr Word<Rotations> rotations[] = {
 
 const std::vector<std::string> element_entries = {
     "Law",          "Normal", "Length",      "Rotations",     "Torsion",
-    "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time", "Width"};
+    "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time"};
 
 const std::string rigidity = "Axial rigidity"; // of coulomb; without it, rigid
 
@@ -120,9 +120,6 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_number("Capacity", 0., "N", 0., 1e300,
                     "Largest force that the support is made for, which the report checks, at each "
                     "place; 0: not said.");
-  in.declare_number("Width", 0., "m", 0., 1e300,
-                    "Along the pipe, of the patch by which it stands under a solid pipe (Model = "
-                    "solid), which is 30 degrees wide; 0: one outer diameter.");
   in.declare_text("Ground", "", "name of a point of another pipe",
                   "What the support stands on; empty: the ground. What of the way there is across "
                   "the normal, is a rigid arm of that pipe.");
@@ -290,7 +287,6 @@ FrictionSupport parse_friction_support(const ParameterReader &in, const std::str
   support.normal_force = in.number("Normal force");
   support.restitution = in.number("Restitution");
   support.capacity = in.number("Capacity");
-  support.width = in.number("Width");
   remark_on_restitution(in, law, support, scene);
   parse_ground(in, scene, support);
   return support;

@@ -12,8 +12,9 @@ namespace {
 
 using Anchors = SolidSettings::Anchors;
 constexpr Word<Anchors> anchor_kinds[] = {
-    {"held", Anchors::held, "all displacements of the wall's section are zero, as of a pipe welded "
-                            "into something rigid"},
+    {"held", Anchors::held,
+     "all displacements of the wall's section are zero, as of a pipe welded "
+     "into something rigid"},
     {"breathing", Anchors::breathing,
      "all but along the radii, so that heat and pressure widen the section as elsewhere"}};
 
@@ -21,7 +22,7 @@ constexpr Word<Anchors> anchor_kinds[] = {
 
 void declare_solid(ParameterReader &in) {
   in.declare_count("Degree", 2, 1, "Of the elements' polynomials, and of the wall's geometry.", 4);
-  in.declare_count("Cells around", 16, 8, "The circumference.", 200);
+  in.declare_count("Cells around", 32, 8, "The circumference.", 200);
   in.declare_count("Cells through", 1, 1, "The wall.", 20);
   in.declare_count("Cells per bend", 8, 1, "Along 90 degrees of a bend.", 200);
   in.declare_number("First cell", 0., "m", 0., 1e300,
@@ -81,8 +82,8 @@ private:
     in.enter("");
     in.fail_section("subsection " + kind + " " + parts.front().name,
                     "no " + kind + " with Model = " + model() +
-                        ": a solid pipe knows routes, anchors, rigid rests, guides and stops, "
-                        "weight, temperature, pressure, line forces and forces at points",
+                        ": a solid pipe knows routes, anchors, weight, temperature, pressure, line "
+                        "forces and forces at points",
                     "Model = line");
   }
 
@@ -100,8 +101,9 @@ private:
 
 void SolidCheck::check_settings() {
   const std::array<bool, 6> all_motions{{true, true, true, true, true, true}};
-  refuse(scene.accuracy > 0., "", "Accuracy", "no Accuracy", "Cells around, Degree and the others "
-                                                             "of section Solid");
+  refuse(scene.accuracy > 0., "", "Accuracy", "no Accuracy",
+         "Cells around, Degree and the others "
+         "of section Solid");
   refuse(scene.kinematics != Kinematics::linear, "", "Kinematics", "linear", "linear");
   refuse(scene.free_motions != all_motions, "", "Free motions", "all six motions",
          "removing the entry");
@@ -110,14 +112,12 @@ void SolidCheck::check_settings() {
   refuse(!scene.monitors.empty(), "", "Monitors", "none", "quantities at the ends of steps");
   refuse(!scene.mesh.file.empty(), "Mesh", "File", "routes", "pipes with a Route");
   refuse(scene.mesh.refine_hinges, "Mesh", "Refine hinges", "false", "false");
-  refuse(!scene.stress.code.empty(), "Stress", "Code", "no stress code",
-         "removing section Stress");
+  refuse(!scene.stress.code.empty(), "Stress", "Code", "no stress code", "removing section Stress");
   refuse(scene.modal.n_modes > 0, "Modes", "Number", "no modes", "0");
   refuse(scene.exact.has_value(), "Exact", "At", "no exact history", "removing section Exact");
   refuse(scene.output.contact_problems, "Output", "Write contact problems", "false", "false");
   refuse(scene.output.every_increment, "Output", "Every increment", "false", "false");
-  refuse(!scene.solver.is_exact() && !scene.supports.empty(), "Solver", "Method", "exact",
-         "exact");
+  refuse(!scene.solver.is_exact() && !scene.supports.empty(), "Solver", "Method", "exact", "exact");
 }
 
 void SolidCheck::check_parts() {
@@ -169,9 +169,8 @@ void SolidCheck::check_supports() {
     const bool all = std::all_of(restraint.fixed.begin(), restraint.fixed.end(),
                                  [](const bool held) { return held; });
     refuse(!restraint.translations.empty(), heading, "Kind",
-           "a guide or stop with a Gap or a Friction coefficient,",
-           "'Friction coefficient = 0.1', or a Gap");
-    refuse(!all, heading, "Fixed", "all six motions", "Kind = anchor, guide or rest");
+           "anchor: a solid pipe does not stand on rests, guides and stops yet,", "anchors alone");
+    refuse(!all, heading, "Fixed", "all six motions", "Kind = anchor");
     refuse(restraint.placement.continuous, heading, "Continuous", "false", "an anchor At a point");
   }
   for (const FrictionSupport &support : scene.supports) {
@@ -179,26 +178,8 @@ void SolidCheck::check_supports() {
     for (const std::string half : {".plus", ".minus"})
       if (const auto at = heading.rfind(half); at != std::string::npos)
         heading.resize(at);
-    refuse(support.law != "coulomb", heading, "Law", "coulomb", "coulomb");
-    refuse(support.kind == "rod" || support.kind == "snubber", heading, "Kind",
-           "anchor, rest, guide, stop or friction", "rest");
-    refuse(support.normal.kind == Direction::Kind::along, heading,
-           support.kind == "line stop" ? "Kind" : "Normal",
-           "a normal across the pipe: on a wall nothing pushes along it,", "a guide, or an anchor");
-    refuse(support.placement.continuous, heading, "Continuous", "false", "Every");
-    refuse(support.normal_force > 0., heading, "Normal force", "none", "a rest under weight");
-    refuse(support.rotations != FrictionSupport::Rotations::none, heading, "Rotations", "none",
-           "none");
-    refuse(support.torsion, heading, "Torsion", "false: a patch resists twisting by itself,",
-           "false");
-    refuse(!support.ground.empty(), heading, "Ground", "the ground", "removing the entry");
-    refuse(support.ground_moves(), heading, "Ground motion", "none", "removing the entry");
-    for (const char *rigidity : {"Axial rigidity", "Shear rigidity"}) {
-      in.enter(heading);
-      double value = 0.;
-      refuse(to_number(in.raw(rigidity, "0"), value) && value > 0., heading, rigidity,
-             "0, a rigid support,", "0");
-    }
+    refuse(true, heading, "Kind",
+           "anchor: a solid pipe does not stand on rests, guides and stops yet,", "anchors alone");
   }
 }
 
@@ -209,9 +190,8 @@ void SolidCheck::check_loads() {
            "weight, temperature, pressure, force or line force", "another kind");
     refuse(load.follows, heading, "Follow", "false", "false");
     refuse(load.history.is_given(), heading, "History", "none", "factors of the steps");
-    const bool everywhere =
-        std::all_of(scene.pipes.begin(), scene.pipes.end(),
-                    [&](const Pipe &pipe) { return load.is_on(pipe.name); });
+    const bool everywhere = std::all_of(scene.pipes.begin(), scene.pipes.end(),
+                                        [&](const Pipe &pipe) { return load.is_on(pipe.name); });
     refuse(load.kind == Load::Kind::pressure && !everywhere, heading, "Pipes",
            "all pipes: there is no cap inside of a pipe,", "leaving the entry out");
   }
@@ -223,7 +203,8 @@ void SolidCheck::check_steps() {
     const std::string heading = "Step " + step.name;
     refuse(step.transient, heading, "Analysis", "static", "static");
     refuse(step.finds_limit, heading, "Find", "no limit load", "removing the entry");
-    refuse(step.from && *step.from + 1 != s, heading, "From", "the step before", "a run of its own");
+    refuse(step.from && *step.from + 1 != s, heading, "From", "the step before",
+           "a run of its own");
   }
 }
 
@@ -231,24 +212,16 @@ void SolidCheck::check_quantities() {
   using Of = QuantityKind::Of;
   for (const Quantity &quantity : scene.quantities) {
     const Of of = quantity.kind().of;
-    const bool known = (of == Of::motion || of == Of::section || of == Of::holder ||
-                        of == Of::support || of == Of::supports) &&
-                       quantity.over == Quantity::Over::end && !quantity.time &&
-                       !(of == Of::support && quantity.kind().component > 6);
+    const bool known = (of == Of::motion || of == Of::section || of == Of::holder) &&
+                       quantity.over == Quantity::Over::end && !quantity.time;
     refuse(!known, "Quantities", quantity.name,
-           "motions, section forces, forces of what holds and states of supports, at the ends of "
-           "steps,",
+           "motions, section forces and forces of what holds, at the ends of steps,",
            "'uz at <point>'");
   }
 }
 
 /// What a line does not use.
 void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
-  for (const FrictionSupport &support : scene.supports)
-    if (support.width > 0.)
-      scene.remarks.push_back("Support " + support.name +
-                              ": its Width is of a solid pipe and is not used with Model = " +
-                              row_of(model_kinds, scene.model).word + ".");
   in.enter("Solid");
   for (const char *entry : {"Degree", "Cells around", "Cells through", "Cells per bend",
                             "First cell", "Longest cell", "Anchors", "Most unknowns"})

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "command/run_solid.h"
+#include "command/solid/run_solid.h"
 
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
-#include "mesh/build_line_mesh.h"
+#include "mesh/solid/wall_layout.h"
 #include "model/line_model.h"
 #include "results/file/csv_writer.h"
 #include "results/quantity/collector.h"
@@ -69,14 +69,18 @@ Scene as_body(const Scene &scene, const Model &line, const PipeWall &wall) {
   Scene result = scene;
   result.continuum = body;
   result.continuum_settings.degree = scene.solid.degree;
+  // Long thin cells: a factorization unless the file asks for multigrid.
+  using LinearSolver = ContinuumSettings::LinearSolver;
+  if (result.continuum_settings.linear_solver == LinearSolver::automatic)
+    result.continuum_settings.linear_solver = LinearSolver::direct;
   return result;
 }
 
 /// @throws UserError where nothing holds the pipes
 void check_held(const Scene &scene) {
-  if (scene.restraints.empty() && scene.supports.empty())
-    throw UserError("Nothing holds the solid pipe.\n  read:    no Support\n  allowed: anchors, "
-                    "rests, guides, stops\n  try:     an anchor at one end");
+  if (scene.restraints.empty())
+    throw UserError("Nothing holds the solid pipe.\n  read:    no Support\n  allowed: anchors\n  "
+                    "try:     an anchor at one end");
 }
 
 class SolidRun {
