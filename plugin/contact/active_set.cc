@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "active_set.h"
+#include <frictionbeam/disc_projection.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 
 namespace frictionbeam::contact {
 
@@ -21,7 +22,7 @@ ContactStatus branch_by_forces(const Check::Point &point) {
   if (!(point.P > 0.))
     return point.gap <= 0. ? ContactStatus::stick : ContactStatus::open;
   const double limit = near_the_limit * point.friction * point.P;
-  return std::hypot(point.T[0], point.T[1]) < limit ? ContactStatus::stick : ContactStatus::slip;
+  return length_of(point.T[0], point.T[1]) < limit ? ContactStatus::stick : ContactStatus::slip;
 }
 
 /// Branches of the proximal law that are chosen as long as this lives.
@@ -107,7 +108,10 @@ bool ActiveSet::may_jam() const {
 
 Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
                          Result &result) {
-  if (points.size() < fewest_contacts || may_jam())
+  has_solved = false;
+  static const int least =
+      std::getenv("FB_FEWEST") ? std::atoi(std::getenv("FB_FEWEST")) : fewest_contacts;
+  if (points.size() < static_cast<unsigned>(least) || may_jam())
     return Outcome::stalled;
   if (kept.pause > 0) {
     --kept.pause;
@@ -116,13 +120,56 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
   const std::vector<Strains> centre = proximal.centre;
   if (is_first && kept.motion.size() == x.size())
     x = kept.motion; // slip turns friction about as it did
-  const bool is_settled = predict(x, response, result);
+  static const int warm = std::getenv("FB_WARM") ? std::atoi(std::getenv("FB_WARM")) : 0;
+  static const double warm_c = std::getenv("FB_WARMC") ? std::atof(std::getenv("FB_WARMC")) : 1e-3;
+  bool is_settled = true;
+  if (warm > 0 && points.size() < fewest_contacts) {
+    proximal.stiffness_factor = warm_c;
+    x.setZero();
+    for (int k = 0; k < warm; ++k) {
+      equations.evaluate(x, response);
+      ++result.iterations;
+      Vector motion;
+      if (!equations.factor(response, result) ||
+          !equations.solve(equations.forces_left(response), response, result, motion))
+        return Outcome::stalled;
+      x += motion;
+    }
+    equations.evaluate(x, response);
+    proximal.centre = response.stress;
+  } else
+    is_settled = predict(x, response, result);
   proximal.stiffness_factor = factor;
   Outcome outcome = Outcome::stalled;
   if (is_settled || is_nearer(x, centre, response))
     outcome = newton.solve_together(most_to_finish, x, response, result);
   learn(outcome != Outcome::stalled);
+  has_solved = outcome == Outcome::solved;
   if (outcome == Outcome::stalled) { // as if it had not been tried
+    proximal.centre = centre;
+    x.setZero();
+    newton.bar(false);
+  }
+  return outcome;
+}
+
+Outcome ActiveSet::correct(Vector &x, Response &response, Result &result) {
+  if (!has_solved)
+    return Outcome::stalled;
+  has_solved = false;
+  const std::vector<Strains> centre = proximal.centre;
+  const double factor = proximal.stiffness_factor;
+  proximal.stiffness_factor = stiffness_of_branch;
+  bool is_near = false;
+  {
+    const ChosenBranches chosen(proximal, first_branches(response));
+    is_near = step(x, response, result);
+  }
+  proximal.stiffness_factor = factor;
+  Outcome outcome = Outcome::stalled;
+  if (is_near)
+    outcome = newton.solve_together(most_to_finish, x, response, result);
+  if (outcome == Outcome::stalled) {
     proximal.centre = centre;
     x.setZero();
     newton.bar(false);
