@@ -3,7 +3,6 @@
 #include <frictionbeam/disc_projection.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace frictionbeam::contact {
 
@@ -109,9 +108,7 @@ bool ActiveSet::may_jam() const {
 Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
                          Result &result) {
   has_solved = false;
-  static const int least =
-      std::getenv("FB_FEWEST") ? std::atoi(std::getenv("FB_FEWEST")) : fewest_contacts;
-  if (points.size() < static_cast<unsigned>(least) || may_jam())
+  if (points.size() < fewest_contacts || may_jam())
     return Outcome::stalled;
   if (kept.pause > 0) {
     --kept.pause;
@@ -120,25 +117,7 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
   const std::vector<Strains> centre = proximal.centre;
   if (is_first && kept.motion.size() == x.size())
     x = kept.motion; // slip turns friction about as it did
-  static const int warm = std::getenv("FB_WARM") ? std::atoi(std::getenv("FB_WARM")) : 0;
-  static const double warm_c = std::getenv("FB_WARMC") ? std::atof(std::getenv("FB_WARMC")) : 1e-3;
-  bool is_settled = true;
-  if (warm > 0 && points.size() < fewest_contacts) {
-    proximal.stiffness_factor = warm_c;
-    x.setZero();
-    for (int k = 0; k < warm; ++k) {
-      equations.evaluate(x, response);
-      ++result.iterations;
-      Vector motion;
-      if (!equations.factor(response, result) ||
-          !equations.solve(equations.forces_left(response), response, result, motion))
-        return Outcome::stalled;
-      x += motion;
-    }
-    equations.evaluate(x, response);
-    proximal.centre = response.stress;
-  } else
-    is_settled = predict(x, response, result);
+  const bool is_settled = predict(x, response, result);
   proximal.stiffness_factor = factor;
   Outcome outcome = Outcome::stalled;
   if (is_settled || is_nearer(x, centre, response))

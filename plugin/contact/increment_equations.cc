@@ -25,13 +25,6 @@ int place_of(const SparseMatrix &matrix, const int row, const int column) {
   return std::lower_bound(begin, end, column) - matrix.innerIndexPtr();
 }
 
-/// Entry by entry, but for rounding of the largest.
-bool is_near(const Block &one, const Block &other, const double part) {
-  constexpr double rounding = 1e-14;
-  const double least = rounding * other.lpNorm<Eigen::Infinity>();
-  return ((one - other).array().abs() <= part * other.array().abs() + least).all();
-}
-
 } // namespace
 
 IncrementEquations::IncrementEquations(const Settings &settings, const SiteList &contacts,
@@ -177,12 +170,8 @@ int IncrementEquations::n_unchanged_rows() const {
   return std::upper_bound(outer, outer + tangent.rows() + 1, n_same) - outer - 1;
 }
 
-bool IncrementEquations::factor(const Response &response, Result &result, const double near) {
+bool IncrementEquations::factor(const Response &response, Result &result) {
   if (response.tangent == factored) // nothing slides, nothing opened or closed
-    return true;
-  if (near > 0. &&
-      std::equal(response.tangent.begin(), response.tangent.end(), factored.begin(), factored.end(),
-                 [&](const Block &one, const Block &other) { return is_near(one, other, near); }))
     return true;
   is_reduced = reduced && drag == 0.;
   if (!is_reduced)

@@ -60,9 +60,8 @@ public:
   }
 
   /// Factor S with the contacts' tangents: for a body the directions alone that are free. What is
-  /// factored already, or differs from it by at most the part @p near, is not factored again.
-  /// @return false if a pivot vanishes
-  bool factor(const Response &response, Result &result, const double near = 0.);
+  /// factored already is not factored again. @return false if a pivot vanishes
+  bool factor(const Response &response, Result &result);
   /// With what factor() has left; where the reduced factors do not do, with all.
   bool solve(const Vector &forces, const Response &response, Result &result, Vector &direction);
   /// S and a multiple of its diagonal, without the contacts, for factor_tangent().

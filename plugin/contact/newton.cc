@@ -19,8 +19,6 @@ constexpr double most_rounding = 1e-2;
 /// Parts of the tolerances at which nothing is left to gain, and of the merit that a step must
 /// leave for another one to be worth it.
 constexpr double sharp = 1e-4, least_gain = 0.25;
-/// Part by which tangents may be off where nothing but rounding is left to take away.
-constexpr double near_a_solution = 1e-2;
 constexpr double not_looked_at = std::numeric_limits<double>::max();
 
 /// Solves (I - D diag(b)) x = y, D the tangent of proximal_law(): the normal stress depends on the
@@ -230,7 +228,7 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
 
     eliminate_centre(response, step);
     ++result.iterations;
-    if (!equations.factor(response, result, solved ? near_a_solution : 0.) ||
+    if (!equations.factor(response, result) ||
         !equations.solve(equations.forces_left(response), response, result, direction)) {
       before = std::numeric_limits<double>::max();
       if (solved)
