@@ -57,8 +57,7 @@ struct Pass {
   /// what rounding takes from them is kept until the increment is judged.
   Vector low = Vector::Zero(unknowns.size());
   double size = 0., largest = 0.; ///< what is left, and the largest force [N]
-  Vector forces = {};             ///< to be balanced at the unknowns, without contacts
-  Vector first_forces = {};       ///< the same as the increment begins
+  Vector first_forces = {};       ///< to be balanced as the increment begins, without contacts
   std::optional<Accepted> accepted = {};
   unsigned int n_releases = 0;
   bool is_corrected = false;
@@ -211,13 +210,13 @@ Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, 
 bool ExactSolver::Implementation::move(Pass &now) {
   const Problem &problem = now.problem;
   now.result.rounding_bars = false;
+  const Vector forces = unbalanced_forces(problem, now.unknowns, now.low);
   const bool is_first = now.first_forces.size() == 0;
   if (is_first)
-    now.first_forces = now.forces = unbalanced_forces(problem, now.unknowns, now.low);
+    now.first_forces = forces;
   newton.begin();
   equations.begin(
-      now.forces,
-      std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
+      forces, std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
       problem.force_so_far, strains_at(now), largest_of(now.unknowns) + now.imposed.displacement,
       now.committed, problem.increment);
   Vector x = Vector::Zero(system->n_kept());
@@ -229,7 +228,7 @@ bool ExactSolver::Implementation::move(Pass &now) {
   }
   if (active_set)
     active_set->remember(now.response.status, is_first ? x : Vector());
-  const Vector before = now.unknowns, change = now.low + system->expand(x, now.forces);
+  const Vector before = now.unknowns, change = now.low + system->expand(x, forces);
   now.result.back_substitutions += 2; // one to condense the loads, one to expand
   now.unknowns += change;
   now.low = change - (now.unknowns - before);
@@ -238,9 +237,7 @@ bool ExactSolver::Implementation::move(Pass &now) {
 
 bool ExactSolver::Implementation::is_balanced(Pass &now) const {
   const Balance balance(now.problem, sites);
-  now.forces = unbalanced_forces(now.problem, now.unknowns, now.low);
-  Vector left = -now.forces;
-  sites.add_forces(now.response, left);
+  const Vector left = balance.left(now.unknowns, now.low, now.response);
   now.size = left.lpNorm<Eigen::Infinity>();
   now.largest = balance.largest_force(now.response);
   now.result.residual = now.largest > 0. ? now.size / now.largest : now.size;

@@ -164,8 +164,8 @@ int IncrementEquations::n_unchanged_rows() const {
   if (before.empty())
     return 0;
   const double *const values = tangent.valuePtr();
-  const std::ptrdiff_t n_same =
-      std::mismatch(before.begin(), before.end(), values).first - before.begin();
+  const std::ptrdiff_t n_same = std::mismatch(before.begin(), before.end(), values).first -
+                                before.begin();
   const int *const outer = tangent.outerIndexPtr();
   return std::upper_bound(outer, outer + tangent.rows() + 1, n_same) - outer - 1;
 }

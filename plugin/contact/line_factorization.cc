@@ -103,27 +103,22 @@ bool LineFactorization::factorize(const SparseMatrix &matrix, const int n_unchan
   const double *const values = matrix.valuePtr();
   std::vector<std::size_t> end;
   std::vector<double> row_values(n, 0.), column_values(n, 0.);
-  std::vector<int> mirrored(n); // of each row, its next entry that a later row has the mirror of
 
   n_factored = keep_rows(n_unchanged, end);
-  for (int k = 0; k < n_factored; ++k)
-    mirrored[k] = std::lower_bound(inner + outer[k], inner + outer[k + 1], n_factored) - inner;
   for (; n_factored < n; ++n_factored) {
     const int k = n_factored;
     double pivot = 0.;
     const int row = old_of_new[k];
     for (int p = outer[row]; p < outer[row + 1]; ++p) {
       const int column = inner[p], i = new_of_old[column];
-      if (i == k) {
+      if (i == k)
         pivot = values[p];
-        mirrored[k] = p + 1;
-      } else if (i < k) {
+      else if (i < k) {
         row_values[i] = values[p];
-        column_values[i] = // the pattern is symmetric
-            values[is_natural
-                       ? mirrored[column]++
-                       : std::lower_bound(inner + outer[column], inner + outer[column + 1], row) -
-                             inner];
+        // The mirrored entry: the pattern is symmetric.
+        const int *const found =
+            std::lower_bound(inner + outer[column], inner + outer[column + 1], row);
+        column_values[i] = values[found - inner];
       }
     }
     double size = std::abs(pivot);

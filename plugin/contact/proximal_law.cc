@@ -34,8 +34,8 @@ void add_friction(const FrictionThreshold &law, const ProximalPoint &point,
   double change[2], trial[2]; // by which the trial is off the centre
   for (int d = 0; d < 2; ++d) {
     const double centre = point.centre[1 + d];
-    change[d] = kappa[d] *
-                (l * (point.strain[1 + d] - old_slip[d]) - centre * stiffness.flexibility[1 + d]);
+    change[d] = kappa[d] * (l * (point.strain[1 + d] - old_slip[d]) -
+                            centre * stiffness.flexibility[1 + d]);
     trial[d] = centre + change[d];
   }
   answer.slip.slips = point.branch ? slides_on_branch(point, change, trial)

@@ -57,7 +57,6 @@ ProximalSites::ProximalSites(const SiteList &contacts, const Vector &diagonal)
 
 void ProximalSites::begin(const State &committed, const Overrides *const overrides) {
   take_all();
-  factor_of_stiffness = 0.; // the host may have changed the laws' numbers
   friction_scale.assign(scales.size(), 1.);
   gap.resize(scales.size());
   for (unsigned int i = 0; i < scales.size(); ++i)
