@@ -3,7 +3,7 @@
 #include "results/file/output_file.h"
 #include "results/page/html.h"
 #include "results/picture/coloured_line.h"
-#include "results/picture/line_picture.h"
+#include "results/picture/displacement_scale.h"
 #include "results/report/limits.h"
 #include "results/text.h"
 
