@@ -6,6 +6,7 @@
 #include "results/how_well_known.h"
 #include "results/inelastic/yield_report.h"
 #include "results/page/html.h"
+#include "results/picture/displacement_scale.h"
 #include "results/picture/line_picture.h"
 #include "results/remarks.h"
 #include "results/report/report_charts.h"
@@ -15,6 +16,7 @@
 #include "results/report/report_tree.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
+#include "results/turnable/model_section.h"
 #include "results/verdicts.h"
 
 #include <algorithm>
@@ -181,8 +183,11 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       steps += html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
                          std::to_string(n_ends) + " steps; the csv files have all of them.");
     add("steps", "Steps", steps);
-    if (!frames.back()->line.empty()) // a scene may have no pipe at all
+    if (!frames.back()->line.empty()) { // a scene may have no pipe at all
+      if (!frames.front()->line.empty())
+        add("model", "Model", model_section(scene, results, frames, scale));
       add("line", "Line", pictures(scene, results, frames, scale));
+    }
     const ReportCharts charts =
         make_report_charts(scene, results, few_of(frames, n_curves_at_most));
     if (!charts.section_forces.empty())
