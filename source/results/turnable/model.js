@@ -374,6 +374,24 @@
     draw();
   }
 
+  // Of a support or restraint its forces over the instants of the transient step that is shown, or the last one.
+  function history(item) {
+    const all = ofKind('instant'), name = all.some(step => step.name === state.from.name) ? state.from.name : (all[all.length - 1] || {}).name;
+    const steps = all.filter(step => step.name === name);
+    if (steps.length < 3 || (item.type !== 'support' && item.type !== 'restraint')) return '';
+    const curves = item.type === 'support'
+      ? [['fn', '#0072b2', steps.map(step => step.supports[item.k][1])], ['|ft|', '#d55e00', steps.map(step => Math.hypot(step.supports[item.k][2], step.supports[item.k][3]))]]
+      : [['fx', '#0072b2', 0], ['fy', '#d55e00', 1], ['fz', '#009e73', 2]].map(([c, colour, k]) => [c, colour, steps.map(step => step.reactions[item.k][k])]);
+    const values = curves.flatMap(curve => curve[2]), low = Math.min(0, ...values), high = Math.max(0, ...values, low + 1e-300);
+    const from = steps[0].time, to = steps[steps.length - 1].time;
+    const x = time => (70 + 900 * (time - from) / (to - from)).toFixed(1), y = value => (130 - 115 * (value - low) / (high - low)).toFixed(1);
+    const label = (px, py, anchor, text) => `<text x="${px}" y="${py}" text-anchor="${anchor}">${text}</text>`;
+    return `<p class="key">${curves.map(([c, colour]) => `<span style="--c:${colour}">${c}</span>`).join('')} [${data.units.N}] over ${escaped(name)}</p>` +
+      `<svg viewBox="0 0 1000 160" role="img" aria-label="forces over time" font-size="13" font-family="sans-serif" fill="#333">` +
+      `<path d="M70,15V130H970M70,${y(0)}H970" fill="none" stroke="#999"/>${label(64, 20, 'end', shown(high, 4))}${label(64, 134, 'end', shown(low, 4))}${label(70, 150, 'middle', shown(from, 5) + ' s')}${label(970, 150, 'middle', shown(to, 5) + ' s')}` +
+      curves.map(([, colour, list]) => `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${list.map((value, i) => x(steps[i].time) + ',' + y(value)).join(' ')}"/>`).join('') + '</svg>';
+  }
+
   // The table of what was picked, over all states.
   function pick(item) {
     state.picked = item;
@@ -399,7 +417,7 @@
     }
     const digits = item.type === 'pipe' ? 4 : 7, rows = states.map(step => [step, row(step)]).filter(([, cells]) => cells);
     const time = states.some(step => step.kind === 'instant');
-    $('table').innerHTML = `<h3>${escaped(title)}</h3><div class="scroll"><table><thead><tr><th>state</th>${time ? '<th class="r">time <small>s</small></th>' : ''}` +
+    $('table').innerHTML = `<h3>${escaped(title)}</h3>${history(item)}<div class="scroll"><table><thead><tr><th>state</th>${time ? '<th class="r">time <small>s</small></th>' : ''}` +
       head.map(h => typeof h === 'string' ? `<th>${h}</th>` : `<th class="r">${h[0]} <small>${h[1]}</small></th>`).join('') + '</tr></thead><tbody>' +
       rows.map(([step, cells]) => `<tr${step === state.from ? ' class="now"' : ''}><td>${escaped(step.name)}${step.kind === 'instant' ? ' (instant)' : ''}</td>${time ? `<td class="r">${shown(step.time, 6)}</td>` : ''}` +
         cells.map(cell => typeof cell === 'string' ? `<td>${cell}</td>` : `<td class="r">${shown(cell, digits)}</td>`).join('') + '</tr>').join('') + '</tbody></table></div>' +
