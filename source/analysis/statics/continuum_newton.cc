@@ -6,6 +6,7 @@
 #include <frictionbeam/contact/halving_search.h>
 #include <frictionbeam/contact/tolerances.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <limits>
@@ -220,6 +221,24 @@ void ContinuumNewton<dim>::eliminate_centre(FoundationResponse &response,
   }
 }
 
+namespace {
+
+/// Of a contact's stiffness, normal first: what is symmetric and not negative, without what couples
+/// normal and shear.
+LocalMatrix definite_part(const LocalMatrix &stiffness) {
+  LocalMatrix result = LocalMatrix::Zero();
+  result(0, 0) = std::max(0., stiffness(0, 0));
+  const Eigen::Matrix2d shear = stiffness.bottomRightCorner<2, 2>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> parts(
+      Eigen::Matrix2d(0.5 * (shear + shear.transpose())));
+  result.bottomRightCorner<2, 2>() = parts.eigenvectors() *
+                                     parts.eigenvalues().cwiseMax(0.).asDiagonal() *
+                                     parts.eigenvectors().transpose();
+  return result;
+}
+
+} // namespace
+
 template <int dim>
 bool ContinuumNewton<dim>::find_direction(const std::vector<LocalMatrix> &tangent,
                                           const double shift, const ContinuumVector &left,
@@ -231,13 +250,18 @@ bool ContinuumNewton<dim>::find_direction(const std::vector<LocalMatrix> &tangen
     symmetric &= (D - D.transpose()).norm() <= no_component * D.norm();
     const auto &node = body.nodes[i];
     blocks[i].dofs.assign(node.dofs.begin(), node.dofs.end());
+    const LocalMatrix definite = definite_part(-D);
     for (unsigned int a = 0; a < dim; ++a)
       for (unsigned int b = 0; b < dim; ++b) {
-        double value = a == b ? shift * contacts[i].normal_diagonal : 0.;
+        const double hold = a == b ? shift * contacts[i].normal_diagonal : 0.;
+        double value = hold, counted = hold;
         for (unsigned int k = 0; k < dim; ++k)
-          for (unsigned int l = 0; l < dim; ++l)
+          for (unsigned int l = 0; l < dim; ++l) {
             value -= node.frame[k][a] * D(k, l) * node.frame[l][b];
+            counted += node.frame[k][a] * definite(k, l) * node.frame[l][b];
+          }
         blocks[i].values.push_back(node.weight * value);
+        blocks[i].definite.push_back(node.weight * counted);
       }
   }
   body.reinit(direction);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/report/report.h"
+#include "results/combination/uplift.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/frame/frame_choice.h"
 #include "results/how_well_known.h"
 #include "results/inelastic/yield_report.h"
+#include "results/listing/compliance.h"
+#include "results/listing/hangers.h"
+#include "results/listing/model_echo.h"
 #include "results/page/html.h"
 #include "results/picture/displacement_scale.h"
 #include "results/picture/line_picture.h"
@@ -141,8 +145,9 @@ std::string pictures(const Scene &scene, const Results &results,
          (results.envelopes.empty()
               ? ""
               : html_note("Of a transient step the line is shown as it is at the step's end.")) +
-         (any_amplitude ? html_note("Cases of sizes, which may have either sign, are no shapes: "
-                                    "their line is drawn as it is built.")
+         (any_amplitude ? html_note("Cases of sizes, which may have either sign, and of numbers from "
+                                    "different cases are no shapes: their line is drawn as it is "
+                                    "built.")
                         : "");
 }
 
@@ -203,14 +208,19 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("states", "States", state_table(results));
     if (!results.supports.empty())
       add("supports", "Supports", support_tables(results, frames));
+    if (const std::string left = uplift_table(scene, results); !left.empty())
+      add("uplift", "Uplift", left);
     if (!results.restraints.empty())
       add("reactions", "Reactions", reaction_tables(results, frames));
     if (!results.points.empty())
       add("displacements", "Displacements", displacement_tables(results, frames));
     if (!results.stresses.empty())
-      add("stresses", "Stresses", stress_section(scene, results));
+      add("stresses", "Stresses",
+          stress_section(scene, results) + compliance_section(scene, results));
     if (!results.nozzles.empty())
       add("nozzles", "Allowable loads", nozzle_section(results));
+    if (!results.hangers.empty())
+      add("hangers", "Hangers", hanger_section(results));
     if (!results.friction_study.multipliers.empty())
       add("friction", "Friction study", friction_study_section(results));
     if (!results.supports.empty() || !results.restraints.empty())
@@ -223,6 +233,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
   for (const ReportSection &section : results.sections)
     add(section.id, section.title, section.html);
   add("solver", "Solver", solver_tables(results));
+  if (const std::string echo = model_echo(scene, results); !echo.empty())
+    add("echo", "Nodes and elements", echo);
   add("input", "Input", input(scene));
   write_file(folder + "/report.html",
              html_page(scene.title.empty() ? scene.name : scene.title,
