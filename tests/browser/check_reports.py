@@ -76,6 +76,8 @@ def check_model(browser, name, folder):
     if not supports:
         return
     steps = list(dict.fromkeys(row["step"] for row in rows_of(folder, "line.csv")))
+    offered = browser.evaluate("[...document.getElementById('model-step').options].map(option => option.text)")
+    check(set(steps) <= set(offered), f"{name}: the chooser has the steps {steps} (it has {offered})")
     last = {step: [row for row in supports if row["step"] == step] for step in steps}
     for support in [supports[0]["support"], supports[len(supports) // 2]["support"]]:
         browser.click(*browser.evaluate("document.getElementById('model').locate(%r)" % support))
@@ -137,6 +139,7 @@ def check_chart(browser, name, folder):
         if not line:
             continue
         near = [n for at, n in line if abs(at - s) <= 0.01 * line[-1][0]]
+        near += [max(line, key=lambda one: one[0] if one[0] <= s else -1)[1], min(line, key=lambda one: one[0] if one[0] >= s else 1e9)[1]]
         span = max(n for _, n in line) - min(n for _, n in line) + max(abs(n) for _, n in line)
         check(min(near) - 0.005 * span <= float(value) <= max(near) + 0.005 * span,
               f"{name}: N of {step} at s = {s} is {value}, line.csv {near}")
@@ -167,6 +170,9 @@ def check_print(browser, name, pdf):
 
 
 def check_phone(browser, name):
+    browser.size(1280, 900)
+    wide = browser.evaluate("document.documentElement.scrollWidth")
+    check(wide <= 1280, f"{name}: no sideways scrolling on a screen ({wide} px)")
     browser.size(390, 844, mobile=True)
     wide, seen = browser.evaluate("[document.documentElement.scrollWidth, window.innerWidth]")
     check(wide <= 390 and seen <= 390, f"{name}: no sideways scrolling on a phone ({wide} px, {seen} px)")
