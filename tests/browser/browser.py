@@ -87,8 +87,8 @@ class Browser:
         end = time.time() + seconds
         while not self.evaluate(expression):
             if time.time() > end:
-                raise RuntimeError("never came: " + expression)
-            self.message(0.05)
+                raise RuntimeError("never came: " + expression + "; errors: " + str(self.errors))
+            time.sleep(0.2)  # asked without a pause, the page would not come to draw
 
     def size(self, width, height, mobile=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=mobile)

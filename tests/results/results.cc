@@ -14,6 +14,8 @@
 #include "results/report/report.h"
 #include "results/text.h"
 
+#include <deal.II/base/utilities.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -208,10 +210,54 @@ void check_page(std::string page) {
   CHECK(!contains(page, "src=") && !contains(page, "@import") && !contains(page, "url(http"));
 }
 
+/// What the page's model is drawn from; null where the program was built without three.js.
+nlohmann::json model_of(const std::string &page) {
+  const std::string begin = "id=\"model-data\">";
+  const std::size_t at = page.find(begin);
+  if (at == std::string::npos) {
+    CHECK(contains(page, "three.js") && contains(page, "was missing"));
+    return nullptr;
+  }
+  const std::size_t from = at + begin.size();
+  const auto bytes =
+      dealii::Utilities::decode_base64(page.substr(from, page.find('<', from) - from));
+  return nlohmann::json::parse(
+      dealii::Utilities::decompress(std::string(bytes.begin(), bytes.end())));
+}
+
+/// The number at a station, and how far it may be off.
+std::pair<double, double> at_station(const nlohmann::json &packed, const std::size_t station) {
+  long level = 0;
+  for (std::size_t i = 0; i <= station; ++i)
+    level += packed.at("d").at(i).get<long>();
+  return {level * packed.at("f").get<double>(), 0.51 * packed.at("f").get<double>()};
+}
+
+void check_model(const nlohmann::json &model) {
+  if (model.is_null())
+    return;
+  CHECK(model.at("steps").size() == 2 && model.at("supports").size() == 8);
+  CHECK(model.at("left_out") == false && model.at("s").at("d").size() == 50);
+  const nlohmann::json &last = model.at("steps").at(1);
+  CHECK(last.at("kind") == "step" && model.at("supports").at(0).at("name") == hard_name);
+  CHECK(last.at("supports").at(1).at(0) == "slip" && last.at("supports").at(1).at(1) == 1.1);
+  CHECK(last.at("reactions").at(0) == nlohmann::json({1., 2., 3., 4., 5., nullptr}));
+  for (const std::size_t station : {0, 17, 49}) {
+    const double s = 120. * station / 49.;
+    const auto [ux, ux_level] = at_station(last.at("u").at(0), station);
+    CHECK(std::abs(ux - 1e-3 * s) <= ux_level && ux_level < 1e-5);
+    const auto [uz, uz_level] = at_station(last.at("u").at(2), station);
+    CHECK(std::abs(uz + 0.01 * std::sin(s)) <= uz_level);
+    const auto [bending, level] = at_station(last.at("fields").at(3), station);
+    CHECK(std::abs(bending - std::abs(3e3 * std::cos(s))) <= level);
+  }
+}
+
 void check_report(const Sample &sample) {
   write_report(sample.scene, sample.results, folder);
   const std::string page = read(folder + "/report.html");
   check_page(page);
+  check_model(model_of(page));
   CHECK(contains(page, "heating, &quot;hot&quot; &lt;1&gt;"));
   for (const char *id : {"quantities", "steps", "line", "forces", "histories", "supports",
                          "reactions", "solver", "input"})
@@ -232,6 +278,15 @@ void check_report(const Sample &sample) {
   check_page(large_page);
   CHECK(large_page.size() < 5000000);
   CHECK(contains(large_page, "Shown are the 250 supports with the largest forces of 4000"));
+  if (const nlohmann::json model = model_of(large_page); !model.is_null()) {
+    const std::size_t n = model.at("s").at("d").size();
+    CHECK(model.at("left_out") == true && n > 1500 && n < 5000);
+    CHECK(model.at("supports").size() == 1500);
+    double largest = 0.; // none is lost with the stations that are left out
+    for (std::size_t i = 0; i < n; ++i)
+      largest = std::max(largest, at_station(model.at("steps").at(0).at("fields").at(3), i).first);
+    CHECK(std::abs(largest - 3e3) < 1.);
+  }
 }
 
 void check_plot() {

@@ -24,15 +24,15 @@ for (const svg of document.querySelectorAll('svg[data-axes]')) {
     const paths = [...group.querySelectorAll('path')].filter(path => path.getAttribute('d'));
     const colour = paths.length ? plainColour(paths[0].getAttribute('stroke') || '') : '#000';
     const title = (group.querySelector('title') || {}).textContent || '';
-    let name = /gnuplot_plot_/.test(title) ? (keys.find(key => key[0] === colour) || [0, ''])[1] : title;
-    if (/gnuplot_plot_/.test(title) && paths.length && paths[0].getAttribute('stroke-dasharray'))
+    let name = /_plot_\d+$/.test(title) ? (keys.find(key => key[0] === colour) || [0, ''])[1] : title;
+    if (/_plot_\d+$/.test(title) && paths.length && paths[0].getAttribute('stroke-dasharray'))
       name += (dashes[colour] = (dashes[colour] || 0) + 1) === 1 ? ', least' : ', largest';
     const runs = paths.flatMap(points).map(([x, y, kind]) => [value(0, x, full), value(1, y, full), kind]);
     return {group, paths, colour, name, runs, rising: runs.every((p, k) => k === 0 || p[2] === 'M' || p[0] >= runs[k - 1][0] - 1e-12)};
   }).filter(curve => curve.runs.length);
 
   const make = (kind, attributes, parent) => {
-    const element = document.createElementNS('http://www.w3.org/2000/svg', kind);
+    const element = document.createElementNS(svg.namespaceURI, kind);
     for (const name in attributes) element.setAttribute(name, attributes[name]);
     parent.append(element);
     return element;

@@ -7,7 +7,7 @@
 namespace frictionbeam::embedded {
 
 extern const char *const page_css, *const page_js, *const charts_js, *const model_js,
-    *const symbols_js;
+                                                                         *const symbols_js;
 
 /// three.js and its OrbitControls, packed by gzip; empty if they were not there at build time.
 extern const std::string three_js;

@@ -96,17 +96,18 @@ std::string HtmlTable::str() const {
 std::string html_tabs(const std::string &id,
                       const std::vector<std::pair<std::string, std::string>> &titles_and_panels) {
   AssertIndexRange(titles_and_panels.size(), n_panels_at_most + 1);
+  const auto titled = [](const std::pair<std::string, std::string> &panel) {
+    return "<h4 class=\"print-only\">" + escape_xml(panel.first) + "</h4>" + panel.second;
+  };
   if (titles_and_panels.size() == 1)
-    return titles_and_panels.front().second;
+    return titled(titles_and_panels.front());
   std::string inputs, labels, panels;
   for (std::size_t i = 0; i < titles_and_panels.size(); ++i) {
     const std::string tab = id + "-" + std::to_string(i);
     inputs += "<input type=\"radio\" name=\"" + id + "\" id=\"" + tab + "\"" +
               (i + 1 == titles_and_panels.size() ? " checked" : "") + ">";
     labels += "<label for=\"" + tab + "\">" + escape_xml(titles_and_panels[i].first) + "</label>";
-    panels += "<div class=\"panel\"><h4 class=\"print-only\">" +
-              escape_xml(titles_and_panels[i].first) + "</h4>" + titles_and_panels[i].second +
-              "</div>\n";
+    panels += "<div class=\"panel\">" + titled(titles_and_panels[i]) + "</div>\n";
   }
   return "<div class=\"tabs\">" + inputs + "\n" + labels + "\n" + panels + "</div>\n";
 }

@@ -17,10 +17,11 @@ namespace {
 
 constexpr double wide = 960., margin = 40., above = 34., below = 44., most_height = 520.;
 
-/// From blue over green and yellow to red.
+/// From dark blue over purple and orange to yellow, growing in lightness (after plasma): told apart
+/// with any kind of colour vision.
 std::string heat(const double part) {
   static constexpr int stops[5][3] = {
-      {49, 91, 168}, {66, 160, 176}, {122, 186, 92}, {240, 190, 60}, {200, 40, 40}};
+      {13, 8, 135}, {126, 3, 168}, {204, 71, 120}, {248, 149, 64}, {238, 205, 40}};
   const double at = 4. * std::clamp(std::isfinite(part) ? part : 0., 0., 1.);
   const int i = std::min(3, static_cast<int>(at));
   char text[8];

@@ -190,7 +190,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
                          std::to_string(n_ends) + " steps; the csv files have all of them.");
     add("steps", "Steps", steps);
     if (!frames.back()->line.empty()) { // a scene may have no pipe at all
-      add("model", "Model", model_section(scene, results, frames, scale));
+      if (!frames.front()->line.empty())
+        add("model", "Model", model_section(scene, results, frames, scale));
       add("line", "Line", pictures(scene, results, frames, scale));
     }
     const ReportCharts charts =

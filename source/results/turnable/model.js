@@ -14,7 +14,7 @@
   const data = JSON.parse(await unpacked('model-data'));
   let renderer;
   try {
-    renderer = new THREE.WebGLRenderer({canvas: $('canvas'), antialias: true});
+    renderer = new THREE.WebGLRenderer({canvas: $('canvas'), antialias: false});
   } catch (error) {
     return say('This browser draws no WebGL; the drawing below shows the line.');
   }
@@ -64,7 +64,7 @@
   for (let i = 0; i < n; ++i) box.expandByPoint(place(i));
   for (const one of [...data.supports, ...data.restraints]) box.expandByPoint(new THREE.Vector3(...one.at));
   const size = Math.max(box.getSize(new THREE.Vector3()).length(), 1e-6);
-  const tangents = [], radii = [], sides = n > 2500 ? 8 : 12, line = new symbols.Batch(), built = [];
+  const tangents = [], radii = [], sides = n > 1000 ? 8 : 12, line = new symbols.Batch(), built = [];
   for (const pipe of data.pipes) {
     const far = (i, step) => { // the next place that is another one
       let k = i + step;
@@ -126,8 +126,10 @@
   const batch = new symbols.Batch(), taken = new Map();
   for (const item of items) {
     const key = item.at.map(x => Math.round(x / size * 1e6)).join(), others = taken.get(key) || [];
-    const covers = other => symbols.around.has(other.parts[0][0]) || symbols.around.has(item.parts[0][0]) ||
-      other.parts[0][1][2].dot(item.parts[0][1][2]) > 0.5;
+    const covers = other => { // those that face each other do not
+      const facing = other.parts[0][1][2].dot(item.parts[0][1][2]);
+      return facing > -0.9 && (facing > 0.5 || symbols.around.has(other.parts[0][0]) || symbols.around.has(item.parts[0][0]));
+    };
     const slots = others.filter(covers).map(other => other.slot);
     item.slot = [0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5].find(slot => !slots.includes(slot)) || 0;
     taken.set(key, [...others, item]);
@@ -324,10 +326,21 @@
     });
   }
 
-  let due = false, frames = [], onFrame = null;
+  // What moves is drawn with one pixel for each of the screen's, and fewer where that is too slow; what stands, with four.
+  let due = false, frames = [], onFrame = null, still = 0, fine = 0, coarse = 1;
   function draw() { if (!due) { due = true; requestAnimationFrame(paint); } }
+  function fineness(factor) {
+    if (fine === factor) return;
+    fine = factor;
+    renderer.setPixelRatio(factor * Math.min(window.devicePixelRatio || 1, 2));
+  }
   function paint(now) {
     due = false;
+    const moving = state.playing || onFrame || now - still > 0;
+    fineness(moving ? coarse : 2);
+    clearTimeout(fineness.later);
+    if (moving && !state.playing && !onFrame) fineness.later = setTimeout(() => { still = Infinity; draw(); }, 150);
+    still = 0;
     if (onFrame) onFrame(now);
     if (state.playing) play(now);
     renderer.render(scene, camera);
@@ -335,6 +348,7 @@
     if (!state.playing && !onFrame) { frames = []; return; }
     frames = [...frames.filter(time => now - time < 2000), now]; // the page's own count
     if (frames.length > 5) {
+      if (frames.length > 15 && coarse === 1 && (now - frames[0]) / (frames.length - 1) > 40) coarse = 0.6;
       $('canvas').dataset.fps = ((frames.length - 1) / (now - frames[0]) * 1000).toFixed(1);
       $('status').textContent = $('status').textContent.replace(/ \| .*/, '') + ` | ${Math.round($('canvas').dataset.fps)} frames/s`;
     }
@@ -346,7 +360,7 @@
       uniforms.scale.value = factorOf(list[0]) * Math.sin((now - state.began) / 300);
       return;
     }
-    const stay = list === ends ? 1100 : Math.max(40, 8000 / list.length), at = (now - state.began) / stay % list.length;
+    const stay = list === ends ? 1100 : Math.max(40, 8000 / list.length), at = Math.max(0, now - state.began) / stay % list.length;
     const a = Math.floor(at), b = Math.min(a + 1, list.length - 1), part = at - a;
     if (list === ends) $('step').value = [...choices].find(([, states]) => states[0] === list[a])[0]; else $('time').value = a;
     show(list[a], list[b], list === ends ? Math.min(1, Math.max(0, 2 * part - 1)) : part);
@@ -358,6 +372,24 @@
     $('play').textContent = playing ? '\u23f8 pause' : '\u25b6 play';
     if (!playing) { if (isMode(state.list[0])) refresh(); else choose(); }
     draw();
+  }
+
+  // Of a support or restraint its forces over the instants of the transient step that is shown, or the last one.
+  function history(item) {
+    const all = ofKind('instant'), name = all.some(step => step.name === state.from.name) ? state.from.name : (all[all.length - 1] || {}).name;
+    const steps = all.filter(step => step.name === name);
+    if (steps.length < 3 || (item.type !== 'support' && item.type !== 'restraint')) return '';
+    const curves = item.type === 'support'
+      ? [['fn', '#0072b2', steps.map(step => step.supports[item.k][1])], ['|ft|', '#d55e00', steps.map(step => Math.hypot(step.supports[item.k][2], step.supports[item.k][3]))]]
+      : [['fx', '#0072b2', 0], ['fy', '#d55e00', 1], ['fz', '#009e73', 2]].map(([c, colour, k]) => [c, colour, steps.map(step => step.reactions[item.k][k])]);
+    const values = curves.flatMap(curve => curve[2]), low = Math.min(0, ...values), high = Math.max(0, ...values, low + 1e-300);
+    const from = steps[0].time, to = steps[steps.length - 1].time;
+    const x = time => (70 + 900 * (time - from) / (to - from)).toFixed(1), y = value => (130 - 115 * (value - low) / (high - low)).toFixed(1);
+    const label = (px, py, anchor, text) => `<text x="${px}" y="${py}" text-anchor="${anchor}">${text}</text>`;
+    return `<p class="key">${curves.map(([c, colour]) => `<span style="--c:${colour}">${c}</span>`).join('')} [${data.units.N}] over ${escaped(name)}</p>` +
+      `<svg viewBox="0 0 1000 160" role="img" aria-label="forces over time" font-size="13" font-family="sans-serif" fill="#333">` +
+      `<path d="M70,15V130H970M70,${y(0)}H970" fill="none" stroke="#999"/>${label(64, 20, 'end', shown(high, 4))}${label(64, 134, 'end', shown(low, 4))}${label(70, 150, 'middle', shown(from, 5) + ' s')}${label(970, 150, 'middle', shown(to, 5) + ' s')}` +
+      curves.map(([, colour, list]) => `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${list.map((value, i) => x(steps[i].time) + ',' + y(value)).join(' ')}"/>`).join('') + '</svg>';
   }
 
   // The table of what was picked, over all states.
@@ -385,7 +417,7 @@
     }
     const digits = item.type === 'pipe' ? 4 : 7, rows = states.map(step => [step, row(step)]).filter(([, cells]) => cells);
     const time = states.some(step => step.kind === 'instant');
-    $('table').innerHTML = `<h3>${escaped(title)}</h3><div class="scroll"><table><thead><tr><th>state</th>${time ? '<th class="r">time <small>s</small></th>' : ''}` +
+    $('table').innerHTML = `<h3>${escaped(title)}</h3>${history(item)}<div class="scroll"><table><thead><tr><th>state</th>${time ? '<th class="r">time <small>s</small></th>' : ''}` +
       head.map(h => typeof h === 'string' ? `<th>${h}</th>` : `<th class="r">${h[0]} <small>${h[1]}</small></th>`).join('') + '</tr></thead><tbody>' +
       rows.map(([step, cells]) => `<tr${step === state.from ? ' class="now"' : ''}><td>${escaped(step.name)}${step.kind === 'instant' ? ' (instant)' : ''}</td>${time ? `<td class="r">${shown(step.time, 6)}</td>` : ''}` +
         cells.map(cell => typeof cell === 'string' ? `<td>${cell}</td>` : `<td class="r">${shown(cell, digits)}</td>`).join('') + '</tr>').join('') + '</tbody></table></div>' +
@@ -430,9 +462,8 @@
     draw();
   }
   function resize() {
-    const frame = $('canvas').parentElement, ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const frame = $('canvas').parentElement;
     view.width = frame.clientWidth; view.height = frame.clientHeight;
-    renderer.setPixelRatio(ratio);
     renderer.setSize(view.width, view.height, false);
     $('overlay').width = view.width * (window.devicePixelRatio || 1);
     $('overlay').height = view.height * (window.devicePixelRatio || 1);

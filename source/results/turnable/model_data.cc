@@ -3,12 +3,15 @@
 #include "results/frame/frame_choice.h"
 #include "results/text.h"
 #include "results/turnable/model_fields.h"
+#include "results/turnable/model_stations.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <map>
 #include <set>
 
 namespace frictionbeam {
@@ -18,8 +21,8 @@ namespace {
 using Json = nlohmann::ordered_json; // numbers that are not finite become null
 
 constexpr double levels = 20000.; ///< of a number at a station
-constexpr std::size_t n_stations_at_most = 4000, n_supports_at_most = 1500, n_points_at_most = 400,
-                      n_modes_at_most = 12, n_instants_at_most = 80,
+constexpr std::size_t n_supports_at_most = 1500, n_points_at_most = 400, n_modes_at_most = 12,
+                      n_instants_at_most = 80,
                       n_numbers_of_instants = 60000; ///< stations times instants
 
 Json rounded(const double value, const unsigned int digits) {
@@ -64,44 +67,13 @@ Json packed(const std::vector<double> &values) {
 /// A state that the model can take.
 struct Shown {
   const Frame *frame;
-  std::string kind, name; ///< step, case, instant or mode
+  std::string kind, name;          ///< step, case, instant or mode
+  std::vector<std::size_t> places; ///< in the frame's line, of the stations that are kept
 };
 
-class ModelData {
-public:
-  ModelData(const Scene &scene, const Results &results, const std::vector<const Frame *> &frames);
-  Json json(const double scale) const;
-
-private:
-  void choose_stations();
-  void choose_supports();
-  void choose_frames(const std::vector<const Frame *> &frames);
-  Json pipes() const;
-  Json supports() const;
-  Json restraints() const;
-  Json points() const;
-  Json state(const Shown &shown) const;
-  /// Of all stations; of those that are kept, the largest nearby.
-  std::vector<double> thinned(const std::vector<double> &values) const;
-  std::size_t nearest(const Point3 &position) const;
-
-  const Scene &scene;
-  const Results &results;
-  const Frame &first;
-  std::vector<Shown> shown;
-  std::vector<std::size_t> stations, supports_kept; ///< places in Frame::line, Results::supports
-  std::vector<std::size_t> points_kept, point_stations;
-};
-
-ModelData::ModelData(const Scene &scene, const Results &results,
-                     const std::vector<const Frame *> &frames)
-    : scene(scene), results(results), first(*frames.front()) {
-  choose_supports();
-  choose_stations();
-  choose_frames(frames);
-}
-
-void ModelData::choose_supports() {
+/// Places in Results::supports of those that are shown: all, or those with the largest forces.
+std::vector<std::size_t> supports_to_show(const Results &results) {
+  std::vector<std::size_t> supports_kept;
   std::vector<double> weight(results.supports.size(), 0.);
   for (const Frame &frame : results.frames)
     for (std::size_t i = 0; i < frame.supports.size() && frame.end_of_step; ++i)
@@ -115,54 +87,73 @@ void ModelData::choose_supports() {
     supports_kept.resize(n_supports_at_most);
     std::sort(supports_kept.begin(), supports_kept.end());
   }
+  return supports_kept;
 }
 
-void ModelData::choose_stations() {
-  std::set<unsigned int> named; // vertices
+std::set<unsigned int> named_vertices(const Results &results) {
+  std::set<unsigned int> named;
   for (const PointInfo &point : results.points)
     if (named.size() < n_points_at_most)
       named.insert(point.vertex);
-  std::set<std::array<double, 3>> held;
-  for (const std::size_t i : supports_kept)
-    held.insert({{results.supports[i].position[0], results.supports[i].position[1],
-                  results.supports[i].position[2]}});
-  double length = 0.;
-  for (std::size_t i = 1; i < first.line.size(); ++i)
-    if (first.line[i].pipe == first.line[i - 1].pipe)
-      length += first.line[i].position.distance(first.line[i - 1].position);
-  const double spacing =
-      first.line.size() > n_stations_at_most ? length / (n_stations_at_most / 2.) : 0.;
-  constexpr double turn = 0.97; // cosine of 14 degrees
-  for (std::size_t i = 0; i < first.line.size(); ++i) {
-    const Station &station = first.line[i];
-    const bool begins = i == 0 || first.line[i - 1].pipe != station.pipe,
-               ends = i + 1 == first.line.size() || first.line[i + 1].pipe != station.pipe;
-    const auto is_kept = [&]() {
-      if (begins || ends || spacing == 0. || (station.is_node() && named.count(station.vertex) > 0))
-        return true;
-      const Point3 &p = station.position;
-      const Station &last = first.line[stations.back()];
-      const double far = p.distance(last.position);
-      return far > spacing || held.count({{p[0], p[1], p[2]}}) > 0 ||
-             (far > 0. && station.y * last.y + station.z * last.z < 2. * turn);
-    };
-    if (is_kept())
-      stations.push_back(i);
+  return named;
+}
+
+std::set<std::array<double, 3>> positions_of(const Results &results,
+                                             const std::vector<std::size_t> &supports) {
+  std::set<std::array<double, 3>> positions;
+  for (const std::size_t i : supports) {
+    const Point3 &p = results.supports[i].position;
+    positions.insert({{p[0], p[1], p[2]}});
   }
-  for (std::size_t k = 0; k < results.points.size(); ++k)
-    for (std::size_t i = 0; i < stations.size(); ++i)
-      if (points_kept.size() < n_points_at_most &&
-          first.line[stations[i]].vertex == results.points[k].vertex) {
-        points_kept.push_back(k);
-        point_stations.push_back(i);
-        break;
-      }
+  return positions;
+}
+
+class ModelData {
+public:
+  ModelData(const Scene &scene, const Results &results, const std::vector<const Frame *> &frames);
+  Json json(const double scale) const;
+
+private:
+  void choose_points();
+  void choose_frames(const std::vector<const Frame *> &frames);
+  Json pipes() const;
+  Json supports() const;
+  Json restraints() const;
+  Json points() const;
+  Json state(const Shown &shown) const;
+
+  const Scene &scene;
+  const Results &results;
+  std::vector<Shown> shown;
+  std::vector<std::size_t> supports_kept; ///< places in Results::supports
+  ModelStations stations;
+  std::vector<std::size_t> points_kept, point_stations;
+};
+
+ModelData::ModelData(const Scene &scene, const Results &results,
+                     const std::vector<const Frame *> &frames)
+    : scene(scene), results(results), supports_kept(supports_to_show(results)),
+      stations(*frames.front(), named_vertices(results), positions_of(results, supports_kept)) {
+  choose_points();
+  choose_frames(frames);
+}
+
+void ModelData::choose_points() {
+  std::map<unsigned int, std::size_t> station_of; // vertices
+  for (std::size_t i = 0; i < stations.size(); ++i)
+    if (stations[i].is_node())
+      station_of.emplace(stations[i].vertex, i);
+  for (std::size_t k = 0; k < results.points.size() && points_kept.size() < n_points_at_most; ++k)
+    if (const auto found = station_of.find(results.points[k].vertex); found != station_of.end()) {
+      points_kept.push_back(k);
+      point_stations.push_back(found->second);
+    }
 }
 
 void ModelData::choose_frames(const std::vector<const Frame *> &frames) {
   const auto add = [&](const Frame &frame, const std::string &kind, const std::string &name) {
-    if (frame.line.size() == first.line.size())
-      shown.push_back({&frame, kind, name});
+    if (const auto places = stations.places_in(frame); !places.empty())
+      shown.push_back({&frame, kind, name, places});
   };
   for (const Frame *frame : frames)
     add(*frame, frame->step < scene.steps.size() ? "step" : "case", frame->name);
@@ -185,37 +176,11 @@ void ModelData::choose_frames(const std::vector<const Frame *> &frames) {
             " Hz");
 }
 
-std::vector<double> ModelData::thinned(const std::vector<double> &values) const {
-  std::vector<double> result;
-  for (std::size_t k = 0; k < stations.size(); ++k) {
-    const std::size_t begin = stations[k],
-                      end = k + 1 < stations.size() ? stations[k + 1] : begin + 1;
-    double value = values[begin];
-    for (std::size_t i = begin + 1; i < end; ++i)
-      if (!(std::abs(values[i]) <= std::abs(value)) && std::isfinite(values[i]))
-        value = values[i];
-    result.push_back(value);
-  }
-  return result;
-}
-
-std::size_t ModelData::nearest(const Point3 &position) const {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < stations.size(); ++i)
-    if (const double distance = first.line[stations[i]].position.distance_square(position);
-        distance < least) {
-      least = distance;
-      best = i;
-    }
-  return best;
-}
-
 Json ModelData::pipes() const {
   Json list = Json::array();
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    const unsigned int pipe = first.line[stations[i]].pipe;
-    if (i == 0 || first.line[stations[i - 1]].pipe != pipe) {
+    const unsigned int pipe = stations[i].pipe;
+    if (i == 0 || stations[i - 1].pipe != pipe) {
       const auto radius = [&](const Section &section) {
         return rounded(section.outer_radius > 0. ? section.outer_radius
                                                  : std::sqrt(section.area / dealii::numbers::PI),
@@ -241,7 +206,7 @@ Json ModelData::supports() const {
     const SupportInfo &info = results.supports[i];
     all.push_back(Json{{"name", info.name},
                        {"kind", info.kind},
-                       {"station", nearest(info.position)},
+                       {"station", stations.nearest(info.position)},
                        {"at", list(info.position)},
                        {"n", list(info.normal)},
                        {"t1", list(info.t1)},
@@ -254,9 +219,9 @@ Json ModelData::restraints() const {
   Json all = Json::array();
   for (std::size_t i = 0; i < results.restraints.size() && i < n_supports_at_most; ++i) {
     const RestraintInfo &info = results.restraints[i];
-    const std::size_t at = nearest(info.position);
+    const std::size_t at = stations.nearest(info.position);
     Json ways = Json::array();
-    for (const Vector3 &way : held_directions(scene, info, first.line[stations[at]]))
+    for (const Vector3 &way : held_directions(scene, info, stations[at]))
       ways.push_back(list(way));
     all.push_back(Json{{"name", info.name},
                        {"kind", info.kind},
@@ -283,7 +248,7 @@ Json ModelData::state(const Shown &one) const {
   Json &u = json["u"] = Json::array();
   for (unsigned int d = 0; d < 3; ++d) {
     std::vector<double> values;
-    for (const std::size_t i : stations)
+    for (const std::size_t i : one.places)
       values.push_back(frame.line[i].displacement[d]);
     u.push_back(packed(values));
   }
@@ -292,7 +257,7 @@ Json ModelData::state(const Shown &one) const {
   Json &fields = json["fields"] = Json::array();
   for (const ModelField &field : model_fields()) {
     const std::vector<double> values = field.values(scene, results, frame, one.kind == "instant");
-    fields.push_back(values.empty() ? Json() : packed(thinned(values)));
+    fields.push_back(values.empty() ? Json() : packed(stations.thinned(values, one.places)));
   }
   const unsigned int digits = one.kind == "instant" ? 5 : 7;
   Frame converted;
@@ -311,27 +276,27 @@ Json ModelData::state(const Shown &one) const {
   Json &motions = json["points"] = Json::array();
   if (one.kind != "instant")
     for (const std::size_t k : point_stations)
-      motions.push_back(rounded_list(in_user_units.line[stations[k]].displacement, digits));
+      motions.push_back(rounded_list(in_user_units.line[one.places[k]].displacement, digits));
   return json;
 }
 
 Json ModelData::json(const double scale) const {
   std::array<std::vector<double>, 3> position;
   std::vector<double> s;
-  for (const std::size_t i : stations) {
+  for (std::size_t i = 0; i < stations.size(); ++i) {
     for (unsigned int d = 0; d < 3; ++d)
-      position[d].push_back(first.line[i].position[d]);
-    s.push_back(first.line[i].s);
+      position[d].push_back(stations[i].position[d]);
+    s.push_back(stations[i].s);
   }
-  Json json{{"scale", scale},
-            {"left_out",
-             stations.size() < first.line.size() || supports_kept.size() < results.supports.size()},
-            {"pipes", pipes()},
-            {"position", {packed(position[0]), packed(position[1]), packed(position[2])}},
-            {"s", packed(s)},
-            {"supports", supports()},
-            {"restraints", restraints()},
-            {"points", points()}};
+  Json json{
+      {"scale", scale},
+      {"left_out", stations.leaves_some_out() || supports_kept.size() < results.supports.size()},
+      {"pipes", pipes()},
+      {"position", {packed(position[0]), packed(position[1]), packed(position[2])}},
+      {"s", packed(s)},
+      {"supports", supports()},
+      {"restraints", restraints()},
+      {"points", points()}};
   json["units"] = Json::object();
   for (const char *unit : {"m", "N", "N m", "J", "rad"})
     json["units"][unit] = results.units.name(unit);
@@ -352,7 +317,7 @@ Json ModelData::json(const double scale) const {
     field["factor"] = rounded(unit.factor, 7);
     return field;
   };
-  json["length"] = add_unit({{"name", "place"}}, "m", 1.);
+  json["length"] = {{"unit", results.units.name("m")}, {"factor", 1. / results.units.factor("m")}};
   json["displacement"] = add_unit({{"name", "displacement"}}, "m", motion.value());
   Json &fields = json["fields"] = Json::array();
   for (std::size_t f = 0; f < largest.size(); ++f)
@@ -369,7 +334,9 @@ Json ModelData::json(const double scale) const {
 
 std::string model_data(const Scene &scene, const Results &results,
                        const std::vector<const Frame *> &frames, const double scale) {
-  return ModelData(scene, results, frames).json(scale).dump();
+  return ModelData(scene, results, frames)
+      .json(scale)
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 } // namespace frictionbeam
