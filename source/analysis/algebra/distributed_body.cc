@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/elastic_system.h"
+#include "analysis/algebra/elasticity_kernel.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -45,6 +46,9 @@ public:
   }
   bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
              ContinuumVector &x) override;
+  std::string description() const override {
+    return direct ? "Trilinos' factorization" : "Trilinos' multigrid";
+  }
 
 private:
   /// The stiffness with blocks, or with the positive part of their diagonals.
@@ -142,12 +146,16 @@ std::unique_ptr<ContinuumSystem> make_distributed_system(const ContinuumBody<dim
 template <int dim>
 std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> &body) {
   using LinearSolver = ContinuumSettings::LinearSolver;
+  const LinearSolver wish = body.scene.continuum_settings.linear_solver;
+  const bool is_direct =
+      wish == LinearSolver::direct ||
+      (wish == LinearSolver::automatic && body.dof_handler.n_dofs() <= most_direct<dim>);
+  if constexpr (dim == 3)
+    if (!is_direct && body.fe.degree <= ElasticHexahedra::highest_degree)
+      return make_iterative_system(body);
   if (!body.is_parallel)
     return make_condensed_system(body);
-  const LinearSolver wish = body.scene.continuum_settings.linear_solver;
-  return make_distributed_system(
-      body, wish == LinearSolver::direct ||
-                (wish == LinearSolver::automatic && body.dof_handler.n_dofs() <= most_direct<dim>));
+  return make_distributed_system(body, is_direct);
 }
 
 template std::unique_ptr<ContinuumSystem> make_continuum_system<2>(const ContinuumBody<2> &);

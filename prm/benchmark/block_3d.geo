@@ -1,0 +1,20 @@
+// A block 2 x 2 x 0.64 on the ground. Cells: n x n along the ground, 0.32 n upwards.
+DefineConstant[n = 25];
+Point(1) = {0, 0, 0};
+Point(2) = {2, 0, 0};
+Point(3) = {2, 2, 0};
+Point(4) = {0, 2, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve{1, 2, 3, 4} = n + 1;
+Transfinite Surface{1};
+Recombine Surface{1};
+block[] = Extrude {0, 0, 0.64} { Surface{1}; Layers{Round(0.32 * n)}; Recombine; };
+Physical Surface("ground") = {1};
+Physical Surface("top") = {block[0]};
+Physical Surface("pushed") = {block[5]};
+Physical Volume("block") = {block[1]};
