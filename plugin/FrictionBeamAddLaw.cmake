@@ -11,4 +11,8 @@ function(frictionbeam_add_law name)
     target_include_directories(${name} PRIVATE ${FrictionBeam_INCLUDE_DIR})
   endif()
 endfunction()
+# frictionbeam_add_stress_code(NAME SOURCES...): likewise a stress code, for Stress/Code libraries.
+function(frictionbeam_add_stress_code name)
+  frictionbeam_add_law(${name} ${ARGN})
+endfunction()
 include(${CMAKE_CURRENT_LIST_DIR}/bridge/AddBridge.cmake)

@@ -50,6 +50,7 @@ if(package_has_plugin)
 endif()
 install(TARGETS check_law RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/frictionbeam-laws
+  ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/frictionbeam-codes
   DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
 # Headers: those of the laws need nothing of others.
@@ -57,7 +58,8 @@ set(headers ${PROJECT_SOURCE_DIR}/include/frictionbeam)
 if(package_has_plugin)
   install(DIRECTORY ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 else()
-  foreach(header law law_c law_library law_conformance law_closed_form bound_law disc_projection)
+  foreach(header law law_c law_library law_conformance law_closed_form bound_law disc_projection
+      stress_code stress_code_library)
     install(FILES ${headers}/${header}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/frictionbeam)
   endforeach()
 endif()
@@ -65,12 +67,13 @@ endif()
 # Licence, pages, examples
 set(share ${CMAKE_INSTALL_DATAROOTDIR}/frictionbeam)
 set(share_doc ${CMAKE_INSTALL_DATAROOTDIR}/doc/frictionbeam)
-install(FILES law_skeleton.cc ${PROJECT_SOURCE_DIR}/prm/cookbook/coulomb_in_c.c
+install(FILES law_skeleton.cc codes/stress_skeleton.cc ${PROJECT_SOURCE_DIR}/prm/cookbook/coulomb_in_c.c
   ${PROJECT_SOURCE_DIR}/prm/cookbook/bilinear_section.f90 DESTINATION ${share})
 install(FILES ${PROJECT_SOURCE_DIR}/doc/cookbook/own_law.md DESTINATION ${share_doc}/cookbook)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
   ${PROJECT_SOURCE_DIR}/doc/embedding.md ${PROJECT_SOURCE_DIR}/doc/contact_library.md
   ${PROJECT_SOURCE_DIR}/doc/deal_ii_versions.md ${PROJECT_SOURCE_DIR}/doc/theory.md
+  ${PROJECT_SOURCE_DIR}/doc/stress_codes.md
   DESTINATION ${share_doc})
 install(FILES ${PROJECT_SOURCE_DIR}/doc/picture/block.svg DESTINATION ${share_doc}/picture)
 set(examples ${PROJECT_SOURCE_DIR}/tests/embed)

@@ -3,12 +3,11 @@
 #include <frictionbeam/law_library.h>
 
 #include "bridge/law_in_c.h"
+#include "shared_library.h"
 
 #include <dlfcn.h>
 
 #include <cmath>
-#include <filesystem>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -99,17 +98,7 @@ LawLibrary::~LawLibrary() {
 
 const LawDescription &LawLibrary::load(const std::string &file) {
   const std::string origin = "The law library '" + file + "'";
-  // A name without a slash would be searched among the system's libraries.
-  const std::string path = std::filesystem::absolute(file).string();
-  void *const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) {
-    const std::string reason = dlerror();
-    check(
-        false, origin,
-        "it does not open (" + reason +
-            "). Expected a shared library; give its path from the folder the program runs in, and "
-            "compile it with frictionbeam_add_law() or 'g++ -std=c++17 -shared -fPIC'.");
-  }
+  void *const handle = open_shared_library(file, origin, "frictionbeam_add_law()");
   handles.push_back(handle);
 
   const std::string whence = "loaded from '" + file + "'";
@@ -158,11 +147,7 @@ const LawDescription &LawLibrary::take(const LawDescription &law, const std::str
 }
 
 void LawLibrary::load_builtin() {
-  std::set<std::string> found; // in alphabetical order, whatever the file system's
-  for (const auto &entry : std::filesystem::directory_iterator(builtin_directory()))
-    if (entry.path().extension() == ".so")
-      found.insert(entry.path().string());
-  for (const std::string &file : found)
+  for (const std::string &file : shared_libraries_in(builtin_directory()))
     load(file);
 }
 
@@ -186,13 +171,7 @@ std::vector<std::string> LawLibrary::names(const LawKind kind) const {
   return result;
 }
 
-std::string LawLibrary::builtin_directory() {
-  Dl_info info;
-  // Laws stand in a folder beside the library that this very function is in.
-  if (dladdr(reinterpret_cast<void *>(&LawLibrary::builtin_directory), &info) == 0)
-    throw std::runtime_error("The folder of FrictionBeam's shared library cannot be found.");
-  return (std::filesystem::absolute(info.dli_fname).parent_path() / "frictionbeam-laws").string();
-}
+std::string LawLibrary::builtin_directory() { return folder_beside_library("frictionbeam-laws"); }
 
 std::vector<double> default_parameters(const LawDescription &law) {
   std::vector<double> values(law.n_parameters);

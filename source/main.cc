@@ -5,7 +5,9 @@
 #include "command/command_line.h"
 #include "command/compare_command.h"
 #include "command/contact_command.h"
+#include "command/import_command.h"
 #include "command/run_case.h"
+#include "command/spectrum_command.h"
 #include "command/study/study_command.h"
 
 #include "base/interruption.h"
@@ -84,6 +86,12 @@ int run(int argc, char **argv) {
     return frictionbeam::compare_runs(line.folders[0], line.folders[1]);
   case CommandLine::Command::contact:
     return frictionbeam::solve_contact_file(line.contact);
+  case CommandLine::Command::spectrum:
+    return frictionbeam::spectrum_command(line.spectrum);
+  case CommandLine::Command::record:
+    return frictionbeam::record_command(line.spectrum);
+  case CommandLine::Command::import:
+    return frictionbeam::import_file(line.import);
   case CommandLine::Command::chart:
     return frictionbeam::chart_command(line.chart_list, line.chart_folder);
   case CommandLine::Command::chart_parameters:

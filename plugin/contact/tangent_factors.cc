@@ -14,9 +14,9 @@ void TangentFactors::analyze(const SparseMatrix &matrix) {
     sparse.analyze(matrix);
 }
 
-bool TangentFactors::factorize(const SparseMatrix &matrix) {
+bool TangentFactors::factorize(const SparseMatrix &matrix, const int n_unchanged) {
   if (!is_dense)
-    return sparse.factorize(matrix);
+    return sparse.factorize(matrix, n_unchanged);
   constexpr double vanishes = 1e-15;
   scale = matrix.diagonal().cwiseAbs();
   for (double &s : scale)

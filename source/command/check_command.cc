@@ -8,6 +8,7 @@
 #include "results/file/output_file.h"
 #include "results/frame/frame_builder.h"
 #include "results/picture/line_picture.h"
+#include "results/stress/stresses.h"
 #include "results/text.h"
 #include "scene/read_scene.h"
 
@@ -182,6 +183,8 @@ void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene
   if (!has_transient_step(scene))
     for (const std::string &warning : check_mechanisms(model))
       std::cout << "Note: " << warning << '\n';
+  if (!scene.stress.code.empty())
+    check_stress_code(scene, model.mesh, FrameBuilder(model, true).stations());
   draw_as_built(model);
   if (options.strict && !scene.doubts.empty())
     throw UserError("With --strict, a note of what is hardly meant is an error: " +

@@ -21,6 +21,107 @@ const char *const exit_status =
     "5 solved, but a check of the report fails ('Fail on = checks' in section Output); "
     "130 and 143 ended by SIGINT and SIGTERM, with a checkpoint for --resume.";
 
+/// Options of `spectrum` and `record`.
+void declare_spectra(CLI::App &spectrum, CLI::App &record, SpectrumOptions &options) {
+  spectrum
+      .add_option("file", options.file,
+                  "The record: two columns, 'time [s], acceleration [g]' or without a first line")
+      ->type_name("RECORD.csv")
+      ->required();
+  spectrum.add_option("--damping", options.damping, "Ratios to critical (0.05 if not given)")
+      ->type_name("NUMBERS")
+      ->check(CLI::Range(0., 0.99));
+  record
+      .add_option("file", options.file,
+                  "The spectrum: two columns, 'frequency [Hz], acceleration [g]' or 'period [s], "
+                  "...' or without a first line")
+      ->type_name("SPECTRUM.csv")
+      ->required();
+  record.add_option("--damping", options.damping, "Ratio to critical (0.05 if not given)")
+      ->type_name("NUMBER")
+      ->expected(1)
+      ->check(CLI::Range(0.001, 0.99));
+  const auto seconds = [&](const std::string &name, double &value, const std::string &meaning) {
+    record.add_option(name, value, meaning)->type_name("SECONDS")->check(CLI::Range(1e-4, 1e3));
+  };
+  seconds("--duration", options.duration, "Of the record (20 if not given)");
+  seconds("--rise", options.rise, "Of its beginning, until it is strong (3 if not given)");
+  seconds("--fall", options.fall, "Of its end (7 if not given)");
+  seconds("--step", options.step,
+          "Between instants (a tenth of the shortest period if not given, at most 0.01)");
+  record.add_option("--seed", options.seed, "Of the random phases (1 if not given)")
+      ->type_name("NUMBER");
+  record.add_flag("--over-period", options.over_period,
+                  "The first column has periods, where no first line says so");
+  record.add_option("--interpolation", options.interpolation, "Of the spectrum")
+      ->type_name("WORDS")
+      ->check(CLI::IsMember({"log-log", "linear", "linear in period"}));
+  for (CLI::App *const one : {&spectrum, &record}) {
+    const bool is_record = one == &record;
+    one->add_option("--from", options.first,
+                    is_record ? "Lowest frequency that shall fit (that of the spectrum if not given)"
+                              : "Lowest frequency (0.1 if not given)")
+        ->type_name("HERTZ")
+        ->check(CLI::Range(1e-3, 1e4));
+    one->add_option("--to", options.last,
+                    is_record ? "Highest frequency that shall fit (that of the spectrum if not "
+                                "given, at most 50)"
+                              : "Highest frequency (100 if not given)")
+        ->type_name("HERTZ")
+        ->check(CLI::Range(1e-3, 1e4));
+    one->add_option("--points", options.n_frequencies, "Frequencies between (200 if not given)")
+        ->type_name("NUMBER")
+        ->check(CLI::Range(2, 10000));
+    one->add_option("--unit", options.unit,
+                    "Of accelerations, where no first line says it: g, m/s2, cm/s2, mm/s2, in/s2, "
+                    "ft/s2 (m/s2 if not given)")
+        ->type_name("UNIT");
+    one->add_option("--output-directory", options.folder, "Where the results go")
+        ->type_name("FOLDER");
+  }
+}
+
+void declare_import(CLI::App &app, import::ImportOptions &options) {
+  app.add_option("file", options.file, "The piping component file")
+      ->type_name("LINE.pcf")
+      ->required();
+  app.add_option("-o,--output", options.output,
+                 "The parameter file (LINE.prm, in the folder one is in, if not given)")
+      ->type_name("FILE.prm");
+  app.add_flag("--overwrite", options.overwrite, "Replace a parameter file that is there");
+  app.add_option("--support-map", options.support_map,
+                 "Kinds of supports by their names and SKEYs: rows \"WORD : kind, Entry = value\" "
+                 "(doc/import.md)")
+      ->type_name("FILE");
+  app.add_option("--attributes", options.attributes,
+                 "What COMPONENT-ATTRIBUTEs say: none, caesar, caepipe, or a file of rows \"KEY "
+                 "property unit\"")
+      ->type_name("WORD");
+  app.add_option("--tolerance", options.tolerance,
+                 "Within which ends are the same, in mm (1 if not given)")
+      ->type_name("MM")
+      ->check(CLI::Range(0., 1000.));
+  app.add_option("--wall", options.sections.wall,
+                 "Wall thickness where the file says none: \"7.11 mm\", or by bore \"150 7.11 mm, "
+                 "80 5.49 mm\"")
+      ->type_name("WALL");
+  app.add_option("--schedule", options.sections.schedule,
+                 "The same by a schedule of ASME B36.10M: 5 to 160, STD, XS, XXS")
+      ->type_name("WORD")
+      ->check(CLI::IsMember({"5", "10", "20", "30", "40", "60", "80", "100", "120", "140", "160",
+                             "STD", "XS", "XXS"}));
+  app.add_option("--material", options.sections.material,
+                 "Of what has no name that is known: carbon steel or austenitic steel")
+      ->type_name("GRADE")
+      ->check(CLI::IsMember({"carbon steel", "austenitic steel"}));
+  app.add_option("--units", options.units,
+                 "Of the parameter file, as of its entry Units (si if not given)")
+      ->type_name("UNITS");
+  app.add_option("--encoding", options.encoding, "Of the file: utf-8 or latin-1")
+      ->type_name("WORD")
+      ->check(CLI::IsMember({"utf-8", "latin-1"}));
+}
+
 /// All options and sub-commands; what is read goes into @p line.
 void declare(CLI::App &app, CommandLine &line) {
   const auto add_case = [&line](CLI::App &to) {
@@ -93,6 +194,11 @@ void declare(CLI::App &app, CommandLine &line) {
                    "not given)")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
+  declare_import(*add_command("import",
+                              "Make a parameter file of a piping component file (.pcf) that a "
+                              "plant design program has written",
+                              Command::import),
+                 line.import);
   CLI::App *const chart = add_command(
       "chart", "Run a list of configurations and draw error against time", Command::chart);
   chart->add_option("list", line.chart_list, "List of configurations")->type_name("LIST.prm");
@@ -101,6 +207,11 @@ void declare(CLI::App &app, CommandLine &line) {
                    "Where the chart goes (output/chart_LIST if not given)")
       ->type_name("FOLDER");
   chart->add_flag("--print-parameters", "Print the entries of a list");
+  CLI::App *const spectrum = add_command(
+      "spectrum", "Response spectra of a record of accelerations", Command::spectrum);
+  CLI::App *const record = add_command(
+      "record", "Make a record of accelerations that fits a response spectrum", Command::record);
+  declare_spectra(*spectrum, *record, line.spectrum);
 }
 
 /// Text as roff takes it literally.

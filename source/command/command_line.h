@@ -3,16 +3,32 @@
 
 #include "base/run_options.h"
 #include "command/contact_command.h"
+#include "command/spectrum_command.h"
+#include "import/import_pcf.h"
 
 namespace frictionbeam {
 
 /// What the command line asks for.
 struct CommandLine {
-  enum class Command { run, check, compare, contact, chart, chart_parameters, study, nothing };
+  enum class Command {
+    run,
+    check,
+    compare,
+    contact,
+    chart,
+    chart_parameters,
+    study,
+    spectrum,
+    record,
+    import,
+    nothing
+  };
   Command command = Command::nothing;
   RunOptions options;     ///< of run, check and study
   std::string folders[2]; ///< of compare
   ContactOptions contact;
+  SpectrumOptions spectrum; ///< of spectrum and record
+  import::ImportOptions import;
   std::string chart_list;   ///< of chart
   std::string chart_folder; ///< where it goes; empty: output/chart_<its name>
 };

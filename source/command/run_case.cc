@@ -5,23 +5,31 @@
 #include "command/line/run_line.h"
 #include "command/run_body.h"
 #include "command/run_folder.h"
+#include "command/run_solid.h"
 #include "command/size_hangers.h"
 
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
+#include "results/combination/governing_cases.h"
+#include "results/combination/uplift.h"
 #include "results/file/checkpoint.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
+#include "results/file/model_tables.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/finite.h"
 #include "results/how_well_known.h"
+#include "results/listing/compliance.h"
+#include "results/listing/hangers.h"
 #include "results/page/both_models.h"
 #include "results/remarks.h"
 #include "results/report/report.h"
 #include "results/report/report_modes.h"
 #include "results/report/report_study.h"
+#include "results/solid/line_and_solid.h"
+#include "results/spectrum/modal_csv.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 #include "results/verdicts.h"
@@ -95,7 +103,16 @@ std::string study_folder(const std::string &folder, const double multiplier) {
   return folder + "/friction_" + rounded_number(multiplier);
 }
 
-/// Solve the scene again for each multiplier of friction, each into a folder of its own.
+/// Of the study, rising; the scene as it is always belongs to it. None without a study.
+std::vector<double> multipliers_of(const Scene &scene) {
+  std::set<double> multipliers(scene.friction_multipliers.begin(),
+                               scene.friction_multipliers.end());
+  if (!multipliers.empty())
+    multipliers.insert(1.);
+  return {multipliers.begin(), multipliers.end()};
+}
+
+/// Solve the scene again for each multiplier of friction but 1, each into a folder of its own.
 void study_friction(const Scene &scene, const LawLibrary &laws, Results &results) {
   FrictionStudy &study = results.friction_study;
   std::set<std::string> other_laws;
@@ -111,7 +128,11 @@ void study_friction(const Scene &scene, const LawLibrary &laws, Results &results
     study.names.push_back(support.name);
   for (const RestraintInfo &restraint : results.restraints)
     study.names.push_back(restraint.name);
-  for (const double multiplier : scene.friction_multipliers) {
+  for (const double multiplier : multipliers_of(scene)) {
+    if (multiplier == 1.) {
+      include_in_study(multiplier, results, study);
+      continue;
+    }
     Scene variant = with_friction(scene, laws, multiplier);
     variant.output.directory = study_folder(scene.output.directory, multiplier);
     variant.output.vtu = false;
@@ -132,8 +153,7 @@ void study_friction(const Scene &scene, const LawLibrary &laws, Results &results
       results.remarks.push_back("With friction times " + rounded_number(multiplier) +
                                 " the run is not converged: its row of the study is what it "
                                 "reached.");
-    study.multipliers.push_back(multiplier);
-    study.largest.push_back(largest_forces(other));
+    include_in_study(multiplier, other, study);
   }
 }
 
@@ -151,11 +171,18 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
     throw UserError(with_place(scene, error.what()));
   }
   if (n_processes() > 1)
-    results.remarks.push_back("A line is solved by one process: the others have waited.");
+    results.remarks.push_back("A line is solved by one process: the others have waited, and mpirun "
+                              "does not pay.");
   study_friction(scene, laws, results);
   write_stresses(scene, results, scene.output.directory);
+  write_compliance(scene, results, scene.output.directory);
+  write_hangers(results, scene.output.directory);
   write_section_histories(scene, results, scene.output.directory);
+  write_force_tables(scene, results, scene.output.directory);
   write_envelopes(scene, results, scene.output.directory);
+  write_governing_cases(scene, results, scene.output.directory);
+  write_uplift(scene, results, scene.output.directory);
+  write_excitations(results, scene.output.directory);
   write_friction_study(results, scene.output.directory);
   return results;
 }
@@ -185,29 +212,41 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   write_summary(scene, results, scene.output.directory); // the last: it says that all is there
 }
 
-/// Solve the scene as beams and as a continuum, each into a folder of its own.
+/// Solve the scene as beams and as a continuum or solid pipes, each into a folder of its own.
 Results run_both(const Scene &scene, const LawLibrary &laws) {
-  Results both;
+  Results both, line;
   both.status = RunStatus::converged;
-  for (const std::string model : {"line", "continuum"}) {
+  const std::string other = scene.is_solid() ? "solid" : "continuum";
+  for (const std::string &model : {std::string("line"), other}) {
     Scene part = scene;
     part.output.directory = scene.output.directory + "/" + model;
     prepare_folder(part.output.directory);
     const dealii::Timer wall;
-    Results results = model == "line" ? run_line(part, laws) : run_continuum(part, laws);
+    Results results = model == "line"    ? run_line(part, laws)
+                      : scene.is_solid() ? run_solid(part, laws)
+                                         : run_continuum(part, laws);
     conclude(part, results, wall);
     if (this_process() == 0)
       print_summary(part, results);
     include_model(both, results, model);
+    if (model == "line")
+      line = std::move(results);
+    else if (scene.is_solid() && this_process() == 0) {
+      both.sections.push_back({"forces", "Forces along the pipes and of supports",
+                               line_and_solid(scene, line, results)});
+      write_line_and_solid(scene, line, results, scene.output.directory);
+    }
   }
-  both.sections.push_back({"models", "Line and continuum", side_by_side(both)});
+  both.sections.insert(both.sections.begin(),
+                       {"models", "Line and " + other, side_by_side(both, other)});
   return both;
 }
 
 /// Where runs of a scene may leave checkpoints.
 std::vector<std::string> folders_of_runs(const Scene &scene) {
   const std::string &folder = scene.output.directory;
-  std::vector<std::string> folders = {folder, folder + "/line", folder + "/continuum"};
+  std::vector<std::string> folders = {folder, folder + "/line", folder + "/continuum",
+                                      folder + "/solid"};
   for (const double multiplier : scene.friction_multipliers)
     folders.push_back(study_folder(folder, multiplier));
   return folders;
@@ -255,6 +294,7 @@ SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scen
     return one.mesh.refine_hinges              ? refine_hinges(one, solve_line)
            : one.model == ModelKind::line      ? run_line(one, laws)
            : one.model == ModelKind::continuum ? run_continuum(one, laws)
+           : one.model == ModelKind::solid     ? run_solid(one, laws)
                                                : run_both(one, laws);
   };
   SolvedScene solved = scene.accuracy > 0. ? solve_to_accuracy(options, scene, read, solve_once)

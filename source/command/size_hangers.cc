@@ -71,7 +71,10 @@ void find_hot_loads(const SpringsByStep &by_weight, const LawLibrary &laws, Scen
       restraint.name = scene.springs[s].name + " held";
       restraint.kind = "restraint";
       restraint.placement.points = {scene.springs[s].point};
-      restraint.fixed[2] = true;
+      Direction along;
+      for (unsigned int d = 0; d < 3; ++d)
+        along.vector[d] = scene.springs[s].directions[2][d];
+      restraint.translations.push_back(along);
       held.restraints.push_back(restraint);
     }
   for (const auto &[step, springs] : by_weight) {
@@ -83,18 +86,19 @@ void find_hot_loads(const SpringsByStep &by_weight, const LawLibrary &laws, Scen
             for (const unsigned int s : open)
               for (unsigned int i = 0; i < infos.size(); ++i)
                 if (infos[i].name == scene.springs[s].name + " held")
-                  scene.springs[s].preload = frame.reactions[i][2];
+                  scene.springs[s].preload =
+                      product(frame.reactions[i], scene.springs[s].directions[2]);
           });
     for (const unsigned int s : open)
       if (scene.springs[s].preload <= 0.)
         throw UserError("Hanger " + scene.springs[s].name +
-                        " would have to push the line down by " +
+                        " would have to push the line the other way by " +
                         in_words(scene, -scene.springs[s].preload, "N") +
                         ". Remove it, or give its Cold load.");
   }
 }
 
-/// How far the springs' points rise with these forces in their places [m], by spring.
+/// How far the springs' points go along them with these forces in their places [m], by spring.
 std::vector<double> find_travels(const SpringsByStep &by_heat, const LawLibrary &laws,
                                  const Scene &scene) {
   std::vector<double> travel(scene.springs.size(), 0.);
@@ -103,26 +107,70 @@ std::vector<double> find_travels(const SpringsByStep &by_heat, const LawLibrary 
     solve(up_to(scene, step), laws, "with constant forces in their places",
           [&](FrameBuilder &builder, const LineState &state) {
             for (const unsigned int s : open)
-              travel[s] = builder.motion(state, scene.springs[s].point)[2];
+              travel[s] = product(builder.motion(state, scene.springs[s].point),
+                                  scene.springs[s].directions[2]);
           });
   }
   return travel;
 }
 
+/// Whether an item carries a load here and by its stiffness there as well.
+bool carries(const HangerItem &item, const double hot, const double travel) {
+  const double cold = hot + item.stiffness * travel;
+  return std::min(hot, cold) >= item.least_load && std::max(hot, cold) <= item.most_load;
+}
+
+/// The first item of the catalogue that carries hot and cold load with no more than the variation
+/// that is allowed.
+HangerItem pick_item(const Scene &scene, const Hanger &hanger, const Spring &spring,
+                     const double travel) {
+  const double hot = spring.preload;
+  unsigned int n_carrying = 0;
+  const HangerItem *least = nullptr;
+  for (const HangerItem &item : scene.catalogue.hangers) {
+    if (!carries(item, hot, travel))
+      continue;
+    if (item.stiffness * std::abs(travel) <= hanger.largest_variation * hot)
+      return item;
+    ++n_carrying;
+    if (least == nullptr || item.stiffness < least->stiffness)
+      least = &item;
+  }
+  throw UserError(
+      "Hanger " + hanger.name + ": no item of the catalogue fits " + spring.name +
+      ".\n  read:    a hot load of " + in_words(scene, hot, "N") + " and a travel of " +
+      in_words(scene, travel, "m") +
+      "\n  allowed: an item whose range holds hot and cold load, of " +
+      std::to_string(scene.catalogue.hangers.size()) + " there are " + std::to_string(n_carrying) +
+      ", and that varies by no more than " + rounded_number(100. * hanger.largest_variation, 4) +
+      " %" +
+      (least != nullptr ? ", these vary by " +
+                              rounded_number(100. * least->stiffness * std::abs(travel) / hot, 4) +
+                              " % and more, " + least->name + " least"
+                        : "") +
+      "\n  try:     a larger 'Variation', more items in Catalogue/Hangers, or Kind = constant");
+}
+
 /// Choose stiffness and cold load of a spring that has its hot load, and say so.
-void size_spring(const Hanger &hanger, const double travel, Spring &spring, Scene &scene) {
+void size_spring(Hanger &hanger, const std::size_t place, const double travel, Scene &scene) {
+  Spring &spring = scene.springs[hanger.springs[place]];
   const double hot = spring.preload, sizing_travel = hanger.largest_variation * least_travel;
-  const bool travels_less = !hanger.constant && std::abs(travel) < sizing_travel;
+  if (hanger.picks_item)
+    hanger.items.push_back(pick_item(scene, hanger, spring, travel));
+  const bool has_item = place < hanger.items.size();
+  const bool travels_less = !hanger.constant && !has_item && std::abs(travel) < sizing_travel;
   if (!hanger.constant) {
-    spring.stiffness[2] =
-        travels_less ? hot / least_travel : hanger.largest_variation * hot / std::abs(travel);
+    spring.stiffness[2] = has_item       ? hanger.items[place].stiffness
+                          : travels_less ? hot / least_travel
+                                         : hanger.largest_variation * hot / std::abs(travel);
     spring.preload = hot + spring.stiffness[2] * travel;
   }
   const auto number = [&](const double value, const std::string &unit) {
     return in_words(scene, value, unit);
   };
   scene.remarks.push_back(
-      "Hanger " + spring.name + " was sized: hot load " + number(hot, "N") +
+      "Hanger " + spring.name + " was sized: " +
+      (has_item ? "item " + hanger.items[place].name + ", " : "") + "hot load " + number(hot, "N") +
       (hanger.constant ? ""
                        : ", cold load " + number(spring.preload, "N") + ", stiffness " +
                              number(spring.stiffness[2], "N/m")) +
@@ -141,10 +189,9 @@ Scene with_sized_hangers(Scene scene, const LawLibrary &laws) {
                       by_heat = open_springs(scene, &Hanger::hot_step);
   find_hot_loads(by_weight, laws, scene);
   const std::vector<double> travel = find_travels(by_heat, laws, scene);
-  for (const Hanger &hanger : scene.hangers)
-    for (const unsigned int s : hanger.springs)
-      if (hanger.cold_load == 0.)
-        size_spring(hanger, travel[s], scene.springs[s], scene);
+  for (Hanger &hanger : scene.hangers)
+    for (std::size_t i = 0; i < hanger.springs.size() && hanger.cold_load == 0.; ++i)
+      size_spring(hanger, i, travel[hanger.springs[i]], scene);
   return scene;
 }
 

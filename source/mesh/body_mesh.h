@@ -3,9 +3,11 @@
 
 #include "scene/scene.h"
 
+#include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria_description.h>
 
 #include <map>
+#include <memory>
 
 namespace frictionbeam {
 
@@ -22,6 +24,9 @@ struct ContinuumMesh {
   std::vector<Face> faces;                  ///< of named parts
   std::vector<std::string> parts;           ///< by boundary id - 1; id 0 is all the rest
   std::map<std::string, dealii::Point<dim>> points;
+  /// By the cells' manifold id; none: all is flat.
+  std::vector<std::unique_ptr<dealii::Manifold<dim>>> manifolds;
+  unsigned int geometry_degree = 1; ///< of the cells
 
   /// Id of a named part. @throws UserError that lists those there are.
   dealii::types::boundary_id part(const std::string &name) const;

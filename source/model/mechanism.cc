@@ -183,7 +183,8 @@ std::vector<std::string> check_mechanisms(const Model &model) {
     for (unsigned int c = 0; c < 6; ++c)
       if (spring.stiffness[c] > 0. && spring.other.empty()) {
         Tensor<1, 6> row;
-        row[c] = 1.;
+        for (unsigned int d = 0; d < 6; ++d)
+          row[d] = spring.directions[c][d];
         check.hold(model.mesh.points.at(spring.point), row, false);
       }
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {

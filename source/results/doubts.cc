@@ -4,6 +4,7 @@
 #include "mesh/point_set.h"
 #include "model/line_model.h"
 #include "results/frame/frame_choice.h"
+#include "results/stress/wall_stress.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -101,6 +102,37 @@ public:
     say("Sag above a hundredth of the span: " + text + ".");
   }
 
+  /// Of pipes that answer elastically, nominal stresses of their walls at the ends of steps.
+  void of_yielding() {
+    double worst = 1.; // of the yield stress
+    std::string text;
+    for (const Frame &frame : results.frames) {
+      if (frame.step >= scene.steps.size())
+        continue;
+      for (const Station &station : frame.line) {
+        const Pipe &pipe = scene.pipes[station.pipe];
+        const Material &material = scene.materials[pipe.material];
+        if (material.yield_stress == 0. || pipe.rigid || scene.sections[pipe.section].wall == 0. ||
+            (scene.sections[pipe.section].is_inelastic() && !scene.keeps_elastic))
+          continue;
+        const double stress =
+            wall_stress(section_at(scene, station), station.force, station.pressure).von_mises;
+        if (stress <= worst * material.yield_stress)
+          continue;
+        worst = stress / material.yield_stress;
+        text = "Pipe " + pipe.name + ", s = " + length(station.s) + ", step " + frame.name +
+               ": the equivalent stress is " +
+               rounded_number(stress / scene.units.factor("Pa"), 3) + " " + scene.units.name("Pa") +
+               ", " + rounded_number(worst, 3) + " times the Yield stress of material " +
+               material.name +
+               ", while the pipe is taken for elastic. Look at the supports, or give its Section a "
+               "Law that yields.";
+      }
+    }
+    if (!text.empty())
+      say(text);
+  }
+
   void of_time_steps() {
     if (scene.time.is_exact() || scene.time.step == 0. || results.modes.empty() ||
         !has_transient_step(scene))
@@ -124,7 +156,7 @@ private:
   }
   bool has_rest() const {
     return std::any_of(results.supports.begin(), results.supports.end(),
-                       [](const SupportInfo &info) { return info.kind == "rest"; });
+                       [](const SupportInfo &info) { return holds_up(info); });
   }
   /// Whether anything stands there.
   bool is_held(const Station &station) {
@@ -168,6 +200,7 @@ void add_doubts(const Scene &scene, Results &results) {
   doubts.of_displacements();
   doubts.of_open_supports();
   doubts.of_sags();
+  doubts.of_yielding();
   doubts.of_time_steps();
 }
 

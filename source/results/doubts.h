@@ -6,7 +6,8 @@
 namespace frictionbeam {
 
 /// Say what of an answer is hardly meant (Results::doubts): displacements for which small ones are
-/// wrong, supports that all stand open, sagging spans, time steps that miss a mode.
+/// wrong, supports that all stand open, sagging spans, stresses above yield, time steps that miss a
+/// mode.
 void add_doubts(const Scene &scene, Results &results);
 
 } // namespace frictionbeam

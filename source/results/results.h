@@ -25,6 +25,13 @@ struct SupportInfo {
   double capacity = 0.;   ///< largest force that it is made for [N]; 0: not said
 };
 
+/// Rests by whatever name, and rods: what holds the line up, and from what it may lift off.
+inline bool holds_up(const SupportInfo &support) {
+  constexpr double upwards = 0.7; // of the normal
+  return support.kind == "rest" || support.kind == "rod" ||
+         (support.kind == "friction" && support.normal[2] > upwards);
+}
+
 /// State of a friction element. Forces are those of the support on the pipe, fn >= 0 in
 /// compression.
 struct SupportState {
@@ -76,7 +83,9 @@ struct Station {
   Point3 position;
   Motion displacement{};   ///< global axes [m, rad]
   Motion force{};          ///< N, Vy, Vz [N], Mx, My, Mz [N m] in the cell's local axes
-  Vector3 y, z;            ///< local axes of the section forces
+  Vector3 y, z;            ///< local axes of the section forces, of the line as it was built
+  Vector3 y_now, z_now;    ///< the same, as they have turned
+  double pressure = 0.;    ///< inside [Pa]; of a case made of others not known
   double part = 0.;        ///< s over the pipe's length
   double bend_radius = 0.; ///< [m]; 0: not in a bend
   Vector3 bend_axis;       ///< of a bend: unit normal of its plane
@@ -93,7 +102,8 @@ struct Frame {
   int step_before = -1; ///< that the step starts from; -1: none, or of a case
   double time = 0.;
   bool end_of_step = true;
-  bool is_amplitude = false; ///< of a case: its numbers are sizes, of either sign
+  bool is_amplitude = false; ///< of a case whose numbers are sizes, or each from another state: no
+                             ///< shape to draw
   std::vector<Station> line;
   std::vector<SupportState> supports;
   std::vector<Motion> reactions; ///< of RestraintInfo
@@ -174,14 +184,34 @@ struct ModeResult {
   Frame shape;
 };
 
+/// What a spectrum does to a mode in one direction.
+struct ModalExcitation {
+  unsigned int mode = 0;      ///< from 1 on
+  unsigned int direction = 0; ///< 0, 1, 2: x, y, z
+  std::string spectrum;
+  double participation = 0.; ///< phi^T M r [kg^1/2]
+  double acceleration = 0.;  ///< with the direction's factor [m/s2]
+  double rigid = 0.;         ///< share that follows the ground without delay
+};
+
+/// Which cases gave the numbers of a combination.
+struct GoverningCases {
+  std::string name; ///< of the combination
+  std::vector<std::string> cases; ///< steps, the spectrum and sums, not combinations that have some
+  std::vector<unsigned int> of;   ///< place in cases, in the order of numbers_of()
+  std::vector<unsigned int> least; ///< of a range, that of the smaller number; else empty
+};
+
 /// Stresses of one case by a stress code, at each station of its frame.
 struct StressCase {
   std::string name, kind, code; ///< kind: sustained, expansion, occasional
   Frame frame;
-  std::vector<double> stress, allowed;        ///< [Pa]
-  std::vector<std::array<double, 3>> factors; ///< flexibility, intensification in and out of plane
-  std::string step;                           ///< that it is of; of a range, the later one
-  unsigned int worst = 0;                     ///< the station of largest stress over allowed
+  std::vector<double> stress, allowed; ///< [Pa]
+  std::vector<StressFactors> factors;
+  /// That make each stress; empty where they are not kept: of transient steps.
+  std::vector<StressForces> forces;
+  std::string step;         ///< that it is of; of a range, the later one
+  unsigned int worst = 0;   ///< the station of largest stress over allowed
   std::vector<double> time; ///< when each stress was met, of a transient step; empty: at the end
 };
 
@@ -194,11 +224,31 @@ struct NozzleUse {
   std::optional<double> time; ///< of the largest use in a transient step [s]; empty: at its end
 };
 
-/// Largest force of one support or restraint over all steps, for each multiplier of friction.
+/// What a spring hanger carries over the static steps that have weight.
+struct HangerUse {
+  std::string name, point, item;        ///< item of a catalogue; may be empty
+  double stiffness = 0.;                ///< [N/m]; 0: constant
+  double cold_load = 0., hot_load = 0.; ///< before anything has moved; in the hot step [N]
+  double travel = 0.;                   ///< up, to the hot step [m]
+  /// Largest |F - F_hot|/F_hot over these steps and the cold load, and where; how much is allowed.
+  double variability = 0., allowed_variability = 0.;
+  std::string step;                       ///< "cold" or a step
+  double least_load = 0., most_load = 0.; ///< of all these [N]
+  std::string least_step, most_step;
+  double least_allowed = 0., most_allowed = 0.; ///< of the item [N]; 0: none
+};
+
+/// What a study over multipliers of friction compares.
 struct FrictionStudy {
-  std::vector<double> multipliers;
+  /// Use of a nozzle's allowable loads or of an allowable stress, the largest of the steps.
+  struct Ratio {
+    std::string kind, of;       ///< "nozzle" or "stress"; which
+    std::vector<double> values; ///< by multiplier; nan where the run did not come to it
+  };
+  std::vector<double> multipliers; ///< rising
+  std::vector<Ratio> ratios;
   std::vector<std::string> names;           ///< of supports and restraints
-  std::vector<std::vector<double>> largest; ///< by multiplier, by name [N]
+  std::vector<std::vector<double>> largest; ///< force over all steps, by multiplier, by name [N]
 };
 
 /// Motion of a monitored point at every increment.
@@ -290,8 +340,11 @@ struct Results {
   std::vector<SectionHistory> section_histories;
   std::vector<QuantityResult> quantities;
   std::vector<ModeResult> modes;
+  std::vector<ModalExcitation> excitations; ///< by direction, spectrum and mode
+  std::vector<GoverningCases> governing;    ///< of envelopes, maxima, minima and ranges
   std::vector<StressCase> stresses;
   std::vector<NozzleUse> nozzles;
+  std::vector<HangerUse> hangers;
   FrictionStudy friction_study;
   std::array<double, 3> total_mass{}; ///< that modes could move [kg]
   std::string modal_method;           ///< in plain words

@@ -2,7 +2,7 @@
 #include "results/verdicts.h"
 
 #include "model/line_model.h"
-#include "results/frame/frame_choice.h"
+#include "results/combination/uplift.h"
 #include "scene/steps/step_tree.h"
 
 #include <algorithm>
@@ -15,8 +15,6 @@ namespace {
 
 constexpr double most_energy_left =
     0.01;                         ///< of the account of energy, a share of what it turns over
-constexpr double no_gap = 1e-9;   ///< of the line's motion
-constexpr double no_force = 1e-9; ///< of the largest, in a sum of cases
 constexpr std::size_t most_named = 3;
 
 /// All of one check that was judged; what of it is told is chosen at the end.
@@ -105,52 +103,34 @@ OneCheck nozzles(const Results &results) {
   return check;
 }
 
-/// Rests by whatever name, and rods.
-bool holds_up(const SupportInfo &support) {
-  constexpr double upwards = 0.7; // of the normal
-  return support.kind == "rest" || support.kind == "rod" ||
-         (support.kind == "friction" && support.normal[2] > upwards);
+/// Variability over all temperatures, and the range of items of a catalogue.
+OneCheck hangers(const Results &results) {
+  OneCheck check("hanger", "hangers", "-");
+  for (const HangerUse &one : results.hangers) {
+    if (one.stiffness > 0.)
+      check.judge(one.name + ", variability", one.step, one.variability, one.allowed_variability);
+    if (!one.item.empty()) {
+      check.judge(one.name + ", load over the most of " + one.item, one.most_step,
+                  one.most_load / one.most_allowed, 1.);
+      check.judge(one.name + ", least load of " + one.item + " over the load", one.least_step,
+                  one.least_load > 0. ? one.least_allowed / one.least_load
+                                      : std::numeric_limits<double>::infinity(),
+                  1.);
+    }
+  }
+  return check;
 }
 
-/// Of what holds the line up, the force that is left; a pipe that stands off has none.
 OneCheck uplift(const Scene &scene, const Results &results) {
-  OneCheck check("uplift", "supports", "N");
-  const auto each_rest = [&](const Frame &frame, const auto &judge) {
-    double largest = 0.;
-    for (const SupportState &state : frame.supports)
-      largest = std::max(largest, std::abs(state.fn));
-    for (std::size_t i = 0; i < frame.supports.size(); ++i)
-      if (holds_up(results.supports[i]))
-        judge(results.supports[i].name, frame.supports[i], largest);
-  };
-  for (const Frame &frame : results.frames) {
-    if (!frame.end_of_step || frame.step >= scene.steps.size() ||
-        scene.steps[frame.step].transient || scene.steps[frame.step].loads.empty())
-      continue;
-    const double touching = no_gap * largest_motion(frame);
-    each_rest(frame, [&](const std::string &name, const SupportState &state, const double) {
-      check.add(name, frame.name, state.fn, {}, !stands_off(state, touching));
-    });
-  }
-  for (const Combination &combination : scene.combinations)
-    if (combination.kind == Combination::Kind::sum && is_state(scene, combination.name))
-      for (const Frame &frame : results.frames)
-        if (frame.name == combination.name) {
-          const Frame *least = &frame;
-          for (const CombinationRange &range : results.combination_ranges)
-            if (range.step == frame.step)
-              least = &range.least;
-          each_rest(*least,
-                    [&](const std::string &name, const SupportState &state, const double largest) {
-                      check.add(name, frame.name, state.fn, {}, state.fn >= -no_force * largest);
-                    });
-        }
+  OneCheck check("uplift", "uplift", "N");
+  for (const Uplift &one : uplifts_of(scene, results))
+    check.add(results.supports[one.support].name, one.case_name, one.least, {}, !one.lifts);
   return check;
 }
 
 double size_of(const Motion &force) { return std::hypot(force[0], force[1], force[2]); }
 
-/// Over all steps, transient ones at each instant, and combinations.
+/// Over all steps, transient ones at each instant, and combinations that are states.
 OneCheck capacity(const Scene &scene, const Results &results) {
   OneCheck check("capacity", "supports", "N");
   const auto judge = [&](const std::string &name, const double limit, const auto &at_end,
@@ -158,7 +138,7 @@ OneCheck capacity(const Scene &scene, const Results &results) {
     if (limit == 0.)
       return;
     for (const Frame &frame : results.frames) {
-      if (is_difference(scene, frame.name))
+      if (!is_judged(scene, frame.name))
         continue;
       const StepEnvelope *const envelope = results.envelope_of(frame.step);
       if (envelope != nullptr && is_struck(*envelope))
@@ -236,6 +216,7 @@ std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
   energy(scene, results).tell(told);
   stress(results).tell(told);
   nozzles(results).tell(told);
+  hangers(results).tell(told);
   if (scene.checks.uplift)
     uplift(scene, results).tell(told);
   capacity(scene, results).tell(told);

@@ -38,6 +38,32 @@ struct ContinuumHold {
   std::array<bool, 3> fixed{};
 };
 
+/// A cross-section of a pipe whose wall is held; of a breathing one, all but along its radii.
+struct HeldSection {
+  dealii::Point<3> centre;
+  dealii::Tensor<1, 3> normal; ///< unit
+  double radius = 0.;          ///< outer [m]
+  bool breathes = false;
+};
+
+struct ElasticMaterial {
+  double youngs_modulus = 0., poissons_ratio = 0.; ///< [Pa], -
+};
+
+/// Of a surface round a straight pipe the nodes near one direction, pressed by a flat foundation.
+struct ContinuumPatch {
+  std::array<dealii::Tensor<1, 3>, 3> axes; ///< outward normal of the foundation's plane, t1, t2
+  dealii::Point<3> centre;                  ///< on the pipe's axis
+  dealii::Tensor<1, 3> tangent, outward;    ///< unit: along the pipe, to the patch's middle
+  double least_cosine = 0.;                 ///< of the angle from the middle
+
+  bool has(const dealii::Point<3> &place) const {
+    const dealii::Tensor<1, 3> arm = place - centre,
+                               across = arm - (arm * tangent) * tangent;
+    return across * outward >= least_cosine * across.norm();
+  }
+};
+
 /**
  * A surface on a foundation with friction. The law is one of kind `support`: its rigidities are
  * those of the friction elements, 1 m long, on one square metre, so that ES is the normal stiffness
@@ -48,13 +74,19 @@ struct ContinuumContact {
   std::vector<double> parameters;
   std::optional<double> pressure; ///< [Pa] that presses the surface on, from the start; else
                                   ///< unilateral contact
+  std::optional<ContinuumPatch> patch = {};
 };
 
-/// One step: the factor of the tractions goes there from the one before in equal increments.
+/// One step: the factors of the loads go there from those before in equal increments.
 struct ContinuumStep {
   std::string name;
-  double factor = 1.;
+  double factor = 1.; ///< of the tractions, which are one load
   unsigned int n_increments = 1;
+  std::vector<double> factors = {}; ///< of several loads; empty: `factor` alone
+
+  std::vector<double> load_factors() const {
+    return factors.empty() ? std::vector<double>{factor} : factors;
+  }
 };
 
 struct ContinuumQuantity {
@@ -87,6 +119,8 @@ struct ContinuumScene {
   bool plane_strain = false; ///< else plane stress, in 2D
   double thickness = 1.;     ///< [m], in 2D
   double youngs_modulus = 0., poissons_ratio = 0.;
+  std::vector<ElasticMaterial> materials; ///< by the cells' material id; empty: the one above
+  std::vector<HeldSection> sections;
   std::optional<ContinuumBox> box; ///< else Mesh/File
   std::map<std::string, dealii::Point<3>> points;
   std::vector<ContinuumTraction> tractions;

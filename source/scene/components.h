@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <frictionbeam/stress_code_library.h>
+
 #include <array>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,20 +38,32 @@ struct Joint {
 
 /// What the stress code asks of a branch.
 struct Tee {
-  enum class Kind {
-    welding,
-    reinforced,
-    unreinforced,
-    extruded,
-    welded_in,
-    integral
-  } kind = Kind::welding;
+  TeeKind kind = TeeKind::welding;
   std::string name, point, branch;
   double pad = 0.;           ///< thickness of reinforcement [m]
   double crotch_radius = 0.; ///< of extruded ones [m]
 };
 
-/// A spring hanger or a constant one: a vertical spring with a force of its own.
+/// A spring hanger of a catalogue.
+struct HangerItem {
+  std::string name;
+  double stiffness = 0.;                  ///< [N/m]
+  double least_load = 0., most_load = 0.; ///< that its spring is made for [N]
+};
+
+/// A rigid part of a catalogue: a valve, a flange.
+struct ComponentItem {
+  std::string name;
+  double length = 0., mass = 0.; ///< [m], [kg]
+};
+
+/// The user's own tables, in the order of their rows.
+struct Catalogue {
+  std::vector<HangerItem> hangers;
+  std::vector<ComponentItem> components;
+};
+
+/// A spring hanger or a constant one: a spring along one direction with a force of its own.
 struct Hanger {
   std::string name;
   std::vector<std::string> points;
@@ -58,6 +73,8 @@ struct Hanger {
   double largest_variation = 0.25;   ///< of the load between hot and cold, when sized
   std::string weight_step, hot_step; ///< steps that size it
   std::vector<unsigned int> springs; ///< in Scene::springs, one for each point
+  bool picks_item = false;           ///< of the catalogue, when sized, for each point its own
+  std::vector<HangerItem> items;     ///< of the catalogue, one for each point; empty: none
 };
 
 /// Loads that an anchor or nozzle can take: absolute values in global axes; 0: no limit.
@@ -69,6 +86,7 @@ struct NozzleLimit {
 /// What the stress code is applied to.
 struct StressSettings {
   std::string code;                                           ///< empty: none
+  std::shared_ptr<const StressCodeLibrary> codes;             ///< that has it
   std::vector<std::string> sustained, occasional;             ///< steps
   std::vector<std::pair<std::string, std::string>> expansion; ///< from one step to another
   double cycles_factor = 1.;                                  ///< f

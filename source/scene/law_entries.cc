@@ -48,24 +48,30 @@ void check_dynamic_friction(const ParameterReader &in, const LawDescription &law
             "a " + fixed + " as large, or leaving " + dynamic + " out", in.text(dynamic));
 }
 
-void load_laws(const ParameterReader &in, LawLibrary &laws) {
+void load_libraries(const ParameterReader &in, const std::string &entry, const std::string &what,
+                    const std::function<void(const std::string &)> &load) {
   namespace fs = std::filesystem;
-  for (const std::string &library : in.list("Law libraries")) {
+  for (const std::string &library : in.list(entry)) {
     const fs::path beside = fs::path(in.file().name()).parent_path() / library;
     const fs::path path = fs::exists(beside) ? beside : fs::path(library);
     if (!fs::exists(path))
-      in.fail("Law libraries",
+      in.fail(entry,
               "shared libraries that exist, from the parameter file's folder or "
               "the working folder",
               "the path from " + fs::absolute(in.file().name()).parent_path().string(),
               "'" + library + "'");
     try {
-      laws.load(fs::absolute(path).string());
+      load(fs::absolute(path).string());
     } catch (const std::runtime_error &error) {
-      in.fail("Law libraries", "shared libraries that each export a law of this version",
-              error.what(), "'" + library + "'");
+      in.fail(entry, "shared libraries that each export " + what, error.what(),
+              "'" + library + "'");
     }
   }
+}
+
+void load_laws(const ParameterReader &in, LawLibrary &laws) {
+  load_libraries(in, "Law libraries", "a law of this version",
+                 [&](const std::string &path) { laws.load(path); });
 }
 
 } // namespace frictionbeam

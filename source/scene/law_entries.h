@@ -4,6 +4,8 @@
 #include "scene/file/parameter_reader.h"
 #include <frictionbeam/law_library.h>
 
+#include <functional>
+
 namespace frictionbeam {
 
 /**
@@ -24,6 +26,10 @@ void check_closed_form(const ParameterReader &in, const LawDescription &law,
 /// Friction that grows when slip begins is none: the law would take the static coefficient.
 /// @throws UserError if the current section has such
 void check_dynamic_friction(const ParameterReader &in, const LawDescription &law);
+
+/// Load the shared libraries that an entry names. @param what each exports, for messages
+void load_libraries(const ParameterReader &in, const std::string &entry, const std::string &what,
+                    const std::function<void(const std::string &)> &load);
 
 /// Load the shared libraries that entry Law libraries names.
 void load_laws(const ParameterReader &in, LawLibrary &laws);

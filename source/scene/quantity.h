@@ -6,6 +6,7 @@
 
 #include <frictionbeam/law.h>
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,8 @@ struct QuantityKind {
     velocity, ///< a point
     section,  ///< the pipe at a point
     holder,   ///< what holds the pipe at a support, spring or point
+    directed, ///< a motion, a force or a section force at a point, along a direction
+    fibre,    ///< the pipe's section at a point: moments of a bend or tee, stresses of its wall
     support,  ///< one friction support
     supports, ///< all friction supports, or those of one part
     change,   ///< the state of a friction support, of which the first time is asked
@@ -79,6 +82,24 @@ inline constexpr QuantityKind quantity_kinds[] = {
     {"My", QuantityKind::Of::section, 4, "N m"},
     {"Mz", QuantityKind::Of::section, 5, "N m"},
     {"N_mean", QuantityKind::Of::section, 6, "N", "of N before and after"},
+    // in the order of Directed
+    {"u", QuantityKind::Of::directed, 0, "m", "displacement of a point"},
+    {"r", QuantityKind::Of::directed, 1, "rad", "its rotation"},
+    {"v", QuantityKind::Of::directed, 2, "m/s", "its velocity"},
+    {"w", QuantityKind::Of::directed, 3, "rad/s", "its rate of rotation"},
+    {"f", QuantityKind::Of::directed, 4, "N", "force of what holds the pipe, as fx"},
+    {"m", QuantityKind::Of::directed, 5, "N m", "moment of what holds the pipe"},
+    {"F", QuantityKind::Of::directed, 6, "N", "section force, on the face that looks forward"},
+    {"M", QuantityKind::Of::directed, 7, "N m", "section moment on that face"},
+    // in the order of Fibre
+    {"M_in", QuantityKind::Of::fibre, 0, "N m", "moment in the plane of a bend or tee"},
+    {"M_out", QuantityKind::Of::fibre, 1, "N m", "moment out of that plane"},
+    {"sigma_1", QuantityKind::Of::fibre, 2, "Pa", "largest principal stress of the wall"},
+    {"sigma_3", QuantityKind::Of::fibre, 3, "Pa", "least principal stress of the wall"},
+    {"von_mises", QuantityKind::Of::fibre, 4, "Pa",
+     "largest equivalent stress of the wall by von Mises", QuantityKind::Measure::amount, true},
+    {"tresca", QuantityKind::Of::fibre, 5, "Pa", "largest stress intensity of the wall, by Tresca",
+     QuantityKind::Measure::amount, true},
     // in the order of support_numbers
     {"fn", QuantityKind::Of::support, 0, "N", "", QuantityKind::Measure::amount, true},
     {"ft1", QuantityKind::Of::support, 1, "N"},
@@ -140,6 +161,20 @@ inline constexpr QuantityKind quantity_kinds[] = {
     {"open", QuantityKind::Of::change, static_cast<unsigned int>(ContactStatus::open), "s"},
     {"closed", QuantityKind::Of::change, static_cast<unsigned int>(ContactStatus::closed), "s"}};
 
+/// What a quantity is along a direction, two of each: a vector and, besides, a rotation or moment.
+enum class Directed : unsigned int {
+  displacement,
+  rotation,
+  velocity,
+  spin,
+  force,
+  moment,
+  section_force,
+  section_moment
+};
+/// What a quantity is of a pipe's section.
+enum class Fibre : unsigned int { in_plane, out_of_plane, most, least, von_mises, tresca };
+
 /// One of the quantities of the same, by its place among them.
 inline const QuantityKind &quantity_kind(const QuantityKind::Of of, const unsigned int component) {
   return *std::find_if(
@@ -185,10 +220,12 @@ struct Quantity {
   enum class Over { end, maximum, minimum, mean, integral, change, rate, time_of } over = Over::end;
   double from = 0., to = 1e300; ///< interval of time [s], if not `end`
   std::string where; ///< named point, or name of a support or restraint; number of a mode
-  enum class Side { any, before, after } side = Side::any; ///< of a point, for N .. Mz
-  std::string pipe;           ///< on which the point is meant, for N .. Mz; empty: the first
-  std::string step;           ///< empty: the last one
-  std::optional<double> time; ///< [s], instead of a step's end
+  enum class Side { any, before, after } side = Side::any; ///< of a point, for what has a pipe
+  std::string pipe; ///< on which the point is meant, likewise; empty: the first
+  enum class Along { none, direction, local } along = Along::none; ///< local: of the pipe there
+  std::array<double, 3> direction{}; ///< unit, in global axes or those of the pipe as it was built
+  std::string step;                  ///< empty: the last one
+  std::optional<double> time;        ///< [s], instead of a step's end
   double scale = 1.;
   std::string unit; ///< to show, of a scaled one; empty: what it measures
   std::optional<double> reference;
@@ -197,6 +234,18 @@ struct Quantity {
 
   const QuantityKind &kind() const { return *find_word(quantity_kinds, what); }
   bool is(const QuantityKind::Of of) const { return kind().of == of; }
+  /// Of what has a direction: a force or moment, not a motion.
+  bool unit_is_force() const {
+    return is(QuantityKind::Of::directed) &&
+           kind().component >= static_cast<unsigned int>(Directed::force);
+  }
+  /// Whether it is asked of one pipe at its point, on one side of it.
+  bool has_pipe() const {
+    return is(QuantityKind::Of::section) || is(QuantityKind::Of::fibre) ||
+           is(QuantityKind::Of::stress) || is(QuantityKind::Of::wall) ||
+           (unit_is_force() &&
+            kind().component >= static_cast<unsigned int>(Directed::section_force));
+  }
 };
 
 /// Words of what is asked over an interval of time.

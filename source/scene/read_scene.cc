@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/catalogue/catalogue_entries.h"
 #include "scene/file/parameter_notes.h"
 #include "scene/generated/scene_kinds.h"
 #include "scene/history_corners.h"
 #include "scene/law_entries.h"
 #include "scene/part/body_parts.h"
 #include "scene/part/parts.h"
+#include "scene/solid/solid_entries.h"
 #include "scene/study/study_entries.h"
 
 #include "base/user_error.h"
@@ -25,9 +27,9 @@ namespace {
 const std::vector<std::string> part_kinds = {
     "Material", "Section", "Point", "Pipe",    "Support", "Spring", "Mass",     "Joint",
     "Tee",      "Load",    "Step",  "Initial", "Hanger",  "Nozzle", "Spectrum", "Combination"};
-const std::vector<std::string> settings = {"Mesh",   "Continuum",  "Solver",   "Time",
-                                           "Output", "Modes",      "Response", "Stress",
-                                           "Exact",  "Quantities", "Checks",   "Study"};
+const std::vector<std::string> settings = {
+    "Catalogue", "Mesh",     "Continuum", "Solid", "Solver",     "Time",   "Output",
+    "Modes",     "Response", "Stress",    "Exact", "Quantities", "Checks", "Study"};
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 
@@ -95,6 +97,9 @@ void check_heading(ParameterReader &in, const std::string &heading, const SceneK
   const std::string kind = kind_of(heading), name = name_of(heading);
   in.enter(heading);
   std::vector<std::string> allowed = settings;
+  if (generator.is_generated() && heading == "Stress")
+    in.fail_section("section " + heading, "this section with Scene = line only",
+                    "removing it, or Scene = line");
   if (std::count(settings.begin(), settings.end(), heading) > 0)
     return;
   std::vector<std::string> users; // of a section of generated scenes
@@ -179,8 +184,10 @@ void read_settings(ParameterReader &in, Scene &scene) {
   using Declare = void (*)(ParameterReader &);
   using Parse = void (*)(const ParameterReader &, Scene &);
   const std::vector<std::tuple<std::string, Declare, Parse>> sections = {
+      {"Catalogue", &parts::declare_catalogue, &parts::parse_catalogue},
       {"Mesh", &parts::declare_mesh, &parts::parse_mesh},
       {"Continuum", &parts::declare_continuum, &parts::parse_continuum},
+      {"Solid", &parts::declare_solid, &parts::parse_solid},
       {"Solver", &parts::declare_solver, &parts::parse_solver},
       {"Time", &parts::declare_time, &parts::parse_time},
       {"Output", &parts::declare_output, &parts::parse_output},
@@ -209,6 +216,8 @@ void read_parts(ParameterReader &in, const LawLibrary &laws, const double instal
   parts::parse_support_places(in, laws, scene);
   in.enter("Modes");
   parts::check_modes(in, scene);
+  in.enter("Response");
+  parts::check_response(in, scene);
   in.enter("Stress");
   parts::declare_stress(in);
   in.take();
@@ -316,6 +325,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
     read_parts(in, laws, scene.installation_temperature, scene);
   check_whole(in, scene);
   read_quantities(in, scene);
+  parts::check_solid(in, scene);
   parts::read_study(in, scene.study);
   find_corners(scene);
   return scene;
@@ -359,6 +369,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_mesh(in);
   in.enter("Continuum");
   parts::declare_continuum(in);
+  in.enter("Solid");
+  parts::declare_solid(in);
   in.enter("Solver");
   parts::declare_solver(in);
   in.enter("Time");
@@ -375,6 +387,8 @@ void print_parameters(std::ostream &out, const LawLibrary &laws) {
   parts::declare_response(in);
   in.enter("Stress");
   parts::declare_stress(in);
+  in.enter("Catalogue");
+  parts::declare_catalogue(in);
   in.enter("Quantities");
   parts::declare_quantities(in);
   parts::declare_study(in);

@@ -35,6 +35,32 @@ using Vector3 = dealii::Tensor<1, 3>;
 /// Three translations [m] and three rotations [rad], or three forces [N] and three moments [N m].
 using Motion = std::array<double, 6>;
 
+/// Right-handed unit vectors.
+using Axes = std::array<Vector3, 3>;
+inline Axes global_axes() {
+  return {{Vector3({1., 0., 0.}), Vector3({0., 1., 0.}), Vector3({0., 0., 1.})}};
+}
+
+/// Component @p c in axes: the translation (0 to 2) along one of them, or the rotation about it.
+inline Motion unit_motion(const Axes &axes, const unsigned int c) {
+  Motion result{};
+  for (unsigned int d = 0; d < 3; ++d)
+    result[c / 3 * 3 + d] = axes[c % 3][d];
+  return result;
+}
+inline std::array<Motion, 6> unit_motions(const Axes &axes) {
+  std::array<Motion, 6> result;
+  for (unsigned int c = 0; c < 6; ++c)
+    result[c] = unit_motion(axes, c);
+  return result;
+}
+inline double product(const Motion &force, const Motion &motion) {
+  double sum = 0.;
+  for (unsigned int c = 0; c < 6; ++c)
+    sum += force[c] * motion[c];
+  return sum;
+}
+
 struct Material {
   std::string name;
   double youngs_modulus = 0.; ///< [Pa]
@@ -43,6 +69,7 @@ struct Material {
   double expansion = 0.;                          ///< [1/K]
   std::vector<MaterialPoint> table;               ///< rising in temperature; empty: the same at all
   double allowable_cold = 0., allowable_hot = 0.; ///< Sc and Sh of a stress code [Pa]
+  double yield_stress = 0.;                       ///< [Pa]; 0: not said
 
   /// Free strain from one temperature to another [degC].
   double thermal_strain(const double from, const double to) const;
@@ -144,6 +171,7 @@ struct FrictionSupport {
                             ///< for a bed); 0: the ground is fixed
   std::string ground;       ///< named point of another pipe to stand on; empty: the ground
   double capacity = 0.;     ///< largest force that it is made for [N]; 0: not said
+  double width = 0.;        ///< of its patch on a solid pipe, along [m]; 0: a diameter
   double restitution = 0.;  ///< Newton's, of an impact on a rigid contact: 0 to 1
   std::array<TimeFunction, 3> ground_motion; ///< of the ground, global axes [m]; not given: 0
 
@@ -161,19 +189,31 @@ struct FrictionSupport {
 struct Restraint {
   std::string name, kind;
   Placement placement;
-  std::array<bool, 6> fixed{};         ///< global axes
+  std::array<bool, 6> fixed{}; ///< along and about the axes
+  Axes axes = global_axes();
   std::vector<Direction> translations; ///< further directions held
   double capacity = 0.;                ///< largest force that it is made for [N]; 0: not said
 };
 
-/// Linear spring in global axes, to the ground or between two points.
+/// Linear spring, to the ground or between two points: the sum over six directions a of motion of
+/// -(k a.u + c a.v) a. Translations along three axes and rotations about them, unless a full matrix
+/// is given, whose factors L D L^T they are then.
 struct Spring {
   std::string name;
   std::string point, other;    ///< other empty: the ground
-  Motion stiffness{};          ///< [N/m] (3), [N m/rad] (3)
-  Motion damping{};            ///< [N s/m] (3), [N m s/rad] (3)
-  double preload = 0.;         ///< upward force on its point at no displacement [N]
+  Motion stiffness{};          ///< k of each [N/m] (3), [N m/rad] (3)
+  Motion damping{};            ///< c of each [N s/m] (3), [N m s/rad] (3)
+  double preload = 0.;         ///< force on its point at no displacement, along the third [N]
   std::string kind = "spring"; ///< as the user called it
+  std::array<Motion, 6> directions = unit_motions(global_axes());
+
+  /// Whether it resists rotation about a global axis, by its stiffness or besides by its damping.
+  bool turns(const unsigned int axis, const bool by_damping) const {
+    for (unsigned int c = 0; c < 6; ++c)
+      if (directions[c][3 + axis] != 0. && (stiffness[c] != 0. || (by_damping && damping[c] != 0.)))
+        return true;
+    return false;
+  }
 };
 
 struct PointMass {
@@ -188,6 +228,7 @@ struct Load {
     std::string point;
     Motion value{};              ///< force and moment, or displacement and rotation
     std::array<bool, 6> given{}; ///< displacement: which motions are imposed
+    Axes axes = global_axes();   ///< displacement: that they are along and about
   };
 
   std::string name;
@@ -272,6 +313,7 @@ struct Scene {
   std::vector<PointMass> masses;
   std::vector<Joint> joints;
   std::vector<Tee> tees;
+  Catalogue catalogue;
   std::vector<Hanger> hangers;
   std::vector<NozzleLimit> nozzles;
   StressSettings stress;
@@ -299,12 +341,18 @@ struct Scene {
   std::optional<ContinuumScene> continuum;    ///< of a scene that has one, unless model is line
 
   ContinuumSettings continuum_settings;
+  SolidSettings solid;
   MeshSettings mesh;
   SolverSettings solver;
   TimeSettings time;
   OutputSettings output;
   CheckSettings checks;
   StudySettings study;
+
+  /// Whether it is solved as solid pipes, alone or beside the line.
+  bool is_solid() const {
+    return model == ModelKind::solid || (model == ModelKind::both && !continuum);
+  }
 
   /// Whether sections stay as stiff as their laws are at rest, whatever the laws say of yielding.
   bool keeps_elastic = false;

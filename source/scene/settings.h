@@ -128,6 +128,7 @@ struct OutputSettings {
       {};                       ///< that the report shows, or cases; empty: as many as can be
   bool every_increment = false; ///< csv rows and vtu at every increment, not only at step ends
   bool vtu = true, report = true;
+  unsigned int vtu_frames = 200;    ///< of a transient step, at most; 0: all
   bool contact_problems = false;    ///< FCLIB files of every static increment
   double checkpoint_interval = 60.; ///< of wall time [s]; 0: none
   bool resume = false;              ///< from the checkpoint in the directory, if there is one
@@ -141,13 +142,27 @@ struct CheckSettings {
   bool decide_exit_status = false;   ///< whether a check that fails is an exit status of its own
 };
 
+/// How the wall of a pipe is meshed as a solid, and held (section Solid).
+struct SolidSettings {
+  /// What an anchor holds of its section: everything, or all but that it widens evenly.
+  enum class Anchors { held, breathing } anchors = Anchors::held;
+  unsigned int degree = 2;                  ///< of the elements and of their geometry
+  unsigned int cells_around = 16;           ///< the circumference
+  unsigned int cells_through = 1;           ///< the wall
+  unsigned int cells_per_bend = 8;          ///< in 90 degrees
+  double first_cell = 0., longest_cell = 0.; ///< of a straight run [m]; 0: by the section
+  double most_unknowns = 200000.;           ///< more are refused
+};
+
 /// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.
-enum class ModelKind { line, continuum, both, automatic };
+enum class ModelKind { line, continuum, solid, both, automatic };
 
 inline constexpr Word<ModelKind> model_kinds[] = {
     {"line", ModelKind::line, "beams"},
     {"continuum", ModelKind::continuum, "a plane or solid body, of scenes that are one"},
-    {"both", ModelKind::both, "one after the other, with their quantities side by side"},
+    {"solid", ModelKind::solid, "the wall of the pipes of routes as a solid, in static steps"},
+    {"both", ModelKind::both,
+     "the line and the other model of the scene, one after the other, side by side"},
     {"auto", ModelKind::automatic,
      "the line if its modelling error is estimated to be below Accuracy, else the continuum"}};
 

@@ -5,6 +5,7 @@
 #include "results/file/summary.h"
 #include "results/frame/frame_choice.h"
 #include "results/page/html.h"
+#include "results/picture/displacement_scale.h"
 #include "results/picture/line_picture.h"
 #include "results/report/limits.h"
 #include "results/text.h"

@@ -6,7 +6,7 @@
 cmake_minimum_required(VERSION 3.18)
 # From the bottom to the top. A name stands for its folder and all below it that has no line of its own.
 set(floors
-  base scene mesh
+  base scene mesh import/pcf import/line import
   model/unknowns model/contact model/line model/cell model/body model
   analysis/algebra analysis/contact analysis/contact_problem analysis/vibration analysis/increment
   analysis/statics analysis/refinement analysis/time analysis/event analysis/march
@@ -47,7 +47,7 @@ foreach(file ${plugin_files})
     if(EXISTS ${ROOT}/source/${name} OR name MATCHES "gmsh" OR name MATCHES "parameter_handler")
       fault("${file} is part of the plugin and includes ${name}")
     endif()
-    if(file MATCHES "/(law|bound_law|check_law|disc_projection)[a-z_]*[.](h|cc)$" AND name MATCHES "^(deal[.]II|Eigen)/")
+    if(file MATCHES "/(law|bound_law|check_law|disc_projection|stress|shared_library)[a-z0-9_]*[.](h|cc)$" AND name MATCHES "^(deal[.]II|Eigen)/")
       fault("${file} is part of the laws, which stand alone, and includes ${name}")
     endif()
   endforeach()

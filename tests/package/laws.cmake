@@ -20,7 +20,8 @@ endif()
 foreach(library ${libraries})
   needs_nothing(${library})
 endforeach()
-exists(${prefix}/share/doc/frictionbeam/LICENSE ${prefix}/share/frictionbeam/law_skeleton.cc)
+exists(${prefix}/share/doc/frictionbeam/LICENSE ${prefix}/share/frictionbeam/law_skeleton.cc
+  ${prefix}/share/frictionbeam/stress_skeleton.cc)
 
 build_law_host(${prefix})
 # The same by hand.

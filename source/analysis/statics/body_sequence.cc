@@ -7,6 +7,18 @@ namespace frictionbeam {
 
 using namespace dealii;
 
+namespace {
+
+std::vector<double> between(const std::vector<double> &a, const std::vector<double> &b,
+                            const double part) {
+  std::vector<double> result = a;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    result[i] += part * (b[i] - a[i]);
+  return result;
+}
+
+} // namespace
+
 template <int dim>
 std::vector<FoundationPoint> foundation_points(const ContinuumBody<dim> &body,
                                                const ContinuumSystem &system) {
@@ -39,10 +51,16 @@ ContinuumVector nodal_tractions(const ContinuumBody<dim> &body, const ContinuumS
 
 template <int dim>
 ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws)
+    : ContinuumSequence(body, laws, {body.traction_forces()}) {}
+
+template <int dim>
+ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws,
+                                          std::vector<ContinuumVector> loads)
     : body(body), system(make_continuum_system(body)),
       foundation(body.continuum, laws, body.scene.solver.is_exact(),
                  foundation_points(body, *system)),
-      newton(body, *system, foundation), unit_forces(body.traction_forces()) {
+      newton(body, *system, foundation), unit_forces(std::move(loads)),
+      load_factors(unit_forces.size(), 0.) {
   body.reinit(unknowns);
 }
 
@@ -67,7 +85,7 @@ void ContinuumSequence<dim>::start_step() {
   StepReport report;
   report.step = body.continuum.steps[position.step].name;
   step_reports.push_back(report);
-  position.from = load_factor;
+  position.from = load_factors;
   position.next = 0;
 }
 
@@ -81,11 +99,15 @@ bool ContinuumSequence<dim>::run(const ContinuumGuess *guess, const Pause &pause
       start_step();
     is_resumed = false;
     const unsigned int n = steps[s].n_increments;
-    const double begin = position.from, change = (steps[s].factor - begin) / n, duration = 1. / n;
+    const Factors begin = position.from, end = steps[s].load_factors();
+    const double duration = 1. / n;
+    const auto part = [&](const unsigned int i) {
+      return i == n ? end : between(begin, end, i * duration);
+    };
     for (unsigned int &i = position.next; i < n;) {
-      if (!advance(begin + i * change, begin + (i + 1) * change, s + i * duration, duration,
+      if (!advance(part(i), part(i + 1), s + i * duration, duration,
                    body.scene.solver.max_halvings)) {
-        keep(s, i, load_factor);
+        keep(s, i, load_factors);
         return false;
       }
       ++i;
@@ -94,7 +116,7 @@ bool ContinuumSequence<dim>::run(const ContinuumGuess *guess, const Pause &pause
         pause();
     }
     step_reports.back().converged = true;
-    keep(s, n, steps[s].factor);
+    keep(s, n, end);
   }
   return true;
 }
@@ -110,7 +132,7 @@ void ContinuumSequence<dim>::transfer(Archive &archive) {
       std::copy(values.begin(), values.end(), vector.begin());
   };
   std::size_t n_ends = step_ends.size();
-  archive(position, load_factor, now, committed, foundation, newton, step_reports, n_reported,
+  archive(position, load_factors, now, committed, foundation, newton, step_reports, n_reported,
           system->n_factorizations, system->n_systems, system->n_iterations, system->n_failures,
           n_ends);
   transfer_own(unknowns);
@@ -118,7 +140,7 @@ void ContinuumSequence<dim>::transfer(Archive &archive) {
     step_ends.reserve(body.continuum.steps.size()); // which the states to come stay in
   step_ends.resize(n_ends);
   for (ContinuumState &state : step_ends) {
-    archive(state.step, state.increment, state.time, state.factor, state.contacts,
+    archive(state.step, state.increment, state.time, state.factor, state.factors, state.contacts,
             state.contact_displacement);
     transfer_own(state.displacement);
     if (archive.reads())
@@ -128,23 +150,32 @@ void ContinuumSequence<dim>::transfer(Archive &archive) {
 }
 
 template <int dim>
-bool ContinuumSequence<dim>::advance(const double from, const double to, const double start,
+bool ContinuumSequence<dim>::advance(const Factors &from, const Factors &to, const double start,
                                      const double duration, const unsigned int halvings) {
   if (increment(to, start + duration, duration))
     return true;
   if (halvings == 0 || step_reports.back().no_equilibrium)
     return false;
   ++step_reports.back().halvings;
-  const double middle = 0.5 * (from + to);
+  const Factors middle = between(from, to, 0.5);
   return advance(from, middle, start, duration / 2., halvings - 1) &&
          advance(middle, to, start + duration / 2., duration / 2., halvings - 1);
 }
 
 template <int dim>
-bool ContinuumSequence<dim>::increment(const double factor, const double time,
+ContinuumVector ContinuumSequence<dim>::loads_at(const Factors &factors) const {
+  ContinuumVector loads;
+  body.reinit(loads);
+  for (std::size_t l = 0; l < unit_forces.size(); ++l)
+    loads.add(factors[l], unit_forces[l]);
+  return loads;
+}
+
+template <int dim>
+bool ContinuumSequence<dim>::increment(const Factors &factors, const double time,
                                        const double time_increment) {
-  ContinuumVector loads = unit_forces, u = unknowns;
-  loads *= factor;
+  const ContinuumVector loads = loads_at(factors);
+  ContinuumVector u = unknowns;
   FoundationResponse response;
   const auto centre = foundation.centre;
   const ContinuumNewtonResult result =
@@ -168,7 +199,7 @@ bool ContinuumSequence<dim>::increment(const double factor, const double time,
   unknowns = u;
   committed = response.state;
   foundation.centre = committed.stress;
-  load_factor = factor;
+  load_factors = factors;
   now = time;
   return true;
 }
@@ -185,7 +216,7 @@ void ContinuumSequence<dim>::account(const ContinuumVector &u, const ContinuumVe
     start = 0.;
   motion -= start;
   sum += start;
-  mean_load.add(load_factor, unit_forces);
+  mean_load += loads_at(load_factors);
   mean_load *= 0.5;
   account.external = mean_load * motion;
   system->multiply(sum, stiff);
@@ -217,11 +248,12 @@ void ContinuumSequence<dim>::account(const ContinuumVector &u, const ContinuumVe
 
 template <int dim>
 void ContinuumSequence<dim>::keep(const unsigned int step, const unsigned int increment,
-                                  const double factor) {
+                                  const Factors &factors) {
   ContinuumState state;
   state.step = step;
   state.increment = increment;
-  state.factor = factor;
+  state.factor = factors[0];
+  state.factors = factors;
   state.time = now;
   state.displacement = unknowns;
   body.constraints.distribute(state.displacement);

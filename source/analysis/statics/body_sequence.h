@@ -11,6 +11,7 @@ namespace frictionbeam {
 struct ContinuumState {
   unsigned int step = 0, increment = 0;
   double time = 0., factor = 0.;
+  std::vector<double> factors; ///< of the loads; `factor` is the first of them
   ContinuumVector displacement; ///< of all dofs of this process and its neighbours'
   FoundationState contacts;     ///< beside ContinuumBody::nodes
   std::vector<LocalVector> contact_displacement;
@@ -27,13 +28,16 @@ struct ContinuumGuess {
 };
 
 /**
- * Runs the declared steps on one mesh: the tractions go from factor to factor in equal increments,
- * each cut in two, again and again, where it does not converge.
+ * Runs the declared steps on one mesh: the loads go from factor to factor in equal increments, each
+ * cut in two, again and again, where it does not converge.
  */
 template <int dim>
 class ContinuumSequence {
 public:
   ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws);
+  /// Under these loads at factor one, instead of the body's tractions.
+  ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws,
+                    std::vector<ContinuumVector> loads);
 
   /// @param guess used if the whole sequence is one increment; may be null
   /// @param pause called between the increments that the scene declares, and after the last one
@@ -57,27 +61,31 @@ private:
   /// How far the sequence is.
   struct Position {
     unsigned int step = 0;
-    double from = 0.;      ///< load factor at the start of the step
-    unsigned int next = 0; ///< increment
+    std::vector<double> from; ///< load factors at the start of the step
+    unsigned int next = 0;    ///< increment
+    void transfer(Archive &archive) { archive(step, from, next); }
   };
 
   /// At rest, with the guess if the whole sequence is one increment.
   void start(const ContinuumGuess *guess);
   void start_step();
-  bool advance(const double from, const double to, const double start, const double duration,
+  using Factors = std::vector<double>;
+  bool advance(const Factors &from, const Factors &to, const double start, const double duration,
                const unsigned int halvings);
-  bool increment(const double factor, const double time, const double time_increment);
+  bool increment(const Factors &factors, const double time, const double time_increment);
+  ContinuumVector loads_at(const Factors &factors) const;
   void account(const ContinuumVector &u, const ContinuumVector &loads,
                const FoundationState &contacts);
-  void keep(const unsigned int step, const unsigned int increment, const double factor);
+  void keep(const unsigned int step, const unsigned int increment, const Factors &factors);
 
   const ContinuumBody<dim> &body;
   std::unique_ptr<ContinuumSystem> system;
   FoundationContacts foundation;
   ContinuumNewton<dim> newton;
-  const ContinuumVector unit_forces; ///< of the tractions at factor one
-  ContinuumVector unknowns;          ///< zero at held and hanging dofs
-  double load_factor = 0., now = 0.;
+  const std::vector<ContinuumVector> unit_forces; ///< of each load at factor one
+  ContinuumVector unknowns;                       ///< zero at held and hanging dofs
+  Factors load_factors;
+  double now = 0.;
   unsigned int n_reported = 0; ///< factorizations
   FoundationState committed;
   std::vector<ContinuumState> step_ends;

@@ -15,8 +15,9 @@ using namespace dealii;
 
 namespace {
 
-constexpr double most_turn = 0.5;            // of a vertex in one iteration [rad]
-constexpr double rounding_of_pivots = 1e-12; // of the largest stiffness
+constexpr double most_turn = 0.5;              // of a vertex in one iteration [rad]
+constexpr unsigned int most_improvements = 10; // of a mechanism
+constexpr double rounding_of_pivots = 1e-12;   // of the largest stiffness
 
 /// Of a vertex, among changes of all degrees of freedom [rad].
 double largest_turn(const Discretization &discretization, const Vector &dofs) {
@@ -61,9 +62,11 @@ NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
 }
 
 void NonlinearStatics::evaluate(Approach &at, const bool is_trial) const {
-  model.cells.evaluate(
-      {at.pose, at.pose, at.pose, at.pose.dofs, 0., at.clock, nullptr, &at.start, is_trial},
-      at.factors, at.balance);
+  LineCells::Step step{at.pose,  at.pose, at.pose,   at.pose.dofs, 0.,
+                       at.clock, nullptr, &at.start, is_trial};
+  step.is_near_last = at.is_answered;
+  model.cells.evaluate(step, at.factors, at.balance);
+  at.is_answered = !is_trial && !at.balance.failed;
   at.forces = at.balance.forces + model.contacts.platen_forces();
   at.largest = std::max(at.largest_before, at.balance.largest);
 }
@@ -144,7 +147,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
-  const bool may_search = model.cells.pipe_sections().any() && !model.cells.turns_far();
+  const bool may_search = model.cells.pipe_sections().any();
   bool is_searched = false;
   unsigned int steps_in_vain = 0;
   std::vector<Contact::Strains> contact_forces = from.contact_stress;
@@ -210,13 +213,48 @@ std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
   if (!model.cells.pipe_sections().any())
     return {};
   std::optional<Collapse> best;
+  Vector mechanism;
+  const auto try_motion = [&](const Vector &motion) {
+    if (motion.size() == 0 || !motion.allFinite())
+      return false;
+    const auto found = find_collapse(model, at, motion, begin, end);
+    if (!found || std::isnan(found->bound) || (best && found->bound >= best->bound))
+      return false;
+    best = found;
+    mechanism = motion;
+    return true;
+  };
   for (const Vector *const motion :
        {&last_motion, &failed_motion, &softest_at_failure, &softest_before})
-    if (motion->size() > 0 && motion->allFinite())
-      if (const auto found = find_collapse(model, at, *motion, begin, end);
-          found && !std::isnan(found->bound) && (!best || found->bound < best->bound))
-        best = found;
+    try_motion(*motion);
+  if (best && model.contacts.size() == 0) { // whose motion contacts would have to allow
+    const Vector gain = loads_on_unknowns(at, end) - loads_on_unknowns(at, begin);
+    for (const double turn : {1e-4, 1e-3, 1e-2})
+      for (unsigned int k = 0;
+           k < most_improvements && try_motion(softer_motion(at, mechanism, turn, end, gain)); ++k)
+        ;
+  }
   return best;
+}
+
+Vector NonlinearStatics::loads_on_unknowns(const LineState &at,
+                                           const std::vector<double> &factors) const {
+  LineCells::Balance balance;
+  model.cells.evaluate(pose_of(at), factors, balance);
+  return model.space.restrict_forces(balance.loads);
+}
+
+Vector NonlinearStatics::softer_motion(const LineState &at, const Vector &motion, const double turn,
+                                       const std::vector<double> &factors,
+                                       const Vector &forces) const {
+  const double present = largest_turn(model.discretization, motion);
+  if (!(present > 0.))
+    return {};
+  const Pose start = pose_of(at), moved = model.cells.moved(start, turn / present * motion);
+  LineCells::Balance balance;
+  model.cells.evaluate({moved, moved, moved, moved.dofs, 0., {}, nullptr, &start}, factors,
+                       balance);
+  return balance.failed ? Vector() : soft_motion(balance.stiffness, forces);
 }
 
 void NonlinearStatics::remember_failure(const Approach &at, const LineState &from,

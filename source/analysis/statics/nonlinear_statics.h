@@ -44,6 +44,7 @@ public:
     Pose start;
     double largest_before;       ///< force on the unknowns as the increment begins
     LineCells::Balance &balance; ///< at the pose
+    bool is_answered = false;    ///< by the sections, at one pose of the increment
     double largest = 0.;         ///< likewise
     Vector forces;               ///< left at the pose, but for the contacts
   };
@@ -71,6 +72,11 @@ private:
   /// Keep what an increment that fails has come to, for collapse().
   void remember_failure(const Approach &at, const LineState &from,
                         const StaticIncrement &increment);
+  /// Of a line whose sections flow as they do where a motion from a state turns a vertex so far:
+  /// it knows hinges that form on the way; empty where they have no answer.
+  Vector softer_motion(const LineState &at, const Vector &motion, const double turn,
+                       const std::vector<double> &factors, const Vector &forces) const;
+  Vector loads_on_unknowns(const LineState &at, const std::vector<double> &factors) const;
   /// By forces, of a line that is a little stiffer than a mechanism; empty where there is none.
   Vector soft_motion(SparseMatrix tangent, const Vector &forces) const;
 

@@ -27,7 +27,10 @@ void check_dashpots_have_mass(const Model &model, const std::string &reader) {
     for (const std::string &point : {spring.point, spring.other})
       for (unsigned int c = 0; c < 6 && !point.empty(); ++c) {
         const auto dof = model.discretization.vertex_dofs().index(model.mesh.points.at(point), c);
-        if (spring.damping[c] == 0. || dof == dealii::numbers::invalid_dof_index)
+        bool damps = false;
+        for (unsigned int k = 0; k < 6; ++k)
+          damps = damps || (spring.damping[k] != 0. && spring.directions[k][c] != 0.);
+        if (!damps || dof == dealii::numbers::invalid_dof_index)
           continue;
         for (const auto &term : model.space.terms(dof))
           if (mass[term.unknown] == 0.)

@@ -229,8 +229,13 @@ Vector ModalAnalysis::support_motion(const unsigned int d,
   forces -= contact_forces;
   for (const Spring &spring : model.scene.springs)
     if (contains(names, spring.name) && spring.other.empty())
-      for (const auto &term : model.space.terms(at.index(model.mesh.points.at(spring.point), d)))
-        forces[term.unknown] += term.weight * spring.stiffness[d];
+      for (unsigned int k = 0; k < 6; ++k)
+        if (const double pull = spring.stiffness[k] * spring.directions[k][d]; pull != 0.)
+          for (unsigned int c = 0; c < 6; ++c)
+            if (spring.directions[k][c] != 0.)
+              for (const auto &term :
+                   model.space.terms(at.index(model.mesh.points.at(spring.point), c)))
+                forces[term.unknown] += term.weight * pull * spring.directions[k][c];
   return C * factors.solve(forces) + dofs;
 }
 

@@ -2,46 +2,21 @@
 #include "command/line/line_run.h"
 
 #include "base/interruption.h"
+#include "results/combination/governing_cases.h"
 #include "results/file/envelope_tables.h"
+#include "results/file/model_tables.h"
 #include "results/frame/derived_cases.h"
+#include "results/listing/hangers.h"
 #include "results/quantity/wall_quantities.h"
+#include "results/spectrum/modal_csv.h"
+#include "results/spectrum/spectrum_response.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <iostream>
 #include <map>
 
 namespace frictionbeam {
-
-/// A line that is written over on a terminal; nothing in a log.
-class ProgressLine {
-public:
-  explicit ProgressLine(const Scene &scene)
-      : scene(scene), on_terminal(!scene.output.quiet && isatty(STDERR_FILENO)) {}
-  ~ProgressLine() { clear(); }
-
-  void clear() {
-    if (shown)
-      std::cerr << "\r\033[K";
-    shown = false;
-  }
-
-  void show(const Progress &progress) {
-    if (!on_terminal || progress.n_increments == 0)
-      return;
-    shown = true;
-    std::cerr << "\r\033[K" << scene.steps[progress.step].name << ' ' << progress.increment << '/'
-              << progress.n_increments << std::flush;
-  }
-
-private:
-  const Scene &scene;
-  const bool on_terminal;
-  bool shown = false;
-};
 
 namespace {
 
@@ -74,7 +49,14 @@ std::optional<Frame> vibrate(const Model &model, const LineState &state, Results
         "Friction is off in the modes and in the response to the spectra: a closed support holds "
         "along its normal only. The method is linear and cannot do otherwise; a transient step "
         "has friction.");
-    return spectrum_response(model, analysis);
+    if (!scene.response.write_modes || scene.output.directory.empty())
+      return spectrum_response(model, analysis, results);
+    ModalCsv csv(scene, results, scene.output.directory);
+    return spectrum_response(
+        model, analysis, results,
+        [&](const unsigned int mode, const unsigned int direction, const Frame &frame) {
+          csv.append(mode, direction, frame);
+        });
   }
   if (model.contacts.size() > 0)
     results.remarks.push_back(
@@ -131,6 +113,8 @@ void add_derived_cases(const Model &model, const std::optional<LineState> &modal
     collector.observe_case(frame);
     if (cases.of_either_sign)
       results.combination_ranges.push_back(range);
+    if (has_governing_cases(combination.kind))
+      results.governing.push_back(governing_cases(combination, cases.ranges, results));
     if (cases.over_steps.empty())
       continue;
     results.remarks.push_back(
@@ -151,11 +135,11 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
                   Frame converted;
                   const Frame &shown = in_units(scene.units, frame, converted);
                   csv->append(shown);
-                  if (vtu)
+                  if (vtu && vtu_frames.takes(frame))
                     vtu->append(shown);
                 }),
       envelope(model, results), sections(model),
-      progress_line(std::make_unique<ProgressLine>(scene)) {
+      vtu_frames(scene), progress_line(scene) {
   output_timer.reset();
   if (scene.time.is_exact())
     sequence.watch([this](const MotionPiece &piece) {
@@ -174,6 +158,7 @@ void LineRun::open_files() {
   if (scene.output.resume)
     saved = checkpoint->read();
   csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory, saved.has_value());
+  write_model_tables(model, results, scene.output.directory);
   if (scene.output.vtu)
     vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
   if (scene.output.contact_problems)
@@ -187,7 +172,7 @@ LineRun::~LineRun() = default;
 void LineRun::transfer(Archive &archive) {
   archive(sequence, collector, envelope, sections, *csv, modal_state);
   if (vtu)
-    archive(*vtu);
+    archive(*vtu, vtu_frames);
   if (contact_problems)
     archive(*contact_problems);
 }
@@ -205,7 +190,7 @@ bool LineRun::run() {
       },
       [this]() { pause(); },
       [this](const Progress &progress, const double time) { return needs_line(progress, time); });
-  progress_line->clear();
+  progress_line.clear();
   results.cost.solve_seconds = timer.wall_time() - output_timer.wall_time();
   return converged;
 }
@@ -213,7 +198,9 @@ bool LineRun::run() {
 void LineRun::observe(const Progress &progress, const LineState &state) {
   output_timer.start();
   interruption::end_if_overdue();
-  progress_line->show(progress);
+  progress_line.show(progress);
+  if (progress.n_increments == 0)
+    vtu_frames.begin(state.time);
   collector.observe(progress.step, progress.increment, progress.n_increments, state);
   envelope.observe(progress.step, progress.increment, progress.n_increments, state, line_is_known);
   line_is_known = true;
@@ -262,12 +249,15 @@ void LineRun::conclude(const bool converged) {
         return known->second;
       });
   results.nozzles = evaluate_nozzles(scene, results);
+  results.hangers = evaluate_hangers(scene, results);
   add_envelope_remarks(scene, results);
   collector.finish(sequence.state());
   results.section_histories = sections.histories(sequence.state());
   if (csv)
     csv->finish();
   if (vtu) {
+    for (const std::string &remark : vtu_frames.remarks())
+      results.remarks.push_back(remark);
     vtu->append_modes();
     vtu->finish();
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "analysis/sequence/load_sequence.h"
+#include "command/line/frames_of_step.h"
+#include "command/line/progress_line.h"
 #include "results/file/checkpoint.h"
 #include "results/file/contact_problem_writer.h"
 #include "results/file/csv_writer.h"
@@ -16,8 +18,6 @@
 #include <optional>
 
 namespace frictionbeam {
-
-class ProgressLine;
 
 /// Runs a sequence, and has all look on that gather results and write files while it goes: into
 /// Scene::output.directory, none if that is empty.
@@ -53,7 +53,8 @@ private:
   std::optional<Checkpoint> checkpoint;
   std::optional<LineState> modal_state; ///< at the end of the step that modes start from
   bool line_is_known = true;            ///< of a reduced line, not at every instant
-  std::unique_ptr<ProgressLine> progress_line;
+  FramesOfStep vtu_frames;
+  ProgressLine progress_line;
   dealii::Timer output_timer;
 };
 

@@ -8,9 +8,11 @@
 #include "model/mechanism.h"
 #include "results/doubts.h"
 #include "results/energy_judgement.h"
+#include "results/frame/frame_builder.h"
 #include "results/how_well_known.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/report/reduction_text.h"
+#include "results/stress/stresses.h"
 #include "results/text.h"
 
 #include <deal.II/base/timer.h>
@@ -69,6 +71,8 @@ void solve_sequence(const Model &model, LoadSequence &sequence, Results &results
   results.units = scene.units;
   remark_on_laws(model, results);
   add_remarks_on_model(model, results);
+  if (!scene.stress.code.empty())
+    check_stress_code(scene, model.mesh, FrameBuilder(model, true).stations());
   LineRun run(model, sequence, results);
   const bool converged = run.run();
   run.conclude(converged);

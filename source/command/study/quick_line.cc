@@ -81,7 +81,7 @@ void QuickLine::add_case(const std::string &kind, const std::string &from, const
   of.step = place_of_step(scene, to);
   if (of.is_range)
     of.from = place_of_step(scene, from);
-  const StressCode &code = *evaluation->code;
+  const StressCode &code = evaluation->code;
   for (const Station &station : results.frames.front().line) {
     const StressPoint point = evaluation->point(station);
     of.points.push_back(point);
@@ -89,8 +89,8 @@ void QuickLine::add_case(const std::string &kind, const std::string &from, const
         evaluation->axes(station, of.is_range ? 0. : pressure_in(scene, to, station.pipe)));
     of.formulas.push_back(of.is_range ? code.expansion_range(point) : code.sustained(point));
     of.allowed.push_back(of.is_range           ? 0.
-                         : kind == "sustained" ? code.allowed_sustained(point)
-                                               : code.allowed_occasional(point, scene.stress));
+                         : kind == "sustained" ? code.allowed(StressLimit::sustained, point)
+                                               : code.allowed(StressLimit::occasional, point));
   }
 }
 
@@ -173,7 +173,7 @@ void QuickLine::find_stresses() {
     one.stress = stress;
     one.allowed = of.allowed;
     for (std::size_t i = 0; i < stress.size() && of.is_range; ++i)
-      one.allowed[i] = evaluation->code->allowed_range(of.points[i], scene.stress, sustained[i]);
+      one.allowed[i] = evaluation->code.allowed(StressLimit::range, of.points[i], sustained[i]);
     for (unsigned int i = 0; i < stress.size(); ++i)
       if (stress[i] / one.allowed[i] > stress[one.worst] / one.allowed[one.worst])
         one.worst = i;
@@ -185,7 +185,7 @@ void QuickLine::find_quantities() {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Quantity &quantity = scene.quantities[i];
     if (quantity.is(Of::stress))
-      if (const auto largest = stress_quantity(quantity, model.mesh, results))
+      if (const auto largest = stress_quantity(quantity, scene, model.mesh, results))
         values[i] = quantity.scale * *largest;
     if (values[i])
       results.quantities.push_back(shown(scene, quantity, *values[i]));

@@ -19,13 +19,17 @@ namespace {
 
 /// Hangers whose springs are sized keep them.
 void keep_sized_hangers(const Scene &from, Scene &scene) {
-  for (const Hanger &hanger : scene.hangers)
-    if (hanger.cold_load == 0.)
+  for (Hanger &hanger : scene.hangers)
+    if (hanger.cold_load == 0.) {
       for (const unsigned int s : hanger.springs)
         if (s < from.springs.size()) {
           scene.springs[s].stiffness = from.springs[s].stiffness;
           scene.springs[s].preload = from.springs[s].preload;
         }
+      for (const Hanger &sized : from.hangers)
+        if (sized.name == hanger.name)
+          hanger.items = sized.items;
+    }
 }
 
 LineMesh mesh_of(const StudyCase &of, const Scene &scene) {

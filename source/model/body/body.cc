@@ -10,13 +10,16 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <set>
 
 namespace frictionbeam {
 
 using namespace dealii;
 
-LameConstants lame_constants(const ContinuumScene &scene) {
-  const double E = scene.youngs_modulus, nu = scene.poissons_ratio;
+LameConstants lame_constants(const ContinuumScene &scene, const types::material_id material) {
+  const bool is_one = scene.materials.empty();
+  const double E = is_one ? scene.youngs_modulus : scene.materials[material].youngs_modulus,
+               nu = is_one ? scene.poissons_ratio : scene.materials[material].poissons_ratio;
   LameConstants lame;
   lame.mu = E / (2. * (1. + nu));
   lame.lambda = scene.dimension == 2 && !scene.plane_strain ? E * nu / (1. - nu * nu)
@@ -62,6 +65,7 @@ ContinuumBody<dim>::ContinuumBody(const Scene &scene, const ContinuumMesh<dim> &
       is_parallel(Utilities::MPI::job_supports_mpi()),
       communicator(is_parallel ? MPI_COMM_WORLD : MPI_COMM_SELF),
       triangulation(make_triangulation<dim>(is_parallel, communicator)),
+      mapping(mesh.geometry_degree),
       fe(FE_Q<dim>(scene.continuum_settings.degree), dim), dof_handler(*triangulation),
       surfaces(mesh.parts.size() + 1, -1) {
   for (unsigned int i = 0; i < continuum.contacts.size(); ++i)
@@ -70,6 +74,11 @@ ContinuumBody<dim>::ContinuumBody(const Scene &scene, const ContinuumMesh<dim> &
     mesh.part(load.part);
   triangulation->create_triangulation(mesh.vertices, mesh.cells, SubCellData());
   name_faces(mesh, *triangulation);
+  for (unsigned int i = 0; i < mesh.manifolds.size(); ++i)
+    triangulation->set_manifold(i, *mesh.manifolds[i]);
+  if (!mesh.manifolds.empty())
+    for (const auto &cell : triangulation->active_cell_iterators())
+      cell->set_all_manifold_ids(cell->manifold_id());
 }
 
 template <int dim>
@@ -111,6 +120,8 @@ void ContinuumBody<dim>::constrain() {
   DoFTools::make_hanging_node_constraints(dof_handler, constraints);
   for (const ContinuumHold &part : continuum.holds)
     hold(part);
+  for (const HeldSection &section : continuum.sections)
+    hold(section);
   constraints.close();
   find_contact_nodes();
 }
@@ -132,6 +143,46 @@ void ContinuumBody<dim>::hold(const ContinuumHold &part) {
           for (unsigned int d = 0; d < dim; ++d)
             if (part.fixed[d])
               constraints.add_line(cell->vertex_dof_index(v, d));
+}
+
+template <int dim>
+void ContinuumBody<dim>::hold(const HeldSection &section) {
+  if constexpr (dim == 3) {
+    constexpr double in_plane = 1e-6, of_radius = 1.01;
+    std::map<types::global_dof_index, Point<dim>> places;
+    DoFTools::map_dofs_to_support_points(mapping, dof_handler, places);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::set<types::global_dof_index> done;
+    for (const auto &cell : dof_handler.active_cell_iterators()) {
+      if (cell->is_artificial())
+        continue;
+      cell->get_dof_indices(dofs);
+      for (unsigned int i = 0; i < dofs.size(); ++i) {
+        const unsigned int node = fe.system_to_component_index(i).second;
+        if (fe.system_to_component_index(i).first > 0)
+          continue;
+        const Tensor<1, 3> arm = places.at(dofs[i]) - section.centre;
+        if (std::abs(arm * section.normal) > in_plane * section.radius ||
+            arm.norm() > of_radius * section.radius || !done.insert(dofs[i]).second)
+          continue;
+        const Tensor<1, 3> out = arm / arm.norm();
+        unsigned int largest = 0;
+        for (unsigned int d = 1; d < 3; ++d)
+          if (std::abs(out[d]) > std::abs(out[largest]))
+            largest = d;
+        const auto dof_of = [&](const unsigned int d) {
+          return dofs[fe.component_to_system_index(d, node)];
+        };
+        for (unsigned int d = 0; d < 3; ++d)
+          if (!(section.breathes && d == largest)) {
+            constraints.add_line(dof_of(d));
+            if (section.breathes) // u = w out
+              constraints.add_entry(dof_of(d), dof_of(largest), out[d] / out[largest]);
+          }
+      }
+    }
+  } else
+    (void)section;
 }
 
 template <int dim>
@@ -168,29 +219,35 @@ void ContinuumBody<dim>::reinit(ContinuumVector &vector) const {
 
 template <int dim>
 FullMatrix<double> ContinuumBody<dim>::cell_stiffness(
-    const typename DoFHandler<dim>::active_cell_iterator &cell) const {
-  const QGauss<dim> quadrature(fe.degree + 1);
-  FEValues<dim> values(fe, quadrature, update_gradients | update_JxW_values);
+    const typename DoFHandler<dim>::active_cell_iterator &cell, FEValues<dim> &values) const {
   values.reinit(cell);
-  const LameConstants lame = lame_constants(continuum);
-  const unsigned int n = fe.n_dofs_per_cell();
+  const LameConstants lame = lame_constants(continuum, cell->material_id());
+  const unsigned int n = fe.n_dofs_per_cell(), n_nodes = n / dim;
   FullMatrix<double> matrix(n, n);
+  std::vector<Tensor<1, dim>> gradient(n_nodes);
+  const auto index = [&](const unsigned int component, const unsigned int node) {
+    return fe.component_to_system_index(component, node);
+  };
   for (const unsigned int q : values.quadrature_point_indices()) {
     const double weight = values.JxW(q) * thickness();
-    for (unsigned int i = 0; i < n; ++i) {
-      const unsigned int a = fe.system_to_component_index(i).first;
-      const Tensor<1, dim> gi = values.shape_grad(i, q);
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      gradient[i] = values.shape_grad(index(0, i), q);
+    for (unsigned int i = 0; i < n_nodes; ++i)
       for (unsigned int j = 0; j <= i; ++j) {
-        const unsigned int b = fe.system_to_component_index(j).first;
-        const Tensor<1, dim> &gj = values.shape_grad(j, q);
-        matrix(i, j) += weight * (lame.lambda * gi[a] * gj[b] + lame.mu * gi[b] * gj[a] +
-                                  (a == b ? lame.mu * (gi * gj) : 0.));
+        const Tensor<1, dim> &gi = gradient[i], &gj = gradient[j];
+        const double product = lame.mu * (gi * gj);
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int b = 0; b < dim; ++b)
+            matrix(index(a, i), index(b, j)) +=
+                weight * (lame.lambda * gi[a] * gj[b] + lame.mu * gi[b] * gj[a] +
+                          (a == b ? product : 0.));
       }
-    }
   }
-  for (unsigned int i = 0; i < n; ++i)
+  for (unsigned int i = 0; i < n_nodes; ++i)
     for (unsigned int j = 0; j < i; ++j)
-      matrix(j, i) = matrix(i, j);
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          matrix(index(b, j), index(a, i)) = matrix(index(a, i), index(b, j));
   return matrix;
 }
 
@@ -206,11 +263,17 @@ void ContinuumBody<dim>::assemble_stiffness(
   };
   constexpr std::size_t most_known = 8;
   std::vector<Known> known;
+  const QGauss<dim> quadrature(fe.degree + 1);
+  FEValues<dim> values(mapping, fe, quadrature, update_gradients | update_JxW_values);
   std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
   for (const auto &cell : dof_handler.active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
     cell->get_dof_indices(dofs);
+    if (!mesh.manifolds.empty()) { // vertices do not say what a curved cell is
+      add(cell_stiffness(cell, values), dofs);
+      continue;
+    }
     const double size = cell->vertex(1).distance(cell->vertex(0));
     std::vector<Tensor<1, dim>> shape;
     for (const unsigned int v : cell->vertex_indices())
@@ -222,7 +285,7 @@ void ContinuumBody<dim>::assemble_stiffness(
       return true;
     });
     if (found == known.end()) {
-      Known cell_matrix{shape, cell_stiffness(cell), size};
+      Known cell_matrix{shape, cell_stiffness(cell, values), size};
       add(cell_matrix.matrix, dofs);
       if (known.size() < most_known)
         known.push_back(cell_matrix);
@@ -241,7 +304,7 @@ ContinuumVector ContinuumBody<dim>::traction_forces() const {
   ContinuumVector forces;
   reinit(forces);
   const QGauss<dim - 1> quadrature(fe.degree + 1);
-  FEFaceValues<dim> values(fe, quadrature,
+  FEFaceValues<dim> values(mapping, fe, quadrature,
                            update_values | update_normal_vectors | update_JxW_values);
   Vector<double> local(fe.n_dofs_per_cell());
   std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
@@ -317,10 +380,9 @@ template <int dim>
 void ContinuumBody<dim>::add_faces(std::vector<ContactArea> &areas) const {
   // The formula's points are the face's nodes (doc/continuum.md, "Friction at nodes").
   const QGaussLobatto<dim - 1> quadrature(fe.degree + 1);
-  FEFaceValues<dim> values(fe, quadrature,
+  FEFaceValues<dim> values(mapping, fe, quadrature,
                            update_quadrature_points | update_normal_vectors | update_JxW_values);
   const std::vector<Point<dim>> &unit_points = fe.get_unit_support_points();
-  const auto &mapping = values.get_mapping();
   Vector<double> local(fe.n_dofs_per_cell());
   std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
   for (const auto &cell : dof_handler.active_cell_iterators()) {
@@ -373,6 +435,12 @@ void ContinuumBody<dim>::find_contact_nodes() {
       if (node.weight == 0.)
         continue; // a hanging node
       node.frame = axes_along<dim>(normal / node.weight);
+      if constexpr (dim == 3)
+        if (const auto &patch = continuum.contacts[node.surface].patch) {
+          if (!patch->has(node.position))
+            continue;
+          node.frame = patch->axes;
+        }
       bool held = false; // what holds the node along its normal carries its force
       for (unsigned int d = 0; d < dim; ++d)
         held |=

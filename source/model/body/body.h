@@ -7,6 +7,8 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
@@ -35,7 +37,8 @@ struct ContinuumContactNode {
 struct LameConstants {
   double lambda = 0., mu = 0.;
 };
-LameConstants lame_constants(const ContinuumScene &scene);
+LameConstants lame_constants(const ContinuumScene &scene,
+                             const dealii::types::material_id material = 0);
 
 /**
  * A body of linear elastic material on continuous Lagrange elements with Gauss-Lobatto nodes, on a
@@ -70,6 +73,7 @@ public:
   const bool is_parallel;
   const MPI_Comm communicator;
   std::unique_ptr<dealii::Triangulation<dim>> triangulation;
+  const dealii::MappingQ<dim> mapping; ///< of the geometry's degree
   const dealii::FESystem<dim> fe;
   dealii::DoFHandler<dim> dof_handler;
   dealii::AffineConstraints<double> constraints; ///< hanging nodes and held displacements
@@ -100,6 +104,7 @@ public:
 
 private:
   void hold(const ContinuumHold &part);
+  void hold(const HeldSection &section);
   /// What the faces of a surface with friction tell of its nodes.
   struct ContactArea {
     ContinuumVector normals; ///< area times outward normal of each node, on its dofs
@@ -112,7 +117,8 @@ private:
                 const std::vector<dealii::types::global_dof_index> &dofs,
                 ContinuumVector &area) const;
   dealii::FullMatrix<double>
-  cell_stiffness(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell) const;
+  cell_stiffness(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                 dealii::FEValues<dim> &values) const;
 
   std::vector<int> surfaces;                  ///< by boundary id
   std::vector<std::vector<char>> refinements; ///< of each, which cells were flagged

@@ -2,6 +2,7 @@
 #include "model/cell/corotational_cells.h"
 #include "model/cell/rotation.h"
 #include "model/line/modal_damping.h"
+#include "model/line/spring_extension.h"
 
 namespace frictionbeam {
 
@@ -60,16 +61,15 @@ void CorotationalCells::add_modal_damping(const Step &step, Balance &balance) co
     for (unsigned int k = 0; k < 12; ++k)
       forces.row(cells[j].dofs[k]) += of_cell.row(k);
   }
-  const VertexDofs &at = discretization.vertex_dofs();
   for (unsigned int j = 0; j < scene.springs.size(); ++j)
     for (unsigned int c = 0; c < 6; ++c) {
       const Spring &spring = scene.springs[j];
       if (spring.stiffness[c] == 0.)
         continue;
       const auto row = mode_forces.row(7 * cells.size() + 6 * j + c);
-      forces.row(at.index(mesh.points.at(spring.point), c)) += row;
-      if (!spring.other.empty())
-        forces.row(at.index(mesh.points.at(spring.other), c)) -= row;
+      const SpringExtension extension(spring, c, mesh, discretization.vertex_dofs());
+      for (std::size_t i = 0; i < extension.dofs.size(); ++i)
+        forces.row(extension.dofs[i]) += extension.weights[i] * row;
     }
   const Vector rates = forces.transpose() * step.change / step.duration,
                sizes = mode_damping.cwiseProduct(rates);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/cell/line_cells.h"
 
+#include "model/line/spring_extension.h"
+
 #include "model/cell/rotation.h"
 
 #include <algorithm>
@@ -106,7 +108,9 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
 void LineCells::add_springs(const Step &step, Balance &balance) const {
   for (const Spring &spring : scene.springs) {
     const unsigned int vertex = mesh.points.at(spring.point);
-    balance.loads[discretization.vertex_dofs().index(vertex, 2)] += spring.preload;
+    for (unsigned int d = 0; d < 3; ++d)
+      balance.loads[discretization.vertex_dofs().index(vertex, d)] +=
+          spring.directions[2][d] * spring.preload;
     for (unsigned int c = 0; c < 6; ++c)
       if (spring.stiffness[c] != 0. || (spring.damping[c] != 0. && step.duration > 0.))
         add_spring(spring, c, step, balance);
@@ -115,33 +119,21 @@ void LineCells::add_springs(const Step &step, Balance &balance) const {
 
 void LineCells::add_spring(const Spring &spring, const unsigned int c, const Step &step,
                            Balance &balance) const {
-  const VertexDofs &vertex_dofs = discretization.vertex_dofs();
-  std::vector<types::global_dof_index> dofs = {vertex_dofs.index(mesh.points.at(spring.point), c)};
-  if (!spring.other.empty())
-    dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
+  const SpringExtension e(spring, c, mesh, discretization.vertex_dofs());
   const double k = spring.stiffness[c],
                viscous =
                    step.duration > 0.
                        ? (scene.time.stiffness_damping * k + spring.damping[c]) / step.duration
-                       : 0.;
-  Eigen::Matrix2d unit;
-  unit << 1., -1., -1., 1.;
-  const Eigen::Matrix2d local = k * unit;
-  Eigen::Vector2d u = Eigen::Vector2d::Zero(), change = Eigen::Vector2d::Zero();
-  for (unsigned int i = 0; i < dofs.size(); ++i) {
-    u[i] = (step.from.dofs[dofs[i]] + step.to.dofs[dofs[i]]) / 2.;
-    change[i] = step.change[dofs[i]];
-  }
-  Eigen::Vector2d force = local * u;
-  if (viscous != 0.) {
-    force += viscous * (unit * change);
-    balance.damping += viscous * change.dot(unit * change);
-  }
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    balance.internal[dofs[i]] += force[i];
+                       : 0.,
+               change = viscous != 0. ? e.of(step.change) : 0.;
+  const Eigen::VectorXd force =
+      (k * (e.of(step.from.dofs) + e.of(step.to.dofs)) / 2. + viscous * change) * e.weights;
+  balance.damping += viscous * change * change;
+  for (unsigned int i = 0; i < e.dofs.size(); ++i)
+    balance.internal[e.dofs[i]] += force[i];
   balance.largest = std::max(balance.largest, force.lpNorm<Eigen::Infinity>());
   if (!step.without_stiffness)
-    space.add_local((k + 2. * viscous) * unit, dofs, balance.stiffness);
+    space.add_local((k + 2. * viscous) * e.unit_stiffness(), e.dofs, balance.stiffness);
 }
 
 Motion LineCells::nodal_load(const unsigned int load, const unsigned int vertex,
@@ -179,9 +171,7 @@ void LineCells::add_nodal_loads(const Step &step, const std::vector<double> &fac
 }
 
 double LineCells::extension(const Spring &spring, const unsigned int c, const Vector &dofs) const {
-  const VertexDofs &at = discretization.vertex_dofs();
-  const double own = dofs[at.index(mesh.points.at(spring.point), c)];
-  return spring.other.empty() ? own : own - dofs[at.index(mesh.points.at(spring.other), c)];
+  return SpringExtension(spring, c, mesh, discretization.vertex_dofs()).of(dofs);
 }
 
 double LineCells::stored_energy(const Pose &pose) const {
@@ -265,7 +255,8 @@ void LineCells::integrate_sections(const unsigned int cell, const Vector12 &befo
       inelastic.failed =
           true; // beyond a limit an iteration goes on and on, and laws take long there
     else
-      sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic);
+      sections.integrate(cell, before, after, around, step.clock, old, *answer.sections, inelastic,
+                         step.is_near_last);
   }
   answer.failed = inelastic.failed;
   answer.section_error = inelastic.error;

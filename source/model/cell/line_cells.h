@@ -88,6 +88,9 @@ public:
     const Pose *began = nullptr;
     bool is_trial = false;          ///< whether sections answer elastically to the increment
     bool without_stiffness = false; ///< leave Balance::stiffness as it is
+    /// Whether Balance::sections are the answer at another pose of this very increment: sections
+    /// look for theirs from there.
+    bool is_near_last = false;
   };
   /**
    * Forces at a pose, or those of a time step: the mean of the cells' forces at both its ends,

@@ -248,9 +248,32 @@ bool PipeSections::stays_elastic(const Cell &cell, const Vector12 &motions,
   return true;
 }
 
+std::vector<Vector6> PipeSections::strains_of(const Cell &cell, const Vector &states) const {
+  std::vector<Vector6> result;
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    result.emplace_back(Values(states.data() + place_of(cell, q) + strain));
+    result.back()[0] -= states[place_of(cell, q) + thrust] / cell.profile.EA;
+  }
+  return result;
+}
+
+std::vector<Vector6> PipeSections::first_guess(const Cell &cell, const Vector12 &motion,
+                                               const Surroundings &surroundings,
+                                               const Vector &old) const {
+  const double *const of_cell_before = old.data() + cell.first_value + 12;
+  std::vector<Vector6> result = strains_of(cell, old);
+  for (unsigned int q = 0; q < cell.chain.size(); ++q) {
+    result[q] +=
+        cell.B[q] * motion - (surroundings.curvature - of_cell_before[1]) * cell.curvature[q];
+    result[q][0] -= surroundings.axial_strain - of_cell_before[0];
+  }
+  return result;
+}
+
 void PipeSections::integrate(const unsigned int index, const Vector12 &from, const Vector12 &to,
                              const Surroundings &surroundings, const Clock &clock,
-                             const Vector &old, Vector &now, Answer &answer) const {
+                             const Vector &old, Vector &now, Answer &answer,
+                             const bool is_near) const {
   const Cell &cell = *cells[index];
   answer = {};
   SectionChain::Solution solution;
@@ -270,16 +293,11 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
     result[0] -= values[thrust];
     return true;
   };
+  std::vector<Vector6> near_by;
+  if (is_near) // before the elastic answer is written over it
+    near_by = strains_of(cell, now);
   if (!stays_elastic(cell, to, free, surroundings, old, now, solution)) {
-    const double *const of_cell_before = old.data() + cell.first_value + 12;
-    solution.strain.resize(cell.chain.size());
-    for (unsigned int q = 0; q < cell.chain.size(); ++q) { // a first guess
-      Vector6 before = Values(old.data() + place_of(cell, q) + strain);
-      before[0] -= old[place_of(cell, q) + thrust] / cell.profile.EA;
-      solution.strain[q] = before + cell.B[q] * (to - from) -
-                           (surroundings.curvature - of_cell_before[1]) * cell.curvature[q];
-      solution.strain[q][0] -= surroundings.axial_strain - of_cell_before[0];
-    }
+    solution.strain = is_near ? near_by : first_guess(cell, to - from, surroundings, old);
     cell.chain.solve(law, to, free, surroundings.line_force, solution);
   }
   answer.failed = !solution.solved;

@@ -61,10 +61,12 @@ public:
    * @param from, to motions of its ends before and after
    * @param old states before; @param now in: at rest, or what this has made of any; out: this
    * cell's sections after
+   * @param is_near whether `now` comes in with the answer to other motions of this very increment,
+   * which is near: to begin with
    */
   void integrate(const unsigned int cell, const Vector12 &from, const Vector12 &to,
                  const Surroundings &surroundings, const Clock &clock, const Vector &old,
-                 Vector &now, Answer &answer) const;
+                 Vector &now, Answer &answer, const bool is_near = false) const;
   /// Whether a cell whose ends move so would be strained, evenly, beyond what any wall is.
   bool is_far(const unsigned int cell, const Vector12 &motions) const;
   /// The same as if nothing yielded or crept on the way: forces and stiffness alone.
@@ -178,6 +180,11 @@ private:
   static bool is_as_stiff_as_cold(const Cell &cell, const unsigned int point,
                                   const LawIncrement &increment, const double *of_wall,
                                   const double *old, double *now);
+  /// Strains of a cell's sections that the chain asks for: those of the wall less p A_bore / EA.
+  std::vector<Vector6> strains_of(const Cell &cell, const Vector &states) const;
+  /// The same to begin an increment with, by the elastic shapes of its ends' motion.
+  std::vector<Vector6> first_guess(const Cell &cell, const Vector12 &motion,
+                                   const Surroundings &surroundings, const Vector &old) const;
   /// Whether a cell that has only been elastic so far is so at the increment's end: its states
   /// then.
   bool stays_elastic(const Cell &cell, const Vector12 &motions, const std::vector<Vector6> &free,

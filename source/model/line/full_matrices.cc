@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/line/full_matrices.h"
 #include "model/line/pipe_element.h"
+#include "model/line/spring_extension.h"
 
 namespace frictionbeam {
 
@@ -43,14 +44,11 @@ void add_spring(const Spring &spring, const LineMesh &mesh, const VertexDofs &at
   for (unsigned int c = 0; c < 6; ++c) {
     if (spring.stiffness[c] == 0.)
       continue;
-    const auto one = at.index(mesh.points.at(spring.point), c);
-    stiffness.emplace_back(one, one, spring.stiffness[c]);
-    if (spring.other.empty())
-      continue;
-    const auto other = at.index(mesh.points.at(spring.other), c);
-    stiffness.emplace_back(other, other, spring.stiffness[c]);
-    stiffness.emplace_back(one, other, -spring.stiffness[c]);
-    stiffness.emplace_back(other, one, -spring.stiffness[c]);
+    const SpringExtension e(spring, c, mesh, at);
+    for (std::size_t i = 0; i < e.dofs.size(); ++i)
+      for (std::size_t j = 0; j < e.dofs.size(); ++j)
+        stiffness.emplace_back(e.dofs[i], e.dofs[j],
+                               spring.stiffness[c] * e.weights[i] * e.weights[j]);
   }
 }
 

@@ -25,12 +25,21 @@ Eigen::VectorXd smallest_motion(const Load::AtPoint &given, const std::string &l
     const Eigen::Index n = rows.rows();
     rows.conservativeResize(n + 1, 6);
     values.conservativeResize(n + 1);
-    values[n] = 0.; // what is held along an axis moves with it, either way it points
+    values[n] = 0.;
+    double left = 1., moves = 0.; // of the direction, what is not given; what of it is
     for (unsigned int c = 0; c < 6; ++c) {
       rows(n, c) = held.direction[c];
-      if (given.given[c] && std::abs(std::abs(held.direction[c]) - 1.) < no_component)
-        values[n] = held.direction[c] * given.value[c];
+      if (!given.given[c])
+        continue;
+      const Motion axis = unit_motion(given.axes, c);
+      double part = 0.;
+      for (unsigned int d = 0; d < 6; ++d)
+        part += held.direction[d] * axis[d];
+      left -= part * part;
+      moves += part * given.value[c];
     }
+    if (std::abs(left) < no_component) // what is held along given motions moves with them
+      values[n] = moves;
   }
   const Eigen::VectorXd motion = rows.completeOrthogonalDecomposition().solve(values);
   if ((rows * motion - values).norm() > 1e-9 * values.norm())

@@ -4,6 +4,7 @@
 #include "base/user_error.h"
 #include "model/line/modal_damping.h"
 #include "model/line/pipe_element.h"
+#include "model/line/spring_extension.h"
 #include "model/unknowns/couplings.h"
 
 #include <algorithm>
@@ -71,22 +72,6 @@ std::vector<int> unknowns_of(const std::vector<types::global_dof_index> &dofs,
   std::sort(unknowns.begin(), unknowns.end());
   unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
   return unknowns;
-}
-
-/// The degrees of freedom that component @p c of a spring or dashpot joins: two, or one to the
-/// ground.
-std::vector<types::global_dof_index> ends_of_spring(const Spring &spring, const unsigned int c,
-                                                    const LineMesh &mesh,
-                                                    const VertexDofs &vertex_dofs) {
-  std::vector<types::global_dof_index> dofs = {vertex_dofs.index(mesh.points.at(spring.point), c)};
-  if (!spring.other.empty())
-    dofs.push_back(vertex_dofs.index(mesh.points.at(spring.other), c));
-  for (const auto dof : dofs)
-    if (dof == numbers::invalid_dof_index)
-      throw UserError("Spring " + spring.name +
-                      " has a rotational stiffness or damping at a point without rotations. "
-                      "Set it to 0.");
-  return dofs;
 }
 
 std::vector<types::global_dof_index> dofs_of_vertices(const VertexDofs &vertex_dofs,
@@ -159,12 +144,10 @@ void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
   for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c)
       if (spring.damping[c] != 0.) {
-        const auto dofs = ends_of_spring(spring, c, mesh, discretization.vertex_dofs());
-        Eigen::Matrix2d local;
-        local << 1., -1., -1., 1.;
-        local *= spring.damping[c];
-        space.add_local(local, dofs, dashpots);
-        add_imposed(local, dofs, space, load_drag, products.damping);
+        const SpringExtension extension(spring, c, mesh, discretization.vertex_dofs());
+        const Eigen::MatrixXd local = spring.damping[c] * extension.unit_stiffness();
+        space.add_local(local, extension.dofs, dashpots);
+        add_imposed(local, extension.dofs, space, load_drag, products.damping);
         any = true;
       }
   if (any)
@@ -266,16 +249,16 @@ void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
   const VertexDofs &vertex_dofs = discretization.vertex_dofs();
   spring_preload = Vector::Zero(space.n_unknowns());
   for (const Spring &spring : scene.springs)
-    for (const auto &term : space.terms(vertex_dofs.index(mesh.points.at(spring.point), 2)))
-      spring_preload[term.unknown] += term.weight * spring.preload;
+    for (unsigned int d = 0; d < 3 && spring.preload != 0.; ++d)
+      for (const auto &term : space.terms(vertex_dofs.index(mesh.points.at(spring.point), d)))
+        spring_preload[term.unknown] += term.weight * spring.directions[2][d] * spring.preload;
   for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c) {
       if (spring.stiffness[c] == 0.)
         continue;
-      const auto dofs = ends_of_spring(spring, c, mesh, vertex_dofs);
-      Eigen::Matrix2d local;
-      local << 1., -1., -1., 1.;
-      local *= spring.stiffness[c];
+      const SpringExtension extension(spring, c, mesh, vertex_dofs);
+      const auto &dofs = extension.dofs;
+      const Eigen::MatrixXd local = spring.stiffness[c] * extension.unit_stiffness();
       space.add_local(local, dofs, K);
       add_imposed(local, dofs, space, load_forces, products.stiffness);
       if (with_mass)

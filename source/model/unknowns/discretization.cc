@@ -234,10 +234,7 @@ void Discretization::add_elements(const Scene &scene) {
     add_option(element_option(support, true)); // the triangulation may turn the cell
   }
   const auto turns = [](const Spring &spring) {
-    bool result = false;
-    for (unsigned int c = 3; c < 6; ++c)
-      result = result || spring.stiffness[c] != 0. || spring.damping[c] != 0.;
-    return result;
+    return spring.turns(0, true) || spring.turns(1, true) || spring.turns(2, true);
   };
   const bool turning_spring = std::any_of(scene.springs.begin(), scene.springs.end(), turns);
   if (!scene.springs.empty()) // carriers of free points
@@ -372,15 +369,16 @@ void Discretization::find_rotations(const Scene &scene, const LineMesh &mesh) {
       rotations[vertex] = {true, true, true};
   for (unsigned int axis = 0; axis < 3; ++axis) {
     for (const Spring &spring : scene.springs)
-      if (spring.stiffness[3 + axis] != 0. || spring.damping[3 + axis] != 0.)
+      if (spring.turns(axis, true))
         for (const std::string &point : {spring.point, spring.other})
           if (!point.empty())
             rotations[mesh.points.at(point)][axis] = true;
     for (const Load &load : scene.loads)
       if (load.kind == Load::Kind::displacement)
         for (const Load::AtPoint &at : load.at)
-          if (at.given[3 + axis])
-            rotations[mesh.points.at(at.point)][axis] = true;
+          for (unsigned int c = 3; c < 6; ++c)
+            if (at.given[c] && at.axes[c - 3][axis] != 0.)
+              rotations[mesh.points.at(at.point)][axis] = true;
   }
 }
 

@@ -28,6 +28,13 @@ Tensor<1, 6> motion(const unsigned int component) {
   return row;
 }
 
+Tensor<1, 6> tensor(const Motion &values) {
+  Tensor<1, 6> row;
+  for (unsigned int c = 0; c < 6; ++c)
+    row[c] = values[c];
+  return row;
+}
+
 /// Add what of a direction is not held yet, as a unit vector.
 void add_orthonormal(Tensor<1, 6> direction, std::vector<Tensor<1, 6>> &held) {
   for (const Tensor<1, 6> &other : held)
@@ -49,7 +56,7 @@ std::vector<ReducedSpace::Held> collect(const Scene &scene, const LineMesh &mesh
       for (const Load::AtPoint &at : load.at)
         for (unsigned int c = 0; c < 6; ++c)
           if (at.given[c])
-            rows.push_back({mesh.points.at(at.point), motion(c)});
+            rows.push_back({mesh.points.at(at.point), tensor(unit_motion(at.axes, c))});
   for (unsigned int c = 0; c < 6; ++c)
     if (!scene.free_motions[c])
       for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v)
@@ -112,7 +119,7 @@ std::vector<Tensor<1, 6>> held_directions(const Restraint &restraint, const Site
   std::vector<Tensor<1, 6>> held;
   for (unsigned int c = 0; c < 6; ++c)
     if (restraint.fixed[c])
-      held.push_back(motion(c));
+      held.push_back(tensor(unit_motion(restraint.axes, c)));
   for (const Direction &direction : restraint.translations) {
     add_orthonormal(translation(resolve(direction, site.tangent, restraint.name)), held);
     if (direction.kind == Direction::Kind::across && std::abs(site.tangent[2]) > 1. - no_direction)

@@ -115,7 +115,7 @@ void transfer(Archive &archive, Vector3 &vector) { archive(vector[0], vector[1],
 
 void transfer(Archive &archive, Station &station) {
   archive(station.pipe, station.vertex, station.s, station.position, station.displacement,
-          station.force, station.y, station.z, station.part, station.bend_radius,
+          station.force, station.y, station.z, station.y_now, station.z_now, station.pressure, station.part, station.bend_radius,
           station.bend_axis);
 }
 

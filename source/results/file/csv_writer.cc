@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/file/csv_writer.h"
+#include "results/quantity/fibre_quantities.h"
 #include "results/text.h"
 
 #include <deal.II/base/exceptions.h>
@@ -67,7 +68,8 @@ std::string csv_field(const std::string &text) {
 void remove_line_tables(const std::string &folder) {
   std::error_code error; // there may be none
   for (const char *const name :
-       {"supports.csv", "line.csv", "sections.csv", "reactions.csv", "envelope.csv"})
+       {"supports.csv", "line.csv", "sections.csv", "reactions.csv", "envelope.csv", "nodes.csv",
+        "elements.csv", "restraints.csv", "element_forces.csv", "restraint_forces.csv"})
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
 }
 
@@ -84,7 +86,7 @@ CsvWriter::CsvWriter(const Scene &scene, const Results &results, const std::stri
     return;
   supports.stream() << "support,step,increment,time,status,fn,ft1,ft2,gap,slip1,slip2,"
                        "work_friction,mt\n";
-  line.stream() << "step,pipe,s,x,y,z,ux,uy,uz,rx,ry,rz,N,Vy,Vz,Mx,My,Mz\n";
+  line.stream() << "step,pipe,s,x,y,z,ux,uy,uz,rx,ry,rz,N,Vy,Vz,Mx,My,Mz,M_in,M_out\n";
   reactions.stream() << "restraint,step,increment,time,fx,fy,fz,mx,my,mz\n";
   supports.flush();
   line.flush();
@@ -170,6 +172,7 @@ void CsvWriter::append_line(const Frame &frame) {
                                             station.position[2]}});
     add_numbers(row, station.displacement);
     add_numbers(row, station.force);
+    add_numbers(row, moments_of_bend(station.bend_axis, station));
     line.stream() << row << '\n';
   }
   line.flush();

@@ -136,8 +136,8 @@ void Envelope::prepare(const unsigned int step) {
     for (unsigned int i = 0; i < tools->line.size(); ++i) {
       const Station &station = tools->line[i];
       const StressPoint point = evaluation.point(station);
-      one.formulas.push_back(before ? evaluation.code->expansion_range(point)
-                                    : evaluation.code->sustained(point));
+      one.formulas.push_back(before ? evaluation.code.expansion_range(point)
+                                    : evaluation.code.sustained(point));
       one.axes.push_back(evaluation.axes(station, pressure[station.pipe]));
       one.before.push_back(before ? before->line[i].force : Motion{});
     }

@@ -137,17 +137,23 @@ Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) 
     }
     return result;
   };
-  Motion force = relative([&](const std::string &point) { return motion(state, point); });
-  for (unsigned int c = 0; c < 6; ++c)
-    force[c] *= -spring.stiffness[c];
+  Motion force{};
+  const auto push = [&](const Motion &direction, const double size) {
+    for (unsigned int c = 0; c < 6; ++c)
+      force[c] += size * direction[c];
+  };
+  const Motion moved = relative([&](const std::string &point) { return motion(state, point); });
+  for (unsigned int k = 0; k < 6; ++k)
+    push(spring.directions[k], -spring.stiffness[k] * product(spring.directions[k], moved));
   if (state.with_preload)
-    force[2] += spring.preload;
+    push(spring.directions[2], spring.preload);
   if (state.velocity.size() == 0)
     return force;
   const Motion rate = relative([&](const std::string &point) { return velocity(state, point); });
-  for (unsigned int c = 0; c < 6; ++c)
-    force[c] -=
-        (spring.damping[c] + model.scene.time.stiffness_damping * spring.stiffness[c]) * rate[c];
+  for (unsigned int k = 0; k < 6; ++k)
+    push(spring.directions[k],
+         -(spring.damping[k] + model.scene.time.stiffness_damping * spring.stiffness[k]) *
+             product(spring.directions[k], rate));
   return force;
 }
 
@@ -244,6 +250,7 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
     const Vector3 F = force - x * load.line_force;
     const Vector3 M = moment - cross_product_3d(axes.x, x * force - x * x / 2. * load.line_force);
     result.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    result.pressure = load.pressure;
     place(pipe_cell, axes, result);
     return result;
   };
@@ -305,8 +312,8 @@ const FrameBuilder::StationShapes &FrameBuilder::shapes_of(const Discretization:
 
 void FrameBuilder::place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const {
   const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
-  station.y = axes.y;
-  station.z = axes.z;
+  station.y = station.y_now = axes.y;
+  station.z = station.z_now = axes.z;
   station.part = station.s / meshed.s.back();
   station.bend_radius = meshed.bend_radius[pipe_cell.position];
   if (const auto axis = meshed.bend_axis.find(pipe_cell.position); axis != meshed.bend_axis.end())
@@ -355,6 +362,7 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
       M *= -1.;
     }
     station.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    station.pressure = load.pressure;
     place(pipe_cell, axes, station);
     stations.push_back(station);
   }

@@ -74,6 +74,8 @@ std::vector<Station> FrameBuilder::stations_in(const CellFrame &frame,
                           now = frame.first_moved + frame.turn * (arm + moved - frame.own) - arm,
                           rotation = rotation_vector_near(
                               Eigen::Quaterniond(frame.turn) * turn_by(spin), near);
+    station.y_now = to_deal(frame.turn * to_eigen(station.y));
+    station.z_now = to_deal(frame.turn * to_eigen(station.z));
     for (unsigned int d = 0; d < 3; ++d) {
       station.displacement[d] = now[d];
       station.displacement[3 + d] = rotation[d];

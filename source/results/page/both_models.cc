@@ -45,7 +45,7 @@ void include_model(Results &both, const Results &results, const std::string &mod
   sum.factorizations += cost.factorizations;
 }
 
-std::string side_by_side(const Results &both) {
+std::string side_by_side(const Results &both, const std::string &other) {
   std::vector<std::string> names;
   for (const QuantityResult &quantity : both.quantities) {
     const std::string name = quantity.name.substr(quantity.name.find('/') + 1);
@@ -66,9 +66,9 @@ std::string side_by_side(const Results &both) {
   return HtmlTable()
              .text("Quantity", names)
              .right("Line", column("line"))
-             .right("Continuum", column("continuum"))
+             .right(other == "solid" ? "Solid" : "Continuum", column(other))
              .str() +
-         html_note("The folders line and continuum have the report of each.");
+         html_note("The folders line and " + other + " have the report of each.");
 }
 
 } // namespace frictionbeam

@@ -9,6 +9,7 @@ namespace frictionbeam {
 void include_model(Results &both, const Results &results, const std::string &model);
 
 /// The quantities of the models side by side, as HTML.
-std::string side_by_side(const Results &both);
+/// @param other the word of the model beside the line
+std::string side_by_side(const Results &both, const std::string &other);
 
 } // namespace frictionbeam

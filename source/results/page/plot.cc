@@ -56,11 +56,79 @@ std::vector<std::size_t> thinned(const std::vector<double> &y) {
   return places;
 }
 
+/// Leave out points that lie within the pen of the line that remains (Douglas and Peucker 1973).
+/// @param width, height of what the chart shows
+std::vector<std::size_t> on_the_curve(const std::vector<std::size_t> &places,
+                                      const Plot::Series &series, const double width,
+                                      const double height) {
+  constexpr double pen = 2.5e-4; // of the chart's height, 0.05 px
+  const auto x = [&](const std::size_t k) { return series.x[places[k]] / width; };
+  const auto y = [&](const std::size_t k) { return series.y[places[k]] / height; };
+  std::vector<bool> stays(places.size(), false);
+  std::vector<std::pair<std::size_t, std::size_t>> stretches{{0, places.size() - 1}};
+  stays.front() = stays.back() = true;
+  while (!stretches.empty()) {
+    const auto [first, last] = stretches.back();
+    stretches.pop_back();
+    const double dx = x(last) - x(first), dy = y(last) - y(first), length = std::hypot(dx, dy);
+    double most = pen;
+    std::size_t farthest = 0;
+    for (std::size_t k = first + 1; k < last; ++k) {
+      const double ex = x(k) - x(first), ey = y(k) - y(first);
+      const double along =
+          length > 0. ? std::clamp((ex * dx + ey * dy) / (length * length), 0., 1.) : 0.;
+      const double distance = std::hypot(ex - along * dx, ey - along * dy);
+      if (!(distance <= most)) { // nan stays
+        farthest = k;
+        most = distance;
+      }
+    }
+    if (farthest > 0) {
+      stays[farthest] = true;
+      stretches.emplace_back(first, farthest);
+      stretches.emplace_back(farthest, last);
+    }
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (stays[k])
+      result.push_back(places[k]);
+  return result;
+}
+
+/// Least and largest of what a chart shows along an axis; the least is above if there is nothing.
+std::pair<double, double> range_of(const Plot &plot, const char axis) {
+  const bool log = axis == 'x' ? plot.log_x : plot.log_y;
+  double low = std::numeric_limits<double>::max(), high = -low;
+  for (const auto &series : plot.series)
+    for (const double value : axis == 'x' ? series.x : series.y)
+      if (std::isfinite(value) && (value > 0. || !log)) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  return {low, high};
+}
+
+/// Places of a series to draw.
+std::vector<std::size_t> places_to_draw(const Plot &plot, const Plot::Series &series) {
+  std::vector<std::size_t> places = thinned(series.y);
+  const auto [left, right] = range_of(plot, 'x');
+  const auto [bottom, top] = range_of(plot, 'y');
+  const auto is_finite = [](const std::vector<double> &values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](const double v) { return std::isfinite(v); });
+  };
+  if (series.style != Plot::Series::Style::line || plot.log_x || plot.log_y || places.size() < 3 ||
+      left >= right || bottom >= top || !is_finite(series.x) || !is_finite(series.y))
+    return places;
+  return on_the_curve(places, series, right - left, top - bottom);
+}
+
 /// Whether anything was written that can be drawn.
 bool write_data(const Plot &plot, const Plot::Series &series, std::ostream &script) {
   AssertDimension(series.x.size(), series.y.size());
   bool some = false;
-  for (const std::size_t i : thinned(series.y)) {
+  for (const std::size_t i : places_to_draw(plot, series)) {
     const double x = series.x[i], y = series.y[i];
     if (std::isfinite(x) && std::isfinite(y) && (x > 0. || !plot.log_x) &&
         (y > 0. || !plot.log_y)) {
@@ -75,13 +143,7 @@ bool write_data(const Plot &plot, const Plot::Series &series, std::ostream &scri
 /// A range that gnuplot does not complain about where all values are the same.
 void write_range(const Plot &plot, const char axis, std::ostream &script) {
   const bool log = axis == 'x' ? plot.log_x : plot.log_y;
-  double low = std::numeric_limits<double>::max(), high = -low;
-  for (const auto &series : plot.series)
-    for (const double value : axis == 'x' ? series.x : series.y)
-      if (std::isfinite(value) && (value > 0. || !log)) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
+  const auto [low, high] = range_of(plot, axis);
   script << "set " << axis << "range [*:*]\n";
   if (axis == 'x')
     script << "set autoscale xfix\n";
@@ -171,7 +233,10 @@ void write_plot(const Plot &plot, const std::string &name, const std::string &fi
     script << (i == drawn.front() ? "plot " : ", ");
     write_style(plot.series[i], i, script);
   }
-  script << "\nunset output\n";
+  script << "\nunset output\nset print " << quoted(file + ".axes")
+         << "\nprint sprintf('%.9g %.9g %.9g %.9g" << (plot.log_x ? " logx" : "")
+         << (plot.log_y ? " logy" : "")
+         << "', GPVAL_X_MIN, GPVAL_X_MAX, GPVAL_Y_MIN, GPVAL_Y_MAX)\nunset print\n";
 }
 
 /// Run gnuplot on a script; what went wrong, or nothing.
@@ -206,12 +271,18 @@ std::string without_empty_groups(const std::string &svg) {
   }
 }
 
-/// Without prolog and description, and with ids that no other chart has.
-std::string as_element(std::string svg, const std::string &name) {
+/// Without prolog and description, and with ids that no other chart has; with what it shows in
+/// words, and its axes for the page's script.
+/// @param axes the ranges that gnuplot has chosen
+std::string as_element(std::string svg, const std::string &name, const Plot &plot,
+                       const std::string &axes) {
   const std::size_t begin = svg.find("<svg"), end = svg.rfind("</svg>");
   if (begin == std::string::npos || end == std::string::npos)
     return "";
-  svg = svg.substr(begin, end + 6 - begin);
+  svg = "<svg role=\"img\" aria-label=\"" +
+        escape_xml((plot.title.empty() ? "" : plot.title + ": ") + plot.y_label + " over " +
+                   plot.x_label) +
+        "\" data-axes=\"" + escape_xml(axes) + "\"" + svg.substr(begin + 4, end + 2 - begin);
   const auto erase = [&](const std::string &from, const std::string &to) {
     const std::size_t first = svg.find(from), last = svg.find(to);
     if (first != std::string::npos && last != std::string::npos && first < last)
@@ -222,6 +293,16 @@ std::string as_element(std::string svg, const std::string &name) {
     erase("<defs>", "</defs>");
   for (const char *id : {"gpDot", "gpPt", "textbox", "greybox", "gnuplot_canvas"})
     boost::replace_all(svg, id, name + "_" + id);
+  for (const auto &[wordy, plain] : std::initializer_list<std::pair<const char *, const char *>>{
+           {" stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", ""}, // as they are unless said
+           {" color=\"black\" stroke=\"currentColor\"", " stroke=\"#000\""},
+           {" class=\"gridline\"", ""},
+           {"rgb(221, 221, 221)", "#ddd"},
+           {"rgb(102, 102, 102)", "#666"},
+           {"rgb(51,51,51)", "#333"},
+           {"  '/>", "'/>"},
+           {"\n\t\t", "\n"}})
+    boost::replace_all(svg, wordy, plain);
   return without_empty_groups(svg);
 }
 
@@ -264,7 +345,7 @@ DrawnPlots draw_plots(const std::vector<Plot> &plots, const std::string &prefix)
   }
   drawn.problem = run_gnuplot(folder.path);
   for (std::size_t i = 0; drawn.problem.empty() && i < plots.size(); ++i)
-    drawn.svg[i] = as_element(read_file(file(i)), name(i));
+    drawn.svg[i] = as_element(read_file(file(i)), name(i), plots[i], read_file(file(i) + ".axes"));
   return drawn;
 }
 

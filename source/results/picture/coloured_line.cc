@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <set>
 
 namespace frictionbeam {
@@ -33,6 +34,51 @@ std::string heat(const double part) {
 }
 
 const std::string nothing_known = "#c8c8c8";
+
+/// One of some colours, so that neighbours of the same one are drawn in one go; not below the
+/// value.
+double in_steps(const double part) { return std::ceil(40. * part) / 40.; }
+
+/**
+ * The pipes as polylines, each of one colour. Stations closer than a pixel are drawn as one; the
+ * largest of their values counts. @param look attributes of a value over the largest, nan: unknown
+ */
+template <typename Place, typename Look>
+std::string draw_stretches(const Frame &frame, const ColouredLine &what, const Place &place,
+                           const Look &look) {
+  std::string text, open; // open: attributes of the polyline that goes on
+  const auto point = [](const Pixel &at) { return px(at.x) + "," + px(at.y) + " "; };
+  const auto end = [&]() {
+    text += open.empty() ? "" : "\"/>\n";
+    open.clear();
+  };
+  std::size_t from = 0;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < frame.line.size(); ++i) {
+    if (i == 0 || frame.line[i - 1].pipe != frame.line[i].pipe) {
+      end();
+      from = i;
+      value = what.values[i] / what.largest;
+      continue;
+    }
+    value = std::fmax(value, what.values[i] / what.largest); // of two, the one that is a number
+    const Pixel a = place(frame.line[from]), b = place(frame.line[i]);
+    const bool ends_pipe =
+        i + 1 == frame.line.size() || frame.line[i + 1].pipe != frame.line[i].pipe;
+    if (std::hypot(a.x - b.x, a.y - b.y) < 1. && !ends_pipe)
+      continue;
+    if (const std::string attributes = look(value); attributes != open) {
+      end();
+      text += "<polyline " + attributes + " points=\"" + point(a);
+      open = attributes;
+    }
+    text += point(b);
+    from = i;
+    value = what.values[i] / what.largest;
+  }
+  end();
+  return text;
+}
 
 std::string ring(const Pixel &at, const std::string &tooltip) {
   return "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) +
@@ -91,18 +137,15 @@ std::string draw_coloured_line(const Scene &scene, const Results &results, const
   const double bottom = above + view.height() + 2. * margin;
 
   std::string built, coloured;
-  for (std::size_t i = 1; i < frame.line.size(); ++i) {
-    const Station &a = frame.line[i - 1], &b = frame.line[i];
-    if (a.pipe != b.pipe || a.position.distance(b.position) == 0.)
-      continue;
-    if (what.scale != 0.)
-      built += stroke(view.place(a.position), view.place(b.position),
-                      "stroke=\"#c8c8c8\" stroke-width=\"2\"");
-    const double value = std::max(what.values[i - 1], what.values[i]) / what.largest;
-    coloured += stroke(view.place(moved(a)), view.place(moved(b)),
-                       "stroke=\"" + (std::isnan(value) ? nothing_known : heat(value)) +
-                           "\" stroke-width=\"4\" stroke-linecap=\"round\"");
-  }
+  if (what.scale != 0.)
+    built = draw_stretches(
+        frame, what, [&](const Station &station) { return view.place(station.position); },
+        [](const double) { return std::string("stroke=\"#c8c8c8\" stroke-width=\"2\""); });
+  coloured = draw_stretches(
+      frame, what, [&](const Station &station) { return view.place(moved(station)); },
+      [&](const double value) {
+        return "stroke=\"" + (std::isnan(value) ? nothing_known : heat(in_steps(value))) + "\"";
+      });
   std::string rings;
   for (const ColouredLine::Ring &one : what.rings)
     rings += ring(view.place(moved(frame.line[one.station])), one.tooltip);
@@ -112,7 +155,10 @@ std::string draw_coloured_line(const Scene &scene, const Results &results, const
   if (!what.rings.empty())
     key += ring({wide - margin - 250., bottom + 11.}, "") +
            text_at(wide - margin - 235., bottom + 16., what.ring_meaning);
-  return svg_picture(wide, bottom + below, what.title, built + coloured + rings + names + key);
+  return svg_picture(
+      wide, bottom + below, what.title,
+      "<g fill=\"none\" stroke-width=\"4\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n" +
+          built + coloured + "</g>\n" + rings + names + key);
 }
 
 } // namespace frictionbeam

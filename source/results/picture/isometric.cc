@@ -49,7 +49,8 @@ std::string stroke(const Pixel &from, const Pixel &to, const std::string &attrib
 
 std::string svg_picture(const double width, const double height, const std::string &title,
                         const std::string &content) {
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height) +
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"" +
+         escape_xml(title) + "\" viewBox=\"0 0 " + px(width) + " " + px(height) +
          "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"" +
          px(width) + "\" height=\"" + px(height) + "\" fill=\"#fff\"/>\n" +
          text_at(14., 22., title, "font-size=\"15\" font-weight=\"bold\"") + content + "</svg>\n";

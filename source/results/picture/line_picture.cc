@@ -26,13 +26,6 @@ bool is_finite(const Station &station) {
   return std::isfinite(translation(station).norm()) && std::isfinite(station.position.norm());
 }
 
-/// 1, 2 or 5 times a power of ten, not above @p value.
-double round_down(const double value) {
-  const double power = std::pow(10., std::floor(std::log10(value)));
-  const double digit = value / power;
-  return power * (digit >= 5. ? 5. : digit >= 2. ? 2. : 1.);
-}
-
 /// From dark violet to light green, growing in lightness (after viridis).
 std::string colour(const unsigned int bin) {
   static const std::array<std::array<double, 3>, 5> map{
@@ -342,22 +335,6 @@ std::string Picture::draw() {
 }
 
 } // namespace
-
-double displacement_scale(const std::vector<const Frame *> &frames) {
-  double largest = 0.;
-  Point3 low(1e300, 1e300, 1e300), high(-1e300, -1e300, -1e300);
-  for (const Frame *frame : frames)
-    for (const Station &station : frame->line)
-      if (is_finite(station)) {
-        largest = std::max(largest, translation(station).norm());
-        for (unsigned int d = 0; d < 3; ++d) {
-          low[d] = std::min(low[d], station.position[d]);
-          high[d] = std::max(high[d], station.position[d]);
-        }
-      }
-  const double size = low.distance(high);
-  return largest > 0. && size > 0. ? round_down(0.08 * size / largest) : 1.;
-}
 
 std::string draw_line(const Scene &scene, const Results &results, const Frame &frame,
                       const double scale) {

@@ -5,10 +5,6 @@
 
 namespace frictionbeam {
 
-/// A round factor for displacements, so that the largest one of @p frames is well seen beside the
-/// size of the line; 1 if there is none.
-double displacement_scale(const std::vector<const Frame *> &frames);
-
 /**
  * The line in isometric view (z up, x to the lower right, y to the upper right) as one SVG element
  * that also stands as a file of its own: as built in grey, displaced with the factor @p scale in

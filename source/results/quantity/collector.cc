@@ -4,9 +4,11 @@
 #include "base/numbers.h"
 #include "base/user_error.h"
 #include "results/inelastic/section_states.h"
+#include "results/quantity/fibre_quantities.h"
 #include "results/quantity/impact_forces.h"
 #include "results/quantity/point_forces.h"
 #include "results/quantity/shown_quantity.h"
+#include "results/quantity/station_at.h"
 #include "results/quantity/support_quantities.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/stress/stresses.h"
@@ -76,6 +78,10 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
       return force_at(quantity, state, kind.component);
     case Of::section:
       return section_force(quantity, current_frame(state), kind.component);
+    case Of::directed:
+      return along_direction(quantity, state);
+    case Of::fibre:
+      return value_of_fibre(model, quantity, current_frame(state));
     case Of::wall:
       return value_of_wall(model, quantity, state);
     case Of::line:
@@ -91,6 +97,39 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
     }
   };
   return quantity.scale * value();
+}
+
+double Collector::along_direction(const Quantity &quantity, const LineState &state) {
+  const auto which = static_cast<Directed>(quantity.kind().component);
+  const auto vector = [&]() -> Motion {
+    switch (which) {
+    case Directed::displacement:
+    case Directed::rotation:
+      return builder.motion(state, quantity.where);
+    case Directed::velocity:
+    case Directed::spin:
+      return builder.velocity(state, quantity.where);
+    case Directed::force:
+    case Directed::moment: {
+      Motion force;
+      for (unsigned int c = 0; c < 6; ++c)
+        force[c] = force_at(quantity, state, c);
+      return force;
+    }
+    default:
+      return section_force_in_space(station_at(model, quantity, current_frame(state)));
+    }
+  };
+  const Axes axes = quantity.along == Quantity::Along::local
+                        ? local_axes_of(station_at(model, quantity, current_frame(state)))
+                        : global_axes();
+  const Motion value = vector();
+  const unsigned int first = quantity.kind().component % 2 * 3; // of a vector, or of what turns
+  double sum = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int e = 0; e < 3; ++e)
+      sum += quantity.direction[d] * axes[d][e] * value[first + e];
+  return sum;
 }
 
 double Collector::of_supports(const Quantity &quantity, const Frame &made) const {
@@ -120,76 +159,17 @@ double Collector::of_support(const Quantity &quantity,
                   quantity.where + "'. A repeated support's names are numbered: name.1, ...");
 }
 
-namespace {
-
-/// The station of a point on the asked side; null if no pipe, or none of the asked name, has it. A
-/// pipe that ends at the point has nothing after it; another one may.
-const Station *find_station(const Model &model, const Quantity &quantity, const Frame &made) {
-  using Side = Quantity::Side;
-  const unsigned int vertex = model.mesh.points.at(quantity.where);
-  for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p) {
-    if (!quantity.pipe.empty() && model.scene.pipes[p].name != quantity.pipe)
-      continue;
-    const MeshedPipe &pipe = model.mesh.pipes[p];
-    for (unsigned int i = 0; i < pipe.vertices.size(); ++i) {
-      const bool nothing_there = quantity.side != Side::any &&
-                                 i == (quantity.side == Side::after ? pipe.vertices.size() - 1 : 0);
-      if (pipe.vertices[i] != vertex || nothing_there)
-        continue;
-      const auto pass = std::count(pipe.vertices.begin(), pipe.vertices.begin() + i, vertex);
-      const Station *last = nullptr;
-      std::ptrdiff_t n_passed = 0; // a route may come to a point again
-      bool was_there = false;
-      for (const Station &station : made.line) {
-        const bool is_there = station.pipe == p && station.vertex == vertex;
-        n_passed += was_there && !is_there;
-        was_there = is_there;
-        if (is_there && n_passed == pass) {
-          last = &station;
-          if (quantity.side != Side::after)
-            break;
-        }
-      }
-      Assert(last != nullptr, dealii::ExcInternalError());
-      return last;
-    }
-  }
-  return nullptr;
-}
-
-} // namespace
-
-const Station &Collector::station_at(const Quantity &quantity, const Frame &made) const {
-  if (const Station *const station = find_station(model, quantity, made))
-    return *station;
-  const std::string on = quantity.pipe.empty() ? "" : " called '" + quantity.pipe + "'",
-                    name = "Quantity " + quantity.name;
-  Quantity any = quantity;
-  any.side = Quantity::Side::any;
-  if (find_station(model, any, made) == nullptr)
-    throw UserError(name + ": the point '" + quantity.where + "' is on no pipe" + on +
-                    (quantity.is(Of::motion)
-                         ? ", and '" + quantity.step +
-                               "' is no step: of spectra and combinations there are the motions of "
-                               "pipes. Ask for fx, fy or fz of what holds the point."
-                         : ", and so has no section forces."));
-  const bool after = quantity.side == Quantity::Side::after;
-  throw UserError(name + ": there is no pipe" + on + (after ? " after" : " before") +
-                  " the point '" + quantity.where + "', where the route " +
-                  (after ? "ends. Take 'before'" : "begins. Take 'after'") + " or 'at'.");
-}
-
 double Collector::section_force(const Quantity &quantity, const Frame &made,
                                 const unsigned int component) const {
   if (component < 6)
-    return station_at(quantity, made).force[component];
+    return station_at(model, quantity, made).force[component];
   Quantity side = quantity; // N_mean; at an end, that of the one side there is
   side.side = Quantity::Side::before;
   const Station *const before = find_station(model, side, made);
   side.side = Quantity::Side::after;
   const Station *const after = find_station(model, side, made);
   if (before == nullptr || after == nullptr)
-    return station_at(quantity, made).force[0];
+    return station_at(model, quantity, made).force[0];
   return 0.5 * (before->force[0] + after->force[0]);
 }
 
@@ -214,7 +194,7 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
   const auto value = [&]() -> double {
     switch (kind.of) {
     case Of::motion:
-      return station_at(quantity, made).displacement[kind.component];
+      return station_at(model, quantity, made).displacement[kind.component];
     case Of::section:
       return section_force(quantity, made, kind.component);
     case Of::holder:
@@ -258,7 +238,8 @@ bool Collector::needs_line(const unsigned int step, const unsigned int increment
     const Quantity &quantity = model.scene.quantities[i];
     const bool now = quantity.over != Quantity::Over::end || (quantity.time && !pending[i].value),
                of_line = quantity.where.empty() || quantity.is(Of::supports) ||
-                         quantity.is(Of::holder) || quantity.is(Of::section);
+                         quantity.is(Of::holder) || quantity.is(Of::section) ||
+                         quantity.is(Of::directed) || quantity.is(Of::fibre);
     if (now && of_line && !quantity.is(Of::exact))
       return true;
   }
@@ -358,7 +339,7 @@ void Collector::finish(const LineState &state) {
       if (const std::size_t mode = std::stoul(quantity.where); mode <= results.modes.size())
         pending[i].value = quantity.scale * results.modes[mode - 1].frequency;
     if (quantity.is(Of::stress))
-      if (const auto value = stress_quantity(quantity, model.mesh, results))
+      if (const auto value = stress_quantity(quantity, model.scene, model.mesh, results))
         pending[i].value = quantity.scale * *value;
     for (const StepReport &step : results.steps)
       if (const auto value = value_of_step(quantity, step))

@@ -80,7 +80,7 @@ private:
   double evaluate_signed(const Quantity &quantity, const LineState &state);
   double section_force(const Quantity &quantity, const Frame &made,
                        const unsigned int component) const;
-  const Station &station_at(const Quantity &quantity, const Frame &made) const;
+  double along_direction(const Quantity &quantity, const LineState &state);
   double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
   double force_at(const Quantity &quantity, const Frame &made, const unsigned int component) const;
   double of_supports(const Quantity &quantity, const Frame &made) const;

@@ -14,8 +14,9 @@ bool is_force_of(const Quantity &quantity, const SupportInfo &support) {
   using Of = QuantityKind::Of;
   const QuantityKind &kind = quantity.kind();
   return kind.unit == std::string("N") &&
-         (kind.of == Of::supports || (is_part_of(support, quantity.where) &&
-                                      (kind.of == Of::support || kind.of == Of::holder)));
+         (kind.of == Of::supports ||
+          (is_part_of(support, quantity.where) &&
+           (kind.of == Of::support || kind.of == Of::holder || kind.of == Of::directed)));
 }
 
 std::string impulse_of(const Quantity &quantity) {

@@ -39,6 +39,10 @@ double value_of_wall(const Model &model, const Quantity &quantity, const LineSta
     const bool begins = pipe.vertices[cell.position] == vertex;
     if (!is_of_line && !begins && pipe.vertices[cell.position + 1] != vertex)
       continue;
+    if ((!quantity.pipe.empty() && model.scene.pipes[cell.pipe].name != quantity.pipe) ||
+        (quantity.side != Quantity::Side::any &&
+         (quantity.side == Quantity::Side::after) != begins))
+      continue;
     const double there = pipe.s[begins ? cell.position : cell.position + 1];
     for (const SectionState &section : sections_of_cell(model, i, state)) {
       const double number = number_of(section, component), distance = std::abs(section.s - there);

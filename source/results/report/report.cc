@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/report/report.h"
+#include "results/combination/uplift.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/frame/frame_choice.h"
 #include "results/how_well_known.h"
 #include "results/inelastic/yield_report.h"
+#include "results/listing/compliance.h"
+#include "results/listing/hangers.h"
+#include "results/listing/model_echo.h"
 #include "results/page/html.h"
+#include "results/picture/displacement_scale.h"
 #include "results/picture/line_picture.h"
 #include "results/remarks.h"
 #include "results/report/report_charts.h"
@@ -15,6 +20,7 @@
 #include "results/report/report_tree.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
+#include "results/turnable/model_section.h"
 #include "results/verdicts.h"
 
 #include <algorithm>
@@ -139,8 +145,9 @@ std::string pictures(const Scene &scene, const Results &results,
          (results.envelopes.empty()
               ? ""
               : html_note("Of a transient step the line is shown as it is at the step's end.")) +
-         (any_amplitude ? html_note("Cases of sizes, which may have either sign, are no shapes: "
-                                    "their line is drawn as it is built.")
+         (any_amplitude ? html_note("Cases of sizes, which may have either sign, and of numbers from "
+                                    "different cases are no shapes: their line is drawn as it is "
+                                    "built.")
                         : "");
 }
 
@@ -181,8 +188,10 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       steps += html_note("Shown here and below are " + std::to_string(frames.size()) + " of " +
                          std::to_string(n_ends) + " steps; the csv files have all of them.");
     add("steps", "Steps", steps);
-    if (!frames.back()->line.empty()) // a scene may have no pipe at all
+    if (!frames.back()->line.empty()) { // a scene may have no pipe at all
+      add("model", "Model", model_section(scene, results, frames, scale));
       add("line", "Line", pictures(scene, results, frames, scale));
+    }
     const ReportCharts charts =
         make_report_charts(scene, results, few_of(frames, n_curves_at_most));
     if (!charts.section_forces.empty())
@@ -198,14 +207,19 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       add("states", "States", state_table(results));
     if (!results.supports.empty())
       add("supports", "Supports", support_tables(results, frames));
+    if (const std::string left = uplift_table(scene, results); !left.empty())
+      add("uplift", "Uplift", left);
     if (!results.restraints.empty())
       add("reactions", "Reactions", reaction_tables(results, frames));
     if (!results.points.empty())
       add("displacements", "Displacements", displacement_tables(results, frames));
     if (!results.stresses.empty())
-      add("stresses", "Stresses", stress_section(scene, results));
+      add("stresses", "Stresses",
+          stress_section(scene, results) + compliance_section(scene, results));
     if (!results.nozzles.empty())
       add("nozzles", "Allowable loads", nozzle_section(results));
+    if (!results.hangers.empty())
+      add("hangers", "Hangers", hanger_section(results));
     if (!results.friction_study.multipliers.empty())
       add("friction", "Friction study", friction_study_section(results));
     if (!results.supports.empty() || !results.restraints.empty())
@@ -218,6 +232,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
   for (const ReportSection &section : results.sections)
     add(section.id, section.title, section.html);
   add("solver", "Solver", solver_tables(results));
+  if (const std::string echo = model_echo(scene, results); !echo.empty())
+    add("echo", "Nodes and elements", echo);
   add("input", "Input", input(scene));
   write_file(folder + "/report.html",
              html_page(scene.title.empty() ? scene.name : scene.title,

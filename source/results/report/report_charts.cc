@@ -12,7 +12,7 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr unsigned int n_pipes_at_most = 8, n_points_at_most = 8;
+constexpr unsigned int n_pipes_at_most = 8, n_points_at_most = 8, n_supports_of_chart = 6;
 
 /// Anything smaller than this part of its like is rounding and gets no chart.
 constexpr double nothing = 1e-7;
@@ -171,6 +171,57 @@ Group history_charts(const History &history, const bool transient,
   return group;
 }
 
+/// Of the rows whose largest size over all instants is largest, at most as many as a chart has
+/// colours for; in their order.
+std::vector<std::size_t> largest_rows(const std::vector<std::vector<double>> &rows) {
+  std::vector<std::size_t> chosen(rows.size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t(0));
+  const auto size = [&](const std::size_t row) {
+    Largest largest;
+    for (const double value : rows[row])
+      largest(value);
+    return largest.value();
+  };
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](const std::size_t a, const std::size_t b) { return size(a) > size(b); });
+  chosen.resize(std::min<std::size_t>(chosen.size(), n_supports_of_chart));
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+/// Forces of supports and restraints at the instants of transient steps that are kept.
+Group force_histories(const Scene &scene, const Results &results) {
+  Group group{"Forces of supports", "", {}};
+  std::vector<double> time;
+  std::vector<const Frame *> frames;
+  for (const Frame &frame : results.frames)
+    if (frame.step < scene.steps.size() && scene.steps[frame.step].transient) {
+      frames.push_back(&frame);
+      time.push_back(frame.time);
+    }
+  if (frames.size() < 3)
+    return group;
+  const auto add = [&](const std::string &what, const auto &infos, const auto &value) {
+    std::vector<std::vector<double>> rows(infos.size());
+    for (const Frame *frame : frames)
+      for (std::size_t i = 0; i < infos.size(); ++i)
+        rows[i].push_back(value(*frame, i));
+    std::vector<std::pair<std::string, std::vector<double>>> curves;
+    for (const std::size_t row : largest_rows(rows))
+      curves.emplace_back(infos[row].name, rows[row]);
+    add_time_chart(what, "N", true, time, curves, 0., results.units, group);
+  };
+  add("normal force fn", results.supports,
+      [](const Frame &frame, const std::size_t i) { return frame.supports[i].fn; });
+  add("friction force |ft|", results.supports,
+      [](const Frame &frame, const std::size_t i) { return friction_force(frame.supports[i]); });
+  add("force of restraints", results.restraints, [](const Frame &frame, const std::size_t i) {
+    const Motion &force = frame.reactions[i];
+    return std::hypot(force[0], force[1], force[2]);
+  });
+  return group;
+}
+
 /// Largest force and moment within the pipes, of frames and envelopes.
 std::array<double, 2> largest_section_forces(const Results &results,
                                              const std::vector<const Frame *> &frames) {
@@ -222,6 +273,9 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
     if (history.time.size() > 1 && groups.size() < n_pipe_groups + n_points_at_most)
       groups.push_back(history_charts(history, transient, largest_motion, scene.units));
 
+  if (const Group forces = force_histories(scene, results); !forces.plots.empty())
+    groups.push_back(forces);
+
   std::vector<Plot> plots;
   for (const Group &group : groups)
     plots.insert(plots.end(), group.plots.begin(), group.plots.end());
@@ -247,6 +301,11 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
     charts.section_forces += html_note("Shown are the " + std::to_string(pipes.size()) +
                                        " pipes with the largest forces of " +
                                        std::to_string(scene.pipes.size()) + "; line.csv has all.");
+  if (!charts.histories.empty() && groups.back().heading == "Forces of supports")
+    charts.histories += html_note("Forces are those of supports.csv and reactions.csv, of the " +
+                                  std::to_string(n_supports_of_chart) +
+                                  " largest; what lies between these instants is in the tables of "
+                                  "what a step's largest values are, and envelope.csv.");
   if (results.histories.size() > n_points_at_most)
     charts.histories +=
         html_note("Shown are the first " + std::to_string(n_points_at_most) + " points of " +

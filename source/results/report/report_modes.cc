@@ -3,8 +3,9 @@
 #include "results/file/output_file.h"
 #include "results/page/html.h"
 #include "results/picture/coloured_line.h"
-#include "results/picture/line_picture.h"
+#include "results/picture/displacement_scale.h"
 #include "results/report/limits.h"
+#include "results/spectrum/modal_csv.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -64,7 +65,7 @@ std::string mode_section(const Scene &scene, const Results &results) {
              "included, and their sums. Found by: " +
              results.modal_method +
              ". The residual is |K q - w\u00b2 M q| / |w\u00b2 M q|. Shapes are in modes.pvd.") +
-         html_tabs("modes-of", panels);
+         html_tabs("modes-of", panels) + excitation_table(results);
 }
 
 void write_modes(const Results &results, const std::string &folder) {

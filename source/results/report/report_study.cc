@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/report/report_study.h"
+#include "results/combination/governing_cases.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
 #include "results/file/output_file.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace frictionbeam {
@@ -164,7 +166,7 @@ std::string displacement_tables(const Results &results, const std::vector<const 
                                                    displacement_envelope_table(results, *envelope) +
                                                    "<h3>At its end</h3>\n"
                                              : "") +
-                            table.str());
+                            table.str() + governing_point_table(results, *frame));
   }
   return html_tabs("displacements-of", panels) +
          html_note("Of the named points, in global axes; line.csv has every station.");
@@ -188,6 +190,78 @@ std::vector<double> largest_forces(const Results &results) {
   }
   return largest;
 }
+
+namespace {
+
+/// What nozzles and stresses use of what is allowed, the largest of the steps, by kind and name.
+std::map<std::pair<std::string, std::string>, double> ratios_of(const Results &run) {
+  std::map<std::pair<std::string, std::string>, double> ratios;
+  for (const NozzleUse &one : run.nozzles) {
+    double &ratio = ratios[{"nozzle", one.name + " at " + one.support}];
+    ratio = std::max(ratio, one.utilization);
+  }
+  for (const StressCase &one : run.stresses)
+    if (!one.stress.empty())
+      ratios[{"stress", one.kind + " " + one.name}] =
+          one.stress[one.worst] / one.allowed[one.worst];
+  return ratios;
+}
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+} // namespace
+
+void include_in_study(const double multiplier, const Results &run, FrictionStudy &study) {
+  const std::size_t n = study.multipliers.size();
+  study.multipliers.push_back(multiplier);
+  study.largest.push_back(largest_forces(run));
+  for (const auto &[key, value] : ratios_of(run)) {
+    auto known = std::find_if(study.ratios.begin(), study.ratios.end(),
+                              [&key = key](const FrictionStudy::Ratio &ratio) {
+                                return ratio.kind == key.first && ratio.of == key.second;
+                              });
+    if (known == study.ratios.end())
+      known =
+          study.ratios.insert(known, {key.first, key.second, std::vector<double>(n, not_known)});
+    known->values.push_back(value);
+  }
+  for (FrictionStudy::Ratio &ratio : study.ratios)
+    ratio.values.resize(n + 1, not_known);
+}
+
+namespace {
+
+/// How much nozzles and stresses use, with each multiplier.
+std::string ratio_table(const FrictionStudy &study) {
+  if (study.ratios.empty())
+    return "";
+  std::vector<std::string> kinds, names, worst, at;
+  for (const FrictionStudy::Ratio &ratio : study.ratios) {
+    kinds.push_back(ratio.kind);
+    names.push_back(ratio.of);
+    std::size_t most = 0;
+    for (std::size_t m = 0; m < ratio.values.size(); ++m)
+      if (!(ratio.values[m] <= ratio.values[most])) // the first may not be known
+        most = std::isfinite(ratio.values[m]) ? m : most;
+    worst.push_back((ratio.values[most] > 1. ? "\u2717 " : "") +
+                    fixed_number(100. * ratio.values[most], 1));
+    at.push_back(rounded_number(study.multipliers[most]));
+  }
+  HtmlTable table;
+  table.text("of", kinds).text("allowable", names);
+  for (std::size_t m = 0; m < study.multipliers.size(); ++m) {
+    std::vector<std::string> values;
+    for (const FrictionStudy::Ratio &ratio : study.ratios)
+      values.push_back(std::isfinite(ratio.values[m]) ? fixed_number(100. * ratio.values[m], 1)
+                                                      : dash);
+    table.right("friction \u00d7 " + rounded_number(study.multipliers[m]) + " [%]", values);
+  }
+  return table.right("worst [%]", worst).right("at \u00d7", at).str() +
+         html_note("Largest use of allowable loads and stresses over all steps; \u2717: more than "
+                   "is allowed.");
+}
+
+} // namespace
 
 std::string friction_study_section(const Results &results) {
   const FrictionStudy &study = results.friction_study;
@@ -217,10 +291,12 @@ std::string friction_study_section(const Results &results) {
                   most.empty() ? 0. : most.front());
   }
   return table.numbers("worst", "N", most).right("at \u00d7", which).str() +
-         html_note(
-             "Largest force of each support over all steps (of transient steps at any of "
-             "their instants, blows on rigid supports left out), with all friction "
-             "coefficients multiplied. Each run's own results are in the folders friction_*.");
+         html_note("Largest force of each support over all steps (of transient steps at any of "
+                   "their instants, blows on rigid supports left out), with all friction "
+                   "coefficients multiplied; \u00d7 1 is this run. The other runs' own results are "
+                   "in the "
+                   "folders friction_*.") +
+         ratio_table(study);
 }
 
 void write_friction_study(const Results &results, const std::string &folder) {
@@ -238,6 +314,19 @@ void write_friction_study(const Results &results, const std::string &folder) {
     text += '\n';
   }
   write_file(folder + "/friction_study.csv", text);
+  if (study.ratios.empty())
+    return;
+  text = "of,allowable";
+  for (const double multiplier : study.multipliers)
+    text += ",x" + exact_number(multiplier);
+  text += '\n';
+  for (const FrictionStudy::Ratio &ratio : study.ratios) {
+    text += ratio.kind + ',' + csv_field(ratio.of);
+    for (const double value : ratio.values)
+      text += ',' + (std::isfinite(value) ? exact_number(value) : std::string());
+    text += '\n';
+  }
+  write_file(folder + "/friction_study_ratios.csv", text);
 }
 
 } // namespace frictionbeam

@@ -16,10 +16,14 @@ std::string displacement_tables(const Results &results, const std::vector<const 
 /// Results::supports, then Results::restraints.
 std::vector<double> largest_forces(const Results &results);
 
-/// The table of a study over multipliers of friction, as HTML.
+/// Add a run to a study over multipliers of friction: its largest_forces(), and how much nozzles and
+/// stresses use of what is allowed.
+void include_in_study(const double multiplier, const Results &run, FrictionStudy &study);
+
+/// The tables of such a study, as HTML.
 std::string friction_study_section(const Results &results);
 
-/// Write friction_study.csv, if there is one.
+/// Write friction_study.csv and friction_study_ratios.csv, if there is one.
 void write_friction_study(const Results &results, const std::string &folder);
 
 } // namespace frictionbeam

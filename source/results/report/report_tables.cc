@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/report/report_tables.h"
+#include "results/combination/governing_cases.h"
 #include "results/file/envelope_tables.h"
 #include "results/page/html.h"
 #include "results/picture/marker.h"
@@ -283,7 +284,9 @@ std::string step_table(const Scene &scene, const Results &results,
 std::string support_tables(const Results &results, const std::vector<const Frame *> &frames) {
   return tabs(
              "supports-of", results, frames,
-             [&](const Frame &frame) { return support_table(results, frame); },
+             [&](const Frame &frame) {
+               return support_table(results, frame) + governing_support_table(results, frame);
+             },
              &support_envelope_table) +
          html_note(
              "Forces are those of the support on the pipe, fn positive in compression, ft1 and "
@@ -295,7 +298,9 @@ std::string support_tables(const Results &results, const std::vector<const Frame
 std::string reaction_tables(const Results &results, const std::vector<const Frame *> &frames) {
   return tabs(
              "reactions-of", results, frames,
-             [&](const Frame &frame) { return reaction_table(results, frame); },
+             [&](const Frame &frame) {
+               return reaction_table(results, frame) + governing_reaction_table(results, frame);
+             },
              &reaction_envelope_table) +
          html_note("Forces and moments on the pipe in global axes, z up.");
 }

@@ -17,6 +17,10 @@ public:
 
   StressPoint point(const Station &station) const;
 
+  /// @throws UserError naming the first place that the code has nothing for, or where it does what
+  /// no code may.
+  void check(const std::vector<Station> &line) const;
+
   /// What a station makes of its section forces N, Vy, Vz, Mx, My, Mz.
   struct Axes {
     double y = 0., z = 0.; ///< local axes' part in the normal of the bend's or tee's plane
@@ -35,9 +39,12 @@ public:
   };
   Axes axes(const Station &station, const double pressure) const;
 
+  /// Unit normal of the plane of the bend or tee there; zero elsewhere.
+  static Vector3 normal_of_plane(const Scene &scene, const LineMesh &mesh, const Station &station);
+
   const Scene &scene;
   const Results &results;
-  const std::unique_ptr<const StressCode> code;
+  const StressCode code;
 
 private:
   /// Where tees stand: the vertex' position, the normal of their plane, run and branch.
@@ -48,7 +55,11 @@ private:
     unsigned int branch, run;
   };
   static std::vector<TeeSite> find_tees(const Scene &scene, const LineMesh &mesh);
-  const TeeSite *tee_at(const Station &station) const;
+  static const TeeSite *find_tee(const std::vector<TeeSite> &tees, const Station &station);
+  const TeeSite *tee_at(const Station &station) const { return find_tee(tees, station); }
+  static Vector3 normal_at(const TeeSite *const tee, const Station &station) {
+    return tee != nullptr ? tee->normal : station.bend_axis;
+  }
 
   const std::vector<TeeSite> tees;
 };

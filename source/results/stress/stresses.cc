@@ -15,16 +15,8 @@ namespace {
 
 /// Factors of every station, for who asks.
 void add_factors(const StressEvaluation &evaluation, StressCase &result) {
-  for (const Station &station : result.frame.line) {
-    const StressPoint point = evaluation.point(station);
-    const StressCode::Factors i = evaluation.code->intensification(point);
-    const double k = point.part == StressPoint::Part::bend
-                         ? b31_3_bend(point.diameter, point.wall, point.bend_radius,
-                                      point.youngs_modulus, point.stiffening_pressure)
-                               .k
-                         : 1.;
-    result.factors.push_back({{k, i.in_plane, i.out_of_plane}});
-  }
+  for (const Station &station : result.frame.line)
+    result.factors.push_back(evaluation.code.intensification(evaluation.point(station)));
 }
 
 void find_worst(StressCase &result) {
@@ -99,12 +91,13 @@ public:
   }
 
   /// @param before forces that the case's count from, or null
-  double operator()(const unsigned int i, const StressPoint &point, const double pressure,
-                    const Formulas formula, const Motion *const before) const {
+  void operator()(const unsigned int i, const StressPoint &point, const double pressure,
+                  const Formulas formula, const Motion *const before, StressCase &result) const {
     const Station &station = least->line[i];
     const StressEvaluation::Axes axes = evaluation.axes(station, pressure);
-    const StressCode::Formula stress = ((*evaluation.code).*formula)(point);
-    double result = 0.;
+    const StressCode::Formula stress = (evaluation.code.*formula)(point);
+    double most = 0.;
+    StressForces at_most;
     const unsigned int n_corners = least == largest ? 1 : 16;
     for (unsigned int corner = 0; corner < n_corners; ++corner) {
       Motion force = station.force;
@@ -115,9 +108,15 @@ public:
       if (before != nullptr)
         for (unsigned int c = 0; c < 6; ++c)
           force[c] -= (*before)[c];
-      result = std::max(result, stress(axes.forces(force.data())));
+      const StressForces forces = axes.forces(force.data());
+      const double value = stress(forces);
+      if (corner == 0 || value > most) {
+        most = value;
+        at_most = forces;
+      }
     }
-    return result;
+    result.stress.push_back(most);
+    result.forces.push_back(at_most);
   }
 
 private:
@@ -149,7 +148,7 @@ case_of_loads(const StressEvaluation &evaluation, const std::string &step, const
   const Frame *const frame = evaluation.frame_of(step);
   if (frame == nullptr)
     return {};
-  const StressCode &code = *evaluation.code;
+  const StressCode &code = evaluation.code;
   StressCase result;
   result.name = result.step = step;
   result.kind = occasional ? "occasional" : "sustained";
@@ -160,10 +159,9 @@ case_of_loads(const StressEvaluation &evaluation, const std::string &step, const
     const Station &station = frame->line[i];
     const StressPoint point = evaluation.point(station);
     if (!is_known)
-      result.stress.push_back(
-          stress_of(i, point, pressure(step, station.pipe), &StressCode::sustained, nullptr));
-    result.allowed.push_back(occasional ? code.allowed_occasional(point, evaluation.scene.stress)
-                                        : code.allowed_sustained(point));
+      stress_of(i, point, pressure(step, station.pipe), &StressCode::sustained, nullptr, result);
+    result.allowed.push_back(
+        code.allowed(occasional ? StressLimit::occasional : StressLimit::sustained, point));
   }
   return result;
 }
@@ -192,10 +190,8 @@ std::optional<StressCase> case_of_expansion(const StressEvaluation &evaluation,
     for (std::size_t s = 0; s < n_sustained; ++s)
       sustained = std::max(sustained, cases[s].stress[i]);
     if (!is_known)
-      result.stress.push_back(
-          stress_of(i, point, 0., &StressCode::expansion_range, &before->line[i].force));
-    result.allowed.push_back(
-        evaluation.code->allowed_range(point, evaluation.scene.stress, sustained));
+      stress_of(i, point, 0., &StressCode::expansion_range, &before->line[i].force, result);
+    result.allowed.push_back(evaluation.code.allowed(StressLimit::range, point, sustained));
   }
   return result;
 }
@@ -212,7 +208,7 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
   const auto add = [&](std::optional<StressCase> one) {
     if (!one)
       return;
-    one->code = evaluation.code->name();
+    one->code = evaluation.code.name();
     find_worst(*one);
     add_factors(evaluation, *one);
     cases.push_back(std::move(*one));
@@ -227,8 +223,32 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
   return cases;
 }
 
-std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
-                                      const Results &results) {
+void check_stress_code(const Scene &scene, const LineMesh &mesh, const std::vector<Station> &line) {
+  StressEvaluation(scene, mesh, Results()).check(line);
+}
+
+namespace {
+
+/// Whether a station is on the side of its point and on the pipe that a quantity asks for. The
+/// frames of stresses have both sides of every node.
+bool is_asked(const Quantity &quantity, const Scene &scene, const LineMesh &mesh,
+              const std::vector<Station> &line, const unsigned int i) {
+  using Side = Quantity::Side;
+  if (quantity.where.empty())
+    return true;
+  const Station &station = line[i];
+  if (station.vertex != mesh.points.at(quantity.where) ||
+      (!quantity.pipe.empty() && scene.pipes[station.pipe].name != quantity.pipe))
+    return false;
+  const bool ends_a_cell =
+      i > 0 && line[i - 1].pipe == station.pipe && line[i - 1].vertex != station.vertex;
+  return quantity.side == Side::any || (quantity.side == Side::before) == ends_a_cell;
+}
+
+} // namespace
+
+std::optional<double> stress_quantity(const Quantity &quantity, const Scene &scene,
+                                      const LineMesh &mesh, const Results &results) {
   // in the order of quantity_kinds
   enum Component : unsigned int { flexibility, sif_in, sif_out, sustained, range, utilization };
   const auto component = static_cast<Component>(quantity.kind().component);
@@ -239,9 +259,11 @@ std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &
         (!quantity.step.empty() && quantity.step != one.step))
       continue;
     for (unsigned int i = 0; i < one.stress.size(); ++i) {
-      if (!quantity.where.empty() && one.frame.line[i].vertex != mesh.points.at(quantity.where))
+      if (!is_asked(quantity, scene, mesh, one.frame.line, i))
         continue;
-      const double value = component <= sif_out       ? one.factors[i][component]
+      const double value = component == flexibility   ? one.factors[i].flexibility
+                           : component == sif_in      ? one.factors[i].in_plane
+                           : component == sif_out     ? one.factors[i].out_of_plane
                            : component == utilization ? one.stress[i] / one.allowed[i]
                                                       : one.stress[i];
       largest = std::max(largest.value_or(0.), value);
@@ -275,7 +297,7 @@ std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &resul
   const auto sites = nozzle_sites(scene, results);
   for (unsigned int n = 0; n < scene.nozzles.size(); ++n)
     for (const Frame &frame : results.frames) {
-      if (is_difference(scene, frame.name))
+      if (!is_judged(scene, frame.name))
         continue; // which no nozzle carries
       const StepEnvelope *const envelope = results.envelope_of(frame.step);
       for (unsigned int k = 0; frame.end_of_step && k < sites.size(); ++k) {

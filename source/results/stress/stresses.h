@@ -17,6 +17,10 @@ std::vector<StressCase>
 evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &results,
                   const std::function<double(const std::string &, const unsigned int)> &pressure);
 
+/// Ask the stress code, which there is, about every node. @throws UserError naming the first that
+/// it has nothing for, or where it does what no code may (stress_code_faults())
+void check_stress_code(const Scene &scene, const LineMesh &mesh, const std::vector<Station> &line);
+
 /// Largest pressure of a step's loads in a pipe [Pa]; of a combination, of its cases.
 double pressure_in(const Scene &scene, const std::string &step, const unsigned int pipe);
 
@@ -33,9 +37,10 @@ double utilization(const NozzleLimit &nozzle, const Motion &force);
 std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &results);
 
 /// A quantity of the stress code: flexibility, sif_in, sif_out at a point, SL and SE at a point in
-/// a step, utilization of all or of one step; empty if there is none.
-std::optional<double> stress_quantity(const Quantity &quantity, const LineMesh &mesh,
-                                      const Results &results);
+/// a step, utilization of all or of one step; the largest of the sides and pipes that are asked for
+/// at a point. Empty if there is none.
+std::optional<double> stress_quantity(const Quantity &quantity, const Scene &scene,
+                                      const LineMesh &mesh, const Results &results);
 
 /// As HTML; empty if there are none.
 std::string stress_section(const Scene &scene, const Results &results);

@@ -19,6 +19,10 @@ constexpr Word<QuantityKind::Of> places[] = {
      QuantityKind::Of::section},
     {"at a support, spring or point: the force of what holds the pipe there on the pipe",
      QuantityKind::Of::holder},
+    {"at a point, 'along X Y Z' (f and m at a support, spring or point; u, r, v, w also 'along "
+     "local x', y or z, the pipe's axes there)",
+     QuantityKind::Of::directed},
+    {"of the pipe at a point ('before', 'after', 'pipe NAME' as above)", QuantityKind::Of::fibre},
     {"at a friction support (name.1, name.2, ... of a repeated one)", QuantityKind::Of::support},
     {"of all friction supports or of one part", QuantityKind::Of::supports},
     {"of a mode, by its number: 'frequency 1'", QuantityKind::Of::mode},

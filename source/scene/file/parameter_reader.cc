@@ -44,6 +44,7 @@ bool keeps_references(const std::string &heading, const std::string &name) {
                                              "Output", "Quantities", "Study"};
   return std::count(harmless.begin(), harmless.end(), heading) > 0 ||
          (heading == "Continuum" && name != "Increments" && name != "Dimension") ||
+         (heading == "Stress" && name == "Code libraries") ||
          (name == "Increments" &&
           heading != "Continuum") || // how the way is cut, not where it leads
          (heading == "Slab" &&       // of its line

@@ -61,9 +61,12 @@ void parse_continuum(const ParameterReader &in, Scene &scene) {
 
 void check_model(const ParameterReader &in, const Scene &scene) {
   const bool is_automatic = scene.model == ModelKind::automatic;
-  if (scene.model != ModelKind::line && !is_automatic && !scene.continuum)
-    in.fail("Model", "line or auto for Scene = " + in.text("Scene"),
+  if (scene.model == ModelKind::continuum && !scene.continuum)
+    in.fail("Model", "line, solid, both or auto for Scene = " + in.text("Scene"),
             "line; slab, long bar and body are continua");
+  if (scene.model == ModelKind::solid && scene.continuum)
+    in.fail("Model", "solid for scenes of pipes", "continuum, which Scene = " + in.text("Scene") +
+            " is as well");
   if (scene.accuracy > 0. && scene.model == ModelKind::both)
     in.fail("Accuracy", "Model = line, continuum or auto", "one after the other",
             in.text("Accuracy"));

@@ -46,8 +46,8 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
   const int n_rotations = scene.free_motions[3] + scene.free_motions[4] + scene.free_motions[5];
   refuse(n_rotations > 1 && any(scene.springs,
                                 [](const Spring &spring) {
-                                  return spring.stiffness[3] != 0. || spring.stiffness[4] != 0. ||
-                                         spring.stiffness[5] != 0.;
+                                  return spring.turns(0, false) || spring.turns(1, false) ||
+                                         spring.turns(2, false);
                                 }),
          "springs that turn, in space", "Free motions = uy, uz, rx or another plane");
   refuse(any(scene.initial,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/catalogue/catalogue_entries.h"
+#include "scene/law_entries.h"
 #include "scene/part/parts.h"
 
 #include <algorithm>
@@ -7,12 +9,10 @@ namespace frictionbeam::parts {
 
 namespace {
 
-constexpr Word<Tee::Kind> tee_kinds[] = {
-    {"welding tee", Tee::Kind::welding},       {"reinforced", Tee::Kind::reinforced},
-    {"unreinforced", Tee::Kind::unreinforced}, {"extruded", Tee::Kind::extruded},
-    {"welded-in", Tee::Kind::welded_in},       {"integrally reinforced", Tee::Kind::integral}};
-
-const Word<std::string> stress_codes[] = {{"none", ""}, {"B31.3", "B31.3"}};
+constexpr Word<TeeKind> tee_kinds[] = {
+    {"welding tee", TeeKind::welding},       {"reinforced", TeeKind::reinforced},
+    {"unreinforced", TeeKind::unreinforced}, {"extruded", TeeKind::extruded},
+    {"welded-in", TeeKind::welded_in},       {"integrally reinforced", TeeKind::integral}};
 
 /// Whether a hanger is constant, and what the list of reactions calls its springs.
 struct HangerKind {
@@ -83,7 +83,7 @@ void parse_joint(const ParameterReader &in, const std::string &name, Scene &scen
 void declare_tee(ParameterReader &in) {
   in.declare_text("At", "", "name of a point", "Where the branch leaves the run.");
   in.declare_text("Branch", "", "name of a pipe", "The branch, which begins or ends there.");
-  in.declare_choice("Kind", Tee::Kind::welding, tee_kinds,
+  in.declare_choice("Kind", TeeKind::welding, tee_kinds,
                     "For the stress intensification factors of ASME B31.3, appendix D.");
   in.declare_number("Pad", 0., "m", 0., 1e300, "Thickness of a reinforced tee's pad.");
   in.declare_number("Crotch radius", 0., "m", 0., 1e300, "Of an extruded or welding tee.");
@@ -159,10 +159,16 @@ void declare_hanger(ParameterReader &in) {
   in.declare_number("Stiffness", 0., "N/m", 0., 1e300,
                     "Of a variable hanger; 0: sized, for 'Variation'.");
   in.declare_number("Cold load", 0., "N", 0., 1e300,
-                    "Its upward force before anything has moved; 0: sized, so that it carries the "
+                    "Its force before anything has moved; 0: sized, so that it carries the "
                     "weight when the line is hot.");
+  in.declare_text("Item", "", "name of an item of Catalogue/Hangers, or by load",
+                  "Whose stiffness and range of loads it has. by load: the first of the table that "
+                  "carries hot and cold load with no more than 'Variation'.");
+  in.declare_text("Direction", "0 0 1", "x y z [-]",
+                  "Of its force on the pipe, and of its stiffness: a hanger that pulls askew.");
   in.declare_number("Variation", 0.25, "-", positive, 1.,
-                    "Largest change of load between hot and cold over the hot load, when sized.");
+                    "Largest change of load between hot and cold over the hot load: what it is "
+                    "sized for, and a check.");
   in.declare_text("Weight step", "", "name of a step",
                   "With the weight that a sized hanger carries; empty: the first step.");
   in.declare_text("Hot step", "", "name of a step",
@@ -181,12 +187,13 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
   const HangerKind &kind = *find_word(hanger_kinds, in.text("Kind"));
   hanger.constant = kind.value;
   hanger.stiffness = in.number("Stiffness");
+  hanger.cold_load = in.number("Cold load");
   if (hanger.constant && hanger.stiffness > 0.)
     in.fail("Stiffness", "no stiffness of a constant hanger", "Kind = variable");
-  hanger.cold_load = in.number("Cold load");
   if (hanger.stiffness > 0. && hanger.cold_load == 0.)
     in.fail("Cold load", "a load > 0 beside a stiffness, or neither for a sized hanger",
             "the cold load, or removing 'Stiffness'");
+  parse_item_of_hanger(in, scene, hanger);
   hanger.largest_variation = in.number("Variation");
   hanger.weight_step = in.text("Weight step");
   hanger.hot_step = in.text("Hot step");
@@ -195,6 +202,9 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
     spring.name = hanger.points.size() > 1 ? name + "." + std::to_string(i + 1) : name;
     spring.kind = kind.of_spring;
     spring.point = hanger.points[i];
+    const Vector3 direction = parse_unit_vector(in, "Direction");
+    for (unsigned int d = 0; d < 3; ++d)
+      spring.directions[2][d] = direction[d];
     spring.stiffness[2] = hanger.stiffness;
     spring.preload = hanger.cold_load;
     hanger.springs.push_back(scene.springs.size());
@@ -244,7 +254,12 @@ void parse_nozzle(const ParameterReader &in, const std::string &name, Scene &sce
 }
 
 void declare_stress(ParameterReader &in) {
-  in.declare_choice("Code", std::string(), stress_codes, "By which stresses are judged.");
+  in.declare_text("Code", "none", "none, B31.3, or the name of a code in 'Code libraries'",
+                  "By which stresses are judged.");
+  in.declare_text(
+      "Code libraries", "", "paths of .so files, separated by commas",
+      "Shared libraries with stress codes of your own, from the parameter file's folder "
+      "or the folder the program runs in.");
   in.declare_text("Sustained", "", "names of steps, separated by commas",
                   "With weight and pressure: SL against Sh.");
   in.declare_text("Expansion", "", "pairs 'step to step', separated by commas",
@@ -257,14 +272,41 @@ void declare_stress(ParameterReader &in) {
   in.declare_number("Occasional factor", 1.33, "-", 1., 3., "Of Sh.");
 }
 
+namespace {
+
+/// The codes of the program and of the user.
+std::shared_ptr<const StressCodeLibrary> load_codes(const ParameterReader &in) {
+  const auto codes = std::make_shared<StressCodeLibrary>();
+  codes->load_builtin();
+  load_libraries(in, "Code libraries", "a stress code of this version",
+                 [&](const std::string &path) { codes->load(path); });
+  return codes;
+}
+
+} // namespace
+
 void parse_stress(const ParameterReader &in, Scene &scene) {
   StressSettings &stress = scene.stress;
-  stress.code = in.choice("Code", stress_codes);
+  if (in.text("Code") != "none") {
+    stress.code = in.text("Code");
+    stress.codes = load_codes(in);
+    std::vector<std::string> allowed = stress.codes->names();
+    allowed.emplace_back("none");
+    in.find("Code", stress.code, allowed, "stress code");
+  }
   const std::vector<std::string> known = case_names(scene);
+  const auto find_case = [&](const std::string &entry, const std::string &name) {
+    in.find(entry, name, known, "step");
+    for (const Combination &one : scene.combinations)
+      if (one.name == name && (one.kind == Combination::Kind::maximum ||
+                               one.kind == Combination::Kind::minimum))
+        in.fail(entry, "no maximum or minimum, which has one side of the forces alone",
+                "a combination of kind envelope", "'" + name + "'");
+  };
   const auto steps = [&](const std::string &entry) {
     const std::vector<std::string> list = in.list(entry);
     for (const std::string &step : list)
-      in.find(entry, step, known, "step");
+      find_case(entry, step);
     return list;
   };
   stress.sustained = steps("Sustained");
@@ -274,8 +316,8 @@ void parse_stress(const ParameterReader &in, Scene &scene) {
     if (words.size() != 3 || words[1] != "to")
       in.fail("Expansion", "pairs 'step to step', separated by commas", "'weight to heat'",
               "'" + pair + "'");
-    in.find("Expansion", words[0], known, "step");
-    in.find("Expansion", words[2], known, "step");
+    find_case("Expansion", words[0]);
+    find_case("Expansion", words[2]);
     stress.expansion.emplace_back(words[0], words[2]);
   }
   stress.cycles_factor = in.number("Cycles factor");

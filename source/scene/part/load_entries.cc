@@ -110,6 +110,8 @@ void parse_forces(const ParameterReader &in, Scene &scene, Load &load) {
 
 void parse_displacements(const ParameterReader &in, Scene &scene, Load &load) {
   parse_points(in, "Displacements", &parse_displacement, "'P1 ux 0.01'", scene, load);
+  for (Load::AtPoint &at : load.at)
+    at.axes = parse_axes(in);
 }
 
 /// A kind of load as the user calls it; two may be of one kind of the scene.
@@ -146,7 +148,7 @@ const LoadWord load_kinds[] = {
     {"displacement",
      Load::Kind::displacement,
      "imposed at points",
-     {"Displacements"},
+     {"Displacements", "Axes"},
      &parse_displacements},
     {"ground acceleration",
      Load::Kind::weight,
@@ -217,8 +219,9 @@ void declare_load(ParameterReader &in) {
   in.declare_text(
       "Displacements", "",
       "point, then motions with values: ux uy uz [m], rx ry rz [degrees]; more after ';'",
-      "Of displacement, in global axes, such as 'P ux 0.01 uz 0; Q ry 1.5'. Motions that "
-      "are not named stay free.");
+      "Of displacement, along and about the axes, such as 'P ux 0.01 uz 0; Q ry 1.5'. Motions "
+      "that are not named stay free.");
+  declare_axes(in, "Of Displacements.");
 }
 
 void parse_load(const ParameterReader &in, const std::string &name,

@@ -44,6 +44,9 @@ void declare_material(ParameterReader &in) {
   in.declare_number("Expansion", 1.2e-5, "1/K", -1., 1., "Coefficient of thermal expansion.");
   in.declare_number("Allowable cold", 0., "Pa", 0., 1e300, "Sc of a stress code.");
   in.declare_number("Allowable hot", 0., "Pa", 0., 1e300, "Sh of a stress code.");
+  in.declare_number("Yield stress", 0., "Pa", 0., 1e300,
+                    "Above which an elastic line is a doubtful model: stresses above it are "
+                    "remarked. 0: not said, and nothing is. What yields has a Law in its Section.");
 }
 
 std::string existing_file(const ParameterReader &in, const std::string &entry) {
@@ -66,6 +69,7 @@ void parse_material(const ParameterReader &in, const std::string &name, Scene &s
   material.expansion = in.number("Expansion");
   material.allowable_cold = in.number("Allowable cold");
   material.allowable_hot = in.number("Allowable hot");
+  material.yield_stress = in.number("Yield stress");
   const bool graded = in.choice("Grade", material_grades) != no_grade,
              tabled = !in.text("Table").empty();
   if (graded && tabled)

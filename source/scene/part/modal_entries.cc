@@ -2,24 +2,8 @@
 #include "scene/part/parts.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace frictionbeam {
-
-double Spectrum::at(const double frequency, const bool logarithmic) const {
-  if (frequency <= curve.front().first)
-    return curve.front().second;
-  if (frequency >= curve.back().first)
-    return curve.back().second;
-  const auto after = std::upper_bound(
-      curve.begin(), curve.end(), frequency,
-      [](const double f, const std::pair<double, double> &point) { return f < point.first; });
-  const auto [f0, a0] = *(after - 1);
-  const auto [f1, a1] = *after;
-  if (logarithmic && f0 > 0. && a0 > 0. && a1 > 0.)
-    return a0 * std::pow(a1 / a0, std::log(frequency / f0) / std::log(f1 / f0));
-  return a0 + (a1 - a0) * (frequency - f0) / (f1 - f0);
-}
 
 namespace parts {
 
@@ -32,24 +16,15 @@ constexpr Word<bool> modal_frictions[] = {
     {"as in the step", true, "a sticking support holds sideways too, a slipping one does not"},
     {"off", false, "none does"}};
 
-using ModeSum = SpectrumSettings::Modes;
-constexpr Word<ModeSum> mode_sums[] = {
-    {"srss", ModeSum::srss, "square root of the sum of squares"},
-    {"cqc", ModeSum::cqc,
-     "complete quadratic combination, which sees that close modes act together"},
-    {"absolute", ModeSum::absolute, "sum of absolute values"}};
-using SpectrumSum = SpectrumSettings::Sum;
-constexpr Word<SpectrumSum> spectrum_sums[] = {{"srss", SpectrumSum::srss},
-                                               {"absolute", SpectrumSum::absolute}};
-constexpr Word<bool> interpolations[] = {{"log-log", true}, {"linear", false}};
-
 using CombinationKind = Combination::Kind;
 constexpr Word<CombinationKind> combination_kinds[] = {
     {"sum", CombinationKind::sum,
      "with the cases' factors, those that are sizes (spectrum, range, srss, absolute) with either "
      "sign, so that they add to what has the larger size"},
     {"range", CombinationKind::range, "largest minus smallest"},
-    {"envelope", CombinationKind::envelope, "that of largest size"},
+    {"envelope", CombinationKind::envelope, "that of largest size, with its sign"},
+    {"maximum", CombinationKind::maximum, "the largest, whatever its sign"},
+    {"minimum", CombinationKind::minimum, "the smallest, likewise"},
     {"srss", CombinationKind::srss, "square root of the sum of squares"},
     {"absolute", CombinationKind::absolute, "sum of absolute values"}};
 
@@ -82,76 +57,6 @@ void check_modes(const ParameterReader &in, Scene &scene) {
   if (in.given("Friction") && scene.modal.friction_holds)
     in.fail("Friction", "off beside a Spectrum: the method is linear", "set Friction = off");
   scene.modal.friction_holds = false;
-}
-
-void declare_spectrum(ParameterReader &in) {
-  in.declare_text("Curve", "", "f a; f a; ...: frequency [Hz] and acceleration [m/s2], rising f",
-                  "Acceleration of the supports as an oscillator of that frequency feels it.");
-  in.declare_text("Directions", "x, y, z", "x, y, z, each with a factor [-] if not 1",
-                  "In which the supports move so, each by itself.");
-  in.declare_text("Supports", "", "names of supports and springs, separated by commas",
-                  "The group that moves so; the others stand still. Empty: all move together.");
-}
-
-void parse_spectrum(const ParameterReader &in, const std::string &name, Scene &scene) {
-  Spectrum spectrum;
-  spectrum.name = name;
-  const std::string form = "pairs 'frequency acceleration' separated by ';', frequencies rising";
-  for (const std::string &pair : split(in.text("Curve"), ';')) {
-    if (pair.empty())
-      continue;
-    const std::vector<std::string> words = split(pair, ' ');
-    double f, a;
-    if (words.size() != 2 || !to_number(words[0], f) || !to_number(words[1], a) || f < 0. ||
-        a < 0. || (!spectrum.curve.empty() && f <= spectrum.curve.back().first))
-      in.fail("Curve", form, "'1 2.5; 10 4; 33 1.5'", "'" + pair + "'");
-    spectrum.curve.emplace_back(f, a * in.si("m/s2"));
-  }
-  if (spectrum.curve.empty())
-    in.fail("Curve", form, "'1 2.5; 10 4; 33 1.5'");
-  spectrum.factor = {{0., 0., 0.}};
-  for (const std::string &item : in.list("Directions")) {
-    const std::vector<std::string> words = split(item, ' ');
-    double factor = 1.;
-    const auto axis = std::string("xyz").find(words[0]);
-    if (words[0].size() != 1 || axis == std::string::npos || words.size() > 2 ||
-        (words.size() == 2 && !to_number(words[1], factor)))
-      in.fail("Directions", "x, y, z, each with a factor if not 1", "'x, y, z 0.667'",
-              "'" + item + "'");
-    spectrum.factor[axis] = factor;
-  }
-  spectrum.supports = in.list("Supports");
-  std::vector<std::string> known = names(scene.supports);
-  for (const auto *list : {&scene.restraints})
-    for (const Restraint &restraint : *list)
-      known.push_back(restraint.name);
-  for (const Spring &spring : scene.springs)
-    known.push_back(spring.name);
-  for (const std::string &support : spectrum.supports)
-    in.find("Supports", support, known, "support");
-  scene.spectra.push_back(spectrum);
-}
-
-void declare_response(ParameterReader &in) {
-  in.declare_choice("Modes", ModeSum::srss, mode_sums, "How modes are combined.");
-  in.declare_choice("Directions", SpectrumSum::srss, spectrum_sums, "How directions are combined.");
-  in.declare_choice("Groups", SpectrumSum::absolute, spectrum_sums,
-                    "How groups of supports are combined, in each mode and direction.");
-  in.declare_choice("Interpolation", true, interpolations, "Of spectra.");
-  in.declare_number("Damping", 0.05, "-", positive, 1., "Ratio to critical, of cqc.");
-  in.declare_flag("Missing mass", false,
-                  "Add the static response to what the modes leave out, at the acceleration of the "
-                  "spectrum's last point.");
-}
-
-void parse_response(const ParameterReader &in, Scene &scene) {
-  SpectrumSettings &s = scene.response;
-  s.modes = in.choice("Modes", mode_sums);
-  s.directions = in.choice("Directions", spectrum_sums);
-  s.groups = in.choice("Groups", spectrum_sums);
-  s.logarithmic = in.choice("Interpolation", interpolations);
-  s.damping = in.number("Damping");
-  s.missing_mass = in.flag("Missing mass");
 }
 
 void declare_combination(ParameterReader &in) {

@@ -40,6 +40,12 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
 bool is_support_place(const ParameterFile &file, const ParameterFile::Section &section);
 /// All such sections, after the supports.
 void parse_support_places(ParameterReader &in, const LawLibrary &laws, Scene &scene);
+/// Entry 'Axes', of what has its own.
+void declare_axes(ParameterReader &in, const std::string &of);
+/// The global ones where it is empty.
+Axes parse_axes(const ParameterReader &in);
+/// A vector of length 1. @throws UserError if it is zero
+Vector3 parse_unit_vector(const ParameterReader &in, const std::string &entry);
 void declare_spring(ParameterReader &in);
 void parse_spring(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_mass(ParameterReader &in);
@@ -91,6 +97,8 @@ void declare_spectrum(ParameterReader &in);
 void parse_spectrum(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_response(ParameterReader &in);
 void parse_response(const ParameterReader &in, Scene &scene);
+/// What of it depends on the spectra, in section Response.
+void check_response(const ParameterReader &in, const Scene &scene);
 void declare_combination(ParameterReader &in);
 void parse_combination(const ParameterReader &in, const std::string &name, Scene &scene);
 /// Names of steps, of the spectra's result and of combinations.

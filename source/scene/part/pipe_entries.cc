@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/catalogue/catalogue_entries.h"
 #include "scene/part/fit_bends.h"
 #include "scene/part/parts.h"
 
@@ -61,6 +62,10 @@ void declare_pipe(ParameterReader &in) {
       "are divided as its appendix D says.");
   in.declare_text("End section", "", "name of a section",
                   "Of a reducer: diameter and wall go evenly from Section to this one.");
+  in.declare_text(
+      "Item", "", "name of an item of Catalogue/Components",
+      "A valve, a flange of your own table: the pipe is rigid, has the item's mass, and "
+      "its route must be as long as the item.");
   in.declare_flag("Rigid", false, "A valve, a flange: 1000 times as stiff as its section.");
   in.declare_number(
       "Mass", -1., "kg", -1., 1e300,
@@ -231,6 +236,7 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
   pipe.rigid = in.flag("Rigid");
   if (in.number("Mass") >= 0.)
     pipe.total_mass = in.number("Mass");
+  parse_component_of_pipe(in, scene, pipe);
   pipe.bend_radius = in.number("Bend radius");
   if (pipe.bend_radius > 0. && !pipe.route.empty())
     in.fail("Bend radius", "a radius here for pipes from Mesh/File only",

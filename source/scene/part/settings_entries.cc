@@ -216,6 +216,9 @@ void declare_output(ParameterReader &in) {
   in.declare_flag("Every increment", false,
                   "Write the state at every increment, not only at the ends of steps.");
   in.declare_flag("VTU", true, "Write files for ParaView.");
+  in.declare_count("VTU frames", 200, 0,
+                   "Most of them that a transient step writes, at even distances of time; a step "
+                   "with more of output says so. 0: all.");
   in.declare_flag("Report", true, "Write report.html.");
   in.declare_flag("Write contact problems", false,
                   "Of every static increment of the method exact: the friction-contact problem and "
@@ -235,6 +238,7 @@ void parse_output(const ParameterReader &in, Scene &scene) {
       scene.output.sections.push_back(point); // check_inelastic() looks whether there is one
   scene.output.every_increment = in.flag("Every increment");
   scene.output.vtu = in.flag("VTU");
+  scene.output.vtu_frames = in.count("VTU frames");
   scene.output.report = in.flag("Report");
   scene.output.contact_problems = in.flag("Write contact problems");
   scene.output.checkpoint_interval = in.number("Checkpoint interval");

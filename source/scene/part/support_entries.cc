@@ -27,12 +27,12 @@ struct SupportKind {
 constexpr SupportKind kinds[] = {
     {"anchor", Form::restraint, "all six motions held"},
     {"restraint", Form::restraint, "those in Fixed"},
-    {"guide", Form::pair, "no motion sideways (horizontal, across the pipe)"},
-    {"line stop", Form::pair, "none along the pipe"},
+    {"guide", Form::pair, "no motion sideways (horizontal, across the pipe, or along Normal)"},
+    {"line stop", Form::pair, "none along the pipe, or along Normal"},
     {"stop", Form::pair, "none along Normal, either way"},
     {"rest", Form::element, "stands under the pipe, lifts off, slides with friction", true},
     {"rod", Form::element,
-     "carries the pipe from above without friction, goes slack when it rises"},
+     "carries the pipe along Normal without friction, goes slack when it rises"},
     {"friction", Form::element, "as rest, with any normal", true},
     {"snubber", Form::element,
      "nothing in static steps, holds along Normal in vibrations, by the law of that name", true,
@@ -55,7 +55,7 @@ constexpr Word<Rotations> rotations[] = {
 
 const std::vector<std::string> element_entries = {
     "Law",          "Normal", "Length",      "Rotations",     "Torsion",
-    "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time"};
+    "Normal force", "Ground", "Restitution", "Ground motion", "Ground motion time", "Width"};
 
 const std::string rigidity = "Axial rigidity"; // of coulomb; without it, rigid
 
@@ -95,13 +95,17 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_choice("Kind", Form::element, kinds, ""); // the first such: rest
   declare_placement(in);
   in.declare_text("Fixed", kind == "restraint" ? "ux, uy, uz" : "ux, uy, uz, rx, ry, rz",
-                  "motions out of ux, uy, uz, rx, ry, rz", "Of anchor and restraint, global axes.");
+                  "motions out of ux, uy, uz, rx, ry, rz",
+                  "Of anchor and restraint, along and about the axes.");
+  declare_axes(in, "Of Fixed.");
   in.declare_text("Law", default_law(kind), join(laws.names(LawKind::support)),
                   "Of the friction element. Its parameters are entries of the support.");
   in.declare_text(
       "Normal", "0 0 1", "x y z [-], along, or across",
-      "Direction from the ground into the pipe, of rest and friction; along the pipe or "
-      "across it (horizontal). With Ground, and not given: from that point to the support.");
+      "Direction from the ground into the pipe, of rest and friction; of a rod, that of its pull "
+      "on the pipe; of guide and stop, that which is held, either way. Along the pipe or across it "
+      "(horizontal), as guide and line stop are unless it is given. With Ground, and not given: "
+      "from that point to the support.");
   in.declare_number("Length", 1., "m", positive, 1e300,
                     "Of the friction element. Rigidity over length is stiffness; with Rotations it "
                     "is the lever arm as well. Not given, it is 1 m in all units, and with Ground "
@@ -116,6 +120,9 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_number("Capacity", 0., "N", 0., 1e300,
                     "Largest force that the support is made for, which the report checks, at each "
                     "place; 0: not said.");
+  in.declare_number("Width", 0., "m", 0., 1e300,
+                    "Along the pipe, of the patch by which it stands under a solid pipe (Model = "
+                    "solid), which is 30 degrees wide; 0: one outer diameter.");
   in.declare_text("Ground", "", "name of a point of another pipe",
                   "What the support stands on; empty: the ground. What of the way there is across "
                   "the normal, is a rigid arm of that pipe.");
@@ -157,10 +164,7 @@ Direction parse_normal(const ParameterReader &in) {
     direction.kind = text == "along" ? Direction::Kind::along : Direction::Kind::across;
     return direction;
   }
-  direction.vector = in.vector("Normal");
-  if (direction.vector.norm() == 0.)
-    in.fail("Normal", "a vector that is not zero", "'0 0 1', upwards");
-  direction.vector /= direction.vector.norm();
+  direction.vector = parse_unit_vector(in, "Normal");
   return direction;
 }
 
@@ -185,6 +189,7 @@ Restraint parse_restraint(const ParameterReader &in, const std::string &name,
   restraint.kind = kind;
   restraint.placement = placement;
   restraint.fixed = parse_motions(in, "Fixed");
+  restraint.axes = parse_axes(in);
   restraint.capacity = in.number("Capacity");
   if (std::count(restraint.fixed.begin(), restraint.fixed.end(), true) == 0)
     in.fail("Fixed", "at least one of " + join(motions), "'ux, uy, uz'");
@@ -194,13 +199,9 @@ Restraint parse_restraint(const ParameterReader &in, const std::string &name,
 /// Entries that are there for the friction elements of other kinds only.
 void refuse_entries_of_others(const ParameterReader &in, const LawDescription &law) {
   const std::string kind = in.text("Kind");
-  refuse(in, {"Fixed"}, kind, "Fixed for anchor and restraint");
-  if (kind == "guide" || kind == "line stop")
-    refuse(in, {"Normal"}, kind, "Normal for stop, rest, friction and snubber");
+  refuse(in, {"Fixed", "Axes"}, kind, "Fixed and its Axes for anchor and restraint");
   if (is_pair(kind) || kind == "rod")
     refuse(in, {"Normal force"}, kind, "Normal force for rest and friction");
-  if (kind == "rod")
-    refuse(in, {"Normal"}, kind, "Normal for stop, rest, friction and snubber; a rod is vertical");
   if (kind == "snubber") {
     refuse(in, {"Length", "Rotations", "Torsion", "Normal force", "Restitution", "Pad"}, kind,
            "a friction element's entries for guide, stop, rest, rod and friction");
@@ -289,6 +290,7 @@ FrictionSupport parse_friction_support(const ParameterReader &in, const std::str
   support.normal_force = in.number("Normal force");
   support.restitution = in.number("Restitution");
   support.capacity = in.number("Capacity");
+  support.width = in.number("Width");
   remark_on_restitution(in, law, support, scene);
   parse_ground(in, scene, support);
   return support;
@@ -332,7 +334,7 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
   }
   refuse_entries_of_others(in, law);
   FrictionSupport support = parse_friction_support(in, name, placement, law, scene);
-  if (kind == "guide" || kind == "line stop")
+  if ((kind == "guide" || kind == "line stop") && !in.given("Normal"))
     support.normal.kind = kind == "guide" ? Direction::Kind::across : Direction::Kind::along;
   else
     support.normal = parse_normal(in);

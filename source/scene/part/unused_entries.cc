@@ -55,8 +55,10 @@ void remark_on_moved_points(Scene &scene) {
     for (const Load &load : scene.loads)
       for (const Load::AtPoint &moved : load.at)
         for (unsigned int c = 0; c < 6; ++c)
-          if (load.kind == Load::Kind::displacement && moved.given[c] &&
-              (initial.velocity[c] != 0. || initial.displacement[c] != 0.) &&
+          if (const Motion axis = unit_motion(moved.axes, c);
+              load.kind == Load::Kind::displacement && moved.given[c] &&
+              (product(initial.velocity, axis) != 0. ||
+               product(initial.displacement, axis) != 0.) &&
               std::count(points.begin(), points.end(), moved.point) > 0)
             scene.remarks.push_back("The Initial of " + moved.point + " has a part along " +
                                     motions[c] + ", in which load " + load.name +
@@ -142,11 +144,26 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
         remark_on(in, heading, {"Insulation density"}, "without Insulation", scene);
       remark_on_creep(in, heading, scene);
     } else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
-      remark_on(in, heading, {"Variation", "Weight step", "Hot step"},
-                "beside a Cold load: the hanger is not sized", scene);
+      remark_on(in, heading, {"Weight step"}, "beside a Cold load: the hanger is not sized", scene);
     else if (kind == "Tee" && in.raw("Kind", "welding tee") != "reinforced")
       remark_on(in, heading, {"Pad"}, "but with Kind = reinforced", scene);
   }
+}
+
+/// Tables of the catalogue that no part has an item of.
+void remark_on_catalogue(ParameterReader &in, Scene &scene) {
+  bool hangers = false, components = false;
+  for (const ParameterFile::Section &section : in.file().sections()) {
+    in.enter(section.heading);
+    const bool is_hanger = section.heading.rfind("Hanger ", 0) == 0;
+    hangers = hangers || (is_hanger && in.given("Item"));
+    components = components || (!is_hanger && in.given("Item"));
+  }
+  in.enter("Catalogue");
+  if (!hangers)
+    remark_on(in, "Catalogue", {"Hangers"}, "without a hanger that has an Item", scene);
+  if (!components)
+    remark_on(in, "Catalogue", {"Components"}, "without a pipe or mass that has an Item", scene);
 }
 
 /// Entries of sections that another section, or an entry that turns it on, leaves without effect.
@@ -166,17 +183,18 @@ void remark_on_sections(ParameterReader &in, Scene &scene) {
     remark_on(in, "Mesh", {"Section points"}, "without a section that yields or creeps", scene);
   in.enter("Stress");
   if (scene.stress.code.empty())
-    remark_on(
-        in, "Stress",
-        {"Sustained", "Expansion", "Occasional", "Cycles factor", "Liberal", "Occasional factor"},
-        "without a Code", scene);
+    remark_on(in, "Stress",
+              {"Code libraries", "Sustained", "Expansion", "Occasional", "Cycles factor", "Liberal",
+               "Occasional factor"},
+              "without a Code", scene);
   in.enter("Modes");
   if (scene.modal.n_modes == 0)
     remark_on(in, "Modes", {"Mass", "Step", "Friction"}, "without a Number of modes", scene);
   in.enter("Response");
   if (scene.spectra.empty())
     remark_on(in, "Response",
-              {"Modes", "Directions", "Groups", "Interpolation", "Damping", "Missing mass"},
+              {"Modes", "Directions", "Groups", "First", "Interpolation", "Damping", "Duration",
+               "Missing mass", "Rigid part", "Rigid frequencies", "Write modes"},
               "without a Spectrum", scene);
 }
 
@@ -193,6 +211,7 @@ void remark_on_unused(ParameterReader &in, Scene &scene) {
     remark_on_integrator(in, scene);
   remark_on_parts(in, has_motion, scene);
   remark_on_sections(in, scene);
+  remark_on_catalogue(in, scene);
   remark_on_initial(scene);
   remark_on_moved_points(scene);
   for (unsigned int l = 0; l < scene.loads.size(); ++l) {

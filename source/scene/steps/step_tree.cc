@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/steps/step_tree.h"
 
-#include <cmath>
-
 namespace frictionbeam {
 
 std::optional<unsigned int> step_before(const Scene &scene, const unsigned int step) {
@@ -23,6 +21,12 @@ bool is_returned_to(const Scene &scene, const unsigned int step) {
 }
 
 namespace {
+/// Whether each number of a combination is one of those of its cases.
+bool picks(const Combination::Kind kind) {
+  return kind == Combination::Kind::envelope || kind == Combination::Kind::maximum ||
+         kind == Combination::Kind::minimum;
+}
+
 /// How many states of the line a case is; 0 of a difference, or of what a spectrum does.
 double states_in(const Scene &scene, const std::string &name, unsigned int &n_steps) {
   for (const LoadStep &step : scene.steps)
@@ -38,23 +42,28 @@ double states_in(const Scene &scene, const std::string &name, unsigned int &n_st
       last = factor * states_in(scene, part, n_steps);
       sum += last;
     }
-    return combination.kind == Combination::Kind::range      ? 0.
-           : combination.kind == Combination::Kind::envelope ? last
-                                                             : sum;
+    return combination.kind == Combination::Kind::range ? 0.
+           : picks(combination.kind)                    ? last
+                                                        : sum;
   }
   return 0.;
 }
 } // namespace
 
-bool is_difference(const Scene &scene, const std::string &name) {
-  constexpr double nothing = 1e-9;
-  unsigned int n_steps = 0;
-  return std::abs(states_in(scene, name, n_steps)) < nothing && n_steps > 0;
-}
-
 bool is_state(const Scene &scene, const std::string &name) {
   unsigned int n_steps = 0;
-  return states_in(scene, name, n_steps) > 0.5;
+  const double n_states = states_in(scene, name, n_steps);
+  return n_states > 0.5 && n_states < 1.5;
+}
+
+bool is_judged(const Scene &scene, const std::string &name) {
+  for (const Combination &combination : scene.combinations)
+    if (combination.name == name &&
+        (combination.kind == Combination::Kind::range || picks(combination.kind)))
+      return false;
+  unsigned int n_steps = 0;
+  const double n_states = states_in(scene, name, n_steps);
+  return n_steps == 0 || (n_states > 0.5 && n_states < 1.5);
 }
 
 } // namespace frictionbeam

@@ -15,10 +15,12 @@ bool is_branch(const Scene &scene, const unsigned int step);
 /// Whether a later step goes back to the end of this one.
 bool is_returned_to(const Scene &scene, const unsigned int step);
 
-/// Whether a case is a difference of states: a range, or a sum whose factors of steps, and of cases
-/// that are such, add up to nothing.
-bool is_difference(const Scene &scene, const std::string &name);
-/// Whether it is a state, or as many.
+/// Whether a case has one state of the line in it, and what adds to it: a step, or a sum (srss,
+/// absolute) whose factors of steps, and of cases that are such, add up to about 1.
 bool is_state(const Scene &scene, const std::string &name);
+/// Whether what a state may be at most (capacities, allowable loads) says something of a case: of a
+/// state, and of what the spectra do alone; not of a difference, of two states together, and of
+/// envelopes, whose cases are judged themselves.
+bool is_judged(const Scene &scene, const std::string &name);
 
 } // namespace frictionbeam

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
+#include "scene/part/quantity/quantity_grammar.h"
 
 #include <algorithm>
 
@@ -9,15 +10,6 @@ namespace {
 
 using Of = QuantityKind::Of;
 using Over = Quantity::Over;
-
-/// Words of what may be asked of the first time, or else.
-std::vector<std::string> words_of_kinds(const bool changes) {
-  std::vector<std::string> words;
-  for (const QuantityKind &kind : quantity_kinds)
-    if ((kind.of == Of::change) == changes)
-      words.emplace_back(kind.word);
-  return words;
-}
 
 bool contains(const std::vector<std::string> &list, const std::string &item) {
   return std::count(list.begin(), list.end(), item) > 0;
@@ -90,6 +82,20 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
   case Of::section:
     check_point(in, entry, where, scene);
     return;
+  case Of::directed:
+    if (what == "f" || what == "m")
+      check_holder(in, quantity, scene);
+    else
+      check_point(in, entry, where, scene);
+    return;
+  case Of::fibre:
+    if (scene.time.is_exact() && quantity.over != Over::end && quantity.over != Over::time_of &&
+        what != "M_in" && what != "M_out")
+      in.fail(entry, what + " at an instant, with the integrator event",
+              "another Integrator in section Time, or 'time T'",
+              quantity.what + " over an interval");
+    check_point(in, entry, where, scene);
+    return;
   case Of::holder:
     check_holder(in, quantity, scene);
     return;
@@ -157,6 +163,11 @@ void check_when(const ParameterReader &in, const Quantity &quantity, const Scene
   const bool is_case = !quantity.step.empty() &&
                        std::none_of(scene.steps.begin(), scene.steps.end(),
                                     [&](const auto &step) { return step.name == quantity.step; });
+  if (is_case && (quantity.is(Of::directed) || quantity.is(Of::fibre)))
+    in.fail(quantity.name,
+            quantity.what + " of a step: a case made of others has its components alone, each by "
+                            "itself",
+            "a step in place of " + quantity.step);
   if (is_case && quantity.is(Of::supports) && quantity.kind().component >= first_of_status)
     in.fail(quantity.name,
             quantity.what + " of a step: a case made of others has no contact status",
@@ -170,120 +181,12 @@ void check_when(const ParameterReader &in, const Quantity &quantity, const Scene
                 "'");
 }
 
-/// "max, min, ... or rate"
-std::string words_of_intervals() {
-  std::vector<std::string> words;
-  for (const Word<Over> &interval : intervals)
-    if (interval.value != Over::time_of)
-      words.emplace_back(interval.word);
-  const std::string last = words.back();
-  words.pop_back();
-  return join(words) + " or " + last;
-}
-
-[[noreturn]] void fail_form(const ParameterReader &in, const std::string &entry,
-                            const std::string &read) {
-  in.fail(entry,
-          "what at where, step NAME, time T; scale F; unit U; reference R; limit L; source TEXT "
-          "(all but "
-          "'what' may be left out; |what| is its absolute value), or " +
-              words_of_intervals() +
-              " and then what at where, from T, to T, or time_of slip at SUPPORT, from T",
-          "'ux at P1, step heat; reference 0.012; source hand calculation'", "'" + read + "'");
-}
-
-double number_of(const ParameterReader &in, const std::string &entry, const std::string &text) {
-  double value;
-  if (!to_number(text, value))
-    in.fail(entry, "a number", "a number in place of '" + text + "'");
-  return value;
-}
-
 bool is_of_continuum(const Scene &scene, const std::string &name) {
   if (!scene.continuum)
     return false;
   const auto &list = scene.continuum->quantities;
   return std::any_of(list.begin(), list.end(),
                      [&](const ContinuumQuantity &one) { return one.name == name; });
-}
-
-/// `[over] [|]what[|] [at where]`, in words
-void parse_subject(const ParameterReader &in, std::vector<std::string> words,
-                   const std::string &piece, Quantity &quantity) {
-  const auto interval = find_word(intervals, words[0]);
-  if (interval != std::end(intervals) && words.size() > 1) {
-    quantity.over = interval->value;
-    words.erase(words.begin());
-  }
-  std::string what = words[0];
-  quantity.absolute = what.size() > 2 && what.front() == '|' && what.back() == '|';
-  if (quantity.absolute)
-    what = what.substr(1, what.size() - 2);
-  quantity.what = what;
-  in.find(quantity.name, what, words_of_kinds(quantity.over == Over::time_of), "quantity");
-  using Side = Quantity::Side;
-  if (words.size() == 3 && words[1] == "at")
-    quantity.where = words[2];
-  else if (words.size() == 3 && quantity.is(Of::section) &&
-           (words[1] == "before" || words[1] == "after")) {
-    quantity.where = words[2];
-    quantity.side = words[1] == "before" ? Side::before : Side::after;
-  } else if (words.size() == 2 && quantity.is(Of::mode))
-    quantity.where = words[1];
-  else if (words.size() != 1)
-    fail_form(in, quantity.name, piece);
-}
-
-/// The subject, then `[, step NAME][, pipe NAME][, time T][, from T][, to T]`
-void parse_definition(const ParameterReader &in, const std::string &text, const Scene &scene,
-                      Quantity &quantity) {
-  for (const std::string &piece : split(text, ',')) {
-    const std::vector<std::string> words = split(piece, ' ');
-    if (words.empty())
-      fail_form(in, quantity.name, text);
-    if (quantity.what.empty())
-      parse_subject(in, words, piece, quantity);
-    else if (words.size() == 2 && words[0] == "step") {
-      quantity.step = words[1];
-      in.find(quantity.name, words[1], case_names(scene), "step");
-    } else if (words.size() == 2 && words[0] == "pipe" && quantity.is(Of::section)) {
-      quantity.pipe = words[1];
-      in.find(quantity.name, words[1], names(scene.pipes), "pipe");
-    } else if (words.size() == 2 && words[0] == "time")
-      quantity.time = number_of(in, quantity.name, words[1]);
-    else if (words.size() == 2 && quantity.over != Over::end &&
-             (words[0] == "from" || words[0] == "to"))
-      (words[0] == "from" ? quantity.from : quantity.to) = number_of(in, quantity.name, words[1]);
-    else
-      fail_form(in, quantity.name, piece);
-  }
-  if (quantity.over != Over::end && (!quantity.step.empty() || quantity.time))
-    in.fail(quantity.name, "an interval, 'from T, to T' [s of the run]",
-            "the times at which the step begins and ends", "'" + text + "'");
-}
-
-/// `[scale F][; unit U][; reference R][; limit L][; source TEXT]`, the pieces from @p first on
-void parse_attributes(const ParameterReader &in, const std::vector<std::string> &pieces,
-                      const unsigned int first, Quantity &quantity) {
-  for (unsigned int i = first; i < pieces.size(); ++i) {
-    const auto blank = pieces[i].find(' ');
-    const std::string key = pieces[i].substr(0, blank),
-                      value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
-    if (key == "scale")
-      quantity.scale = number_of(in, quantity.name, value);
-    else if (key == "reference")
-      quantity.reference = number_of(in, quantity.name, value);
-    else if (key == "limit") {
-      quantity.limit = number_of(in, quantity.name, value);
-      if (!(*quantity.limit >= 0.))
-        in.fail(quantity.name, "a limit of its size, not below 0", "'limit 0.02'", pieces[i]);
-    } else if (key == "unit")
-      quantity.unit = value;
-    else if (key == "source")
-      quantity.source = value;
-    else
-      fail_form(in, quantity.name, pieces[i]);
-  }
 }
 
 } // namespace
@@ -296,10 +199,10 @@ void declare_quantities(ParameterReader &in) {
     return;
   for (const ParameterFile::Entry &entry : section->entries)
     if (entry.name != "Source")
-      in.declare_text(
-          entry.name, "",
-          "what at where, step NAME, time T; scale F; reference R; limit L; source TEXT",
-          "A number to compute.");
+      in.declare_text(entry.name, "",
+                      "what at where, along X Y Z, pipe NAME, step NAME, time T; scale F; "
+                      "reference R; limit L; source TEXT",
+                      "A number to compute.");
 }
 
 void parse_quantities(const ParameterReader &in, Scene &scene) {

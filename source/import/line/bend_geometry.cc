@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "import/line/bend_geometry.h"
+
+#include "base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam::import {
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.;
+constexpr double least_turn = 0.5 * degree, largest_turn = 179. * degree;
+constexpr double largest_kink = 2. * degree; ///< that passes for rounding
+constexpr double differing_radius = 0.01;    ///< of a radius or angle that is said twice
+constexpr double cells_to_tell = 20.; ///< tolerances that a pipe must be long to have a direction
+
+double angle_between(const Vector3 &a, const Vector3 &b) {
+  return std::acos(std::max(-1., std::min(1., a * b / (a.norm() * b.norm()))));
+}
+
+std::string in_mm(const double length) { return rounded_number(1e3 * length, 6) + " mm"; }
+std::string in_degrees(const double angle) { return rounded_number(angle / degree) + " degrees"; }
+
+/// A radius as short as it can be written without a tangent longer than @p tangent.
+double written_radius(const double tangent, const double turn) {
+  const double half = std::tan(turn / 2.), radius = tangent / half;
+  const double rounded = std::round(radius * 1e7) / 1e7;
+  return rounded * half <= tangent * (1. + 5e-10) ? rounded : std::floor(radius * 1e9) / 1e9;
+}
+
+} // namespace
+
+std::string text_of_place(const Point3 &point) {
+  return "(" + exact_number(point[0]) + ", " + exact_number(point[1]) + ", " +
+         exact_number(point[2]) + ") m";
+}
+
+bool is_off_line(const Point3 &point, const Point3 &a, const Point3 &b, const double tolerance) {
+  const Vector3 way = b - a, to = point - a;
+  const double length = way.norm();
+  return length == 0. ? to.norm() > tolerance
+                      : (to - (to * way / (length * length)) * way).norm() > tolerance;
+}
+
+void give_bend(const PcfFile &file, const PcfComponent &component, const Point3 &a, const Point3 &b,
+               const double tolerance, Piece &piece, Notes &notes) {
+  const Point3 &centre = component.centre->position;
+  const double first = centre.distance(a), second = centre.distance(b);
+  const auto refuse = [&](const std::string &read) {
+    file.fail(component.line, component.keyword + " " + read,
+              "CENTRE-POINT where the tangents at both END-POINTs meet, equally far from both",
+              "the right CENTRE-POINT; bends of 180 degrees as two of 90");
+  };
+  if (std::abs(first - second) > std::max(tolerance, 1e-3 * first) ||
+      std::min(first, second) <= tolerance)
+    refuse("whose CENTRE-POINT " + text_of_place(centre) + " is " + in_mm(first) +
+           " from one END-POINT and " + in_mm(second) + " from the other");
+  const Vector3 chord = (b - a) / (b - a).norm();
+  const Point3 middle(a + 0.5 * (b - a));
+  const Point3 corner = on_grid(Point3(centre - ((centre - middle) * chord) * chord));
+  const double turn = angle_between(corner - a, b - corner);
+  if (turn < least_turn || turn > largest_turn)
+    refuse("that turns by " + in_degrees(turn));
+  piece.corner = corner;
+  piece.radius = written_radius(std::min(corner.distance(a), corner.distance(b)), turn);
+  if (component.bend_radius && *component.bend_radius > 0. &&
+      std::abs(*component.bend_radius - piece.radius) > differing_radius * piece.radius)
+    notes.assumed.push_back({component.line, component.keyword + ": BEND-RADIUS is " +
+                                                 in_mm(*component.bend_radius) +
+                                                 ", its points make a radius of " +
+                                                 in_mm(piece.radius) + ", which is taken"});
+  if (component.angle && std::abs(*component.angle - turn) > differing_radius * turn)
+    notes.assumed.push_back(
+        {component.line, component.keyword + ": ANGLE is " + in_degrees(*component.angle) +
+                             ", its points turn by " + in_degrees(turn) + ", which is taken"});
+}
+
+void check_tangents(const PcfFile &file, const PcfLine &line, const Network &network,
+                    const double tolerance, Notes &notes) {
+  const auto pieces_at = network.pieces_at();
+  for (std::size_t i = 0; i < network.pieces.size(); ++i) {
+    const Piece &bend = network.pieces[i];
+    for (const unsigned int end : {bend.from, bend.to}) {
+      if (bend.radius == 0. || pieces_at[end].size() != 2)
+        continue;
+      const Piece &other =
+          network.pieces[pieces_at[end][0] == i ? pieces_at[end][1] : pieces_at[end][0]];
+      const Point3 &here = network.nodes[end],
+                   &there = network.nodes[other.from == end ? other.to : other.from];
+      if (other.corner || here.distance(there) < cells_to_tell * tolerance)
+        continue;
+      const double kink = angle_between(here - there, *bend.corner - here);
+      if (kink <= largest_kink)
+        continue;
+      const PcfComponent &component = line.components[bend.component];
+      if (std::abs(kink - 90. * degree) <= largest_kink) {
+        const Point3 mirrored(network.nodes[bend.from] + (network.nodes[bend.to] - *bend.corner));
+        file.fail(component.line,
+                  component.keyword + " whose CENTRE-POINT " + text_of_place(*bend.corner) +
+                      " stands across the pipe of line " +
+                      std::to_string(line.components[other.component].line) +
+                      " that comes in: it is the centre of the arc",
+                  "CENTRE-POINT where the tangents at both END-POINTs meet",
+                  "of a bend of 90 degrees: CENTRE-POINT " + text_of_place(mirrored));
+      }
+      notes.assumed.push_back(
+          {component.line, component.keyword + " and " + line.components[other.component].text() +
+                               " meet with a kink of " + in_degrees(kink) + ", which is kept"});
+    }
+  }
+}
+
+} // namespace frictionbeam::import

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/solid/pipe_wall.h"
+#include "mesh/solid/wall_manifold.h"
+
+#include "base/numbers.h"
+#include "base/user_error.h"
+#include "scene/in_units.h"
+#include <frictionbeam/generalized_strain.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+constexpr double same = 1e-6;          ///< of the outer radius: places of rings that are one
+constexpr double growth = 0.5;         ///< of a straight run's cells, of the distance
+constexpr double no_corner = 1e-6;     ///< of two tangents
+
+class WallLayout {
+public:
+  WallLayout(const Scene &scene, const LineMesh &line);
+  PipeWall make();
+
+private:
+  void chain_pipes();
+  void add_segment(const PipePath::Segment &path, const unsigned int pipe);
+  void add_patches();
+  void place_rings();
+  void add_rings_between(const double from, const double to);
+  void make_cells();
+  void name_faces();
+
+  /// Places where rings have to be, rising, and what stands there.
+  struct Place {
+    double s;
+    std::optional<unsigned int> vertex;
+  };
+  void ask_for_ring(const double s, const std::optional<unsigned int> vertex = {});
+  double s_of(const unsigned int vertex) const;
+  const WallSegment &segment_at(const double middle) const;
+  /// Length of the cells of a straight run at @p s.
+  double cell_length(const double s) const;
+  std::string text(const double length) const { return in_units(scene.units, length, "m"); }
+
+  const Scene &scene;
+  const LineMesh &line;
+  PipeWall wall;
+  double length = 0., first = 0., longest = 0.;
+  std::vector<Place> places;
+};
+
+WallLayout::WallLayout(const Scene &scene, const LineMesh &line) : scene(scene), line(line) {
+  const Section &section = scene.sections[scene.pipes.front().section];
+  wall.outer = section.outer_radius;
+  wall.inner = section.outer_radius - section.wall;
+  wall.around = scene.solid.cells_around;
+  wall.through = scene.solid.cells_through;
+  first = scene.solid.first_cell > 0. ? scene.solid.first_cell
+                                      : std::sqrt(wall.mean_radius() * section.wall);
+  longest = scene.solid.longest_cell > 0. ? scene.solid.longest_cell : 4. * wall.outer;
+}
+
+void WallLayout::add_segment(const PipePath::Segment &path, const unsigned int pipe) {
+  WallSegment segment;
+  segment.path = path;
+  segment.pipe = pipe;
+  segment.start = length;
+  if (wall.segments.empty()) {
+    const LocalAxes axes(path.first_tangent);
+    segment.a = axes.y;
+    segment.b = axes.z;
+  } else {
+    const WallSegment &before = wall.segments.back();
+    if ((before.path.tangent(before.path.length) - path.first_tangent).norm() > no_corner)
+      throw UserError("Pipe " + scene.pipes[pipe].name +
+                      ": a solid pipe has a corner without a bend.\n  read:    a route that turns "
+                      "sharply at " +
+                      in_units(scene.units, path.begin) +
+                      "\n  allowed: bends at all corners, 'x y z bend R', and pipes that go on as "
+                      "the one before ends\n  try:     a bend there, or Model = line");
+    segment.a = before.carried(before.a, before.path.length);
+    segment.b = before.carried(before.b, before.path.length);
+  }
+  length += path.length;
+  wall.segments.push_back(segment);
+}
+
+void WallLayout::chain_pipes() {
+  std::vector<PipePath> paths;
+  for (const Pipe &pipe : scene.pipes)
+    paths.emplace_back(pipe, scene.units);
+  const unsigned int n = paths.size();
+  const auto begin = [&](const unsigned int p) { return paths[p].segments().front().begin; };
+  const auto end = [&](const unsigned int p) { return paths[p].segments().back().end; };
+  const auto meet = [&](const Point3 &p, const Point3 &q) {
+    return p.distance(q) < 1e-3 * wall.outer;
+  };
+  const auto fail = [&](const unsigned int p, const std::string &what) {
+    throw UserError("Pipe " + scene.pipes[p].name + ": " + what +
+                    "\n  read:    pipes that are no single chain\n  allowed: with Model = solid, "
+                    "pipes of which each begins where another ends, without branches, tees and "
+                    "loops\n  try:     one route, routes in one direction, or Model = line");
+  };
+  std::vector<int> before(n, -1), after(n, -1);
+  for (unsigned int p = 0; p < n; ++p)
+    for (unsigned int q = 0; q < n; ++q) {
+      if (p != q && (meet(begin(p), begin(q)) || meet(end(p), end(q))))
+        fail(p, "it meets pipe " + scene.pipes[q].name + " with the same end.");
+      if (!meet(end(p), begin(q)))
+        continue;
+      if (p == q || after[p] >= 0 || before[q] >= 0)
+        fail(p, "more than two ends meet at its end, or the route closes.");
+      after[p] = q;
+      before[q] = p;
+    }
+  const unsigned int first_pipe =
+      std::find(before.begin(), before.end(), -1) - before.begin();
+  if (first_pipe == n)
+    fail(0, "the pipes form a loop.");
+  wall.pipe_start.assign(n, 0.);
+  unsigned int n_passed = 0;
+  for (int p = first_pipe; p >= 0; p = after[p], ++n_passed) {
+    wall.pipe_start[p] = length;
+    for (const PipePath::Segment &path : paths[p].segments())
+      add_segment(path, p);
+  }
+  if (n_passed < n) {
+    unsigned int other = 0;
+    while (before[other] >= 0 || other == first_pipe)
+      ++other;
+    fail(other, "it is not joined to pipe " + scene.pipes[first_pipe].name + " end to end.");
+  }
+}
+
+double WallLayout::s_of(const unsigned int vertex) const {
+  for (unsigned int p = 0; p < line.pipes.size(); ++p)
+    for (unsigned int i = 0; i < line.pipes[p].vertices.size(); ++i)
+      if (line.pipes[p].vertices[i] == vertex)
+        return wall.pipe_start[p] + line.pipes[p].s[i];
+  throw UserError("A point is on no pipe.\n  read:    a support or point off the pipes\n  allowed: "
+                  "points of the pipes with Model = solid\n  try:     Model = line");
+}
+
+void WallLayout::ask_for_ring(const double s, const std::optional<unsigned int> vertex) {
+  places.push_back({s, vertex});
+}
+
+const WallSegment &WallLayout::segment_at(const double middle) const {
+  for (const WallSegment &segment : wall.segments)
+    if (middle < segment.start + segment.path.length)
+      return segment;
+  return wall.segments.back();
+}
+
+void WallLayout::add_patches() {
+  for (unsigned int i = 0; i < scene.supports.size(); ++i) {
+    const FrictionSupport &support = scene.supports[i];
+    const auto &sites = line.supports[i];
+    for (unsigned int k = 0; k < sites.size(); ++k) {
+      WallPatch patch;
+      patch.support = i;
+      patch.site = k;
+      patch.part = "support " + support.name + (sites.size() > 1 ? "." + std::to_string(k + 1) : "");
+      const double width = support.width > 0. ? support.width : 2. * wall.outer,
+                   s = s_of(sites[k].vertex), rounding = same * wall.outer;
+      patch.from = s - width / 2.;
+      patch.to = s + width / 2.;
+      const WallSegment &run = segment_at(s);
+      const double begin = run.start, end = run.start + run.path.length;
+      const bool leaves = patch.from < -rounding || patch.to > length + rounding;
+      if (leaves || run.path.radius > 0. || patch.from < begin - rounding ||
+          patch.to > end + rounding)
+        throw UserError(
+            "Support " + support.name + ": its patch " +
+            (leaves ? "leaves the pipe" : "does not lie on a straight run") +
+            ".\n  read:    a patch of width " + text(width) + " at " +
+            in_units(scene.units, line.vertices[sites[k].vertex]) +
+            ", on a run from " + text(s - begin) + " before to " + text(end - s) +
+            " behind it\n  allowed: a patch that lies on one straight run, Width along the pipe\n"
+            "  try:     Width = " +
+            text(2. * std::max(0.1 * wall.outer, std::min(s - begin, end - s))) +
+            " or less, or the support further from the end");
+      const Vector3 tangent = run.path.first_tangent;
+      Vector3 normal = support.normal.vector;
+      if (support.normal.kind == Direction::Kind::across)
+        normal = support.normal.sign * LocalAxes(tangent).y;
+      else
+        normal *= support.normal.sign;
+      const Vector3 across = normal - (normal * tangent) * tangent;
+      if (across.norm() < 0.5)
+        throw UserError("Support " + support.name +
+                        ": it pushes along the pipe.\n  read:    a Normal that is more along than "
+                        "across the pipe\n  allowed: normals across the pipe with Model = solid\n  "
+                        "try:     an anchor, or Model = line");
+      patch.outward = -across / across.norm();
+      ask_for_ring(patch.from);
+      ask_for_ring(s, sites[k].vertex);
+      ask_for_ring(patch.to);
+      wall.patches.push_back(patch);
+    }
+  }
+}
+
+double WallLayout::cell_length(const double s) const {
+  double nearest = longest;
+  for (const Place &place : places)
+    nearest = std::min(nearest, std::abs(s - place.s));
+  return std::min(longest, first + growth * nearest);
+}
+
+void WallLayout::add_rings_between(const double from, const double to) {
+  const WallSegment &segment = segment_at(0.5 * (from + to));
+  const unsigned int number = &segment - wall.segments.data();
+  std::vector<double> all = {from};
+  if (segment.path.radius > 0.) {
+    const double angle = (to - from) / segment.path.radius;
+    const int n = std::max(1, static_cast<int>(std::ceil(
+                                  angle / (numbers::PI / 2.) * scene.solid.cells_per_bend - 1e-6)));
+    for (int i = 1; i < n; ++i)
+      all.push_back(from + (to - from) * i / n);
+  } else {
+    // Equal parts of the integral of one over the wished length.
+    constexpr unsigned int n_samples = 400;
+    std::vector<double> sum(n_samples + 1, 0.);
+    const double step = (to - from) / n_samples;
+    for (unsigned int i = 0; i < n_samples; ++i)
+      sum[i + 1] = sum[i] + step / cell_length(from + (i + 0.5) * step);
+    const int n = std::max(1, static_cast<int>(std::ceil(sum.back() - 1e-6)));
+    for (int i = 1; i < n; ++i) {
+      const double wanted = sum.back() * i / n;
+      const auto above = std::upper_bound(sum.begin(), sum.end(), wanted);
+      const unsigned int k = above - sum.begin() - 1;
+      all.push_back(from + (k + (wanted - sum[k]) / (sum[k + 1] - sum[k])) * step);
+    }
+  }
+  for (const double s : all) {
+    WallRing ring;
+    ring.s = s;
+    ring.segment = number;
+    wall.rings.push_back(ring);
+    wall.layer_segment.push_back(number);
+  }
+}
+
+void WallLayout::place_rings() {
+  for (const WallSegment &segment : wall.segments)
+    ask_for_ring(segment.start);
+  ask_for_ring(length);
+  for (const auto &[name, vertex] : line.points)
+    ask_for_ring(s_of(vertex), vertex);
+  for (const auto &sites : line.restraints)
+    for (const Site &site : sites)
+      ask_for_ring(s_of(site.vertex), site.vertex);
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place &p, const Place &q) { return p.s < q.s; });
+  std::vector<Place> merged;
+  for (const Place &place : places)
+    if (merged.empty() || place.s > merged.back().s + 1e-3 * wall.outer)
+      merged.push_back(place);
+    else if (place.vertex)
+      merged.back().vertex = place.vertex;
+  places = merged;
+  places.front().s = 0.;
+  places.back().s = length;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const std::size_t at = wall.rings.size();
+    add_rings_between(places[i].s, places[i + 1].s);
+    wall.rings[at].vertex = places[i].vertex;
+  }
+  WallRing last;
+  last.s = length;
+  last.segment = wall.layer_segment.back();
+  last.vertex = places.back().vertex;
+  wall.rings.push_back(last);
+  for (WallRing &ring : wall.rings) {
+    const WallSegment &segment = wall.segments[ring.segment];
+    const double s = ring.s - segment.start;
+    ring.centre = segment.path.point(s);
+    ring.tangent = segment.path.tangent(s);
+    ring.a = segment.carried(segment.a, s);
+    ring.b = segment.carried(segment.b, s);
+  }
+}
+
+void WallLayout::make_cells() {
+  ContinuumMesh<3> &mesh = wall.mesh;
+  const unsigned int n = wall.around, m = wall.through;
+  const double degree = scene.solid.degree,
+               unknowns = 3. * n * degree * (m * degree + 1.) * (wall.n_layers() * degree + 1.);
+  if (unknowns > scene.solid.most_unknowns)
+    throw UserError("The wall would have " + std::to_string(static_cast<long long>(unknowns)) +
+                    " unknowns.\n  read:    " + std::to_string(wall.n_layers()) + " layers of " +
+                    std::to_string(n * m) + " cells of degree " +
+                    std::to_string(scene.solid.degree) + "\n  allowed: Solid/Most unknowns = " +
+                    std::to_string(static_cast<long long>(scene.solid.most_unknowns)) +
+                    "\n  try:     fewer Cells around, a Longest cell that is longer, or more of "
+                    "Most unknowns");
+  for (const WallRing &ring : wall.rings)
+    for (unsigned int j = 0; j <= m; ++j)
+      for (unsigned int i = 0; i < n; ++i) {
+        const double angle = 2. * numbers::PI * i / n,
+                     radius = wall.inner + (wall.outer - wall.inner) * j / m;
+        mesh.vertices.push_back(ring.centre +
+                                radius * (std::cos(angle) * ring.a + std::sin(angle) * ring.b));
+      }
+  const auto vertex = [&](const unsigned int k, const unsigned int j, const unsigned int i) {
+    return (k * (m + 1) + j) * n + i % n;
+  };
+  for (unsigned int k = 0; k < wall.n_layers(); ++k)
+    for (unsigned int j = 0; j < m; ++j)
+      for (unsigned int i = 0; i < n; ++i) {
+        CellData<3> cell;
+        for (unsigned int v = 0; v < 8; ++v)
+          cell.vertices[v] = vertex(k + v / 4, j + v % 2, i + v / 2 % 2);
+        cell.manifold_id = wall.layer_segment[k];
+        cell.material_id = wall.pipe_of_layer(k);
+        mesh.cells.push_back(cell);
+      }
+  mesh.geometry_degree = scene.solid.degree;
+  for (const WallSegment &segment : wall.segments)
+    mesh.manifolds.push_back(std::make_unique<WallManifold>(segment));
+}
+
+void WallLayout::name_faces() {
+  ContinuumMesh<3> &mesh = wall.mesh;
+  mesh.parts = {"bore", "begin", "end"};
+  for (const WallPatch &patch : wall.patches)
+    mesh.parts.push_back(patch.part);
+  std::vector<int> owner(mesh.cells.size(), -1); // patch on the outside of a cell
+  const auto add = [&](const unsigned int cell, const unsigned int face,
+                       const types::boundary_id part) {
+    ContinuumMesh<3>::Face entry;
+    for (unsigned int v = 0; v < 4; ++v)
+      entry.vertices.push_back(
+          mesh.cells[cell].vertices[GeometryInfo<3>::face_to_cell_vertices(face, v)]);
+    std::sort(entry.vertices.begin(), entry.vertices.end());
+    entry.part = part;
+    mesh.faces.push_back(entry);
+  };
+  const unsigned int n = wall.around, m = wall.through;
+  for (unsigned int k = 0; k < wall.n_layers(); ++k)
+    for (unsigned int i = 0; i < n; ++i) {
+      const unsigned int inside = k * m * n + i, outside = (k * m + m - 1) * n + i;
+      add(inside, 0, 1);
+      for (unsigned int j = 0; j < m; ++j) {
+        if (k == 0)
+          add((k * m + j) * n + i, 4, 2);
+        if (k + 1 == wall.n_layers())
+          add((k * m + j) * n + i, 5, 3);
+      }
+      const double middle = 0.5 * (wall.rings[k].s + wall.rings[k + 1].s),
+                   angle = 2. * numbers::PI * (i + 0.5) / n;
+      const WallRing &ring = wall.rings[k];
+      for (unsigned int p = 0; p < wall.patches.size(); ++p) {
+        const WallPatch &patch = wall.patches[p];
+        if (middle < patch.from || middle > patch.to)
+          continue;
+        const double cosine = patch.outward * (std::cos(angle) * ring.a + std::sin(angle) * ring.b);
+        if (std::acos(std::clamp(cosine, -1., 1.)) > patch_half_arc + numbers::PI / n)
+          continue;
+        if (owner[outside] >= 0)
+          throw UserError(
+              "Supports " + scene.supports[wall.patches[owner[outside]].support].name + " and " +
+              scene.supports[patch.support].name +
+              ": their patches meet.\n  read:    two patches on one face of the wall\n  allowed: "
+              "patches of 30 degrees that are apart by a cell\n  try:     smaller Widths, more "
+              "Cells around, or a larger distance");
+        owner[outside] = p;
+        add(outside, 1, 4 + p);
+      }
+    }
+}
+
+PipeWall WallLayout::make() {
+  chain_pipes();
+  add_patches();
+  place_rings();
+  make_cells();
+  name_faces();
+  return std::move(wall);
+}
+
+} // namespace
+
+Vector3 WallSegment::carried(const Vector3 &direction, const double s) const {
+  if (path.radius == 0.)
+    return direction;
+  const double angle = s / path.radius;
+  const Vector3 axis = cross_product_3d(path.first_tangent, path.inward);
+  return (direction * axis) * axis +
+         (direction * path.inward) *
+             (std::cos(angle) * path.inward - std::sin(angle) * path.first_tangent);
+}
+
+double PipeWall::area() const { return numbers::PI * (outer * outer - inner * inner); }
+double PipeWall::bore_area() const { return numbers::PI * inner * inner; }
+double PipeWall::inertia() const {
+  return numbers::PI / 4. * (std::pow(outer, 4) - std::pow(inner, 4));
+}
+
+unsigned int PipeWall::ring_at(const unsigned int vertex) const {
+  for (unsigned int r = 0; r < rings.size(); ++r)
+    if (rings[r].vertex == vertex)
+      return r;
+  throw UserError("A point of the line is on no pipe of the solid.");
+}
+
+PipeWall build_pipe_wall(const Scene &scene, const LineMesh &line) {
+  return WallLayout(scene, line).make();
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "results/solid/wall_state.h"
+
+#include <string>
+#include <vector>
+
+namespace frictionbeam {
+
+/// The wall at the end of a step.
+struct WallFrame {
+  unsigned int step = 0; ///< in Scene::steps
+  std::vector<RingState> rings;
+};
+
+/**
+ * In the units of the scene:
+ * - `solid.csv`: step, pipe, s, x, y, z, widening, mode2, angle2, mode3, ovality, mises_inside,
+ *   mises_outside, axial_least, axial_largest, of each ring; angle2 [degrees] is where the radius
+ *   grows most, from the local y towards z of the line;
+ * - `wall.csv`: step, pipe, s, angle, surface, axial, hoop, radial, shear, mises, of each point of
+ *   the rings on the inside and the outside.
+ */
+void write_wall_csv(const Scene &scene, const PipeWall &wall, const std::vector<WallFrame> &frames,
+                    const std::string &folder);
+
+/// `solid_STEP.vtu` of each step's end, with `solid.pvd`: displacement, stress, von Mises stress,
+/// contact traction on the curved wall. By all processes.
+void write_wall_vtu(const WallLoads &loads, const ContinuumBody<3> &body,
+                    const std::vector<ContinuumState> &states, const std::string &folder);
+
+/// Charts along the chain of pipes, and the wall coloured by its stress, as HTML; the picture is
+/// `solid.svg` in the folder as well.
+std::string wall_report(const Scene &scene, const PipeWall &wall,
+                        const std::vector<WallFrame> &frames, const std::string &folder);
+
+} // namespace frictionbeam

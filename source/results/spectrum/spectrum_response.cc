@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/spectrum/spectrum_response.h"
+
+#include "results/frame/derived_cases.h"
+#include "results/frame/frame_builder.h"
+#include "results/spectrum/modal_combination.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+using Sum = SpectrumSettings::Sum;
+
+/// Modes of one frequency are one eigenspace, of which any basis is as good as another. [first,
+/// last)
+std::vector<std::pair<unsigned int, unsigned int>> eigenspaces(const std::vector<Mode> &modes) {
+  constexpr double as_good_as_equal = 1e-5; // relative; nothing but a symmetry brings them so near
+  std::vector<std::pair<unsigned int, unsigned int>> result;
+  for (unsigned int k = 0; k < modes.size(); ++k)
+    if (k > 0 &&
+        modes[k].frequency - modes[k - 1].frequency <= as_good_as_equal * modes[k].frequency)
+      result.back().second = k + 1;
+    else
+      result.emplace_back(k, k + 1);
+  return result;
+}
+
+/// Of directions or groups, number by number.
+Vector combined(const Sum how, const Vector &sum, const Vector &more) {
+  return how == Sum::absolute ? Vector(sum.cwiseAbs() + more.cwiseAbs())
+                              : Vector((sum.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt());
+}
+
+/// What the ground does in one direction: the periodic part of each eigenspace, and all that follows
+/// the ground.
+struct DirectionResponse {
+  std::vector<Vector> periodic;
+  Vector rigid;
+};
+
+class SpectrumResponse {
+public:
+  SpectrumResponse(const Model &model, const ModalAnalysis &analysis, Results &results,
+                   const TakeModalResponse &take)
+      : model(model), settings(model.scene.response), analysis(analysis), results(results),
+        take(take), builder(model, true),
+        zero(builder.make(analysis.displaced(Vector::Zero(model.space.n_unknowns())))),
+        n_numbers(numbers_of(zero).size()), spaces(eigenspaces(analysis.modes())),
+        has_groups(std::any_of(model.scene.spectra.begin(), model.scene.spectra.end(),
+                               [](const Spectrum &s) { return !s.supports.empty(); })) {
+    for (const Mode &mode : analysis.modes())
+      shapes.push_back(numbers_of(builder.make(analysis.displaced(mode.unknowns))));
+    for (const auto &space : spaces)
+      frequencies.push_back(analysis.modes()[space.first].frequency);
+  }
+
+  Frame operator()() {
+    std::vector<DirectionResponse> responses;
+    for (unsigned int d = 0; d < 3; ++d)
+      responses.push_back(in_direction(d));
+    return with_numbers(zero, settings.directions_first ? directions_first(responses)
+                                                        : modes_first(responses));
+  }
+
+private:
+  DirectionResponse in_direction(const unsigned int d) {
+    DirectionResponse response{std::vector<Vector>(spaces.size(), Vector::Zero(n_numbers)),
+                               Vector::Zero(n_numbers)};
+    std::vector<Vector> each(take ? shapes.size() : 0, Vector::Zero(n_numbers));
+    Vector missing = Vector::Zero(n_numbers);
+    bool any = false;
+    for (const Spectrum &spectrum : model.scene.spectra)
+      if (spectrum.factor[d] != 0.) {
+        any = true;
+        add_spectrum(spectrum, d, response, each, missing);
+      }
+    for (unsigned int k = 0; any && k < each.size(); ++k)
+      take(k + 1, d, with_numbers(zero, each[k]));
+    if (any && take && settings.missing_mass)
+      take(0, d, with_numbers(zero, missing));
+    return response;
+  }
+
+  void add_spectrum(const Spectrum &spectrum, const unsigned int d, DirectionResponse &response,
+                    std::vector<Vector> &each, Vector &missing) {
+    const std::vector<Mode> &modes = analysis.modes();
+    const double factor = spectrum.factor[d];
+    const Vector inertia = analysis.inertia(analysis.support_motion(d, spectrum.supports));
+    Vector left = inertia, rigid = Vector::Zero(n_numbers);
+    for (unsigned int space = 0; space < spaces.size(); ++space) {
+      Vector periodic = Vector::Zero(n_numbers);
+      for (unsigned int k = spaces[space].first; k < spaces[space].second; ++k) {
+        const double gamma = modes[k].unknowns.dot(inertia), f = modes[k].frequency,
+                     acceleration = spectrum.at(f, settings.interpolation),
+                     share = rigid_share(settings, f, acceleration, spectrum.at_zero_period());
+        const Vector whole = factor * gamma * acceleration /
+                             std::pow(2. * dealii::numbers::PI * f, 2) * shapes[k];
+        periodic += std::sqrt(1. - share * share) * whole;
+        rigid += share * whole;
+        left -= gamma * analysis.momentum(k);
+        results.excitations.push_back(
+            {k + 1, d, spectrum.name, gamma, std::abs(factor) * acceleration, share});
+        if (!each.empty())
+          add(whole, shapes[k], each[k]);
+      }
+      add(periodic, shapes[spaces[space].first], response.periodic[space]);
+    }
+    if (settings.missing_mass) {
+      const Vector rest =
+          factor * spectrum.at_zero_period() *
+          numbers_of(builder.make(analysis.displaced(analysis.solve(left))));
+      rigid += rest;
+      add(rest, rest, missing);
+    }
+    add(rigid, rigid, response.rigid);
+  }
+
+  /// Groups are added by sizes; the signs are then those of the mode's shape.
+  void add(const Vector &share, const Vector &shape, Vector &sum) const {
+    if (!has_groups) {
+      sum += share; // keeps its sign, for what needs it
+      return;
+    }
+    const Vector size = combined(settings.groups, sum, share);
+    sum = (shape.array() < 0.).select(-size, size);
+  }
+
+  Vector modes_first(const std::vector<DirectionResponse> &responses) const {
+    Vector sum = Vector::Zero(n_numbers);
+    for (const DirectionResponse &one : responses)
+      sum = combined(settings.directions, sum, joined(one));
+    return sum;
+  }
+
+  Vector directions_first(const std::vector<DirectionResponse> &responses) const {
+    DirectionResponse all{std::vector<Vector>(spaces.size(), Vector::Zero(n_numbers)),
+                          Vector::Zero(n_numbers)};
+    for (const DirectionResponse &one : responses) {
+      for (unsigned int space = 0; space < spaces.size(); ++space)
+        all.periodic[space] =
+            combined(settings.directions, all.periodic[space], one.periodic[space]);
+      all.rigid = combined(settings.directions, all.rigid, one.rigid);
+    }
+    return joined(all);
+  }
+
+  Vector joined(const DirectionResponse &one) const {
+    return combined(Sum::srss, combine_modes(one.periodic, frequencies, settings), one.rigid);
+  }
+
+  const Model &model;
+  const SpectrumSettings &settings;
+  const ModalAnalysis &analysis;
+  Results &results;
+  const TakeModalResponse &take;
+  FrameBuilder builder;
+  const Frame zero; ///< the line at rest
+  const Eigen::Index n_numbers;
+  const std::vector<std::pair<unsigned int, unsigned int>> spaces;
+  const bool has_groups;
+  std::vector<Vector> shapes;      ///< numbers of the frames of the modes
+  std::vector<double> frequencies; ///< of the eigenspaces
+};
+
+/// Where Lindley and Yow's share would be above 1: RG 1.92 rev. 3 does not allow it there.
+void remark_on_soft_modes(const Scene &scene, Results &results) {
+  if (scene.response.rigid != SpectrumSettings::Rigid::lindley_yow)
+    return;
+  unsigned int highest = 0;
+  for (const ModalExcitation &one : results.excitations)
+    for (const Spectrum &spectrum : scene.spectra)
+      if (spectrum.name == one.spectrum &&
+          one.acceleration <
+              std::abs(spectrum.factor[one.direction]) * spectrum.at_zero_period() * (1. - 1e-9))
+        highest = std::max(highest, one.mode);
+  if (highest > 0)
+    results.remarks.push_back(
+        "Lindley-Yow: at modes up to number " + std::to_string(highest) +
+        " a spectrum lies below its zero-period acceleration, and these modes are taken for rigid "
+        "there. NRC RG 1.92 rev. 3 does not allow the method for such modes; take gupta, or none.");
+}
+
+} // namespace
+
+Frame spectrum_response(const Model &model, const ModalAnalysis &analysis, Results &results,
+                        const TakeModalResponse &take) {
+  Frame frame = SpectrumResponse(model, analysis, results, take)();
+  remark_on_soft_modes(model.scene, results);
+  frame.name = spectrum_case;
+  become_case(frame, true);
+  frame.step = model.scene.steps.size();
+  return frame;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "results/results.h"
+
+namespace frictionbeam {
+
+/// Something that the model's pipes can be coloured by, besides their displacement.
+struct ModelField {
+  std::string name, si_unit; ///< unit %: a part of 1
+  bool is_signed;
+  /// At each station of a frame, nan where it is not known; empty: not known in this frame.
+  /// @param is_instant whether the frame is within a step
+  std::vector<double> (*values)(const Scene &scene, const Results &results, const Frame &frame,
+                                const bool is_instant);
+};
+
+const std::vector<ModelField> &model_fields();
+
+/// Unit directions in which a restraint holds or a spring acts, those of a turn left out.
+std::vector<Vector3> held_directions(const Scene &scene, const RestraintInfo &info,
+                                     const Station &station);
+
+} // namespace frictionbeam

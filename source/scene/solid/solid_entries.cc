@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/solid/solid_entries.h"
+
+#include "base/user_error.h"
+#include "scene/part/parts.h"
+
+#include <algorithm>
+
+namespace frictionbeam::parts {
+
+namespace {
+
+using Anchors = SolidSettings::Anchors;
+constexpr Word<Anchors> anchor_kinds[] = {
+    {"held", Anchors::held, "all displacements of the wall's section are zero, as of a pipe welded "
+                            "into something rigid"},
+    {"breathing", Anchors::breathing,
+     "all but along the radii, so that heat and pressure widen the section as elsewhere"}};
+
+} // namespace
+
+void declare_solid(ParameterReader &in) {
+  in.declare_count("Degree", 2, 1, "Of the elements' polynomials, and of the wall's geometry.", 4);
+  in.declare_count("Cells around", 16, 8, "The circumference.", 200);
+  in.declare_count("Cells through", 1, 1, "The wall.", 20);
+  in.declare_count("Cells per bend", 8, 1, "Along 90 degrees of a bend.", 200);
+  in.declare_number("First cell", 0., "m", 0., 1e300,
+                    "Length of a straight run's cells beside bends, supports, anchors and named "
+                    "points; they grow from there. 0: sqrt(r t), the length in which local bending "
+                    "of the wall dies out.");
+  in.declare_number("Longest cell", 0., "m", 0., 1e300,
+                    "Of a straight run; 0: two outer diameters.");
+  in.declare_choice("Anchors", Anchors::held, anchor_kinds, "What they hold of their section.");
+  in.declare_count("Most unknowns", 200000, 1,
+                   "A wall of more would take very long, and is refused.", 100000000);
+}
+
+void parse_solid(const ParameterReader &in, Scene &scene) {
+  SolidSettings &solid = scene.solid;
+  solid.degree = in.count("Degree");
+  solid.cells_around = in.count("Cells around");
+  solid.cells_through = in.count("Cells through");
+  solid.cells_per_bend = in.count("Cells per bend");
+  solid.first_cell = in.number("First cell");
+  solid.longest_cell = in.number("Longest cell");
+  solid.anchors = in.choice("Anchors", anchor_kinds);
+  solid.most_unknowns = in.count("Most unknowns");
+}
+
+namespace {
+
+class SolidCheck {
+public:
+  SolidCheck(ParameterReader &in, const Scene &scene) : in(in), scene(scene) {}
+
+  void all() {
+    check_settings();
+    check_parts();
+    check_pipes();
+    check_supports();
+    check_loads();
+    check_steps();
+    check_quantities();
+  }
+
+private:
+  /// @throws UserError if it is so, about an entry of a section
+  void refuse(const bool is_so, const std::string &section, const std::string &entry,
+              const std::string &allowed, const std::string &hint) {
+    if (!is_so)
+      return;
+    in.enter(section);
+    in.fail(entry, allowed + " with Model = " + model(), hint + ", or Model = line");
+  }
+  std::string model() const { return row_of(model_kinds, scene.model).word; }
+  /// @throws UserError if there are such parts
+  template <typename Parts>
+  void refuse_parts(const Parts &parts, const std::string &kind) {
+    if (parts.empty())
+      return;
+    in.enter("");
+    in.fail_section("subsection " + kind + " " + parts.front().name,
+                    "no " + kind + " with Model = " + model() +
+                        ": a solid pipe knows routes, anchors, rigid rests, guides and stops, "
+                        "weight, temperature, pressure, line forces and forces at points",
+                    "Model = line");
+  }
+
+  void check_settings();
+  void check_parts();
+  void check_pipes();
+  void check_supports();
+  void check_loads();
+  void check_steps();
+  void check_quantities();
+
+  ParameterReader &in;
+  const Scene &scene;
+};
+
+void SolidCheck::check_settings() {
+  const std::array<bool, 6> all_motions{{true, true, true, true, true, true}};
+  refuse(scene.accuracy > 0., "", "Accuracy", "no Accuracy", "Cells around, Degree and the others "
+                                                             "of section Solid");
+  refuse(scene.kinematics != Kinematics::linear, "", "Kinematics", "linear", "linear");
+  refuse(scene.free_motions != all_motions, "", "Free motions", "all six motions",
+         "removing the entry");
+  refuse(!scene.friction_multipliers.empty(), "", "Friction multipliers", "none",
+         "a run for each coefficient");
+  refuse(!scene.monitors.empty(), "", "Monitors", "none", "quantities at the ends of steps");
+  refuse(!scene.mesh.file.empty(), "Mesh", "File", "routes", "pipes with a Route");
+  refuse(scene.mesh.refine_hinges, "Mesh", "Refine hinges", "false", "false");
+  refuse(!scene.stress.code.empty(), "Stress", "Code", "no stress code",
+         "removing section Stress");
+  refuse(scene.modal.n_modes > 0, "Modes", "Number", "no modes", "0");
+  refuse(scene.exact.has_value(), "Exact", "At", "no exact history", "removing section Exact");
+  refuse(scene.output.contact_problems, "Output", "Write contact problems", "false", "false");
+  refuse(scene.output.every_increment, "Output", "Every increment", "false", "false");
+  refuse(!scene.solver.is_exact() && !scene.supports.empty(), "Solver", "Method", "exact",
+         "exact");
+}
+
+void SolidCheck::check_parts() {
+  refuse_parts(scene.springs, "Spring"); // hangers are springs as well
+  refuse_parts(scene.hangers, "Hanger");
+  refuse_parts(scene.masses, "Mass");
+  refuse_parts(scene.joints, "Joint");
+  refuse_parts(scene.tees, "Tee");
+  refuse_parts(scene.nozzles, "Nozzle");
+  refuse_parts(scene.spectra, "Spectrum");
+  refuse_parts(scene.combinations, "Combination");
+  if (!scene.initial.empty()) {
+    in.enter("");
+    in.fail_section("subsection Initial", "no Initial with Model = " + model(), "Model = line");
+  }
+}
+
+void SolidCheck::check_pipes() {
+  if (scene.pipes.empty()) {
+    in.enter("");
+    in.fail_section("no Pipe", "a pipe, whose wall is the solid", "a Pipe, or Model = line");
+  }
+  const Section &first = scene.sections[scene.pipes.front().section];
+  for (const Pipe &pipe : scene.pipes) {
+    const Section &section = scene.sections[pipe.section];
+    const std::string heading = "Pipe " + pipe.name;
+    refuse(pipe.end_section.has_value(), heading, "End section", "no reducer",
+           "one Section all along");
+    refuse(pipe.rigid, heading, "Rigid", "false", "false");
+    refuse(pipe.total_mass.has_value(), heading, "Mass", "the mass by its density",
+           "the Material's density");
+    refuse(section.is_inelastic(), "Section " + section.name, "Law", "elastic_section",
+           "elastic_section");
+    refuse(section.wall == 0., "Section " + section.name, "Wall", "an outer diameter and a wall",
+           "Outer diameter and Wall");
+    refuse(section.outer_radius != first.outer_radius || section.wall != first.wall, heading,
+           "Section", "the diameter and wall of the pipes before", "one Section for all pipes");
+    for (const RoutePoint &point : pipe.route)
+      refuse(point.bend_radius > 0. && point.bend_radius <= section.outer_radius, heading, "Route",
+             "bends of a radius larger than the pipe's own outer radius, so that the wall's inner "
+             "side has room,",
+             "a larger radius for the bend of " + to_text(point.bend_radius) + " m");
+  }
+}
+
+void SolidCheck::check_supports() {
+  for (const Restraint &restraint : scene.restraints) {
+    const std::string heading = "Support " + restraint.name;
+    const bool all = std::all_of(restraint.fixed.begin(), restraint.fixed.end(),
+                                 [](const bool held) { return held; });
+    refuse(!restraint.translations.empty(), heading, "Kind",
+           "a guide or stop with a Gap or a Friction coefficient,",
+           "'Friction coefficient = 0.1', or a Gap");
+    refuse(!all, heading, "Fixed", "all six motions", "Kind = anchor, guide or rest");
+    refuse(restraint.placement.continuous, heading, "Continuous", "false", "an anchor At a point");
+  }
+  for (const FrictionSupport &support : scene.supports) {
+    std::string heading = "Support " + support.name;
+    for (const std::string half : {".plus", ".minus"})
+      if (const auto at = heading.rfind(half); at != std::string::npos)
+        heading.resize(at);
+    refuse(support.law != "coulomb", heading, "Law", "coulomb", "coulomb");
+    refuse(support.kind == "rod" || support.kind == "snubber", heading, "Kind",
+           "anchor, rest, guide, stop or friction", "rest");
+    refuse(support.normal.kind == Direction::Kind::along, heading,
+           support.kind == "line stop" ? "Kind" : "Normal",
+           "a normal across the pipe: on a wall nothing pushes along it,", "a guide, or an anchor");
+    refuse(support.placement.continuous, heading, "Continuous", "false", "Every");
+    refuse(support.normal_force > 0., heading, "Normal force", "none", "a rest under weight");
+    refuse(support.rotations != FrictionSupport::Rotations::none, heading, "Rotations", "none",
+           "none");
+    refuse(support.torsion, heading, "Torsion", "false: a patch resists twisting by itself,",
+           "false");
+    refuse(!support.ground.empty(), heading, "Ground", "the ground", "removing the entry");
+    refuse(support.ground_moves(), heading, "Ground motion", "none", "removing the entry");
+    for (const char *rigidity : {"Axial rigidity", "Shear rigidity"}) {
+      in.enter(heading);
+      double value = 0.;
+      refuse(to_number(in.raw(rigidity, "0"), value) && value > 0., heading, rigidity,
+             "0, a rigid support,", "0");
+    }
+  }
+}
+
+void SolidCheck::check_loads() {
+  for (const Load &load : scene.loads) {
+    const std::string heading = "Load " + load.name;
+    refuse(load.kind == Load::Kind::wind || load.kind == Load::Kind::displacement, heading, "Kind",
+           "weight, temperature, pressure, force or line force", "another kind");
+    refuse(load.follows, heading, "Follow", "false", "false");
+    refuse(load.history.is_given(), heading, "History", "none", "factors of the steps");
+    const bool everywhere =
+        std::all_of(scene.pipes.begin(), scene.pipes.end(),
+                    [&](const Pipe &pipe) { return load.is_on(pipe.name); });
+    refuse(load.kind == Load::Kind::pressure && !everywhere, heading, "Pipes",
+           "all pipes: there is no cap inside of a pipe,", "leaving the entry out");
+  }
+}
+
+void SolidCheck::check_steps() {
+  for (std::size_t s = 0; s < scene.steps.size(); ++s) {
+    const LoadStep &step = scene.steps[s];
+    const std::string heading = "Step " + step.name;
+    refuse(step.transient, heading, "Analysis", "static", "static");
+    refuse(step.finds_limit, heading, "Find", "no limit load", "removing the entry");
+    refuse(step.from && *step.from + 1 != s, heading, "From", "the step before", "a run of its own");
+  }
+}
+
+void SolidCheck::check_quantities() {
+  using Of = QuantityKind::Of;
+  for (const Quantity &quantity : scene.quantities) {
+    const Of of = quantity.kind().of;
+    const bool known = (of == Of::motion || of == Of::section || of == Of::holder ||
+                        of == Of::support || of == Of::supports) &&
+                       quantity.over == Quantity::Over::end && !quantity.time &&
+                       !(of == Of::support && quantity.kind().component > 6);
+    refuse(!known, "Quantities", quantity.name,
+           "motions, section forces, forces of what holds and states of supports, at the ends of "
+           "steps,",
+           "'uz at <point>'");
+  }
+}
+
+/// What a line does not use.
+void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
+  for (const FrictionSupport &support : scene.supports)
+    if (support.width > 0.)
+      scene.remarks.push_back("Support " + support.name +
+                              ": its Width is of a solid pipe and is not used with Model = " +
+                              row_of(model_kinds, scene.model).word + ".");
+  in.enter("Solid");
+  for (const char *entry : {"Degree", "Cells around", "Cells through", "Cells per bend",
+                            "First cell", "Longest cell", "Anchors", "Most unknowns"})
+    if (in.given(entry)) {
+      scene.remarks.push_back("Section Solid is not used with Model = " +
+                              std::string(row_of(model_kinds, scene.model).word) + ".");
+      return;
+    }
+}
+
+} // namespace
+
+void check_solid(ParameterReader &in, Scene &scene) {
+  if (scene.is_solid())
+    SolidCheck(in, scene).all();
+  else
+    remark_on_solid_entries(in, scene);
+}
+
+} // namespace frictionbeam::parts
