@@ -118,9 +118,7 @@ class MlMultigrid final : public CoarseMultigrid {
 public:
   MlMultigrid(const LinearElements &elements, const ContinuumBody<3> &body);
   void set_up(const std::vector<Entry> &added) override;
-  void cycle(ContinuumVector &x, const ContinuumVector &b) const override {
-    multigrid.vmult(x, b);
-  }
+  void cycle(ContinuumVector &x, const ContinuumVector &b) const override { multigrid.vmult(x, b); }
 
 private:
   TrilinosWrappers::SparseMatrix stiffness, matrix;
@@ -151,15 +149,15 @@ void MlMultigrid::set_up(const std::vector<Entry> &added) {
   matrix.compress(VectorOperation::add);
   Teuchos::ParameterList list;
   ML_Epetra::SetDefaults("SA", list);
-  list.set("ML output", getenv("FB_ML") ? 10 : 0);
+  list.set("ML output", 0);
   list.set("PDE equations", 3);
   list.set("null space: type", "pre-computed");
   list.set("null space: dimension", 6);
   list.set("null space: vectors", modes.data());
   list.set("null space: add default vectors", false);
   list.set("aggregation: type", "Uncoupled");
-  list.set("aggregation: threshold", getenv("FB_MLT") ? atof(getenv("FB_MLT")) : 0.02);
-  list.set("smoother: type", getenv("FB_MLS") ? getenv("FB_MLS") : "Chebyshev");
+  list.set("aggregation: threshold", 0.02);
+  list.set("smoother: type", "Chebyshev");
   list.set("smoother: sweeps", 2);
   list.set("coarse: type", "Amesos-KLU");
   list.set("coarse: max size", 200);

@@ -10,8 +10,7 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-ElasticOperator::ElasticOperator(const ContinuumBody<3> &body)
-    : body(body), cells(body.fe.degree) {
+ElasticOperator::ElasticOperator(const ContinuumBody<3> &body) : body(body), cells(body.fe.degree) {
   body.reinit(values);
   body.reinit(own_diagonal);
   read_lines();
@@ -54,15 +53,16 @@ void ElasticOperator::read_cells() {
       order.push_back(body.fe.component_to_system_index(c, node_of[i]));
   const FE_Nothing<3> nothing;
   const QGauss<3> quadrature(degree + 1);
-  FEValues<3> values_of_map(nothing, quadrature, update_inverse_jacobians | update_JxW_values);
-  const LameConstants lame = lame_constants(body.continuum);
+  FEValues<3> values_of_map(body.mapping, nothing, quadrature,
+                            update_inverse_jacobians | update_JxW_values);
   std::vector<types::global_dof_index> dofs(body.fe.n_dofs_per_cell());
   ElasticHexahedra::Cell cell_data;
-  cell_data.lambda = lame.lambda;
-  cell_data.mu = lame.mu;
   for (const auto &cell : body.dof_handler.active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
+    const LameConstants lame = lame_constants(body.continuum, cell->material_id());
+    cell_data.lambda = lame.lambda;
+    cell_data.mu = lame.mu;
     cell->get_dof_indices(dofs);
     cell_data.dofs.clear();
     for (const unsigned int k : order)

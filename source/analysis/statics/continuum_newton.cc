@@ -26,10 +26,11 @@ constexpr double epsilon_of_rounding = 64. * std::numeric_limits<double>::epsilo
 /// Newton's steps; there below the proximal stiffness as well.
 constexpr double shift_of_motion = 1e-9, shift_of_step = 1e-6, shift_below_rho = 1e-3;
 
-/// Of the linear systems where they are iterated on, residuals relative to their right-hand sides: a
-/// step of Newton's method is not better than what contacts change on the way, and the last steps,
-/// where nothing changes, still gain as many digits; a motion proves that there is no equilibrium.
-const double of_step = getenv("FB_STEP") ? atof(getenv("FB_STEP")) : 1e-4, of_motion = 1e-9;
+/// Of the linear systems where they are iterated on, residuals relative to their right-hand sides:
+/// a step of Newton's method is not better than what contacts change on the way, and the last
+/// steps, where nothing changes, still gain as many digits; a motion proves that there is no
+/// equilibrium.
+constexpr double of_step = 1e-4, of_motion = 1e-9;
 
 double largest_of(const ContinuumVector &vector) { return vector.linfty_norm(); }
 
