@@ -236,12 +236,11 @@ template <int dim>
 void AdaptiveRun<dim>::run() {
   using Refinement = ContinuumSettings::Refinement;
   const ContinuumSettings &settings = scene.continuum_settings;
-  if (dim == 2 && settings.linear_solver == ContinuumSettings::LinearSolver::amg &&
-      !body.is_parallel)
+  if (settings.linear_solver == ContinuumSettings::LinearSolver::amg && !body.is_parallel)
     throw UserError(
-        "In the plane multigrid is Trilinos', and runs under mpirun only.\n  read:    "
-        "Continuum/Linear solver = amg, without mpirun\n  allowed: auto or direct, or with "
-        "mpirun\n  try:     mpirun -np 1 frictionbeam ...");
+        "Multigrid is Trilinos', and runs under mpirun only.\n  read:    Continuum/Linear "
+        "solver = amg, without mpirun\n  allowed: auto or direct, or with mpirun\n  try:  "
+        "   mpirun -np 1 frictionbeam ...");
   body.distribute();
   if (scene.output.resume)
     resume();
@@ -294,6 +293,10 @@ void AdaptiveRun<dim>::judge(const Solution<dim> &solution, const std::string &l
                               " before the quantities were known to Continuum/Tolerance = " +
                               rounded_number(settings.tolerance, 3) + ": the estimated error is " +
                               (std::isnan(error) ? "not known" : rounded_number(error, 2)) + ".");
+  if (dim == 3 && !body.is_parallel && levels.back().unknowns > most_direct<dim>)
+    results.remarks.push_back(
+        "A factorization fills up in three dimensions: under mpirun, -np 1 or "
+        "more, multigrid takes its place.");
 }
 
 template <int dim>

@@ -9,6 +9,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
 
 namespace frictionbeam {
 
@@ -117,9 +118,7 @@ class MlMultigrid final : public CoarseMultigrid {
 public:
   MlMultigrid(const LinearElements &elements, const ContinuumBody<3> &body);
   void set_up(const std::vector<Entry> &added) override;
-  void cycle(ContinuumVector &x, const ContinuumVector &b) const override {
-    multigrid.vmult(x, b);
-  }
+  void cycle(ContinuumVector &x, const ContinuumVector &b) const override { multigrid.vmult(x, b); }
 
 private:
   TrilinosWrappers::SparseMatrix stiffness, matrix;
@@ -149,7 +148,7 @@ void MlMultigrid::set_up(const std::vector<Entry> &added) {
     matrix.add(entry.row, entry.column, entry.value);
   matrix.compress(VectorOperation::add);
   Teuchos::ParameterList list;
-  list.set("default values", "SA");
+  ML_Epetra::SetDefaults("SA", list);
   list.set("ML output", 0);
   list.set("PDE equations", 3);
   list.set("null space: type", "pre-computed");
@@ -161,7 +160,7 @@ void MlMultigrid::set_up(const std::vector<Entry> &added) {
   list.set("smoother: type", "Chebyshev");
   list.set("smoother: sweeps", 2);
   list.set("coarse: type", "Amesos-KLU");
-  list.set("coarse: max size", 1000);
+  list.set("coarse: max size", 200);
   list.set("initialize random seed", true);
   multigrid.initialize(matrix, list);
 }

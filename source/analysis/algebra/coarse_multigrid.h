@@ -5,8 +5,8 @@
 
 namespace frictionbeam {
 
-/// Algebraic multigrid, with the rigid motions, for the stiffness of LinearElements and what contacts
-/// add to it: SmoothedAggregation in one process without MPI, else Trilinos' ML.
+/// Algebraic multigrid, with the rigid motions, for the stiffness of LinearElements and what
+/// contacts add to it: SmoothedAggregation in one process without MPI, else Trilinos' ML.
 class CoarseMultigrid {
 public:
   struct Entry {

@@ -151,7 +151,8 @@ std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> 
       wish == LinearSolver::direct ||
       (wish == LinearSolver::automatic && body.dof_handler.n_dofs() <= most_direct<dim>);
   if constexpr (dim == 3)
-    if (!is_direct && body.fe.degree <= ElasticHexahedra::highest_degree)
+    if (multigrid_without_matrix && !is_direct &&
+        body.fe.degree <= ElasticHexahedra::highest_degree)
       return make_iterative_system(body);
   if (!body.is_parallel)
     return make_condensed_system(body);

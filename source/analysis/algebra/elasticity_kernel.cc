@@ -63,13 +63,14 @@ FRICTIONBEAM_INLINE void sweep(const double *matrix, const Lanes *in, Lanes *out
 
 /// At one point: derivatives by the cell's own coordinates, direction by direction, become the
 /// stresses times the area that the derivatives of the test functions are multiplied by.
-FRICTIONBEAM_INLINE void stresses(const Lanes *J, const Lanes &lambda, const Lanes &mu,
+FRICTIONBEAM_INLINE void stresses(const StoredLanes *J, const Lanes &lambda, const Lanes &mu,
                                   Lanes *slope[3][3], const int q, const double weight) {
   Lanes H[3][3], S[3][3]; // du_c / dx_d
   for (int c = 0; c < 3; ++c)
     for (int d = 0; d < 3; ++d)
-      H[c][d] = slope[c][0][q] * J[d] + slope[c][1][q] * J[3 + d] + slope[c][2][q] * J[6 + d];
-  const Lanes area = J[9] * weight, shear = area * mu,
+      H[c][d] = slope[c][0][q] * J[d].lanes + slope[c][1][q] * J[3 + d].lanes +
+                slope[c][2][q] * J[6 + d].lanes;
+  const Lanes area = J[9].lanes * weight, shear = area * mu,
               pressure = area * lambda * (H[0][0] + H[1][1] + H[2][2]);
   for (int c = 0; c < 3; ++c)
     for (int d = 0; d < 3; ++d)
@@ -78,16 +79,18 @@ FRICTIONBEAM_INLINE void stresses(const Lanes *J, const Lanes &lambda, const Lan
     S[c][c] += pressure;
   for (int c = 0; c < 3; ++c)
     for (int k = 0; k < 3; ++k)
-      slope[c][k][q] = S[c][0] * J[3 * k] + S[c][1] * J[3 * k + 1] + S[c][2] * J[3 * k + 2];
+      slope[c][k][q] =
+          S[c][0] * J[3 * k].lanes + S[c][1] * J[3 * k + 1].lanes + S[c][2] * J[3 * k + 2].lanes;
 }
 
-template <int n> struct Workspace {
+template <int n>
+struct Workspace {
   Lanes nodes[n * n * n], points[n * n * n], slopes[3][3][n * n * n];
 };
 
 template <int n>
 FRICTIONBEAM_INLINE void multiply_batch(const Polynomials1D &polynomials, const unsigned int *dofs,
-                                        const Lanes *geometry, const unsigned int stride,
+                                        const StoredLanes *geometry, const unsigned int stride,
                                         const Lanes &lambda, const Lanes &mu, const double *x,
                                         double *y, Workspace<n> &work) {
   constexpr int n3 = n * n * n;
@@ -126,11 +129,12 @@ FRICTIONBEAM_INLINE void multiply_batch(const Polynomials1D &polynomials, const 
 }
 
 /// What a product needs of the cells.
-template <typename Batch> struct Cells {
+template <typename Batch>
+struct Cells {
   const Polynomials1D &polynomials;
   const std::vector<Batch> &batches;
   const unsigned int *dofs;
-  const Lanes *geometry;
+  const StoredLanes *geometry;
 };
 
 template <int n, typename Batch>
@@ -189,7 +193,7 @@ void ElasticHexahedra::flush() {
     Lanes numbers;
     for (unsigned int lane = 0; lane < n_lanes; ++lane)
       numbers[lane] = lane >= n_cells && i % 10 == 9 ? 0. : waiting[lane].geometry[i];
-    geometry.push_back(numbers);
+    geometry.push_back({numbers});
   }
   for (unsigned int lane = 0; lane < n_lanes; ++lane) {
     batch.lambda[lane] = waiting[lane].lambda;
@@ -223,15 +227,15 @@ void ElasticHexahedra::multiply_add(const double *x, double *y) const {
 void ElasticHexahedra::diagonal_add(double *d) const {
   const unsigned int n = polynomials.n, n3 = n * n * n;
   const unsigned int *batch_dofs = dofs.data();
-  std::vector<Lanes> diagonal(3 * n3);
+  std::vector<StoredLanes> diagonal(3 * n3);
   for (const Batch &batch : batches) {
-    for (Lanes &entry : diagonal)
-      entry = Lanes{};
+    for (StoredLanes &entry : diagonal)
+      entry.lanes = Lanes{};
     for (unsigned int q = 0; q < n3; ++q) {
       const unsigned int q0 = q % n, q1 = q / n % n, q2 = q / (n * n);
-      const Lanes *const J = geometry.data() + batch.geometry + q * batch.stride;
-      const Lanes area = J[9] * (polynomials.weights[q0] * polynomials.weights[q1] *
-                                 polynomials.weights[q2]),
+      const StoredLanes *const J = geometry.data() + batch.geometry + q * batch.stride;
+      const Lanes area = J[9].lanes * (polynomials.weights[q0] * polynomials.weights[q1] *
+                                       polynomials.weights[q2]),
                   by_lambda = area * batch.lambda, by_mu = area * batch.mu;
       for (unsigned int i = 0; i < n3; ++i) {
         const unsigned int a = q0 * n + i % n, b = q1 * n + i / n % n, c = q2 * n + i / (n * n);
@@ -240,17 +244,17 @@ void ElasticHexahedra::diagonal_add(double *d) const {
                      by_z = N[a] * N[b] * dN[c];
         Lanes squares[3], all{};
         for (unsigned int k = 0; k < 3; ++k) {
-          const Lanes gradient = J[k] * by_x + J[3 + k] * by_y + J[6 + k] * by_z;
+          const Lanes gradient = J[k].lanes * by_x + J[3 + k].lanes * by_y + J[6 + k].lanes * by_z;
           squares[k] = gradient * gradient;
           all += squares[k];
         }
         for (unsigned int k = 0; k < 3; ++k)
-          diagonal[k * n3 + i] += by_lambda * squares[k] + by_mu * (all + squares[k]);
+          diagonal[k * n3 + i].lanes += by_lambda * squares[k] + by_mu * (all + squares[k]);
       }
     }
     for (unsigned int i = 0; i < 3 * n3; ++i, batch_dofs += n_lanes)
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        d[batch_dofs[lane]] += diagonal[i][lane];
+        d[batch_dofs[lane]] += diagonal[i].lanes[lane];
   }
 }
 

@@ -10,6 +10,11 @@ namespace frictionbeam {
 constexpr unsigned int n_lanes = 4;
 using Lanes = double __attribute__((vector_size(n_lanes * sizeof(double))));
 
+/// The same in vectors: as template arguments attributes are dropped, and alignment with them.
+struct StoredLanes {
+  Lanes lanes;
+};
+
 /// Lagrange polynomials of one direction, and those through the points of the quadrature.
 struct Polynomials1D {
   unsigned int n = 0;            ///< nodes, and points of Gauss' formula
@@ -69,7 +74,7 @@ private:
   const Polynomials1D polynomials;
   std::vector<Batch> batches;
   std::vector<unsigned int> dofs; ///< by batch, component, node and lane
-  std::vector<Lanes> geometry;
+  std::vector<StoredLanes> geometry;
   std::vector<Cell> waiting; ///< of a batch that is not full
 };
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/algebra/coarse_multigrid.h"
-#include "analysis/algebra/elastic_operator.h"
+#include "analysis/algebra/multigrid_cycle.h"
 
-#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 
-#include <Eigen/LU>
+#include <cmath>
 
 namespace frictionbeam {
 
@@ -17,182 +15,12 @@ namespace {
 // Accepted though less than what was asked for, relative to the right-hand side: Newton's method
 // makes up for what rounding leaves of a direction.
 constexpr double least_accuracy = 1e-7;
-constexpr unsigned int most_iterations = 300, most_failures = 2;
-/// Of what a contact adds to the coarse stiffness, of the body's own there: more would only make
-/// the couplings beside it look weak.
-constexpr double most_of_contact = 10.;
+/// Iterations for a digit: more where there are too many unknowns to factor.
+constexpr double most_per_digit = 25., most_per_digit_of_large = 150.;
+constexpr unsigned int most_failures = 2;
+/// Iterations, of those of the first system after a set-up, that call for the next one.
+constexpr double many_iterations = 1.5;
 constexpr types::global_dof_index most_by_fallback = 250000; ///< unknowns that are factored
-
-/// Chebyshev's polynomial in D^-1 A, D being the diagonal, at contacts with the contact's tangent
-/// (M. Adams, M. Brezina, J. Hu, R. Tuminaro, J. Comput. Phys. 188 (2003) 593-610).
-class Smoother {
-public:
-  static constexpr unsigned int degree = 3; ///< products with A
-  static constexpr double range = 15.;      ///< of eigenvalues that are smoothed
-
-  Smoother(const ContinuumVector &inverse_diagonal, const double largest_eigenvalue)
-      : inverse(inverse_diagonal), largest(largest_eigenvalue), step(inverse_diagonal),
-        left(inverse_diagonal) {}
-
-  void set_contacts(const std::vector<StiffnessWithContacts::Contact> &contacts);
-  /// x += S (b - A x). @param from_zero whether x is zero
-  void smooth(const StiffnessWithContacts &A, ContinuumVector &x, const ContinuumVector &b,
-              const bool from_zero);
-
-private:
-  void scale(ContinuumVector &vector) const;
-
-  const ContinuumVector inverse;
-  const double largest;
-  std::vector<StiffnessWithContacts::Contact> blocks; ///< inverses
-  ContinuumVector step, left;
-};
-
-void Smoother::set_contacts(const std::vector<StiffnessWithContacts::Contact> &contacts) {
-  blocks = contacts;
-  for (StiffnessWithContacts::Contact &block : blocks) {
-    for (unsigned int d = 0; d < 3; ++d)
-      block.tangent(d, d) += block.is_free[d] ? 1. / inverse.local_element(block.dofs[d]) : 1.;
-    block.tangent = Eigen::Matrix3d(block.tangent.inverse());
-  }
-}
-
-void Smoother::scale(ContinuumVector &vector) const {
-  std::vector<Eigen::Vector3d> at_contacts;
-  at_contacts.reserve(blocks.size());
-  for (const auto &block : blocks) {
-    Eigen::Vector3d value;
-    for (unsigned int d = 0; d < 3; ++d)
-      value[d] = block.is_free[d] ? vector.local_element(block.dofs[d]) : 0.;
-    at_contacts.push_back(block.tangent * value);
-  }
-  vector.scale(inverse);
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-    for (unsigned int d = 0; d < 3; ++d)
-      if (blocks[i].is_free[d])
-        vector.local_element(blocks[i].dofs[d]) = at_contacts[i][d];
-}
-
-void Smoother::smooth(const StiffnessWithContacts &A, ContinuumVector &x, const ContinuumVector &b,
-                      const bool from_zero) {
-  const double smallest = largest / range, theta = 0.5 * (largest + smallest),
-               delta = 0.5 * (largest - smallest);
-  double rho = delta / theta;
-  if (from_zero)
-    step = b;
-  else {
-    A.vmult(left, x);
-    step = b;
-    step -= left;
-  }
-  scale(step);
-  step *= 1. / theta;
-  x += step;
-  for (unsigned int k = 1; k < degree; ++k) {
-    A.vmult(left, x);
-    left.sadd(-1., 1., b);
-    scale(left);
-    const double next = 1. / (2. * theta / delta - rho);
-    step.sadd(next * rho, 2. * next / delta, left);
-    x += step;
-    rho = next;
-  }
-}
-
-/// One cycle of multigrid: smoothed on the body's own elements, then those of degree one.
-class Cycle {
-public:
-  Cycle(const ContinuumBody<3> &body, const ElasticOperator &stiffness);
-
-  void set_contacts(const std::vector<StiffnessWithContacts::Contact> &contacts);
-  void vmult(ContinuumVector &x, const ContinuumVector &b) const;
-
-private:
-  const bool smooths; ///< elements of degree one are the coarse ones
-  const ElasticOperator &stiffness;
-  const LinearElements linear;
-  const std::unique_ptr<CoarseMultigrid> multigrid;
-  std::unique_ptr<StiffnessWithContacts> definite;
-  mutable std::unique_ptr<Smoother> smoother;
-  mutable ContinuumVector left, coarse, coarse_left;
-};
-
-/// Largest eigenvalue of D^-1 K, from what conjugate gradients learn of it. Contacts' tangents, on
-/// both sides, do not make it larger.
-double largest_eigenvalue(const ElasticOperator &stiffness, const ContinuumVector &inverse) {
-  ContinuumVector right(inverse), x(inverse);
-  for (unsigned int i = 0; i < right.locally_owned_size(); ++i)
-    right.local_element(i) =
-        inverse.local_element(i) == 0. ? 0. : (i * 7919U % 1009U) / 504. - 1.;
-  x = 0.;
-  DiagonalMatrix<ContinuumVector> jacobi;
-  jacobi.reinit(inverse);
-  IterationNumberControl control(14, 1e-10);
-  SolverCG<ContinuumVector> solver(control);
-  double largest = 1.;
-  solver.connect_eigenvalues_slot([&](const std::vector<double> &eigenvalues) {
-    for (const double value : eigenvalues)
-      largest = std::max(largest, value);
-  });
-  solver.solve(stiffness, x, right, jacobi);
-  return largest;
-}
-
-Cycle::Cycle(const ContinuumBody<3> &body, const ElasticOperator &stiffness)
-    : smooths(body.fe.degree > 1), stiffness(stiffness), linear(body),
-      multigrid(make_coarse_multigrid(linear, body)) {
-  ContinuumVector inverse(stiffness.diagonal());
-  inverse.zero_out_ghost_values();
-  for (unsigned int i = 0; i < inverse.locally_owned_size(); ++i) {
-    const double entry = inverse.local_element(i);
-    inverse.local_element(i) = entry > 0. ? 1. / entry : 0.;
-  }
-  smoother = std::make_unique<Smoother>(
-      inverse, smooths ? 1.1 * largest_eigenvalue(stiffness, inverse) : 1.);
-  body.reinit(left);
-  linear.reinit(coarse);
-  linear.reinit(coarse_left);
-}
-
-void Cycle::set_contacts(const std::vector<StiffnessWithContacts::Contact> &contacts) {
-  definite = std::make_unique<StiffnessWithContacts>(stiffness, contacts);
-  smoother->set_contacts(contacts);
-  std::vector<CoarseMultigrid::Entry> entries;
-  for (const auto &contact : contacts) {
-    Eigen::Matrix3d most = Eigen::Matrix3d::Identity();
-    for (unsigned int d = 0; d < 3; ++d)
-      if (contact.is_free[d])
-        most(d, d) = most_of_contact * stiffness.diagonal().local_element(contact.dofs[d]);
-    // in series, so that it stays symmetric
-    const Eigen::Matrix3d added = most * (contact.tangent + most).inverse() * contact.tangent;
-    std::array<std::vector<std::pair<types::global_dof_index, double>>, 3> rows;
-    for (unsigned int d = 0; d < 3; ++d)
-      if (contact.is_free[d])
-        rows[d] = linear.row(contact.dofs[d]);
-    for (unsigned int a = 0; a < 3; ++a)
-      for (unsigned int b = 0; b < 3; ++b)
-        for (const auto &[row, by_row] : rows[a])
-          for (const auto &[column, by_column] : rows[b])
-            if (added(a, b) != 0.)
-              entries.push_back({row, column, by_row * added(a, b) * by_column});
-  }
-  multigrid->set_up(entries);
-}
-
-void Cycle::vmult(ContinuumVector &x, const ContinuumVector &b) const {
-  x = 0.;
-  if (smooths) {
-    smoother->smooth(*definite, x, b, true);
-    definite->vmult(left, x);
-    left.sadd(-1., 1., b);
-  } else
-    left = b;
-  linear.restrict_to(coarse_left, left);
-  multigrid->cycle(coarse, coarse_left);
-  linear.prolongate_add(x, coarse);
-  if (smooths)
-    smoother->smooth(*definite, x, b, false);
-}
 
 class IterativeSystem final : public ContinuumSystem {
 public:
@@ -207,6 +35,7 @@ public:
   }
   bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
              ContinuumVector &x) override;
+  void begin_increment() override { cycle.set_up_next(); }
   std::string description() const override;
 
 private:
@@ -220,10 +49,10 @@ private:
 
   const ContinuumBody<3> &body;
   const ElasticOperator stiffness;
-  Cycle cycle;
+  MultigridCycle cycle;
   double mean_diagonal = 1.;
   std::unique_ptr<ContinuumSystem> direct; ///< where iterations fail
-  unsigned int n_solved = 0, n_iterations = 0, n_failed = 0;
+  double after_set_up = 0.; ///< iterations for a digit of the first system with the present cycle
 };
 
 IterativeSystem::IterativeSystem(const ContinuumBody<3> &body)
@@ -237,8 +66,7 @@ StiffnessWithContacts::Contact IterativeSystem::contact(const Block &block,
   Contact result;
   for (unsigned int a = 0; a < 3; ++a) {
     result.is_free[a] = !body.constraints.is_constrained(block.dofs[a]);
-    result.dofs[a] =
-        stiffness.diagonal().get_partitioner()->global_to_local(block.dofs[a]);
+    result.dofs[a] = stiffness.diagonal().get_partitioner()->global_to_local(block.dofs[a]);
   }
   for (unsigned int a = 0; a < 3; ++a)
     for (unsigned int c = 0; c < 3; ++c)
@@ -254,9 +82,13 @@ bool IterativeSystem::iterate(const std::vector<Block> &blocks, const bool symme
     definite.push_back(contact(block, block.definite));
   }
   const StiffnessWithContacts matrix(stiffness, contacts);
-  cycle.set_contacts(definite);
+  const bool is_new = cycle.set_contacts(definite);
   const double size = right.l2_norm();
-  SolverControl control(most_iterations, tolerance * size);
+  const double digits = -std::log10(std::min(0.1, tolerance));
+  const unsigned int most =
+      digits *
+      (body.dof_handler.n_dofs() > most_by_fallback ? most_per_digit_of_large : most_per_digit);
+  SolverControl control(most, tolerance * size);
   try {
     if (symmetric)
       SolverCG<ContinuumVector>(control).solve(matrix, x, right, cycle);
@@ -268,6 +100,11 @@ bool IterativeSystem::iterate(const std::vector<Block> &blocks, const bool symme
     return failure.last_residual <= std::max(tolerance, least_accuracy) * size;
   }
   n_iterations += control.last_step();
+  const double per_digit = control.last_step() / digits;
+  if (is_new)
+    after_set_up = per_digit;
+  else if (per_digit > many_iterations * after_set_up)
+    cycle.set_up_next();
   return true;
 }
 
@@ -285,8 +122,8 @@ bool IterativeSystem::solve_directly(const std::vector<Block> &blocks, const boo
 
 bool IterativeSystem::solve(const std::vector<Block> &blocks, const bool symmetric,
                             const ContinuumVector &b, ContinuumVector &x) {
-  ++n_solved;
-  if (n_failed >= most_failures)
+  ++n_systems;
+  if (n_failures >= most_failures)
     return solve_directly(blocks, symmetric, b, x);
   ContinuumVector right(b);
   right.zero_out_ghost_values();
@@ -294,16 +131,16 @@ bool IterativeSystem::solve(const std::vector<Block> &blocks, const bool symmetr
   x = 0.;
   if (right.l2_norm() == 0. || iterate(blocks, symmetric, right, x))
     return true;
-  ++n_failed;
+  ++n_failures;
   return solve_directly(blocks, symmetric, b, x);
 }
 
 std::string IterativeSystem::description() const {
   return "multigrid without a matrix, " + std::to_string(n_iterations) + " iterations for " +
-         std::to_string(n_solved) + " systems" +
-         (n_failed > 0 ? ", " + std::to_string(n_failed) +
-                             " of which did not converge and went to a factorization"
-                       : std::string());
+         std::to_string(n_systems) + " systems" +
+         (n_failures > 0 ? ", " + std::to_string(n_failures) +
+                               " of which did not converge and went to a factorization"
+                         : std::string());
 }
 
 } // namespace

@@ -137,7 +137,7 @@ void LinearElements::assemble_stiffness(
                              const std::vector<types::global_dof_index> &)> &add) const {
   const QGauss<3> quadrature(2);
   const FE_Q<3> shapes(1);
-  FEValues<3> values(shapes, quadrature, update_gradients | update_JxW_values);
+  FEValues<3> values(body.mapping, shapes, quadrature, update_gradients | update_JxW_values);
   const FiniteElement<3> &fe = dof_handler.get_fe();
   const unsigned int n = shapes.n_dofs_per_cell();
   FullMatrix<double> matrix(3 * n, 3 * n);
@@ -145,8 +145,8 @@ void LinearElements::assemble_stiffness(
   for (const auto &cell : dof_handler.active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
-    const LameConstants lame = lame_constants(body.continuum, cell->material_id());
     values.reinit(typename Triangulation<3>::cell_iterator(cell));
+    const LameConstants lame = lame_constants(body.continuum, cell->material_id());
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j) {
         Tensor<2, 3> products; // of derivatives

@@ -26,11 +26,10 @@ public:
                                const std::vector<dealii::types::global_dof_index> &)> &add) const;
 
   /// Row of P at a dof of this process's, given by its place in the body's vectors.
-  std::vector<std::pair<dealii::types::global_dof_index, double>>
-  row(const unsigned int dof) const;
+  std::vector<std::pair<dealii::types::global_dof_index, double>> row(const unsigned int dof) const;
 
-  /// Three translations and three rotations, about the middle and scaled to the size of the body, at
-  /// this process's dofs; zero where they are constrained.
+  /// Three translations and three rotations, about the middle and scaled to the size of the body,
+  /// at this process's dofs; zero where they are constrained.
   std::vector<ContinuumVector> rigid_motions() const;
 
   dealii::DoFHandler<3> dof_handler;

@@ -122,8 +122,7 @@ Matrix tentative_prolongation(const std::vector<int> &aggregate, const int n_agg
     const int most = std::min(local.rows(), local.cols());
     while (rank < most && std::abs(qr.matrixR()(rank, rank)) > 1e-8 * std::abs(qr.maxPivot()))
       ++rank;
-    const Eigen::MatrixXd Q =
-        qr.householderQ() * Eigen::MatrixXd::Identity(local.rows(), rank);
+    const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(local.rows(), rank);
     for (std::size_t k = 0; k < own.size(); ++k)
       for (int c = 0; c < rank; ++c)
         entries.emplace_back(own[k], coarse_begin.back() + c, Q(k, c));
@@ -164,12 +163,12 @@ void SmoothedAggregation::sweep(const Level &level, Eigen::VectorXd &x, const Ei
                                                               level.matrix.innerIndexPtr();
   const double *const values = level.matrix.valuePtr();
   const double *inverse = level.inverses.data() + (backward ? level.inverses.size() : 0);
-  Eigen::VectorXd left(16);
+  std::vector<double> left(16);
   for (int k = 0; k < n_nodes; ++k) {
     const int i = backward ? n_nodes - 1 - k : k, first = begin[i], n = begin[i + 1] - first;
     if (backward)
       inverse -= n * n;
-    if (n > left.size())
+    if (n > int(left.size()))
       left.resize(n);
     for (int row = 0; row < n; ++row) {
       double sum = b[first + row];

@@ -11,7 +11,7 @@ namespace frictionbeam {
 struct ContinuumState {
   unsigned int step = 0, increment = 0;
   double time = 0., factor = 0.;
-  std::vector<double> factors; ///< of the loads; `factor` is the first of them
+  std::vector<double> factors;  ///< of the loads; `factor` is the first of them
   ContinuumVector displacement; ///< of all dofs of this process and its neighbours'
   FoundationState contacts;     ///< beside ContinuumBody::nodes
   std::vector<LocalVector> contact_displacement;

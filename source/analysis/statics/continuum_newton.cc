@@ -26,6 +26,12 @@ constexpr double epsilon_of_rounding = 64. * std::numeric_limits<double>::epsilo
 /// Newton's steps; there below the proximal stiffness as well.
 constexpr double shift_of_motion = 1e-9, shift_of_step = 1e-6, shift_below_rho = 1e-3;
 
+/// Of the linear systems where they are iterated on, residuals relative to their right-hand sides:
+/// a step of Newton's method is not better than what contacts change on the way, and the last
+/// steps, where nothing changes, still gain as many digits; a motion proves that there is no
+/// equilibrium.
+constexpr double of_step = 1e-4, of_motion = 1e-9;
+
 double largest_of(const ContinuumVector &vector) { return vector.linfty_norm(); }
 
 } // namespace
@@ -118,6 +124,7 @@ ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
   increment = of_time;
   largest_load = largest_of(forces);
   contacts.begin(state);
+  system.begin_increment();
   contact::Outcome outcome = solve_contacts(u, response, result);
   while (outcome == contact::Outcome::solved && !all(!contacts.let_slipping_go(response.state)))
     outcome = solve_contacts(u, response, result);
@@ -290,6 +297,7 @@ bool ContinuumNewton<dim>::moves_away(const FoundationResponse &response, const 
     if (status == ContactStatus::stick && holds_stuck)
       tangent[i](1, 1) = tangent[i](2, 2) = -hold / body.nodes[i].weight;
   }
+  system.tolerance = of_motion;
   if (!find_direction(tangent, shift_of_motion, left, motion))
     return false;
   system.multiply(motion, stiff);
@@ -325,6 +333,7 @@ contact::Outcome ContinuumNewton<dim>::solve_proximal(ContinuumVector &u,
     if (balanced(u, left, response, result))
       return contact::Outcome::solved;
     ++result.iterations;
+    system.tolerance = of_step;
     if (iteration == most_proximal_of_body ||
         !find_direction(response.tangent, shift, left, direction))
       return slides_away(u, response) ? contact::Outcome::slides_away : contact::Outcome::stalled;
@@ -365,6 +374,7 @@ ContinuumNewton<dim>::solve_together(const unsigned int most_iterations, Continu
     eliminate_centre(response, step);
     residual(response.state.stress, left);
     ++result.iterations;
+    system.tolerance = of_step;
     if (!find_direction(response.tangent, 0., left, direction))
       return slides_away(u, response) ? contact::Outcome::slides_away : contact::Outcome::stalled;
     const auto motion = local(direction);
