@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "active_set.h"
-#include <frictionbeam/disc_projection.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam::contact {
 
@@ -21,7 +21,7 @@ ContactStatus branch_by_forces(const Check::Point &point) {
   if (!(point.P > 0.))
     return point.gap <= 0. ? ContactStatus::stick : ContactStatus::open;
   const double limit = near_the_limit * point.friction * point.P;
-  return length_of(point.T[0], point.T[1]) < limit ? ContactStatus::stick : ContactStatus::slip;
+  return std::hypot(point.T[0], point.T[1]) < limit ? ContactStatus::stick : ContactStatus::slip;
 }
 
 /// Branches of the proximal law that are chosen as long as this lives.
@@ -107,7 +107,6 @@ bool ActiveSet::may_jam() const {
 
 Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
                          Result &result) {
-  has_solved = false;
   if (points.size() < fewest_contacts || may_jam())
     return Outcome::stalled;
   if (kept.pause > 0) {
@@ -123,32 +122,7 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
   if (is_settled || is_nearer(x, centre, response))
     outcome = newton.solve_together(most_to_finish, x, response, result);
   learn(outcome != Outcome::stalled);
-  has_solved = outcome == Outcome::solved;
   if (outcome == Outcome::stalled) { // as if it had not been tried
-    proximal.centre = centre;
-    x.setZero();
-    newton.bar(false);
-  }
-  return outcome;
-}
-
-Outcome ActiveSet::correct(Vector &x, Response &response, Result &result) {
-  if (!has_solved)
-    return Outcome::stalled;
-  has_solved = false;
-  const std::vector<Strains> centre = proximal.centre;
-  const double factor = proximal.stiffness_factor;
-  proximal.stiffness_factor = stiffness_of_branch;
-  bool is_near = false;
-  {
-    const ChosenBranches chosen(proximal, first_branches(response));
-    is_near = step(x, response, result);
-  }
-  proximal.stiffness_factor = factor;
-  Outcome outcome = Outcome::stalled;
-  if (is_near)
-    outcome = newton.solve_together(most_to_finish, x, response, result);
-  if (outcome == Outcome::stalled) {
     proximal.centre = centre;
     x.setZero();
     newton.bar(false);

@@ -27,12 +27,6 @@ public:
   Outcome solve(const bool is_first, const double factor, Vector &x, Response &response,
                 Result &result);
 
-  /**
-   * The same for a solution that solve() has found, where little has been left for x to correct:
-   * on its branches, whose factors are there.
-   */
-  Outcome correct(Vector &x, Response &response, Result &result);
-
   /// A solution: where to begin the next time. @p motion without entries: as before.
   void remember(const std::vector<ContactStatus> &status, const Vector &motion);
 
@@ -62,7 +56,6 @@ private:
   FrontPrediction front;
   std::vector<Check::Point> points; ///< of contacts after a step
   PredictionMemory kept;
-  bool has_solved = false; ///< the present increment, which is not corrected yet
 };
 
 } // namespace frictionbeam::contact

@@ -188,14 +188,8 @@ std::vector<Strains> ExactSolver::Implementation::strains_at(const Pass &now) co
 }
 
 Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, Vector &x) {
-  if (now.accepted) {
-    Outcome outcome = Outcome::stalled;
-    if (active_set && now.is_corrected)
-      outcome = active_set->correct(x, now.response, now.result);
-    if (outcome == Outcome::stalled)
-      outcome = newton.solve_together(limits.most_to_finish, x, now.response, now.result);
-    return outcome;
-  }
+  if (now.accepted)
+    return newton.solve_together(limits.most_to_finish, x, now.response, now.result);
   // Where several solutions are nearly as good, whole steps lead to any of them.
   const bool is_any = now.problem.forces_before == nullptr;
   if (active_set && is_any) {

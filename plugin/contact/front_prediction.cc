@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "front_prediction.h"
-#include <frictionbeam/disc_projection.h>
 
 #include <Eigen/QR>
 
@@ -103,7 +102,7 @@ bool FrontPrediction::slides_wrongly(const unsigned int i) const {
   const Check::Point &point = (*points)[i];
   return before[i] == ContactStatus::slip && next[i] == ContactStatus::slip &&
          point.T[0] * point.slip[0] + point.T[1] * point.slip[1] <
-             -point.rounding * length_of(point.T[0], point.T[1]);
+             -point.rounding * std::hypot(point.T[0], point.T[1]);
 }
 
 void FrontPrediction::stop_wrong_slip() {
@@ -155,7 +154,7 @@ void FrontPrediction::stop_group(const std::vector<unsigned int> &group) {
 
 Eigen::Vector2d FrontPrediction::excess(const unsigned int i) const {
   const Check::Point &point = (*points)[i];
-  const double size = length_of(point.T[0], point.T[1]), limit = limit_of(point);
+  const double size = std::hypot(point.T[0], point.T[1]), limit = limit_of(point);
   if (!(size > (1. + at_the_limit) * limit))
     return {0., 0.};
   return contacts[i].share() * (1. - limit / size) * Eigen::Vector2d(point.T[0], point.T[1]);

@@ -53,10 +53,7 @@ public:
   /// Of displacements that x makes [m].
   double rounding_of_motion(const Vector &x) const;
   Strains strain_of(const unsigned int i, const Vector &motion) const {
-    Strains strain = Strains::Zero();
-    for (unsigned int j = first_place[i]; j < first_place[i + 1]; ++j)
-      strain += motion[places[j].unknown] * places[j].strain;
-    return strain;
+    return contacts[i].strain_by_unknowns(motion, places[i].unknowns);
   }
 
   /// Factor S with the contacts' tangents: for a body the directions alone that are free. What is
@@ -68,7 +65,7 @@ public:
   void begin_tangent(const double shift);
   /// Add a contact's stiffness, of its strains, to that.
   void add_block(const unsigned int i, const Block &stiffness);
-  bool factor_tangent();
+  bool factor_tangent() { return factors.factorize(tangent); }
   Vector solve_tangent(const Vector &forces) const { return factors.solve(forces); }
 
   /// The tangents that are factored; restoring them, their factors are made again.
@@ -96,31 +93,23 @@ public:
 
 private:
   void subtract_force(const unsigned int i, const Strains &stress, Vector &forces) const {
-    const double weight = contacts[i].weight;
-    for (unsigned int j = first_place[i]; j < first_place[i + 1]; ++j)
-      forces[places[j].unknown] -= weight * places[j].strain.dot(stress);
+    contacts[i].add_to(forces, stress, -1., places[i].unknowns);
   }
   /// All directions, and a small multiple of the diagonal where that fails.
   bool factor_all(const Response &response, Result &result);
-  /// Leading rows of the tangent that are as before(), which has its values when it was factored.
-  int n_unchanged_rows() const;
 
-  /// An unknown of a contact: its place in x, and the strains that it makes, a column of B.
-  struct Place {
-    int unknown;
-    Strains strain;
+  /// Places of a contact's unknowns in x, and of its block in the values of S.
+  struct Places {
+    std::vector<int> unknowns, values;
   };
 
   const Condensation &line;
-  std::vector<Place> places; ///< of all contacts, one after the other, as are those of their blocks
-  std::vector<unsigned int> first_place, first_value;
-  std::vector<int> value_places;    ///< in the values of S
+  std::vector<Places> places;
   std::vector<int> diagonal_places; ///< in the values of S
   TangentFactors factors;
   std::optional<ReducedTangent> reduced; ///< of a body
   bool is_reduced = false;               ///< which of the two holds the factors
   SparseMatrix tangent;
-  std::vector<double> before;  ///< values of the tangent that was factored last
   std::vector<Block> factored; ///< the contacts' tangents that factors hold
 
   // of the increment

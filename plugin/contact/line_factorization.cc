@@ -10,12 +10,11 @@ namespace frictionbeam::contact {
 
 void LineFactorization::analyze(const SparseMatrix &matrix) {
   order(matrix);
-  find_pattern(matrix);
   const std::size_t n = matrix.rows();
   lower.resize(columns[n]);
   upper.resize(columns[n]);
+  column_rows.resize(columns[n]);
   diagonal.resize(n);
-  n_factored = 0;
 }
 
 void LineFactorization::order(const SparseMatrix &matrix) {
@@ -23,7 +22,6 @@ void LineFactorization::order(const SparseMatrix &matrix) {
   new_of_old.resize(n);
   std::iota(new_of_old.begin(), new_of_old.end(), 0);
   old_of_new = new_of_old;
-  is_natural = true;
   const std::size_t natural_fill = find_tree(matrix, new_of_old, old_of_new);
   if (natural_fill <= 2 * static_cast<std::size_t>(matrix.nonZeros()))
     return;
@@ -38,7 +36,6 @@ void LineFactorization::order(const SparseMatrix &matrix) {
   if (find_tree(matrix, new_indices, old_indices) < natural_fill) {
     new_of_old = new_indices;
     old_of_new = old_indices;
-    is_natural = false;
   } else
     find_tree(matrix, new_of_old, old_of_new);
 }
@@ -66,64 +63,45 @@ std::size_t LineFactorization::find_tree(const SparseMatrix &matrix,
   return columns[n];
 }
 
-void LineFactorization::find_pattern(const SparseMatrix &matrix) {
-  const int n = matrix.rows();
-  std::vector<int> visited(n, -1);
-  std::vector<std::size_t> end(columns.begin(), columns.end() - 1);
-  column_rows.resize(columns[n]);
-  row_columns.resize(columns[n]);
-  rows.assign(n + 1, 0);
-  for (int k = 0; k < n; ++k) {
-    std::size_t q = rows[k];
-    visited[k] = k;
-    const int row = old_of_new[k];
-    for (int p = matrix.outerIndexPtr()[row]; p < matrix.outerIndexPtr()[row + 1]; ++p)
-      for (int i = new_of_old[matrix.innerIndexPtr()[p]]; i < k && visited[i] != k; i = parent[i]) {
-        row_columns[q++] = i;
-        column_rows[end[i]++] = k;
-        visited[i] = k;
-      }
-    rows[k + 1] = q;
-    std::sort(row_columns.begin() + rows[k], row_columns.begin() + q); // each before its parent
-  }
-}
-
-int LineFactorization::keep_rows(const int n_unchanged, std::vector<std::size_t> &end) const {
-  const int n_kept = is_natural ? std::min(n_unchanged, n_factored) : 0;
-  end.assign(columns.begin(), columns.end() - 1);
-  for (int i = 0; i < n_kept; ++i)
-    while (end[i] < columns[i + 1] && column_rows[end[i]] < n_kept)
-      ++end[i];
-  return n_kept;
-}
-
-bool LineFactorization::factorize(const SparseMatrix &matrix, const int n_unchanged) {
+bool LineFactorization::factorize(const SparseMatrix &matrix) {
   const int n = matrix.rows();
   const int *const outer = matrix.outerIndexPtr(), *const inner = matrix.innerIndexPtr();
   const double *const values = matrix.valuePtr();
-  std::vector<std::size_t> end;
+  std::vector<std::size_t> end(columns.begin(), columns.end() - 1);
+  std::vector<int> visited(n, -1), path(n), reach(n);
   std::vector<double> row_values(n, 0.), column_values(n, 0.);
 
-  n_factored = keep_rows(n_unchanged, end);
-  for (; n_factored < n; ++n_factored) {
-    const int k = n_factored;
-    double pivot = 0.;
+  for (int k = 0; k < n; ++k) {
+    // Pattern of row k of L: what the entries of the row reach in the tree, in topological order.
+    int top = n;
+    visited[k] = k;
+    double pivot = 0., size = 0.;
     const int row = old_of_new[k];
     for (int p = outer[row]; p < outer[row + 1]; ++p) {
-      const int column = inner[p], i = new_of_old[column];
-      if (i == k)
+      int i = new_of_old[inner[p]];
+      if (i == k) {
         pivot = values[p];
-      else if (i < k) {
-        row_values[i] = values[p];
-        // The mirrored entry: the pattern is symmetric.
-        const int *const found =
-            std::lower_bound(inner + outer[column], inner + outer[column + 1], row);
-        column_values[i] = values[found - inner];
+        continue;
       }
+      if (i > k)
+        continue;
+      row_values[i] = values[p];
+      // The mirrored entry: the pattern is symmetric.
+      const int column = inner[p];
+      const int *const found =
+          std::lower_bound(inner + outer[column], inner + outer[column + 1], row);
+      column_values[i] = values[found - inner];
+      int length = 0;
+      for (; visited[i] != k; i = parent[i]) {
+        path[length++] = i;
+        visited[i] = k;
+      }
+      while (length > 0)
+        reach[--top] = path[--length];
     }
-    double size = std::abs(pivot);
-    for (std::size_t q = rows[k]; q < rows[k + 1]; ++q) {
-      const int i = row_columns[q];
+    size = std::abs(pivot);
+    for (; top < n; ++top) {
+      const int i = reach[top];
       const double l = row_values[i], u = column_values[i];
       row_values[i] = column_values[i] = 0.;
       for (std::size_t p = columns[i]; p < end[i]; ++p) {
@@ -135,7 +113,7 @@ bool LineFactorization::factorize(const SparseMatrix &matrix, const int n_unchan
       size = std::max(size, std::abs(scaled * u));
       lower[end[i]] = scaled;
       upper[end[i]] = u / diagonal[i];
-      ++end[i];
+      column_rows[end[i]++] = k;
     }
     if (!(std::abs(pivot) > 1e-15 * size))
       return false;

@@ -14,9 +14,9 @@ void TangentFactors::analyze(const SparseMatrix &matrix) {
     sparse.analyze(matrix);
 }
 
-bool TangentFactors::factorize(const SparseMatrix &matrix, const int n_unchanged) {
+bool TangentFactors::factorize(const SparseMatrix &matrix) {
   if (!is_dense)
-    return sparse.factorize(matrix, n_unchanged);
+    return sparse.factorize(matrix);
   constexpr double vanishes = 1e-15;
   scale = matrix.diagonal().cwiseAbs();
   for (double &s : scale)

@@ -13,9 +13,8 @@ class TangentFactors {
 public:
   void analyze(const SparseMatrix &matrix);
   bool is_of_body() const { return is_dense; }
-  /// @param n_unchanged leading rows are as they were the last time
   /// @return false if a pivot vanishes: no factors then.
-  bool factorize(const SparseMatrix &matrix, const int n_unchanged = 0);
+  bool factorize(const SparseMatrix &matrix);
   Vector solve(const Vector &right_hand_side) const;
 
 private:

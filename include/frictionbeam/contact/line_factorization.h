@@ -22,12 +22,8 @@ public:
   /// Ordering and pattern of the factors; values are not read.
   void analyze(const SparseMatrix &matrix);
 
-  /**
-   * Factor a matrix of the analyzed pattern. @return false if a pivot vanishes: no factors then.
-   * @param n_unchanged leading rows of the matrix are as they were the last time: their factors,
-   * which depend on nothing behind them, are kept where unknowns are eliminated as numbered
-   */
-  bool factorize(const SparseMatrix &matrix, const int n_unchanged = 0);
+  /// Factor a matrix of the analyzed pattern. @return false if a pivot vanishes: no factors then.
+  bool factorize(const SparseMatrix &matrix);
 
   /// Solve with the last factors.
   Vector solve(const Vector &right_hand_side) const;
@@ -42,18 +38,11 @@ private:
   void order(const SparseMatrix &matrix);
   std::size_t find_tree(const SparseMatrix &matrix, const std::vector<int> &new_of_old,
                         const std::vector<int> &old_of_new);
-  void find_pattern(const SparseMatrix &matrix);
-  /// Number of leading rows to keep, and @p end, behind what they have in each column of L.
-  int keep_rows(const int n_unchanged, std::vector<std::size_t> &end) const;
 
   std::vector<int> new_of_old, old_of_new;
-  bool is_natural = true;           ///< whether unknowns are eliminated as numbered
   std::vector<int> parent;          ///< elimination tree
   std::vector<std::size_t> columns; ///< start of each column of L (and row of U)
   std::vector<int> column_rows;     ///< row indices of L
-  std::vector<std::size_t> rows;    ///< start of each row of L
-  std::vector<int> row_columns;     ///< column indices of L
-  int n_factored = 0;               ///< rows that have factors
   std::vector<double> lower, upper, diagonal;
 };
 
