@@ -315,7 +315,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
                                      "Newton method"
                                    : "newton: consistent tangent of the return mapping") +
                    ", elements of degree " + std::to_string(body.fe.degree) + ", " +
-                   sequence.linear_solver();
+                   (body.is_parallel ? "Trilinos" : "contacts condensed");
   for (unsigned int i = 0; i < body.continuum.quantities.size(); ++i) {
     const ContinuumQuantity &quantity = body.continuum.quantities[i];
     QuantityResult result{quantity.name,      unit_of(quantity),

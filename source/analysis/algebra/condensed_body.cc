@@ -26,7 +26,6 @@ public:
   }
   bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
              ContinuumVector &x) override;
-  std::string description() const override { return "contacts condensed"; }
 
 private:
   using Sparse = Eigen::SparseMatrix<double>;

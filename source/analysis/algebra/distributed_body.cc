@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/elastic_system.h"
-#include "analysis/algebra/elasticity_kernel.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -46,9 +45,6 @@ public:
   }
   bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
              ContinuumVector &x) override;
-  std::string description() const override {
-    return direct ? "Trilinos' factorization" : "Trilinos' multigrid";
-  }
 
 private:
   /// The stiffness with blocks, or with the positive part of their diagonals.
@@ -146,17 +142,12 @@ std::unique_ptr<ContinuumSystem> make_distributed_system(const ContinuumBody<dim
 template <int dim>
 std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> &body) {
   using LinearSolver = ContinuumSettings::LinearSolver;
-  const LinearSolver wish = body.scene.continuum_settings.linear_solver;
-  const bool is_direct =
-      wish == LinearSolver::direct ||
-      (wish == LinearSolver::automatic && body.dof_handler.n_dofs() <= most_direct<dim>);
-  if constexpr (dim == 3)
-    if (multigrid_without_matrix && !is_direct &&
-        body.fe.degree <= ElasticHexahedra::highest_degree)
-      return make_iterative_system(body);
   if (!body.is_parallel)
     return make_condensed_system(body);
-  return make_distributed_system(body, is_direct);
+  const LinearSolver wish = body.scene.continuum_settings.linear_solver;
+  return make_distributed_system(
+      body, wish == LinearSolver::direct ||
+                (wish == LinearSolver::automatic && body.dof_handler.n_dofs() <= most_direct<dim>));
 }
 
 template std::unique_ptr<ContinuumSystem> make_continuum_system<2>(const ContinuumBody<2> &);

@@ -12,9 +12,6 @@ public:
   struct Block {
     std::vector<dealii::types::global_dof_index> dofs;
     std::vector<double> values;
-    /// Symmetric part that multigrid may count on, positive semidefinite: without what couples
-    /// normal and shear.
-    std::vector<double> definite;
   };
 
   virtual ~ContinuumSystem() = default;
@@ -32,25 +29,12 @@ public:
   virtual bool solve(const std::vector<Block> &blocks, const bool symmetric,
                      const ContinuumVector &b, ContinuumVector &x) = 0;
 
-  /// To be called before each increment: what has been learned from those before is forgotten, so
-  /// that a run that was cut goes on as one that was not.
-  virtual void begin_increment() {}
-
-  /// How it solves, and what that took.
-  virtual std::string description() const = 0;
-
   unsigned int n_factorizations = 0;
-  /// Where it iterates: systems, iterations of all, systems that did not converge.
-  unsigned int n_systems = 0, n_iterations = 0, n_failures = 0;
-  double tolerance = 1e-11; ///< residual relative to the right-hand side, where solve() iterates
 };
 
 /// Unknowns up to which a factorization is taken where Continuum/Linear solver leaves it open.
 template <int dim>
 inline constexpr dealii::types::global_dof_index most_direct = dim == 2 ? 60000 : 15000;
-
-/// Whether make_iterative_system() is used at all. Off: it has not passed its tests yet.
-inline constexpr bool multigrid_without_matrix = false;
 
 /// Direct, or with algebraic multigrid, as Continuum/Linear solver says.
 template <int dim>
@@ -71,14 +55,5 @@ std::unique_ptr<ContinuumSystem> make_condensed_system(const ContinuumBody<dim> 
 template <int dim>
 std::unique_ptr<ContinuumSystem> make_distributed_system(const ContinuumBody<dim> &body,
                                                          const bool direct);
-
-/**
- * Conjugate gradients, or GMRES where Coulomb friction makes the matrix unsymmetric, on the
- * stiffness without a matrix (ElasticOperator), with one cycle of multigrid before: Chebyshev's
- * smoother on the body's elements, then elements of degree one (LinearElements) and algebraic
- * multigrid on these (CoarseMultigrid). Systems that it does not solve to tolerance go to a
- * factorization.
- */
-std::unique_ptr<ContinuumSystem> make_iterative_system(const ContinuumBody<3> &body);
 
 } // namespace frictionbeam

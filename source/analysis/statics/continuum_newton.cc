@@ -6,7 +6,6 @@
 #include <frictionbeam/contact/halving_search.h>
 #include <frictionbeam/contact/tolerances.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <limits>
@@ -25,12 +24,6 @@ constexpr double epsilon_of_rounding = 64. * std::numeric_limits<double>::epsilo
 /// Of the diagonal, so that what moves freely has a direction in which it does: of a motion, and of
 /// Newton's steps; there below the proximal stiffness as well.
 constexpr double shift_of_motion = 1e-9, shift_of_step = 1e-6, shift_below_rho = 1e-3;
-
-/// Of the linear systems where they are iterated on, residuals relative to their right-hand sides:
-/// a step of Newton's method is not better than what contacts change on the way, and the last
-/// steps, where nothing changes, still gain as many digits; a motion proves that there is no
-/// equilibrium.
-constexpr double of_step = 1e-4, of_motion = 1e-9;
 
 double largest_of(const ContinuumVector &vector) { return vector.linfty_norm(); }
 
@@ -124,7 +117,6 @@ ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
   increment = of_time;
   largest_load = largest_of(forces);
   contacts.begin(state);
-  system.begin_increment();
   contact::Outcome outcome = solve_contacts(u, response, result);
   while (outcome == contact::Outcome::solved && !all(!contacts.let_slipping_go(response.state)))
     outcome = solve_contacts(u, response, result);
@@ -228,24 +220,6 @@ void ContinuumNewton<dim>::eliminate_centre(FoundationResponse &response,
   }
 }
 
-namespace {
-
-/// Of a contact's stiffness, normal first: what is symmetric and not negative, without what couples
-/// normal and shear.
-LocalMatrix definite_part(const LocalMatrix &stiffness) {
-  LocalMatrix result = LocalMatrix::Zero();
-  result(0, 0) = std::max(0., stiffness(0, 0));
-  const Eigen::Matrix2d shear = stiffness.bottomRightCorner<2, 2>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> parts(
-      Eigen::Matrix2d(0.5 * (shear + shear.transpose())));
-  result.bottomRightCorner<2, 2>() = parts.eigenvectors() *
-                                     parts.eigenvalues().cwiseMax(0.).asDiagonal() *
-                                     parts.eigenvectors().transpose();
-  return result;
-}
-
-} // namespace
-
 template <int dim>
 bool ContinuumNewton<dim>::find_direction(const std::vector<LocalMatrix> &tangent,
                                           const double shift, const ContinuumVector &left,
@@ -257,18 +231,13 @@ bool ContinuumNewton<dim>::find_direction(const std::vector<LocalMatrix> &tangen
     symmetric &= (D - D.transpose()).norm() <= no_component * D.norm();
     const auto &node = body.nodes[i];
     blocks[i].dofs.assign(node.dofs.begin(), node.dofs.end());
-    const LocalMatrix definite = definite_part(-D);
     for (unsigned int a = 0; a < dim; ++a)
       for (unsigned int b = 0; b < dim; ++b) {
-        const double hold = a == b ? shift * contacts[i].normal_diagonal : 0.;
-        double value = hold, counted = hold;
+        double value = a == b ? shift * contacts[i].normal_diagonal : 0.;
         for (unsigned int k = 0; k < dim; ++k)
-          for (unsigned int l = 0; l < dim; ++l) {
+          for (unsigned int l = 0; l < dim; ++l)
             value -= node.frame[k][a] * D(k, l) * node.frame[l][b];
-            counted += node.frame[k][a] * definite(k, l) * node.frame[l][b];
-          }
         blocks[i].values.push_back(node.weight * value);
-        blocks[i].definite.push_back(node.weight * counted);
       }
   }
   body.reinit(direction);
@@ -297,7 +266,6 @@ bool ContinuumNewton<dim>::moves_away(const FoundationResponse &response, const 
     if (status == ContactStatus::stick && holds_stuck)
       tangent[i](1, 1) = tangent[i](2, 2) = -hold / body.nodes[i].weight;
   }
-  system.tolerance = of_motion;
   if (!find_direction(tangent, shift_of_motion, left, motion))
     return false;
   system.multiply(motion, stiff);
@@ -333,7 +301,6 @@ contact::Outcome ContinuumNewton<dim>::solve_proximal(ContinuumVector &u,
     if (balanced(u, left, response, result))
       return contact::Outcome::solved;
     ++result.iterations;
-    system.tolerance = of_step;
     if (iteration == most_proximal_of_body ||
         !find_direction(response.tangent, shift, left, direction))
       return slides_away(u, response) ? contact::Outcome::slides_away : contact::Outcome::stalled;
@@ -374,7 +341,6 @@ ContinuumNewton<dim>::solve_together(const unsigned int most_iterations, Continu
     eliminate_centre(response, step);
     residual(response.state.stress, left);
     ++result.iterations;
-    system.tolerance = of_step;
     if (!find_direction(response.tangent, 0., left, direction))
       return slides_away(u, response) ? contact::Outcome::slides_away : contact::Outcome::stalled;
     const auto motion = local(direction);
