@@ -141,8 +141,9 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
     if (const auto step = time_step_of(scene))
       list.push_back(*step);
   const bool is_large = scene.kinematics == Kinematics::corotational;
-  if ((has_bed || has_transient || is_large || scene.yields()) && !scene.pipes.empty() &&
-      scene.mesh.file.empty())
+  const bool has_modes = scene.modal.n_modes > 0; // whose masses are cells'
+  if ((has_bed || has_transient || has_modes || is_large || scene.yields()) &&
+      !scene.pipes.empty() && scene.mesh.file.empty())
     list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
   if (scene.mesh.file.empty() && std::any_of(scene.pipes.begin(), scene.pipes.end(),
                                              [](const Pipe &pipe) { return pipe.end_section; }))

@@ -128,13 +128,15 @@ MemberLoad Frame::load_on(const Member &member, const std::vector<Real> &factors
           factors[l] * thermal_strain(material, scene.installation_temperature, load.value);
     else if (load.kind == "pressure") {
       const double inner = f.radius - f.wall, bore = pi * inner * inner, nu = material.nu;
-      sum.strain += factors[l] * load.value * bore * (1. - 2. * nu) / member.EA;
+      const double stretch = factors[l] * load.value * bore * (1. - 2. * nu) / member.EA;
+      sum.strain += stretch;
       sum.pressure += factors[l] * load.value;
       const double R = member.curve.radius, r = f.radius - f.wall / 2.;
-      if (R > 0.) // Bourdon: MEL 10-66, eq. 3-29
-        sum.curvature -= factors[l] * load.value * pi * std::pow(r, 4) /
-                         (2. * modulus(material) * f.inertia * (pipe.rigid ? 1000. : 1.)) *
-                         (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (R * R)) / R;
+      if (R > 0.) // Bourdon: MEL 10-66, eq. 3-29, less what stretching does to 1/R
+        sum.curvature +=
+            stretch / R - factors[l] * load.value * pi * std::pow(r, 4) /
+                              (2. * modulus(material) * f.inertia * (pipe.rigid ? 1000. : 1.)) *
+                              (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (R * R)) / R;
     }
   }
   return sum;

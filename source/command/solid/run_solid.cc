@@ -69,15 +69,18 @@ Scene as_body(const Scene &scene, const Model &line, const PipeWall &wall) {
   Scene result = scene;
   result.continuum = body;
   result.continuum_settings.degree = scene.solid.degree;
-  // Long thin cells: a factorization unless the file asks for multigrid.
-  using LinearSolver = ContinuumSettings::LinearSolver;
-  if (result.continuum_settings.linear_solver == LinearSolver::automatic)
-    result.continuum_settings.linear_solver = LinearSolver::direct;
+  result.continuum_settings.linear_solver = ContinuumSettings::LinearSolver::direct; // thin cells
   return result;
 }
 
-/// @throws UserError where nothing holds the pipes
+/// @throws UserError where nothing holds the pipes, and for what is not done
 void check_held(const Scene &scene) {
+  if (scene.continuum_settings.linear_solver == ContinuumSettings::LinearSolver::amg)
+    throw UserError("Walls of pipes are factored.\n  read:    Continuum/Linear solver = amg\n  "
+                    "allowed: auto or direct with Model = solid\n  try:     to leave it out");
+  if (n_processes() > 1)
+    throw UserError("Walls of pipes are solved by one process.\n  read:    Model = solid under "
+                    "mpirun\n  allowed: one process\n  try:     without mpirun");
   if (scene.restraints.empty())
     throw UserError("Nothing holds the solid pipe.\n  read:    no Support\n  allowed: anchors\n  "
                     "try:     an anchor at one end");
@@ -180,6 +183,8 @@ void SolidRun::add_quantities() {
     else
       results.quantities.push_back(shown(scene, quantity, collector.evaluate(quantity, *frame)));
   }
+  if (frames.empty()) // the first step was not solved
+    return;
   double ovality = 0., mises = 0.;
   for (const RingState &ring : frames.back().rings) {
     ovality = std::max(ovality, ring.ovality(2. * wall.outer));
@@ -194,6 +199,8 @@ void SolidRun::add_quantities() {
 
 void SolidRun::write() {
   const std::string &folder = scene.output.directory;
+  if (frames.empty())
+    return;
   if (scene.output.vtu)
     write_wall_vtu(loads, body, sequence->ends(), folder);
   if (this_process(body.communicator) > 0)
