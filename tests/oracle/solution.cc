@@ -165,7 +165,7 @@ bool size_hangers(Scene &scene) {
     if (hanger.constant)
       continue;
     hanger.stiffness =
-        std::min(hanger.variation * load / std::max(std::abs(travel), 1e-300), load / 0.025);
+        std::min(0.98 * hanger.variation * load / std::max(std::abs(travel), 1e-300), load / 0.025);
     hanger.cold_load = load + hanger.stiffness * travel;
   }
   return true;

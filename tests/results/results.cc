@@ -151,7 +151,8 @@ void check_csv(Sample &sample) {
 
   const auto line = parse_csv(read(folder + "/line.csv"));
   CHECK(line.size() == 1 + 2 * 50); // ends of steps only
-  CHECK(line[0].size() == 18 && line[0][0] == "step" && line[0][12] == "N" && line[0][17] == "Mz");
+  CHECK(line[0].size() == 20 && line[0][0] == "step" && line[0][12] == "N" && line[0][17] == "Mz" &&
+        line[0][19] == "M_out");
   CHECK(line[1][1] == "pipe, 1");
 
   const auto reactions = parse_csv(read(folder + "/reactions.csv"));

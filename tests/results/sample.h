@@ -27,6 +27,7 @@ inline Sample make_sample(const unsigned int n_supports, const unsigned int n_st
   scene.input = "set Title = <script>";
   scene.pipes.resize(1);
   scene.pipes[0].name = "pipe, 1";
+  scene.materials.resize(1);
   scene.sections.resize(1);
   scene.monitors = {"tip", "a/b"};
   for (const char *name : {"weight", "heating, \"hot\" <1>"}) {
