@@ -183,9 +183,8 @@ void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene
        {&scene.doubts, &scene.remarks, &model.mesh.remarks})
     for (const std::string &remark : *remarks)
       std::cout << "Note: " << remark << '\n';
-  if (!has_transient_step(scene))
-    for (const std::string &warning : check_mechanisms(model))
-      std::cout << "Note: " << warning << '\n';
+  for (const std::string &warning : check_mechanisms(model))
+    std::cout << "Note: " << warning << '\n';
   if (!scene.stress.code.empty())
     check_stress_code(scene, model.mesh, FrameBuilder(model, true).stations());
   draw_as_built(model);

@@ -6,9 +6,11 @@
 #include "base/numbers.h"
 
 #include "base/user_error.h"
+#include "model/line_model.h"
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -100,6 +102,8 @@ public:
         return std::make_pair(is_free, mode);
       };
       const auto [is_free, mode] = free_motion(part.held + part.held_by_friction);
+      if (is_free && part.n_vertices == 1 && has_transient_step(scene))
+        continue; // a block that stays where it is until it is let go
       if (is_free)
         throw UserError(name(part) + " is held by nothing against " + describe(part, mode) +
                         ". A static analysis needs every motion held: add an anchor, a restraint, "
@@ -175,6 +179,10 @@ Resists resists(const Contact &contact) {
 } // namespace
 
 std::vector<std::string> check_mechanisms(const Model &model) {
+  const std::vector<LoadStep> &steps = model.scene.steps;
+  if (!steps.empty() &&
+      std::all_of(steps.begin(), steps.end(), [](const LoadStep &step) { return step.transient; }))
+    return {}; // mass holds what nothing else does
   MechanismCheck check(model.scene, model.mesh, model.discretization);
   check.find_parts(model.contacts);
   for (const auto &held : model.space.held())

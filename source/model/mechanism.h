@@ -6,9 +6,9 @@
 namespace frictionbeam {
 
 /**
- * Check that nothing in a static scene can move as a rigid body: for every connected part of the
- * line, whether restraints, springs and supports (one-way ones counted as if they held both ways)
- * leave a rigid motion free.
+ * Check that nothing in a scene with static steps can move as a rigid body: for every connected
+ * part of the line, whether restraints, springs and supports (one-way ones counted as if they held
+ * both ways) leave a rigid motion free.
  * @throws UserError that names the part and its free motion.
  * @return warnings, one for each part that friction alone holds against some motion.
  */

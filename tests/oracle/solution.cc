@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <set>
 
 namespace oracle {
 
@@ -131,8 +133,21 @@ bool size_hangers(Scene &scene) {
       ++n;
     return n;
   };
-  held.steps.resize(up_to(scene.hangers[open.front()].weight_step, 1));
-  hot.steps.resize(up_to(scene.hangers[open.front()].hot_step, 2));
+  // Displacements of later steps hold their points in these, too.
+  const auto cut = [&](Scene &some, const std::size_t n) {
+    std::set<int> later;
+    for (std::size_t s = n; s < some.steps.size(); ++s)
+      for (const auto &load : some.steps[s].loads)
+        later.insert(load.first);
+    some.steps.resize(n);
+    auto &loads = some.steps.back().loads;
+    for (const auto &load : loads)
+      later.erase(load.first);
+    for (const int load : later)
+      loads.emplace_back(load, 0.);
+  };
+  cut(held, up_to(scene.hangers[open.front()].weight_step, 1));
+  cut(hot, up_to(scene.hangers[open.front()].hot_step, 2));
   for (std::size_t k = open.size(); k-- > 0;) {
     Support support;
     support.name = scene.hangers[open[k]].name;

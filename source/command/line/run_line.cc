@@ -97,9 +97,8 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
 
   timer.restart();
   const LineModel line(scene, std::move(mesh), laws);
-  if (!has_transient_step(scene))
-    for (const std::string &warning : check_mechanisms(line.model()))
-      results.remarks.push_back(warning);
+  for (const std::string &warning : check_mechanisms(line.model()))
+    results.remarks.push_back(warning);
   LoadSequence sequence(line.model());
   results.cost.setup_seconds = timer.wall_time();
   solve_sequence(line.model(), sequence, results);
