@@ -156,8 +156,14 @@ bool ModalAnalysis::solve_sparse(const unsigned int n, const unsigned int n_vect
     found.push_back({frequency_of(pair.value), pair.vector, 0.});
   if (found.empty())
     return false;
-  const double last = std::pow(2. * numbers::PI * found.back().frequency, 2);
-  return count_eigenvalues_below(Eigen::SparseMatrix<double>(K), M, last * (1. - 1e-6)) < n;
+  const Mode &mode = found.back();
+  const double last = std::pow(2. * numbers::PI * mode.frequency, 2),
+               rounding = std::numeric_limits<double>::epsilon() * K.diagonal().maxCoeff() *
+                          mode.unknowns.squaredNorm() /
+                          std::max(last * mode.unknowns.dot(M * mode.unknowns), not_zero);
+  // Between modes that rounding of K alone keeps apart, none is missing.
+  const double least_gap = std::min(std::max(1e-6, 4. * rounding), 1e-2);
+  return count_eigenvalues_below(Eigen::SparseMatrix<double>(K), M, last * (1. - least_gap)) < n;
 }
 
 void ModalAnalysis::normalize() {
