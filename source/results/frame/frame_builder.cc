@@ -333,7 +333,7 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
   const ArcBeam &arc = *element.arc();
   const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
   const unsigned int n = model.scene.output.stations, n_stations = n + 2;
-  const Vector3 force = -vector_at(ends, 0), moment = -vector_at(ends, 3);
+  const CellCourse course = course_of(-vector_at(ends, 0), -vector_at(ends, 3), load.line_force);
   FullMatrix<double> shapes, slopes;
   std::vector<Station> stations;
   for (unsigned int i = 0; i < n_stations; ++i) {
@@ -355,7 +355,7 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
       for (unsigned int j = 0; j < 12; ++j)
         station.displacement[c] += shapes(c, j) * motions[j];
     }
-    auto [F, M] = section_of_arc(arc, psi, force, moment, load.line_force);
+    auto [F, M] = section_of_arc(course, arc, psi);
     const LocalAxes axes((pipe_cell.reversed ? -1. : 1.) * arc.tangent(psi));
     if (pipe_cell.reversed) { // the face that looks forward along the route is the other one
       F *= -1.;

@@ -75,6 +75,10 @@ private:
                 std::vector<Station> &line);
   void add_cell(const LineState &state, const Pose &pose, const unsigned int cell,
                 std::vector<Station> &line);
+  /// What forces M (a + alpha v) of a state in motion make of the section forces along a cell.
+  /// @param back turns them into the axes of the stations' places
+  void add_inertia_along(const LineState &state, const unsigned int index,
+                         const Eigen::Matrix3d &back, std::vector<Station> &stations);
   /// Forces M a + C v of a state in motion on the nodes of restraints, of imposed motions too.
   void add_inertia(const LineState &state);
   /// Stations of a cell in a frame that has moved: section forces in the axes that turn with it.

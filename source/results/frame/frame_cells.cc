@@ -36,11 +36,16 @@ void FrameBuilder::add_cell(const LineState &state, const Pose &pose, const unsi
       vertex_forces[cell->vertex_index(v)][c] += of_cell.ends[6 * v + c];
   const CellLoad load = model.cells.load_on(pipe_cell, element.profile(),
                                             cell->vertex(1) - cell->vertex(0), state.load_factors);
-  append(of_cell.frame
-             ? stations_in(*of_cell.frame, of_cell, pose, index, load)
-             : stations_of(index, of_cell.ends,
-                           element.inside(of_cell.motions, of_cell.ends, load.pressure), load),
-         line);
+  std::vector<Station> stations =
+      of_cell.frame
+          ? stations_in(*of_cell.frame, of_cell, pose, index, load)
+          : stations_of(index, of_cell.ends,
+                        element.inside(of_cell.motions, of_cell.ends, load.pressure), load);
+  Eigen::Matrix3d back = Eigen::Matrix3d::Identity();
+  if (of_cell.frame)
+    back = of_cell.frame->turn.transpose();
+  add_inertia_along(state, index, back, stations);
+  append(stations, line);
 }
 
 std::vector<Station> FrameBuilder::stations_in(const CellFrame &frame,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/frame_builder.h"
+#include "results/frame/section_forces.h"
 
 namespace frictionbeam {
 
@@ -83,10 +84,45 @@ std::vector<Motion> FrameBuilder::reactions_of_vertices(const LineState &state) 
   return result;
 }
 
+void FrameBuilder::add_inertia_along(const LineState &state, const unsigned int index,
+                                     const Eigen::Matrix3d &back, std::vector<Station> &stations) {
+  if (is_at_rest(state))
+    return;
+  const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
+  const auto cell = model.discretization.pipe_cell(index);
+  std::vector<types::global_dof_index> dofs(12);
+  cell->get_dof_indices(dofs);
+  PipeElement::Vector12 accelerations;
+  for (unsigned int i = 0; i < 12; ++i)
+    accelerations[i] =
+        model.linear.rate(dofs[i], model.space, state.acceleration, state.load_accelerations) +
+        model.scene.time.mass_damping *
+            model.linear.rate(dofs[i], model.space, state.velocity, state.load_rates);
+  PipeElement::Vector12 ends = model.cells.mass_of(index, element) * accelerations;
+  for (unsigned int part = 0; part < 12; part += 3)
+    ends.segment<3>(part) = (back * ends.segment<3>(part)).eval();
+  const auto &arc = element.arc();
+  if (!arc && pipe_cell.reversed)
+    ends << ends.tail<6>().eval(), ends.head<6>().eval();
+  const Vector3 axis = (pipe_cell.reversed ? -1. : 1.) * (cell->vertex(1) - cell->vertex(0));
+  const CellCourse course =
+      arc ? course_of_inertia(ends, *arc)
+          : course_of_inertia(ends, Eigen::Vector3d(axis[0], axis[1], axis[2]));
+  for (unsigned int i = 0; i < stations.size(); ++i) {
+    const double part = static_cast<double>(i) / (stations.size() - 1),
+                 side = arc && pipe_cell.reversed ? -1. : 1.,
+                 psi = arc ? arc->angle() * (pipe_cell.reversed ? 1. - part : part) : 0.;
+    const LocalAxes axes(arc ? side * arc->tangent(psi) : axis);
+    const auto [F, M] = arc ? section_of_arc(course, *arc, psi)
+                            : section_of_straight(course, axes.x, part * axis.norm());
+    const Motion more{F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
+    for (unsigned int c = 0; c < 6; ++c)
+      stations[i].force[c] += side * more[c];
+  }
+}
+
 void FrameBuilder::add_inertia(const LineState &state) {
-  const bool at_rest =
-      state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
-  if (at_rest)
+  if (is_at_rest(state))
     return;
   const auto velocity_of = [&](const types::global_dof_index dof) {
     return model.linear.rate(dof, model.space, state.velocity, state.load_rates);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/section_forces.h"
 
+#include "model/cell/line_cells.h"
 #include "model/line/pipe_element.h"
 
 #include <map>
@@ -16,27 +17,10 @@ constexpr double alike = 1e-11;
 
 using Key = std::array<long long, 7>;
 
-Vector3 vector_at(const Eigen::Matrix<double, 9, 1> &values, const unsigned int first) {
-  return Vector3({values[first], values[first + 1], values[first + 2]});
-}
-
 } // namespace
 
-std::pair<Vector3, Vector3> section_of_arc(const ArcBeam &arc, const double psi,
-                                           const Vector3 &force, const Vector3 &moment,
-                                           const Vector3 &line_force) {
-  // Equilibrium of what lies between the cell's beginning and the section: q acts on each slice.
-  const Vector3 arm = arc.point(psi) - arc.point(0.);
-  const double R = arc.radius();
-  const Vector3 slices =
-      psi * R * arm -
-      R * R * ((1. - std::cos(psi)) * arc.tangent(0.) + (psi - std::sin(psi)) * arc.inward(0.));
-  return {force - psi * R * line_force,
-          moment - cross_product_3d(arm, force) + cross_product_3d(slices, line_force)};
-}
-
 SectionForces::SectionForces(const Model &model)
-    : per_cell(model.scene.output.stations + 2), buffer(6 * per_cell) {
+    : model(model), per_cell(model.scene.output.stations + 2), buffer(6 * per_cell) {
   const auto &pipe_cells = model.discretization.pipe_cells();
   std::vector<std::vector<unsigned int>> in_pipe(model.mesh.pipes.size());
   for (unsigned int i = 0; i < pipe_cells.size(); ++i) {
@@ -100,31 +84,44 @@ SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned 
     const CellLoad one =
         cell_load(load, model.scene.pipes[pipe_cell.pipe].name, element.profile(), chord);
     const Eigen::Vector3d q(one.line_force[0], one.line_force[1], one.line_force[2]);
-    Vector9 share;
+    CellCourse share = CellCourse::Zero();
     share.head<6>() = -pick * (line_loads * q + one.axial_strain * strain +
                                one.curvature * curvature + one.pressure * thrust);
-    share.tail<3>() = turn * q;
+    share.segment<3>(6) = turn * q;
     kind.loads.push_back(share);
   }
   kind.sum.setZero();
   kind.spacing = chord.norm() / (per_cell - 1);
   if (is_arc)
     kind.arc_stations = stations_of(*element.arc(), pipe_cell.reversed);
+  kind.inertia.setZero();
+  if (!model.linear.mass().nonZeros()) // of a static scene
+    return kind;
+  PipeElement::Matrix12 mass = model.cells.mass_of(index, element);
+  if (first == 6) { // the other end first
+    const PipeElement::Matrix12 other = mass;
+    mass << other.bottomRows<6>(), other.topRows<6>();
+  }
+  const Eigen::Vector3d axis = turn.row(0).transpose() * chord.norm(); // of a straight cell
+  for (unsigned int i = 0; i < 12; ++i) {
+    const CellCourse course = is_arc ? course_of_inertia(mass.col(i), *element.arc())
+                                     : course_of_inertia(mass.col(i), axis);
+    for (unsigned int part = 0; part < 12; part += 3)
+      kind.inertia.col(i).segment<3>(part) = turn * course.segment<3>(part);
+  }
   return kind;
 }
 
-std::vector<SectionForces::Matrix6x9> SectionForces::stations_of(const ArcBeam &arc,
-                                                                 const bool reversed) const {
-  std::vector<Matrix6x9> stations;
+std::vector<SectionForces::Matrix6x12> SectionForces::stations_of(const ArcBeam &arc,
+                                                                  const bool reversed) const {
+  std::vector<Matrix6x12> stations;
   for (unsigned int i = 0; i < per_cell; ++i) {
     const double part = static_cast<double>(i) / (per_cell - 1),
                  psi = arc.angle() * (reversed ? 1. - part : part), side = reversed ? -1. : 1.;
     const LocalAxes there(side * arc.tangent(psi));
-    Matrix6x9 station;
-    for (unsigned int j = 0; j < 9; ++j) {
-      const Vector9 unit = Vector9::Unit(j);
-      const auto [F, M] =
-          section_of_arc(arc, psi, vector_at(unit, 0), vector_at(unit, 3), vector_at(unit, 6));
+    Matrix6x12 station;
+    for (unsigned int j = 0; j < 12; ++j) {
+      const auto [F, M] = section_of_arc(CellCourse::Unit(j), arc, psi);
       station.col(j) << F * there.x, F * there.y, F * there.z, M * there.x, M * there.y,
           M * there.z;
     }
@@ -141,13 +138,28 @@ void SectionForces::sum_loads(const std::vector<double> &factors) {
   }
 }
 
-const double *SectionForces::forces_of(const Kind &kind, const Vector9 &start) {
+void SectionForces::find_accelerations(const LineState &state) {
+  if (is_at_rest(state)) {
+    accelerations.resize(0);
+    return;
+  }
+  const double alpha = model.scene.time.mass_damping;
+  accelerations.resize(state.dofs.size());
+  for (Eigen::Index i = 0; i < accelerations.size(); ++i) {
+    accelerations[i] =
+        model.linear.rate(i, model.space, state.acceleration, state.load_accelerations);
+    if (alpha != 0.)
+      accelerations[i] +=
+          alpha * model.linear.rate(i, model.space, state.velocity, state.load_rates);
+  }
+}
+
+const double *SectionForces::forces_of(const Kind &kind, const CellCourse &start) {
   if (!kind.arc_stations.empty()) {
     for (unsigned int i = 0; i < per_cell; ++i)
       Eigen::Map<Eigen::Matrix<double, 6, 1>>(buffer.data() + 6 * i) = kind.arc_stations[i] * start;
     return buffer.data();
   }
-  // F' = -q, M' = -x cross F (doc/theory.md, "The pipe")
   const double qx = start[6], qy = start[7], qz = start[8];
   for (unsigned int i = 0; i < per_cell; ++i) {
     const double x = i * kind.spacing, half = x * x / 2.;
@@ -155,11 +167,15 @@ const double *SectionForces::forces_of(const Kind &kind, const Vector9 &start) {
     force[0] = start[0] - x * qx;
     force[1] = start[1] - x * qy;
     force[2] = start[2] - x * qz;
-    force[3] = start[3];
-    force[4] = start[4] + x * start[2] - half * qz;
-    force[5] = start[5] - x * start[1] + half * qy;
+    force[3] = start[3] + x * start[9];
+    force[4] = start[4] + x * (start[2] + start[10]) - half * qz;
+    force[5] = start[5] - x * (start[1] - start[11]) + half * qy;
   }
   return buffer.data();
+}
+
+bool is_at_rest(const LineState &state) {
+  return state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
 }
 
 bool section_forces_jump(const Motion &before, const Motion &after) {

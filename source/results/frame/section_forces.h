@@ -3,6 +3,7 @@
 
 #include "model/line_state.h"
 #include "model/model.h"
+#include "results/frame/cell_course.h"
 
 #include <Eigen/Core>
 
@@ -14,8 +15,9 @@ namespace frictionbeam {
 /**
  * N, Vy, Vz, Mx, My, Mz at all stations of a line in linear kinematics, as FrameBuilder gives them
  * with both sides of each node, for every instant of a motion: what depends on the cells alone is
- * worked out once, and cells that are alike share it. The forces at a cell's start are A u - the
- * sum of the loads' own; those at its other stations follow from equilibrium.
+ * worked out once, and cells that are alike share it. The course of a cell's forces is A u + B a -
+ * the sum of the loads' own, a the accelerations (with alpha times the velocities, of mass damping)
+ * of its unknowns.
  */
 class SectionForces {
 public:
@@ -33,9 +35,10 @@ public:
   template <typename Skip, typename Use>
   void evaluate(const LineState &state, const Skip &skip, const Use &use) {
     sum_loads(state.load_factors);
+    find_accelerations(state);
     for (unsigned int i = 0; i < cells.size(); ++i) {
       const Kind &kind = kinds[cells[i].kind];
-      const Vector9 start = start_of(kind, cells[i], state.dofs);
+      const CellCourse start = course_now(kind, cells[i], state.dofs);
       if (kind.arc_stations.empty() && skip(i, bounds_of(kind, start)))
         continue;
       use(i * per_cell, forces_of(kind, start), per_cell);
@@ -44,17 +47,17 @@ public:
   unsigned int n_cells() const { return cells.size(); }
 
 private:
-  using Matrix6x9 = Eigen::Matrix<double, 6, 9>;
-  using Vector9 = Eigen::Matrix<double, 9, 1>; ///< forces at the start (6), force per length (3)
+  using Matrix6x12 = Eigen::Matrix<double, 6, 12>;
 
-  /// Cells of equal length, direction, section and loads. The forces at the start of a straight one
-  /// are those in its local axes, of an arc those in global axes at the deal.II cell's beginning.
+  /// Cells of equal length, direction, section and loads. The course of a straight one is in its
+  /// local axes, of an arc in global axes from the deal.II cell's beginning.
   struct Kind {
-    Eigen::Matrix<double, 6, 12> start;  ///< forces there of unit motions
-    std::vector<Vector9> loads;          ///< of each load at factor 1
-    std::vector<Matrix6x9> arc_stations; ///< of an arc: forces at each station; empty: straight
-    double spacing = 0.;                 ///< of stations [m]
-    Vector9 sum;                         ///< of the loads at present
+    Matrix6x12 start;                     ///< forces there of unit motions
+    PipeElement::Matrix12 inertia;        ///< courses of unit accelerations
+    std::vector<CellCourse> loads;        ///< of each load at factor 1
+    std::vector<Matrix6x12> arc_stations; ///< of an arc: forces at each station; empty: straight
+    double spacing = 0.;                  ///< of stations [m]
+    CellCourse sum;                       ///< of the loads at present
   };
   struct Cell {
     unsigned int kind = 0;
@@ -64,16 +67,21 @@ private:
   Kind make_kind(const Model &model, const unsigned int index) const;
   /// Forces at each station of an arc, in its own axes, of unit ones at the start.
   /// @param reversed whether the route goes against the deal.II cell
-  std::vector<Matrix6x9> stations_of(const ArcBeam &arc, const bool reversed) const;
+  std::vector<Matrix6x12> stations_of(const ArcBeam &arc, const bool reversed) const;
   void sum_loads(const std::vector<double> &factors);
-  static Vector9 start_of(const Kind &kind, const Cell &cell, const Vector &dofs) {
-    Vector9 start = kind.sum;
+  /// Empty where nothing moves.
+  void find_accelerations(const LineState &state);
+  CellCourse course_now(const Kind &kind, const Cell &cell, const Vector &dofs) const {
+    CellCourse course = kind.sum;
     for (unsigned int i = 0; i < 12; ++i)
-      start.head<6>() += dofs[cell.dofs[i]] * kind.start.col(i);
-    return start;
+      course.head<6>() += dofs[cell.dofs[i]] * kind.start.col(i);
+    if (accelerations.size() > 0)
+      for (unsigned int i = 0; i < 12; ++i)
+        course += accelerations[cell.dofs[i]] * kind.inertia.col(i);
+    return course;
   }
   /// Of a straight cell: forces are linear along it, and moments at most q L^2/8 off the chord.
-  Bounds bounds_of(const Kind &kind, const Vector9 &start) const {
+  Bounds bounds_of(const Kind &kind, const CellCourse &start) const {
     const double L = (per_cell - 1) * kind.spacing;
     Bounds result;
     const auto set = [&](const unsigned int c, const double end, const double arch) {
@@ -82,25 +90,27 @@ private:
     };
     for (unsigned int c = 0; c < 3; ++c)
       set(c, start[c] - L * start[6 + c], 0.);
-    set(3, start[3], 0.);
-    set(4, start[4] + L * (start[2] - L / 2. * start[8]), L * L / 8. * std::abs(start[8]));
-    set(5, start[5] - L * (start[1] - L / 2. * start[7]), L * L / 8. * std::abs(start[7]));
+    set(3, start[3] + L * start[9], 0.);
+    set(4, start[4] + L * (start[2] - L / 2. * start[8] + start[10]),
+        L * L / 8. * std::abs(start[8]));
+    set(5, start[5] - L * (start[1] - L / 2. * start[7] - start[11]),
+        L * L / 8. * std::abs(start[7]));
     return result;
   }
-  const double *forces_of(const Kind &kind, const Vector9 &start);
+  const double *forces_of(const Kind &kind, const CellCourse &start);
 
+  const Model &model;
   const unsigned int per_cell; ///< stations
   std::vector<Kind> kinds;
   std::vector<Cell> cells; ///< in the order of the frames' stations
   std::vector<double> buffer;
+  Vector accelerations; ///< of all degrees of freedom, a + alpha v
 };
+
+/// Whether nothing moves, so that forces have no inertia in them.
+bool is_at_rest(const LineState &state);
 
 /// Whether forces N, Vy, Vz or moments Mx, My, Mz differ by more than rounding does.
 bool section_forces_jump(const Motion &before, const Motion &after);
-
-/// Section force and moment (global axes) of an arc at @p psi from those at its beginning.
-std::pair<Vector3, Vector3> section_of_arc(const ArcBeam &arc, const double psi,
-                                           const Vector3 &force, const Vector3 &moment,
-                                           const Vector3 &line_force);
 
 } // namespace frictionbeam
