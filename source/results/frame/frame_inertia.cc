@@ -86,7 +86,7 @@ std::vector<Motion> FrameBuilder::reactions_of_vertices(const LineState &state) 
 
 void FrameBuilder::add_inertia_along(const LineState &state, const unsigned int index,
                                      const Eigen::Matrix3d &back, std::vector<Station> &stations) {
-  if (is_at_rest(state))
+  if (!has_inertia(model, state))
     return;
   const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
   const auto cell = model.discretization.pipe_cell(index);
@@ -122,7 +122,9 @@ void FrameBuilder::add_inertia_along(const LineState &state, const unsigned int 
 }
 
 void FrameBuilder::add_inertia(const LineState &state) {
-  if (is_at_rest(state))
+  const bool at_rest =
+      state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
+  if (at_rest)
     return;
   const auto velocity_of = [&](const types::global_dof_index dof) {
     return model.linear.rate(dof, model.space, state.velocity, state.load_rates);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/section_forces.h"
 
+#include "analysis/increment/contact_watch.h"
 #include "model/cell/line_cells.h"
 #include "model/line/pipe_element.h"
 
+#include <algorithm>
 #include <map>
 
 namespace frictionbeam {
@@ -139,7 +141,7 @@ void SectionForces::sum_loads(const std::vector<double> &factors) {
 }
 
 void SectionForces::find_accelerations(const LineState &state) {
-  if (is_at_rest(state)) {
+  if (!has_inertia(model, state)) {
     accelerations.resize(0);
     return;
   }
@@ -174,8 +176,14 @@ const double *SectionForces::forces_of(const Kind &kind, const CellCourse &start
   return buffer.data();
 }
 
-bool is_at_rest(const LineState &state) {
-  return state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
+bool has_inertia(const Model &model, const LineState &state) {
+  const bool at_rest =
+      state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
+  return !at_rest &&
+         std::none_of(state.events.begin(), state.events.end(), [&](const ContactEvent &event) {
+           return event.status != ContactStatus::open &&
+                  is_rigid_stop(model, model.contacts[event.contact]);
+         });
 }
 
 bool section_forces_jump(const Motion &before, const Motion &after) {

@@ -107,8 +107,9 @@ private:
   Vector accelerations; ///< of all degrees of freedom, a + alpha v
 };
 
-/// Whether nothing moves, so that forces have no inertia in them.
-bool is_at_rest(const LineState &state);
+/// Whether forces have inertia in them that is to be told: the line moves, and no rigid stop was
+/// struck within the increment, where accelerations are an impulse over the time step.
+bool has_inertia(const Model &model, const LineState &state);
 
 /// Whether forces N, Vy, Vz or moments Mx, My, Mz differ by more than rounding does.
 bool section_forces_jump(const Motion &before, const Motion &after);
