@@ -50,12 +50,17 @@ public:
       values.push_back(stress(forces));
       require(values.back() >= 0. && std::isfinite(values.back()),
               std::string("a stress >= 0 [Pa], ") + what, values.back());
-      StressForces turned = forces;
-      turned.in_plane = -forces.in_plane;
-      turned.torsion = -forces.torsion;
-      const double other = stress(turned);
-      require(std::abs(other - values.back()) <= rounding * (std::abs(other) + values.back()),
-              std::string("the same stress for moments of other signs, ") + what, other);
+      // Each alone: what is wrong with two moments may be right where both turn.
+      for (const auto &[moment, name] : {std::pair(&StressForces::in_plane, "in plane"),
+                                         {&StressForces::out_of_plane, "out of plane"},
+                                         {&StressForces::torsion, "torsion"}}) {
+        StressForces turned = forces;
+        turned.*moment = -(forces.*moment);
+        const double other = stress(turned);
+        require(std::abs(other - values.back()) <= rounding * (std::abs(other) + values.back()),
+                std::string("the same stress for moments of other signs, ") + what + ", " + name,
+                other);
+      }
       if (!faults.empty())
         return;
     }

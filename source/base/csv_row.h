@@ -6,7 +6,8 @@
 
 namespace frictionbeam {
 
-/// Fields of a row of a csv file; one in quotes may have commas.
+/// Fields of a row of a csv file that this program wrote; one in quotes may have commas. What users
+/// write is read by scene/file/table_rows.h.
 inline std::vector<std::string> csv_fields(const std::string &row) {
   std::vector<std::string> result(1);
   bool quoted = false;

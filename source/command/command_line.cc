@@ -4,6 +4,7 @@
 #include "base/user_error.h"
 #include "results/file/summary.h"
 #include "scene/read_scene.h"
+#include "scene/spectra/interpolations.h"
 
 #include <CLI/CLI.hpp>
 
@@ -55,7 +56,7 @@ void declare_spectra(CLI::App &spectrum, CLI::App &record, SpectrumOptions &opti
                   "The first column has periods, where no first line says so");
   record.add_option("--interpolation", options.interpolation, "Of the spectrum")
       ->type_name("WORDS")
-      ->check(CLI::IsMember({"log-log", "linear", "linear in period"}));
+      ->check(CLI::IsMember(words_of(spectrum_interpolations)));
   for (CLI::App *const one : {&spectrum, &record}) {
     const bool is_record = one == &record;
     one->add_option("--from", options.first,

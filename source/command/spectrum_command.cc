@@ -8,6 +8,7 @@
 #include "results/page/plot.h"
 #include "results/text.h"
 #include "scene/spectra/curve_file.h"
+#include "scene/spectra/interpolations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,8 @@ CurveForm form_of(const SpectrumOptions &options) {
   form.unit_name = options.unit.empty() ? "m/s2" : options.unit;
   form.unit = acceleration_unit(form.unit_name);
   if (form.unit == 0.)
-    throw UserError("--unit:\n  read:    '" + options.unit + "'\n  allowed: " + acceleration_units +
-                    "\n  try:     --unit g");
+    throw UserError("--unit:\n  read:    '" + options.unit +
+                    "'\n  allowed: " + acceleration_units() + "\n  try:     --unit g");
   form.unit_given = !options.unit.empty();
   form.over_period = options.over_period;
   form.axis_given = options.over_period;
@@ -185,10 +186,7 @@ int record_command(const SpectrumOptions &options) {
   settings.last = options.last;
   settings.seed = options.seed;
   settings.n_frequencies = options.n_frequencies;
-  settings.interpolation = options.interpolation == "log-log" ? Spectrum::Interpolation::logarithmic
-                           : options.interpolation == "linear"
-                               ? Spectrum::Interpolation::in_frequency
-                               : Spectrum::Interpolation::in_period;
+  settings.interpolation = find_word(spectrum_interpolations, options.interpolation)->value;
   if (options.rise + options.fall >= options.duration)
     throw UserError("--rise, --fall:\n  read:    " + rounded_number(options.rise) + " and " +
                     rounded_number(options.fall) + " s of " + rounded_number(options.duration) +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "import/import_pcf.h"
 
+#include "base/number_text.h"
+#include "base/unit_constants.h"
 #include "base/user_error.h"
 #include "import/line/bend_geometry.h"
 #include "import/line/connections.h"
@@ -14,8 +16,6 @@
 namespace frictionbeam::import {
 
 namespace {
-
-constexpr double metres_of_inch = 0.0254;
 
 class SupportPlanner {
 public:
@@ -42,7 +42,7 @@ public:
                                (component.skey.empty() ? "" : ", SKEY " + component.skey) +
                                ": no row of --support-map fits; nothing holds the line at " +
                                point});
-      plan.supports.push_back({section_names.take(name_of(component)), point, comment, {}});
+      plan.supports.push_back({section_names.take(name_of(component)), point, comment, {}, {}, {}});
       return;
     }
     if (component.shape == Shape::joint)
@@ -55,10 +55,57 @@ public:
         plan.supports.push_back(
             {section_names.take(name_of(component) +
                                 (row->size() > 1 ? "_" + support.kind : std::string())),
-             point, comment, support});
+             point,
+             comment,
+             support,
+             {},
+             {}});
+    add_spring_data(component, *row);
   }
 
 private:
+  /// What the file says of the spring of a support goes to the hanger that it became, where the
+  /// user's table has not said it.
+  void add_spring_data(const PcfComponent &component, const std::vector<MappedSupport> &row) {
+    const auto rate = component.properties.number(Property::spring_rate),
+               cold = component.properties.number(Property::cold_load),
+               hot = component.properties.number(Property::hot_load);
+    const auto refuse = [&](const std::string &what) {
+      notes.not_understood.push_back(
+          {component.line, component.keyword + called(component) + ": " + what});
+    };
+    if (hot)
+      refuse("its hot load of " + rounded_number(*hot) +
+             " N is not taken: it follows from stiffness, cold load and travel");
+    if (!rate && !cold)
+      return;
+    PlannedSupport *hanger = nullptr;
+    for (std::size_t i = 0; i < row.size() && i < plan.supports.size(); ++i)
+      if (PlannedSupport &one = plan.supports[plan.supports.size() - 1 - i];
+          one.support && one.support->kind == "hanger")
+        hanger = &one;
+    if (row.front().kind == "none" && row.size() == 1)
+      return;
+    if (hanger == nullptr) {
+      refuse("its spring's data is not taken: --support-map makes no hanger of it, but " +
+             kinds_of(row));
+      return;
+    }
+    const auto is_given = [&](const std::string &entry) {
+      for (const auto &[name, value] : hanger->support->entries)
+        if (name == entry || name == "Item" ||
+            (name == "Kind" && value == "constant" && entry == "Stiffness"))
+          return true;
+      return false;
+    };
+    if (rate && !cold && !is_given("Cold load"))
+      refuse("a spring rate without a cold load: not taken, the hanger is sized");
+    else if (rate && *rate > 0. && !is_given("Stiffness"))
+      hanger->stiffness = rate;
+    if (cold && *cold > 0. && !is_given("Cold load"))
+      hanger->cold_load = cold;
+  }
+
   static std::string called(const PcfComponent &component) {
     return component.name.empty() ? "" : " " + component.name;
   }
@@ -137,7 +184,7 @@ ImportedLine import_pcf(const ImportOptions &options) {
   complete_by_neighbours(line, tolerance, result.notes);
   SectionOptions section_options = options.sections;
   section_options.in_inches =
-      std::abs(length - metres_of_inch) < 1e-9 || std::abs(length - 12. * metres_of_inch) < 1e-9;
+      std::abs(length - inch) < 1e-9 || std::abs(length - 12. * inch) < 1e-9;
   SectionPlanner sections(file, line, section_options, result.plan, result.notes);
   const Network network = make_pieces(file, line, tolerance, sections, result.notes);
   check_connections(file, line, network, tolerance, result.notes);

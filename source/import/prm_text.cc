@@ -189,6 +189,10 @@ private:
     if (!hangs)
       entries.insert(entries.begin(), {"Kind", support.support->kind});
     entries.insert(entries.end(), support.support->entries.begin(), support.support->entries.end());
+    if (support.stiffness)
+      entries.emplace_back("Stiffness", number(*support.stiffness, "N/m"));
+    if (support.cold_load)
+      entries.emplace_back("Cold load", number(*support.cold_load, "N"));
     section((hangs ? "Hanger " : "Support ") + support.name, entries);
   }
 

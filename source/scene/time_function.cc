@@ -3,6 +3,7 @@
 
 #include "base/user_error.h"
 #include "scene/file/parameter_reader.h"
+#include "scene/file/table_rows.h"
 
 #include <deal.II/base/function_parser.h>
 
@@ -58,22 +59,18 @@ TimeFunction from_file(const ParameterReader &in, const std::string &entry,
                        const std::string &name) {
   namespace fs = std::filesystem;
   const fs::path beside = fs::path(in.file().name()).parent_path() / name;
-  std::ifstream file(fs::exists(beside) ? beside : fs::path(name));
-  if (!file)
+  const fs::path path = fs::exists(beside) ? beside : fs::path(name);
+  if (!std::ifstream(path))
     in.fail(
         entry, "a file that can be read, from the parameter file's folder or the working folder",
         "the path from " + fs::absolute(in.file().name()).parent_path().string(), "'" + name + "'");
   Table table;
-  for (std::string line; std::getline(file, line);) {
-    for (char &c : line)
-      c = c == ',' || c == ';' || c == '\t' || c == '\r' ? ' ' : c;
-    const std::vector<std::string> words = split(tidy(line.substr(0, line.find('#'))), ' ');
+  for (const TableRow &row : read_table_rows(path.string())) {
+    const std::vector<std::string> fields = fields_of_row(row.text);
     double time, value;
-    if (words.empty())
-      continue;
-    if (words.size() != 2 || !to_number(words[0], time) || !to_number(words[1], value))
+    if (fields.size() != 2 || !to_number(fields[0], time) || !to_number(fields[1], value))
       in.fail(entry, "a file with two numbers in each line, time and value", "correcting this line",
-              "'" + line + "' in " + name);
+              "'" + tidy(row.text) + "' in " + name);
     table.emplace_back(time, value);
   }
   return from_table(in, entry, table);

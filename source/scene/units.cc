@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/units.h"
+
+#include "base/unit_constants.h"
 #include "scene/file/parameter_file.h"
 
 #include <cmath>
@@ -15,9 +17,7 @@ struct UnitWord {
   double factor; ///< SI units in one of it
 };
 
-// Inch, pound and standard gravity are exact by definition (NIST SP 811, appendix B).
-constexpr double inch = 0.0254, pound = 0.45359237, gravity = 9.80665,
-                 pound_force = pound * gravity;
+constexpr double pound_force = pound * standard_gravity;
 
 constexpr UnitWord words[] = {{"m", 'l', 1.},
                               {"mm", 'l', 1e-3},
@@ -28,7 +28,7 @@ constexpr UnitWord words[] = {{"m", 'l', 1.},
                               {"kN", 'f', 1e3},
                               {"lb", 'f', pound_force},
                               {"kip", 'f', 1e3 * pound_force},
-                              {"kgf", 'f', gravity},
+                              {"kgf", 'f', standard_gravity},
                               {"kg", 'm', 1.},
                               {"t", 'm', 1e3},
                               {"lbm", 'm', pound},

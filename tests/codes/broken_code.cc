@@ -52,6 +52,10 @@ public:
     return std::sqrt(bending + normal);
 #elif defined(SIGN_OF_MOMENT)
     return normal + bending + std::max(0., f.in_plane) / (c[0] * c[0] * c[1]);
+#elif defined(SIGN_OF_ONE_MOMENT) // the same where both turn
+    return normal + std::hypot(f.in_plane + f.torsion, f.out_of_plane) / (c[0] * c[0] * c[1]);
+#elif defined(SIGN_OUT_OF_PLANE)
+    return normal + bending + std::max(0., f.out_of_plane) / (c[0] * c[0] * c[1]);
 #elif defined(NAN_IN_THE_RUN)
     return std::abs(f.out_of_plane - 2000.) < 1e-3 ? std::numeric_limits<double>::quiet_NaN()
                                                    : normal + bending;

@@ -125,38 +125,37 @@ bool header_fits(const std::vector<std::string> &header, const std::vector<std::
   return i == header.size();
 }
 
-void check_glossary() {
-  const auto pages = glossary();
-  std::set<std::string> seen;
-  for (const Case &one : cases) {
-    const program::TemporaryFolder place;
-    std::vector<std::string> options = one.options;
-    // Units in headers are those of the case: the page has those of SI.
-    const program::Run run = run_case(one, place.path / "results");
-    expect(std::string(one.file) + " ran\n" + run.output, run.exit_status == 0);
-    const bool in_si =
-        program::text_of(project + "/" + one.file).find("set Units") == std::string::npos;
-    for (const auto &entry : fs::recursive_directory_iterator(place.path / "results")) {
-      if (entry.path().extension() != ".csv")
-        continue;
-      const std::string name = entry.path().filename().string();
-      auto page = pages.find(name);
-      if (page == pages.end())
-        page = std::find_if(pages.begin(), pages.end(), [&](const auto &p) {
-          return is_open(p.first) && p.first[0] != '<' && fits(p.first, name);
-        });
-      expect(name + " of " + one.file + " is in doc/results.md", page != pages.end());
-      if (page == pages.end())
-        continue;
-      seen.insert(page->first);
-      std::ifstream in(entry.path());
-      std::string header;
-      std::getline(in, header);
-      if (in_si || header.find('[') == std::string::npos)
-        expect("doc/results.md has the columns of " + name + " in their order: " + header,
-               header_fits(fields_of(header), page->second));
-    }
+/// Columns of the tables of a run against those of the page. @param seen files of the page
+void check_columns(const Case &one, const fs::path &folder,
+                   const std::map<std::string, std::vector<std::string>> &pages,
+                   std::set<std::string> &seen) {
+  // Units in headers are those of the case: the page has those of SI.
+  const bool in_si =
+      program::text_of(project + "/" + one.file).find("set Units") == std::string::npos;
+  for (const auto &entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".csv")
+      continue;
+    const std::string name = entry.path().filename().string();
+    auto page = pages.find(name);
+    if (page == pages.end())
+      page = std::find_if(pages.begin(), pages.end(), [&](const auto &p) {
+        return is_open(p.first) && p.first[0] != '<' && fits(p.first, name);
+      });
+    expect(name + " of " + one.file + " is in doc/results.md", page != pages.end());
+    if (page == pages.end())
+      continue;
+    seen.insert(page->first);
+    std::ifstream in(entry.path());
+    std::string header;
+    std::getline(in, header);
+    if (in_si || header.find('[') == std::string::npos)
+      expect("doc/results.md has the columns of " + name + " in their order: " + header,
+             header_fits(fields_of(header), page->second));
   }
+}
+
+void check_files_of_page(const std::map<std::string, std::vector<std::string>> &pages,
+                         const std::set<std::string> &seen) {
   for (const auto &[file, columns] : pages) {
     const bool other = std::find(not_written.begin(), not_written.end(), file) != not_written.end();
     expect("doc/results.md has " + file + ", which no run writes", other || seen.count(file) == 1);
@@ -194,7 +193,10 @@ subsection Step push
 end
 )";
 
-void check_schema() {
+/// The page of columns and the schema of summaries, by the same runs.
+void check_documents() {
+  const auto pages = glossary();
+  std::set<std::string> seen;
   const nlohmann::json text = json_of(project + "/doc/summary.schema.json");
   const Schema schema(text);
   std::set<std::string> words, parts;
@@ -215,9 +217,12 @@ void check_schema() {
   };
   for (const Case &one : cases) {
     const program::TemporaryFolder place;
-    run_case(one, place.path / "results");
+    const program::Run run = run_case(one, place.path / "results");
+    expect(std::string(one.file) + " ran\n" + run.output, run.exit_status == 0);
     check_folder(one.file, place.path / "results");
+    check_columns(one, place.path / "results", pages, seen);
   }
+  check_files_of_page(pages, seen);
   const program::TemporaryFolder place;
   const std::string file = (place.path / "slides.prm").string();
   std::ofstream(file) << slides;
@@ -241,6 +246,23 @@ void check_schema() {
   bad["cost"]["cells"] = "many";
   bad["more"] = 1;
   expect("four faults are found", schema.faults(bad).size() == 4);
+}
+
+/// Whether a row of line.csv is at a node, and has all six forces of that end of an element.
+bool is_same_place_and_force(const std::map<std::string, std::string> &station,
+                             const std::map<std::string, std::string> &node,
+                             const std::map<std::string, std::string> &forces,
+                             const std::string &end) {
+  for (const std::string axis : {"x", "y", "z"})
+    if (!(std::abs(std::stod(station.at(axis)) - std::stod(node.at(axis + " [m]"))) < 1e-9))
+      return false;
+  for (const std::string force : {"N", "Vy", "Vz"})
+    if (station.at(force) != forces.at(force + "_" + end + " [N]"))
+      return false;
+  for (const std::string moment : {"Mx", "My", "Mz"})
+    if (station.at(moment) != forces.at(moment + "_" + end + " [N m]"))
+      return false;
+  return true;
 }
 
 /// Nodes, elements and forces against the older tables, which the same run writes by other code.
@@ -269,11 +291,7 @@ void check_tables() {
       bool found = false;
       for (const auto *const one :
            at[place_of(row.at("step"), element.at("pipe"), element.at("s_" + end + " [m]"))])
-        found = found || (std::abs(std::stod(one->at("x")) - std::stod(node.at("x [m]"))) < 1e-9 &&
-                          std::abs(std::stod(one->at("z")) - std::stod(node.at("z [m]"))) < 1e-9 &&
-                          one->at("N") == row.at("N_" + end + " [N]") &&
-                          one->at("My") == row.at("My_" + end + " [N m]") &&
-                          one->at("Vz") == row.at("Vz_" + end + " [N]"));
+        found = found || is_same_place_and_force(*one, node, row, end);
       CHECK(found);
       n += found ? 1 : 0;
     }
@@ -292,16 +310,18 @@ void check_tables() {
   for (const auto &row : supports)
     if (row.at("step") == "hot")
       normal[row.at("support")] = std::stod(row.at("fn")); // the last increment stays
-  std::map<std::string, std::string> fx;
+  std::map<std::string, const std::map<std::string, std::string> *> reaction;
   for (const auto &row : reactions)
     if (row.at("step") == "hot")
-      fx[row.at("restraint")] = row.at("fx");
+      reaction[row.at("restraint")] = &row;
   for (const auto &row : of_restraints)
     if (row.at("step") == "hot" && normal.count(row.at("name")) == 1)
       CHECK_NEAR(std::stod(row.at("fz [N]")), normal[row.at("name")], 1e-12);
     else if (row.at("step") == "hot")
-      CHECK(row.at("fx [N]") == fx.at(row.at("name")));
-  CHECK(restraints.size() == normal.size() + fx.size());
+      for (const char *const number : {"fx", "fy", "fz", "mx", "my", "mz"})
+        CHECK(row.at(number + std::string(number[0] == 'f' ? " [N]" : " [N m]")) ==
+              reaction.at(row.at("name"))->at(number));
+  CHECK(restraints.size() == normal.size() + reaction.size());
 }
 
 } // namespace
@@ -311,8 +331,8 @@ int main(int argc, char **argv) {
     return 1;
   program_path = argv[1];
   project = argv[2];
-  const std::map<std::string, void (*)()> tests = {
-      {"glossary", check_glossary}, {"schema", check_schema}, {"tables", check_tables}};
+  const std::map<std::string, void (*)()> tests = {{"documents", check_documents},
+                                                   {"tables", check_tables}};
   tests.at(argv[3])();
   return check::report();
 }

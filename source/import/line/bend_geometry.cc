@@ -51,7 +51,7 @@ void give_bend(const PcfFile &file, const PcfComponent &component, const Point3 
   const auto refuse = [&](const std::string &read) {
     file.fail(component.line, component.keyword + " " + read,
               "CENTRE-POINT where the tangents at both END-POINTs meet, equally far from both",
-              "the right CENTRE-POINT; bends of 180 degrees as two of 90");
+              "the right CENTRE-POINT; of a bend of 180 degrees with ANGLE 18000");
   };
   if (std::abs(first - second) > std::max(tolerance, 1e-3 * first) ||
       std::min(first, second) <= tolerance)
@@ -63,8 +63,7 @@ void give_bend(const PcfFile &file, const PcfComponent &component, const Point3 
   const double turn = angle_between(corner - a, b - corner);
   if (turn < least_turn || turn > largest_turn)
     refuse("that turns by " + in_degrees(turn));
-  piece.corner = corner;
-  piece.radius = written_radius(std::min(corner.distance(a), corner.distance(b)), turn);
+  give_corner(piece, a, corner, b);
   if (component.bend_radius && *component.bend_radius > 0. &&
       std::abs(*component.bend_radius - piece.radius) > differing_radius * piece.radius)
     notes.assumed.push_back({component.line, component.keyword + ": BEND-RADIUS is " +
@@ -75,6 +74,66 @@ void give_bend(const PcfFile &file, const PcfComponent &component, const Point3 
     notes.assumed.push_back(
         {component.line, component.keyword + ": ANGLE is " + in_degrees(*component.angle) +
                              ", its points turn by " + in_degrees(turn) + ", which is taken"});
+}
+
+void give_corner(Piece &piece, const Point3 &a, const Point3 &corner, const Point3 &b) {
+  piece.corner = on_grid(corner);
+  piece.radius = written_radius(std::min(corner.distance(a), corner.distance(b)),
+                                angle_between(corner - a, b - corner));
+}
+
+std::pair<Piece, Piece> cut_bend(const Piece &bend, const Point3 &a, const Point3 &place,
+                                 const Point3 &b) {
+  const auto part = [&](const Point3 &end) {
+    const double turn = 2. * std::asin(std::min(1., place.distance(end) / (2. * bend.radius)));
+    const Vector3 way = *bend.corner - end;
+    Piece piece = bend;
+    give_corner(piece, end, Point3(end + bend.radius * std::tan(turn / 2.) / way.norm() * way),
+                place);
+    return piece;
+  };
+  return {part(a), part(b)};
+}
+
+bool turns_back(const PcfComponent &component, const double tolerance) {
+  const Point3 &a = component.ends[0].position, &b = component.ends[1].position;
+  const Point3 middle(a + 0.5 * (b - a));
+  return (component.angle && std::abs(*component.angle - 180. * degree) < differing_radius) ||
+         component.centre->position.distance(middle) <= std::max(tolerance, 1e-3 * a.distance(b));
+}
+
+Point3 top_of_return(const PcfFile &file, const PcfLine &line, const PcfComponent &component,
+                     const double tolerance) {
+  const Point3 &a = component.ends[0].position, &b = component.ends[1].position;
+  const Point3 middle(a + 0.5 * (b - a));
+  const double radius = a.distance(b) / 2.;
+  const auto across = [&](const Vector3 &way) { // its part square to the line of both ends
+    return way - (way * (b - a) / (b - a).norm_square()) * (b - a);
+  };
+  Vector3 way = across(component.centre->position - middle);
+  for (const PcfComponent &other : line.components) {
+    if (way.norm() > std::max(tolerance, 1e-3 * radius))
+      break;
+    if (&other == &component || other.ends.size() != 2)
+      continue;
+    for (const unsigned int end : {0u, 1u})
+      if (const Point3 here = other.ends[end].position;
+          std::min(here.distance(a), here.distance(b)) <= tolerance) {
+        const Vector3 along = here - (other.centre ? *other.centre : other.ends[1 - end]).position;
+        if (along.norm() > cells_to_tell * tolerance &&
+            across(along).norm() > std::cos(largest_kink) * along.norm())
+          way = across(along);
+      }
+  }
+  if (way.norm() <= std::max(tolerance, 1e-3 * radius))
+    file.fail(component.line,
+              component.keyword + " whose CENTRE-POINT " +
+                  text_of_place(component.centre->position) +
+                  " is in the middle between its ends, and no pipe comes in square to them",
+              "a bend of 180 degrees with pipe at one of its ends, or CENTRE-POINT on the side "
+              "that it turns to",
+              "two bends of 90 degrees");
+  return Point3(middle + radius / way.norm() * way);
 }
 
 void check_tangents(const PcfFile &file, const PcfLine &line, const Network &network,

@@ -15,6 +15,28 @@ namespace frictionbeam::import {
 void give_bend(const PcfFile &file, const PcfComponent &component, const Point3 &a, const Point3 &b,
                const double tolerance, Piece &piece, Notes &notes);
 
+/// Make a bend of @p piece from @p a to @p b around a corner that is equally far from both.
+void give_corner(Piece &piece, const Point3 &a, const Point3 &corner, const Point3 &b);
+
+/// Cut a bend from @p a to @p b at a place on its arc; the first part ends there, the second one
+/// begins there. Nodes are left to the caller.
+std::pair<Piece, Piece> cut_bend(const Piece &bend, const Point3 &a, const Point3 &place,
+                                 const Point3 &b);
+
+/**
+ * Whether a bend turns back: by its ANGLE, or by a CENTRE-POINT in the middle between its ends,
+ * where the tangents of no other bend meet.
+ */
+bool turns_back(const PcfComponent &component, const double tolerance);
+
+/**
+ * Where the arc of a bend of 180 degrees is farthest from its ends: towards CENTRE-POINT, or if
+ * that is the arc's centre, on from what comes in.
+ * @throws UserError where neither says it
+ */
+Point3 top_of_return(const PcfFile &file, const PcfLine &line, const PcfComponent &component,
+                     const double tolerance);
+
 /// Look at what comes into bends: by a CENTRE-POINT that is the arc's centre straight pipes would
 /// come in across.
 /// @throws UserError in that case

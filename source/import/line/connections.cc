@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace frictionbeam::import {
 
@@ -32,10 +33,19 @@ public:
     std::iota(parents.begin(), parents.end(), 0u);
     for (const Piece &piece : network.pieces)
       parents[part(piece.from)] = part(piece.to);
+    std::set<unsigned int> declared;
+    for (const std::vector<Placed> *const list :
+         {&network.joints, &network.supports, &network.masses})
+      for (const Placed &placed : *list)
+        if (placed.node)
+          declared.insert(*placed.node);
     const auto pieces_at = network.pieces_at();
     for (unsigned int n = 0; n < pieces_at.size(); ++n)
       if (pieces_at[n].size() == 1)
-        ends.push_back({n, pieces_at[n][0], is_declared(n, pieces_at[n][0])});
+        ends.push_back(
+            {n, pieces_at[n][0],
+             declared.count(n) == 1 ||
+                 line.components[network.pieces[pieces_at[n][0]].component].shape == Shape::end});
   }
 
   unsigned int part(unsigned int node) {
@@ -52,35 +62,56 @@ public:
     return result;
   }
 
-  /// Pairs of free ends, each end with its nearest, the nearest first.
+  /// Pairs of free ends, each end with its nearest that @p counts, the nearest first.
+  /// @param farthest beyond which ends do not count
   template <typename Counts>
-  std::vector<Gap> gaps(const Counts &counts) {
-    std::vector<Gap> result;
-    for (const FreeEnd &one : ends) {
-      Gap best{1e300, nullptr, nullptr};
-      for (const FreeEnd &other : ends)
-        if (const double way = network.nodes[one.node].distance(network.nodes[other.node]);
-            &one != &other && way < best.distance && counts(one, other, way))
-          best = {way, &one, &other};
-      if (best.one != nullptr && std::none_of(result.begin(), result.end(), [&](const Gap &known) {
-            return known.one == best.other && known.other == best.one;
-          }))
-        result.push_back(best);
+  std::vector<Gap> gaps(const Counts &counts, const double farthest = 1e300) {
+    std::vector<const FreeEnd *> sorted; // along x: the nearest is not far in this order
+    for (const FreeEnd &end : ends)
+      sorted.push_back(&end);
+    const auto x = [&](const FreeEnd *const end) { return network.nodes[end->node][0]; };
+    std::sort(sorted.begin(), sorted.end(),
+              [&](const FreeEnd *const a, const FreeEnd *const b) { return x(a) < x(b); });
+    std::map<std::pair<const FreeEnd *, const FreeEnd *>, double> pairs;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      Gap best{farthest, sorted[i], nullptr};
+      const auto look_at = [&](const FreeEnd *const other) {
+        const double way = network.nodes[sorted[i]->node].distance(network.nodes[other->node]);
+        if (way < best.distance && counts(*sorted[i], *other))
+          best = {way, sorted[i], other};
+      };
+      for (std::size_t k = i; k-- > 0 && x(sorted[i]) - x(sorted[k]) < best.distance;)
+        look_at(sorted[k]);
+      for (std::size_t k = i + 1; k < sorted.size() && x(sorted[k]) - x(sorted[i]) < best.distance;
+           ++k)
+        look_at(sorted[k]);
+      if (best.other != nullptr)
+        pairs.emplace(std::minmax(best.one, best.other), best.distance);
     }
-    std::sort(result.begin(), result.end(),
-              [](const Gap &a, const Gap &b) { return a.distance < b.distance; });
+    std::vector<Gap> result;
+    for (const auto &[pair, distance] : pairs)
+      result.push_back({distance, pair.first, pair.second});
+    std::sort(result.begin(), result.end(), [](const Gap &a, const Gap &b) {
+      return std::make_tuple(a.distance, a.one->node, a.other->node) <
+             std::make_tuple(b.distance, b.one->node, b.other->node);
+    });
     return result;
   }
 
-  /// The shortest gaps whose closing would make one line of all parts.
+  /// The shortest gaps whose closing would make one line of all parts: each round joins every part
+  /// with its nearest (Boruvka's minimum spanning tree).
   std::vector<Gap> between_parts() {
     std::vector<Gap> result;
-    for (std::vector<Gap> found; !(found = gaps([&](const FreeEnd &a, const FreeEnd &b, double) {
+    for (std::vector<Gap> found; !(found = gaps([&](const FreeEnd &a, const FreeEnd &b) {
                                      return part(a.node) != part(b.node);
-                                   })).empty();) {
-      result.push_back(found.front());
-      parents[part(found.front().one->node)] = part(found.front().other->node);
-    }
+                                   })).empty();)
+      for (const Gap &gap : found)
+        if (part(gap.one->node) != part(gap.other->node)) {
+          result.push_back(gap);
+          parents[part(gap.one->node)] = part(gap.other->node);
+        }
+    std::sort(result.begin(), result.end(),
+              [](const Gap &a, const Gap &b) { return a.distance < b.distance; });
     return result;
   }
 
@@ -105,14 +136,6 @@ public:
   std::vector<FreeEnd> ends;
 
 private:
-  bool is_declared(const unsigned int node, const std::size_t piece) const {
-    const auto stands = [&](const Placed &placed) { return placed.node && *placed.node == node; };
-    return line.components[network.pieces[piece].component].shape == Shape::end ||
-           std::any_of(network.joints.begin(), network.joints.end(), stands) ||
-           std::any_of(network.supports.begin(), network.supports.end(), stands) ||
-           std::any_of(network.masses.begin(), network.masses.end(), stands);
-  }
-
   std::vector<unsigned int> parents;
 };
 
@@ -144,10 +167,11 @@ void check_connections(const PcfFile &file, const PcfLine &line, const Network &
   if (parts.size() > 1)
     notes.assumed.push_back(
         {0, std::to_string(parts.size()) + " lines that do not meet, of as many pipelines"});
-  const std::vector<Gap> gaps =
-      connections.gaps([&](const FreeEnd &a, const FreeEnd &b, const double way) {
-        return !a.is_declared && !b.is_declared && a.piece != b.piece && way < nearly * tolerance;
-      });
+  const std::vector<Gap> gaps = connections.gaps(
+      [&](const FreeEnd &a, const FreeEnd &b) {
+        return !a.is_declared && !b.is_declared && a.piece != b.piece;
+      },
+      nearly * tolerance);
   if (!gaps.empty())
     file.fail(0, "free ends that all but meet: " + connections.text(gaps), allowed, hint);
   for (const FreeEnd &end : connections.ends)

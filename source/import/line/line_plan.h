@@ -46,7 +46,8 @@ struct PlannedTee {
 
 struct PlannedSupport {
   std::string name, point, comment;
-  std::optional<MappedSupport> support; ///< none: no row of the table fits
+  std::optional<MappedSupport> support;       ///< none: no row of the table fits
+  std::optional<double> stiffness, cold_load; ///< of a hanger, as the file has them [N/m, N]
 };
 
 struct PlannedMass {

@@ -65,8 +65,17 @@ private:
       else
         add_with_branches(i, true);
       return;
-    case Shape::pipe:
     case Shape::bend:
+      if (component.kind != nullptr && component.kind->tee_kind != nullptr &&
+          !component.branches.empty())
+        olets.push_back(i);
+      if (turns_back(component, tolerance)) {
+        add_return(i);
+        return;
+      }
+      add_run(i);
+      return;
+    case Shape::pipe:
     case Shape::reducer:
       add_run(i);
       return;
@@ -113,6 +122,31 @@ private:
     if (component.shape == Shape::bend)
       give_bend(file, component, points.points[from], points.points[to], tolerance, piece, notes);
     network.pieces.push_back(piece);
+  }
+
+  /// A bend of 180 degrees as two of 90.
+  void add_return(const std::size_t i) {
+    const PcfComponent &component = line.components[i];
+    const unsigned int from = node(component.ends[0], component),
+                       to = node(component.ends[1], component);
+    if (from == to)
+      fail_length(component, component.ends[0].position.distance(component.ends[1].position));
+    PcfPoint top;
+    top.position = top_of_return(file, line, component, tolerance);
+    top.line = component.line;
+    const unsigned int middle = node(top, component);
+    const Point3 &a = points.points[from], &b = points.points[to], &c = points.points[middle];
+    const Vector3 half = 0.5 * (b - a);
+    Piece first = piece_of(i, from, middle), second = first;
+    second.from = middle;
+    second.to = to;
+    give_corner(first, a, Point3(c - half), c);
+    give_corner(second, c, Point3(c + half), b);
+    network.pieces.push_back(first);
+    network.pieces.push_back(second);
+    notes.assumed.push_back(
+        {component.line, component.keyword + " turns by 180 degrees: two bends of 90, its top at " +
+                             text_of_place(top.position)});
   }
 
   void add_rigid(const std::size_t i) {
@@ -187,40 +221,74 @@ private:
       network.branches.push_back({foot, branch.run, i});
   }
 
+  /// A branch on the line: of an OLET, of a bend that has one.
   void add_olet(const std::size_t i) {
-    PcfComponent with_ends = line.components[i];
+    const PcfComponent &component = line.components[i];
+    const Point3 &wanted = component.centre->position;
     const PlaceOnPieces places(network, tolerance);
-    const std::optional<PlaceOnPieces::Place> place = places.nearest(with_ends.centre->position);
+    std::optional<PlaceOnPieces::Place> place = places.nearest(wanted);
+    if (place && place->distance > tolerance)
+      if (const auto on_bend = foot_on_bend(places, component))
+        place = on_bend;
     if (!place || place->distance > tolerance)
-      file.fail(with_ends.line,
-                with_ends.keyword + " whose CENTRE-POINT " +
-                    text_of_place(with_ends.centre->position) + " is on no pipe" +
-                    (place
-                         ? ": the nearest is " + rounded_number(1e3 * place->distance) + " mm away"
-                         : ""),
-                "a centre on the axis of a pipe, within the tolerance of " +
-                    rounded_number(1e3 * tolerance) + " mm",
-                "the right CENTRE-POINT, or a larger --tolerance");
-    if (network.pieces[place->piece].radius > 0. && !place->node)
-      file.fail(with_ends.line, with_ends.keyword + " on a bend", "a branch on a straight pipe",
-                "a TEE beside the bend");
+      file.fail(
+          component.line,
+          component.keyword + " whose CENTRE-POINT " + text_of_place(wanted) + " is on no pipe" +
+              (place ? ": the nearest is " + rounded_number(1e3 * place->distance) + " mm away"
+                     : ""),
+          "a centre on the axis of a pipe, or a branch whose axis goes through that of a "
+          "bend, within the tolerance of " +
+              rounded_number(1e3 * tolerance) + " mm",
+          "the right CENTRE-POINT, or a larger --tolerance");
     const unsigned int foot = node_at(*place);
-    // A branch alone has no ends: its bores are those of the branch.
-    if (with_ends.branches[0].bore == 0.)
-      file.fail(with_ends.branches[0].line, "BRANCH1-POINT without a bore", "x y z bore",
-                "the branch's bore behind its co-ordinates");
-    Piece branch;
-    branch.component = i;
-    branch.from = foot;
-    branch.to = node(with_ends.branches[0], with_ends);
-    network.nodes = points.points;
-    if (branch.to == foot)
-      fail_length(with_ends, 0.);
-    branch.material = sections.material(with_ends);
-    branch.section = sections.section(with_ends, with_ends.branches[0].bore);
-    branch.run = ++n_runs;
-    network.pieces.push_back(branch);
-    network.branches.push_back({foot, branch.run, i});
+    for (const PcfPoint &end : component.branches) {
+      if (!component.ends.empty()) {
+        add_branch(i, foot, end, false);
+        network.nodes = points.points;
+        continue;
+      }
+      // A branch alone has no ends: its bores are those of the branch.
+      if (end.bore == 0.)
+        file.fail(end.line, "BRANCH1-POINT without a bore", "x y z bore",
+                  "the branch's bore behind its co-ordinates");
+      Piece branch;
+      branch.component = i;
+      branch.from = foot;
+      branch.to = node(end, component);
+      network.nodes = points.points;
+      if (branch.to == foot)
+        fail_length(component, 0.);
+      branch.material = sections.material(component);
+      branch.section = sections.section(component, end.bore);
+      branch.run = ++n_runs;
+      network.pieces.push_back(branch);
+      network.branches.push_back({foot, branch.run, i});
+    }
+  }
+
+  /// Where the axis of a branch, from CENTRE-POINT to BRANCH1-POINT, goes through that of a bend
+  /// whose tangents meet at CENTRE-POINT.
+  std::optional<PlaceOnPieces::Place> foot_on_bend(const PlaceOnPieces &places,
+                                                   const PcfComponent &component) const {
+    const Point3 &corner = component.centre->position;
+    const Vector3 way = component.branches[0].position - corner;
+    for (std::size_t i = 0; i < network.pieces.size(); ++i) {
+      const Piece &bend = network.pieces[i];
+      if (bend.radius == 0. || bend.corner->distance(corner) > tolerance)
+        continue;
+      const auto at = [&](const double part) { return places.on(i, Point3(corner + part * way)); };
+      // The distance falls and rises once: the arc lies on one side of its tangents.
+      double low = -bend.radius / way.norm(), high = 1.;
+      for (unsigned int k = 0; k < 100; ++k) {
+        const double one = low + (high - low) / 3., other = high - (high - low) / 3.;
+        if (at(one).distance < at(other).distance)
+          high = other;
+        else
+          low = one;
+      }
+      return at((low + high) / 2.);
+    }
+    return {};
   }
 
   /// The node at a place; a piece is cut in two for it.
@@ -233,6 +301,9 @@ private:
     if (number == piece.from || number == piece.to)
       return number;
     Piece rest = piece;
+    if (piece.radius > 0.)
+      std::tie(piece, rest) = cut_bend(piece, network.nodes[piece.from], network.nodes[number],
+                                       network.nodes[piece.to]);
     piece.to = rest.from = number;
     network.pieces.push_back(rest);
     return number;
@@ -268,20 +339,24 @@ private:
 
   /// The same pipe twice would be twice as stiff.
   void check_doubles() const {
-    std::map<std::pair<unsigned int, unsigned int>, std::size_t> known;
+    std::multimap<std::pair<unsigned int, unsigned int>, const Piece *> known;
+    const auto lies_on = [&](const Piece &one, const Piece &other) {
+      return one.corner.has_value() == other.corner.has_value() &&
+             (!one.corner || one.corner->distance(*other.corner) <= tolerance);
+    };
     for (const Piece &piece : network.pieces) {
-      if (piece.corner)
-        continue;
-      const auto [other, is_new] =
-          known.emplace(std::minmax(piece.from, piece.to), piece.component);
-      if (is_new)
-        continue;
-      const PcfComponent &one = line.components[piece.component];
-      file.fail(one.line,
-                one.keyword + " from " + text_of_place(network.nodes[piece.from]) + " to " +
-                    text_of_place(network.nodes[piece.to]) + ", where " +
-                    line.components[other->second].text() + " lies already",
-                "each component once", "removing one of the two");
+      const std::pair<unsigned int, unsigned int> ends = std::minmax(piece.from, piece.to);
+      const auto range = known.equal_range(ends);
+      for (auto other = range.first; other != range.second; ++other)
+        if (lies_on(piece, *other->second)) {
+          const PcfComponent &one = line.components[piece.component];
+          file.fail(one.line,
+                    one.keyword + " from " + text_of_place(network.nodes[piece.from]) + " to " +
+                        text_of_place(network.nodes[piece.to]) + ", where " +
+                        line.components[other->second->component].text() + " lies already",
+                    "each component once", "removing one of the two");
+        }
+      known.emplace(ends, &piece);
     }
   }
 

@@ -8,7 +8,7 @@ namespace frictionbeam::import {
 std::optional<PlaceOnPieces::Place> PlaceOnPieces::nearest(const Point3 &point) const {
   std::optional<Place> best;
   for (std::size_t i = 0; i < network.pieces.size(); ++i) {
-    const Place place = network.pieces[i].radius > 0. ? on_arc(i, point) : on_piece(i, point);
+    const Place place = on(i, point);
     if (!best || place.distance < best->distance)
       best = place;
   }

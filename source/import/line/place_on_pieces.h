@@ -22,6 +22,11 @@ public:
   /// None if there is no piece.
   std::optional<Place> nearest(const Point3 &point) const;
 
+  /// The nearest place of one piece.
+  Place on(const std::size_t piece, const Point3 &point) const {
+    return network.pieces[piece].radius > 0. ? on_arc(piece, point) : on_piece(piece, point);
+  }
+
   /// How far from a piece's axis a support may be given: its outer diameter [m].
   double reach(const std::size_t piece, const SectionPlanner &sections) const;
 

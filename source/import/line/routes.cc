@@ -32,6 +32,8 @@ public:
         pieces_at(network.pieces_at()), is_named(network.nodes.size(), false),
         pipe_of(network.pieces.size()) {
     names.nodes.resize(network.nodes.size());
+    for (const Piece &piece : network.pieces)
+      length_of_component[piece.component] += length_of(piece);
   }
 
   RouteNames make() {
@@ -80,8 +82,10 @@ private:
   bool is_like(const Piece &one, const Piece &other) const {
     const Properties &a = line.components[one.component].properties,
                      &b = line.components[other.component].properties;
-    return !one.end_section && !other.end_section && one.section == other.section &&
-           one.material == other.material && one.rigid == other.rigid &&
+    if (one.end_section || other.end_section) // a reducer that something stands on is one still
+      return one.end_section && other.end_section && one.component == other.component;
+    return one.section == other.section && one.material == other.material &&
+           one.rigid == other.rigid &&
            a.number(Property::temperature) == b.number(Property::temperature) &&
            a.number(Property::pressure) == b.number(Property::pressure);
   }
@@ -133,59 +137,66 @@ private:
     return stops;
   }
 
-  /// Points of a straight run that need not be there left out.
+  /// Whether all stops between two of them lie on the line through both, and may go.
+  bool passes(const std::vector<Stop> &stops, const std::size_t i, const std::size_t j) const {
+    for (std::size_t k = i + 1; k < j; ++k)
+      if (stops[k].stays || is_off_line(stops[k].point.position, stops[i].point.position,
+                                        stops[j].point.position, tolerance))
+        return false;
+    return true;
+  }
+
+  /// Points of a straight run that need not be there left out: the next that stays, and where the
+  /// run is not straight as far, the farthest that doubling and halving the way finds.
   std::vector<PlannedPoint> thinned(const std::vector<Stop> &stops) const {
     std::vector<PlannedPoint> route{stops.front().point};
     for (std::size_t i = 0; i + 1 < stops.size();) {
-      std::size_t best = i + 1;
-      for (std::size_t j = i + 1; j < stops.size(); ++j) {
-        bool passes = true;
-        for (std::size_t k = i + 1; k < j && passes; ++k)
-          passes = !stops[k].stays && !is_off_line(stops[k].point.position, stops[i].point.position,
-                                                   stops[j].point.position, tolerance);
-        if (passes)
-          best = j;
-        if (stops[j].stays)
-          break;
+      const std::size_t last = stops.size() - 1;
+      std::size_t good = i + 1, bad = last + 1;
+      for (std::size_t reach = 2; good < last && bad > last; reach *= 2) {
+        const std::size_t next = std::min(last, i + reach);
+        (passes(stops, i, next) ? good : bad) = next;
       }
-      route.push_back(stops[best].point);
-      i = best;
+      while (good + 1 < bad) {
+        const std::size_t middle = good + (bad - good) / 2;
+        (passes(stops, i, middle) ? good : bad) = middle;
+      }
+      route.push_back(stops[good].point);
+      i = good;
     }
     return route;
   }
 
-  double length_of(const Step &step) const {
-    const Piece &piece = network.pieces[step.piece];
+  double length_of(const Piece &piece) const {
     const Point3 &a = network.nodes[piece.from], &b = network.nodes[piece.to];
     return piece.corner ? a.distance(*piece.corner) + piece.corner->distance(b) : a.distance(b);
   }
 
-  /// The sum of what the components of a rigid part weigh; none if no weight is said.
+  /// The sum of what the pieces of a rigid part weigh, each its share of its component by length: a
+  /// valve with three ways is in several parts. None if no weight is said.
   std::optional<double> mass_of(const std::vector<Step> &chain) {
-    std::set<std::size_t> counted;
+    std::set<std::size_t> without;
     std::optional<double> mass;
-    double without = 0.; // length
-    unsigned int n_without = 0;
+    double of_pipe = 0.;
     for (const Step &step : chain) {
-      const std::size_t i = network.pieces[step.piece].component;
-      const auto weight = line.components[i].properties.number(Property::weight);
-      if (!weight) {
-        without += length_of(step);
-        n_without += counted.insert(i).second ? 1 : 0;
-      } else if (counted.insert(i).second)
-        mass = mass.value_or(0.) + *weight;
+      const Piece &piece = network.pieces[step.piece];
+      const double length = length_of(piece);
+      if (const auto weight = line.components[piece.component].properties.number(Property::weight))
+        mass = mass.value_or(0.) + *weight * length / length_of_component[piece.component];
+      else {
+        const PlannedSection &section = plan.sections[piece.section];
+        of_pipe += density_of_steel * pi_of_routes * (section.outer_diameter - section.wall) *
+                   section.wall * length;
+        without.insert(piece.component);
+      }
     }
-    if (n_without > 0) {
-      const PlannedSection &section = plan.sections[network.pieces[chain.front().piece].section];
-      if (mass)
-        *mass += density_of_steel * pi_of_routes * (section.outer_diameter - section.wall) *
-                 section.wall * without;
-      notes.assumed.push_back({line.components[network.pieces[chain.front().piece].component].line,
-                               std::to_string(n_without) + " rigid component" +
-                                   (n_without == 1 ? "" : "s") + " of " + words_of(chain) +
-                                   " without a weight: taken as heavy as pipe"});
-    }
-    return mass;
+    if (without.empty())
+      return mass;
+    notes.assumed.push_back({line.components[*without.begin()].line,
+                             std::to_string(without.size()) + " rigid component" +
+                                 (without.size() == 1 ? "" : "s") + " of " + words_of(chain) +
+                                 " without a weight: taken as heavy as pipe"});
+    return mass ? std::optional<double>(*mass + of_pipe) : std::nullopt;
   }
 
   std::string words_of(const std::vector<Step> &chain) const {
@@ -260,7 +271,8 @@ private:
   Notes &notes;
   const std::vector<std::vector<std::size_t>> pieces_at;
   std::vector<bool> is_named;
-  std::vector<std::size_t> pipe_of; ///< by piece
+  std::vector<std::size_t> pipe_of;                  ///< by piece
+  std::map<std::size_t, double> length_of_component; ///< all of its pieces [m]
   RouteNames names;
   UniqueNames pipe_names, tee_names;
   unsigned int n_names = 0;

@@ -2,6 +2,7 @@
 #include "import/line/section_plan.h"
 
 #include "base/number_text.h"
+#include "base/unit_constants.h"
 #include "base/user_error.h"
 #include "scene/file/parameter_file.h"
 #include "scene/part/pipe_library.h"
@@ -28,33 +29,70 @@ std::string nps_of(const double inches) {
   return std::abs(part) < 1e-6 ? "NPS " + text : "";
 }
 
-/// The word behind @p key in @p text, as 40 of "PIPE SCH 40" and of "SCH40"; empty if there is
-/// none.
-std::string word_behind(const std::string &text, const std::string &key) {
-  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
-    if (at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0)
-      continue;
-    const std::size_t begin = text.find_first_not_of(" .=:-", at + key.size());
-    if (begin == std::string::npos)
-      return "";
-    return text.substr(begin, text.find_first_of(" ,;", begin) - begin);
-  }
-  return "";
+const char *const known_schedules[] = {"5",   "10",  "20",  "30",  "40",  "60", "80",
+                                       "100", "120", "140", "160", "STD", "XS", "XXS"};
+
+/// The known schedule that @p word is, "40" of "40" and "S40"; empty if none.
+std::string known_schedule(std::string word) {
+  if (word.size() > 1 && word[0] == 'S' && std::isdigit(static_cast<unsigned char>(word[1])) != 0)
+    word.erase(0, 1);
+  return std::find(std::begin(known_schedules), std::end(known_schedules), word) !=
+                 std::end(known_schedules)
+             ? word
+             : "";
 }
 
-/// The schedule that a description names.
-std::string schedule_of(const std::string &description) {
-  const std::string text = capitals(description);
-  for (const char *const key : {"SCHEDULE", "SCH"}) {
-    std::string word = word_behind(text, key);
-    if (word.size() > 1 && word[0] == 'S' && std::isdigit(static_cast<unsigned char>(word[1])) != 0)
-      word.erase(0, 1); // S40
-    for (const char *const known :
-         {"5", "10", "20", "30", "40", "60", "80", "100", "120", "140", "160", "STD", "XS", "XXS"})
-      if (word == known)
-        return word;
+/// Schedules that a description names: of both ends in "SCH 40 X SCH 80" and "SCH 40X80"; XS and
+/// STD stand for themselves.
+struct Schedules {
+  std::vector<std::string> known;
+  std::string unknown; ///< "10S", the first of them
+};
+
+Schedules schedules_of(const std::string &description) {
+  std::string text = capitals(description);
+  std::replace_if(
+      text.begin(), text.end(),
+      [](const char c) {
+        return c == ',' || c == ';' || c == '.' || c == '=' || c == ':' || c == '/';
+      },
+      ' ');
+  Schedules result;
+  bool expected = false, behind = false, other = false; // after SCH; a schedule; it and X
+  for (std::string word : split(tidy(text), ' ')) {
+    bool named = expected;
+    for (const char *const key : {"SCHEDULE", "SCH"})
+      if (word.rfind(key, 0) == 0) {
+        word.erase(0, std::string(key).size());
+        word.erase(0, std::min(word.size(), word.find_first_not_of('-')));
+        named = true;
+        break;
+      }
+    expected = named && word.empty();
+    if (word.empty())
+      continue;
+    if (behind && word == "X") {
+      other = true;
+      continue;
+    }
+    const std::vector<std::string> parts =
+        known_schedule(word).empty() && std::isdigit(static_cast<unsigned char>(word[0])) != 0
+            ? split(word, 'X')
+            : std::vector<std::string>{word};
+    const bool alone = word == "STD" || word == "XS" || word == "XXS";
+    if (!named && !alone && !(other && !known_schedule(word).empty())) {
+      behind = other = false;
+      continue;
+    }
+    for (const std::string &part : parts)
+      if (const std::string schedule = known_schedule(part); !schedule.empty())
+        result.known.push_back(schedule);
+      else if (result.unknown.empty())
+        result.unknown = part;
+    behind = true;
+    other = false;
   }
-  return "";
+  return result;
 }
 
 /// The wall that a description names, "WT=6mm" [m]; 0 if none.
@@ -154,18 +192,29 @@ std::string SectionPlanner::nominal(const double bore) const {
 }
 
 SectionPlanner::Wall SectionPlanner::own_wall(const PcfComponent &component, const double bore,
-                                              const bool second) const {
+                                              const bool second) {
   Wall wall;
   wall.value =
       component.properties.number(second ? Property::second_wall : Property::wall).value_or(0.);
-  if (wall.is_known() || second)
+  if (!wall.is_known() && !second)
+    wall.value = wall_of(component.description);
+  const Schedules schedules = schedules_of(component.description);
+  const std::size_t place = second ? 1 : 0;
+  if (wall.is_known() || (schedules.known.size() <= place && schedules.unknown.empty()))
     return wall;
-  wall.value = wall_of(component.description);
-  if (!wall.is_known()) {
-    wall.schedule = schedule_of(component.description);
-    if (!find_pipe_size(nominal(bore), wall.schedule, false))
+  std::string missing = schedules.unknown;
+  if (schedules.known.size() > place) {
+    wall.schedule = schedules.known[place];
+    if (!find_pipe_size(nominal(bore), wall.schedule, false)) {
+      missing = wall.schedule;
       wall.schedule.clear();
+    }
   }
+  if (!wall.is_known() && !missing.empty() &&
+      said["schedule " + missing + " of " + exact_number(bore)]++ == 0)
+    notes.not_understood.push_back({component.line, component.keyword + ": schedule " + missing +
+                                                        " of bore " + exact_number(bore) +
+                                                        " is not known; --wall can say it"});
   return wall;
 }
 
@@ -248,7 +297,7 @@ std::size_t SectionPlanner::section(const PcfComponent &component, const double 
   else if (!name.empty())
     section.outer_diameter = find_pipe_size(name, "STD", options.in_inches)->outer_diameter;
   else {
-    section.outer_diameter = bore * (line.bores_in_inches ? 0.0254 : 1e-3);
+    section.outer_diameter = bore * (line.bores_in_inches ? inch : 1e-3);
     if (said["bore " + exact_number(bore)]++ == 0)
       notes.assumed.push_back({component.line, "bore " + exact_number(bore) +
                                                    " is no nominal size of ASME B36.10M: taken as "
@@ -259,7 +308,9 @@ std::size_t SectionPlanner::section(const PcfComponent &component, const double 
     section.schedule = wall.schedule;
     section.wall = find_pipe_size(name, wall.schedule, options.in_inches)->wall;
   } else
-    section.wall = wall.value;
+    section.wall = wall.schedule.empty()
+                       ? wall.value
+                       : find_pipe_size(name, wall.schedule, options.in_inches)->wall;
   if (section.wall > section.outer_diameter / 2. || section.wall < least_wall)
     file.fail(component.line,
               component.keyword + ": wall " + rounded_number(1e3 * section.wall) +

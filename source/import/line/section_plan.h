@@ -46,7 +46,7 @@ private:
     std::string schedule;
     bool is_known() const { return value > 0. || !schedule.empty(); }
   };
-  Wall own_wall(const PcfComponent &component, const double bore, const bool second) const;
+  Wall own_wall(const PcfComponent &component, const double bore, const bool second);
   Wall option_wall(const double bore) const;
   std::string nominal(const double bore) const;
   void read_wall_option();

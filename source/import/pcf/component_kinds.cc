@@ -6,6 +6,7 @@ namespace frictionbeam::import {
 namespace {
 
 constexpr const char *bores_differ = "taken as a bend of its first bore: it reduces as well";
+constexpr const char *branch_on_bend = "a bend with a branch, which is taken as unreinforced";
 constexpr const char *without_branch = "taken without its branch";
 
 constexpr ComponentKind kinds[] = {
@@ -19,8 +20,8 @@ constexpr ComponentKind kinds[] = {
     {"BEND", Shape::bend},
     {"ELBOW", Shape::bend},
     {"ELBOW-REDUCING", Shape::bend, false, bores_differ},
-    {"BEND-TEED", Shape::bend, false, without_branch},
-    {"ELBOW-TEED", Shape::bend, false, without_branch},
+    {"BEND-TEED", Shape::bend, false, branch_on_bend, "unreinforced"},
+    {"ELBOW-TEED", Shape::bend, false, branch_on_bend, "unreinforced"},
     {"TEE", Shape::tee, false, nullptr, "welding tee"},
     {"TEE-SET-ON", Shape::tee, false, "taken as unreinforced", "unreinforced"},
     {"TEE-STUB", Shape::tee, false, "taken as unreinforced", "unreinforced"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "import/pcf/pcf_component.h"
 
+#include "base/unit_constants.h"
 #include "scene/file/parameter_file.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace frictionbeam::import {
 namespace {
 
 constexpr double pi_of_angles = 3.14159265358979323846;
-constexpr double inch_of_coordinates = 0.0254;
 /// Of a line of pipes [m]; beyond it stands a number in another unit, or none.
 constexpr double farthest = 1e6;
 
@@ -22,6 +22,19 @@ const std::vector<std::string> own_attributes = {
 bool names_a_support(const std::string &key) {
   return key == "NAME" || key == "TAG" || key.rfind("SUPPORT-", 0) == 0 ||
          key == "CONNECTION-REFERENCE";
+}
+
+bool has_digit(const std::string &text) {
+  return text.find_first_of("0123456789") != std::string::npos;
+}
+
+/// Whether a component says that it is made of straight pieces cut aslant.
+bool is_mitred(const PcfComponent &component) {
+  for (const std::string &text : {component.keyword, component.skey, component.description})
+    if (capitals(text).find("MITRE") != std::string::npos ||
+        capitals(text).find("MITER") != std::string::npos)
+      return true;
+  return false;
 }
 
 class ComponentReader {
@@ -50,6 +63,7 @@ public:
     }
     for (PcfComponent &component : line.components)
       component.properties.complete(pipeline_properties[component.pipeline]);
+    note_weights();
     return std::move(line);
   }
 
@@ -64,7 +78,7 @@ private:
         if (unit == "MM")
           return 1e-3;
         if (unit == "INCH" || unit == "IN" || unit == "INCHES")
-          return inch_of_coordinates;
+          return inch;
         file.fail(block.line, key + " " + block.text, "MM or INCH", hint);
       }
     if (needed)
@@ -74,8 +88,8 @@ private:
 
   void read_units() {
     unit = length_unit("UNITS-CO-ORDS", true);
-    line.in_inches = unit == inch_of_coordinates;
-    line.bores_in_inches = length_unit("UNITS-BORE", true) == inch_of_coordinates;
+    line.in_inches = unit == inch;
+    line.bores_in_inches = length_unit("UNITS-BORE", true) == inch;
     length_unit("UNITS-BOLT-DIA", false);
     length_unit("UNITS-BOLT-LENGTH", false);
     for (const PcfBlock &block : file.blocks()) {
@@ -121,13 +135,34 @@ private:
     Properties properties;
     for (const PcfEntry &entry : block.entries)
       read_attribute(entry, block.keyword, properties);
+    if (properties.numbers.erase(Property::weight) > 0) // each component would weigh as much
+      notes.not_understood.push_back(
+          {block.line, block.keyword + ": the weight of a whole pipeline; not taken"});
     pipeline_properties.push_back(properties);
+  }
+
+  /// Weights of what has that of its section, and of supports.
+  void note_weights() {
+    std::map<std::string, Notes::Count> counts;
+    for (const PcfComponent &component : line.components)
+      if (component.shape != Shape::rigid && component.shape != Shape::end &&
+          !(component.kind != nullptr && component.kind->may_be_point) &&
+          component.properties.number(Property::weight)) {
+        Notes::Count &count = counts[component.keyword];
+        if (count.n++ == 0)
+          count.first_line = component.line;
+      }
+    for (const auto &[keyword, count] : counts)
+      notes.not_understood.push_back(
+          {count.first_line, "the weight that " + std::to_string(count.n) + " " + keyword +
+                                 " say is not taken: pipe weighs what its section does"});
   }
 
   void read_attribute(const PcfEntry &entry, const std::string &keyword, Properties &properties) {
     const AttributeTable::Row *row = table->find(entry.key);
     const AttributeTable::Row of_weight{Property::weight, weight_unit};
-    if (entry.key == "WEIGHT")
+    if (entry.key == "WEIGHT" ||
+        (row != nullptr && row->property == Property::weight && row->unit.empty()))
       row = &of_weight;
     if (row == nullptr) {
       if (entry.key.rfind("COMPONENT-ATTRIBUTE", 0) == 0 && !entry.text.empty())
@@ -191,6 +226,10 @@ private:
     } else if (table->find(entry.key) != nullptr || entry.key == "WEIGHT" ||
                entry.key.rfind("COMPONENT-ATTRIBUTE", 0) == 0)
       read_attribute(entry, component.keyword, component.properties);
+    else if (component.shape == Shape::support && has_digit(entry.text))
+      notes.not_understood.push_back(
+          {entry.line, component.keyword + ": " + entry.key + " " + entry.text +
+                           ", whose meaning --attributes can say (spring_rate, cold_load, ...)"});
     else
       notes.count_without_effect(entry.key, entry.line);
   }
@@ -219,6 +258,11 @@ private:
     if (component.kind->remark != nullptr)
       notes.assumed.push_back(
           {component.line, component.keyword + " is " + component.kind->remark});
+    if (component.shape == Shape::bend && is_mitred(component))
+      notes.not_understood.push_back({component.line, component.keyword +
+                                                          " is mitred: taken as a "
+                                                          "smooth bend of the same radius, whose "
+                                                          "flexibility and stress factors differ"});
     check_points(block, component);
     line.components.push_back(component);
   }
@@ -237,6 +281,16 @@ private:
     return "";
   }
 
+  /// Whether its CENTRE-POINT makes a bend.
+  static bool turns(const PcfComponent &component) {
+    if (!component.centre)
+      return false;
+    const Point3 &a = component.ends[0].position, &b = component.ends[1].position,
+                 &corner = component.centre->position;
+    const double first = corner.distance(a), second = corner.distance(b);
+    return std::abs(first - second) < 1e-3 * first && a.distance(b) < 0.999 * (first + second);
+  }
+
   /// A word that is not known: with two ends, the line goes through it as through a pipe.
   void add_unknown(const PcfBlock &block, PcfComponent &component) {
     if (component.ends.size() != 2) {
@@ -245,10 +299,10 @@ private:
                                                       ", left out: no component that is known"});
       return;
     }
+    component.shape = turns(component) ? Shape::bend : Shape::pipe;
     notes.not_understood.push_back(
-        {block.line, block.keyword + ", no component that is known: taken as a pipe from end to "
-                                     "end"});
-    component.shape = Shape::pipe;
+        {block.line, block.keyword + ", no component that is known: taken as a " +
+                         (component.shape == Shape::bend ? "bend" : "pipe") + " from end to end"});
     line.components.push_back(component);
   }
 

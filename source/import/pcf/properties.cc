@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "import/pcf/properties.h"
 
+#include "base/unit_constants.h"
 #include "base/user_error.h"
 #include "import/pcf/pcf_file.h"
 #include "scene/file/parameter_file.h"
+#include "scene/file/table_rows.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -12,7 +14,7 @@ namespace frictionbeam::import {
 
 namespace {
 
-enum class Dimension { length, mass, density, temperature, pressure, text };
+enum class Dimension { length, mass, density, temperature, pressure, force, stiffness, text };
 
 struct PropertyWord {
   const char *word;
@@ -31,6 +33,9 @@ constexpr PropertyWord property_words[] = {
     {"temperature", Property::temperature, Dimension::temperature},
     {"pressure", Property::pressure, Dimension::pressure},
     {"weight", Property::weight, Dimension::mass},
+    {"spring_rate", Property::spring_rate, Dimension::stiffness},
+    {"cold_load", Property::cold_load, Dimension::force},
+    {"hot_load", Property::hot_load, Dimension::force},
     {"material", Property::material, Dimension::text},
     {"none", Property::none, Dimension::text}};
 
@@ -46,7 +51,7 @@ struct UnitWord {
   Dimension dimension;
   double factor, offset = 0.; ///< SI is factor times (value + offset)
 };
-constexpr double pound = 0.45359237, inch = 0.0254, psi = 6894.757293168361;
+constexpr double pound_force = pound * standard_gravity, psi = pound_force / (inch * inch);
 constexpr UnitWord unit_words[] = {
     {"MM", Dimension::length, 1e-3},
     {"CM", Dimension::length, 1e-2},
@@ -73,7 +78,20 @@ constexpr UnitWord unit_words[] = {
     {"BAR", Dimension::pressure, 1e5},
     {"BARG", Dimension::pressure, 1e5},
     {"PSI", Dimension::pressure, psi},
-    {"PSIG", Dimension::pressure, psi}};
+    {"PSIG", Dimension::pressure, psi},
+    {"N", Dimension::force, 1.},
+    {"KN", Dimension::force, 1e3},
+    {"DAN", Dimension::force, 10.},
+    {"KGF", Dimension::force, standard_gravity},
+    {"LBF", Dimension::force, pound_force},
+    {"LB", Dimension::force, pound_force},
+    {"N/M", Dimension::stiffness, 1.},
+    {"N/MM", Dimension::stiffness, 1e3},
+    {"KN/M", Dimension::stiffness, 1e3},
+    {"DAN/MM", Dimension::stiffness, 1e4},
+    {"KGF/MM", Dimension::stiffness, 1e3 * standard_gravity},
+    {"LBF/IN", Dimension::stiffness, pound_force / inch},
+    {"LB/IN", Dimension::stiffness, pound_force / inch}};
 
 const UnitWord *find_unit(const std::string &word, const Dimension dimension) {
   for (const UnitWord &unit : unit_words)
@@ -161,21 +179,17 @@ AttributeTable::AttributeTable(const std::string &choice, const bool in_inches) 
     for (const char *const row : in_inches ? of_caepipe_in_inches : of_caepipe)
       add(row, choice);
   else if (choice != "none") {
-    std::ifstream file(choice);
-    if (!file)
+    if (!std::ifstream(choice))
       throw UserError("--attributes: the file '" + choice +
                       "' cannot be read.\n  allowed: none, caesar, caepipe, or the path of a file "
                       "with rows 'KEY property unit'\n  try:     --attributes caesar");
-    unsigned int number = 0;
-    for (std::string line; std::getline(file, line);)
-      add(line.substr(0, line.find('#')), choice + ":" + std::to_string(++number));
+    for (const TableRow &row : read_table_rows(choice))
+      add(row.text, choice + ":" + std::to_string(row.line));
   }
 }
 
 void AttributeTable::add(const std::string &line, const std::string &place) {
-  const std::vector<std::string> words = split(tidy(line), ' ');
-  if (words.empty())
-    return;
+  const std::vector<std::string> words = fields_of_row(line);
   std::vector<std::string> known;
   for (const PropertyWord &row : property_words) {
     known.emplace_back(row.word);

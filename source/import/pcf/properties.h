@@ -21,8 +21,11 @@ enum class Property {
   temperature,           ///< of operation [degC]
   pressure,              ///< inside, above the one outside [Pa]
   weight,                ///< of the whole component [kg]
-  material,              ///< a name
-  none                   ///< known, and without effect here
+  spring_rate,           ///< of a support [N/m]
+  cold_load,
+  hot_load, ///< likewise [N]
+  material, ///< a name
+  none      ///< known, and without effect here
 };
 
 /// What has been read of a component's attributes.

@@ -4,6 +4,7 @@
 #include "base/user_error.h"
 #include "import/pcf/pcf_file.h"
 #include "scene/file/parameter_file.h"
+#include "scene/file/table_rows.h"
 
 #include <algorithm>
 #include <fstream>
@@ -42,22 +43,18 @@ bool fits(const std::string &pattern, const std::string &text) {
 
 SupportTable::SupportTable(const std::string &path) {
   if (!path.empty()) {
-    std::ifstream file(path);
-    if (!file)
+    if (!std::ifstream(path))
       throw UserError("--support-map: the file '" + path +
                       "' cannot be read.\n  try:     the path of a text file with rows 'WORD : "
                       "kind, Entry = value'");
-    unsigned int number = 0;
-    for (std::string line; std::getline(file, line);)
-      add(line.substr(0, line.find('#')), path + ":" + std::to_string(++number));
+    for (const TableRow &row : read_table_rows(path))
+      add(row.text, path + ":" + std::to_string(row.line));
   }
   for (const char *const row : own_rows)
     add(row, "");
 }
 
 void SupportTable::add(const std::string &line, const std::string &place) {
-  if (tidy(line).empty())
-    return;
   const std::vector<std::string> fields = split(line, ':');
   const auto refuse = [&](const std::string &read, const std::string &allowed) {
     throw UserError(place + "\n  read:    " + read + "\n  allowed: " + allowed +

@@ -8,6 +8,7 @@
 #include "results/text.h"
 
 #include <algorithm>
+#include <map>
 
 namespace frictionbeam {
 
@@ -53,16 +54,17 @@ public:
   unsigned int operator()(const unsigned int part, const Eigen::Index number) {
     const GoverningCases *const own = inner[part];
     const std::string &name = own != nullptr ? own->cases[own->of[number]] : names[part];
-    const auto place = std::find(into.cases.begin(), into.cases.end(), name);
-    if (place == into.cases.end())
+    const auto [place, is_new] = places.emplace(name, into.cases.size());
+    if (is_new)
       into.cases.push_back(name);
-    return std::find(into.cases.begin(), into.cases.end(), name) - into.cases.begin();
+    return place->second;
   }
 
 private:
   GoverningCases &into;
   std::vector<std::string> names;
-  std::vector<const GoverningCases *> inner; ///< null: the case itself
+  std::vector<const GoverningCases *> inner;  ///< null: the case itself
+  std::map<std::string, unsigned int> places; ///< in GoverningCases::cases
 };
 
 /// A table of words, a row for each of @p names.

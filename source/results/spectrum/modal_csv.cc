@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/spectrum/modal_csv.h"
 
+#include "base/unit_constants.h"
 #include "results/file/csv_writer.h"
 #include "results/page/html.h"
 #include "results/report/limits.h"

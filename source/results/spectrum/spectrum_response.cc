@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace frictionbeam {
 
@@ -55,6 +56,9 @@ public:
       shapes.push_back(numbers_of(builder.make(analysis.displaced(mode.unknowns))));
     for (const auto &space : spaces)
       frequencies.push_back(analysis.modes()[space.first].frequency);
+    for (const Spectrum &spectrum : model.scene.spectra)
+      for (const Mode &mode : analysis.modes())
+        accelerations[&spectrum].push_back(spectrum.at(mode.frequency, settings.interpolation));
   }
 
   Frame operator()() {
@@ -94,7 +98,7 @@ private:
       Vector periodic = Vector::Zero(n_numbers);
       for (unsigned int k = spaces[space].first; k < spaces[space].second; ++k) {
         const double gamma = modes[k].unknowns.dot(inertia), f = modes[k].frequency,
-                     acceleration = spectrum.at(f, settings.interpolation),
+                     acceleration = accelerations.at(&spectrum)[k],
                      share = rigid_share(settings, f, acceleration, spectrum.at_zero_period());
         const Vector whole =
             factor * gamma * acceleration / std::pow(2. * dealii::numbers::PI * f, 2) * shapes[k];
@@ -162,6 +166,9 @@ private:
   const bool has_groups;
   std::vector<Vector> shapes;      ///< numbers of the frames of the modes
   std::vector<double> frequencies; ///< of the eigenspaces
+  /// Of each mode, whatever the direction: a spectrum of a record costs its oscillator each time
+  /// [m/s2].
+  std::map<const Spectrum *, std::vector<double>> accelerations;
 };
 
 /// Where Lindley and Yow's share would be above 1: RG 1.92 rev. 3 does not allow it there.

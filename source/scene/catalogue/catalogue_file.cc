@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/catalogue/catalogue_file.h"
 
-#include "base/csv_row.h"
 #include "scene/file/parameter_file.h"
+#include "scene/file/table_rows.h"
 #include "scene/units.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
@@ -38,21 +37,13 @@ public:
         factor_of(columns.size(), 1.) {}
 
   std::vector<CatalogueRow> read() {
-    std::ifstream in(file);
-    for (std::string text; std::getline(in, text);) {
-      ++line;
-      if (line == 1 && text.rfind("\xef\xbb\xbf", 0) == 0) // of spreadsheets
-        text.erase(0, 3);
-      text = tidy(text.substr(0, text.find('#')));
-      if (text.empty())
-        continue;
-      std::vector<std::string> fields = csv_fields(text);
-      for (std::string &field : fields)
-        field = tidy(field);
-      if (n_fields == 0)
-        read_header(fields);
-      else
-        read_row(fields);
+    for (const TableRow &row : read_table_rows(file)) {
+      line = row.line;
+      if (n_fields == 0) {
+        separator = separator_of(row.text);
+        read_header(fields_of_row(row.text, separator));
+      } else
+        read_row(fields_of_row(row.text, separator));
     }
     if (rows.empty())
       fail(n_fields == 0 ? "an empty file" : "a header without rows", "at least one item",
@@ -145,6 +136,7 @@ private:
   const std::string file;
   const std::vector<CatalogueColumn> &columns;
   unsigned int line = 0;
+  char separator = ','; ///< of the header
   std::size_t n_fields = 0, place_of_item = nowhere;
   std::vector<std::size_t> place_of;
   std::vector<double> factor_of;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/unit_constants.h"
 #include "scene/part/parts.h"
 #include "scene/steps/step_tree.h"
 
@@ -59,7 +60,7 @@ void parse_ground_acceleration(const ParameterReader &in, Scene &, Load &load) {
 }
 
 void parse_seismic(const ParameterReader &in, Scene &scene, Load &load) {
-  constexpr double g = 9.80665; // [m/s2], CGPM 1901
+  constexpr double g = standard_gravity;
   load.vector = g * in.vector("Seismic", "-");
   if (load.vector.norm() == 0.)
     in.fail("Seismic", "a vector that is not zero, in g", "'0.3 0 0.2'");

@@ -2,9 +2,9 @@
 #include "scene/part/pipe_library.h"
 
 #include "scene/file/parameter_file.h"
+#include "scene/file/table_rows.h"
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace frictionbeam {
@@ -64,20 +64,6 @@ const std::vector<MaterialPoint> austenitic_steel = {
     {250., 179e9, 17.4e-6}, {300., 176e9, 17.7e-6}, {350., 172e9, 17.9e-6}, {400., 169e9, 18.1e-6},
     {450., 165e9, 18.3e-6}, {500., 160e9, 18.4e-6}, {550., 156e9, 18.6e-6}};
 
-/// Rows of a table in a text file: fields between commas or blanks, # begins a comment.
-std::vector<std::vector<std::string>> read_rows(const std::string &file) {
-  std::ifstream in(file);
-  std::vector<std::vector<std::string>> rows;
-  for (std::string line; std::getline(in, line);) {
-    line = line.substr(0, line.find('#'));
-    for (char &c : line)
-      c = c == ',' || c == ';' ? ' ' : c;
-    if (!tidy(line).empty())
-      rows.push_back(split(tidy(line), ' '));
-  }
-  return rows;
-}
-
 } // namespace
 
 std::optional<PipeSize> find_pipe_size(const std::string &name, const std::string &schedule,
@@ -119,7 +105,8 @@ std::string known_pipe_sizes(const std::string &name) {
 
 std::optional<PipeSize> find_pipe_size(const std::string &file, const std::string &name,
                                        const std::string &schedule, const double unit) {
-  for (const std::vector<std::string> &row : read_rows(file)) {
+  for (const TableRow &line : read_table_rows(file)) {
+    const std::vector<std::string> row = fields_of_row(line.text);
     double D, t;
     if (row.size() == 4 && row[0] == name && row[1] == schedule && to_number(row[2], D) &&
         to_number(row[3], t))
@@ -134,12 +121,16 @@ const Word<MaterialGrade> material_grades[] = {{"given below", no_grade},
 
 std::vector<MaterialPoint> read_material_table(const std::string &file, const UnitSystem &units) {
   std::vector<MaterialPoint> table;
-  for (const std::vector<std::string> &row : read_rows(file)) {
+  for (const TableRow &line : read_table_rows(file)) {
+    const std::vector<std::string> row = fields_of_row(line.text);
     MaterialPoint point;
     if (row.size() != 3 || !to_number(row[0], point.temperature) ||
         !to_number(row[1], point.youngs_modulus) || !to_number(row[2], point.expansion) ||
-        point.youngs_modulus <= 0.)
-      continue; // a heading
+        point.youngs_modulus <= 0.) {
+      if (table.empty())
+        continue; // a heading
+      return {};
+    }
     point.temperature = units.celsius(point.temperature);
     point.youngs_modulus *= units.factor("Pa");
     point.expansion /= units.factor("K");

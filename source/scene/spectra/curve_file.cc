@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/spectra/curve_file.h"
 
+#include "base/unit_constants.h"
 #include "base/user_error.h"
+#include "scene/file/choice.h"
 #include "scene/file/parameter_file.h"
 #include "scene/file/parameter_reader.h"
+#include "scene/file/table_rows.h"
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,16 +16,20 @@
 
 namespace frictionbeam {
 
-const char *const acceleration_units = "g, m/s2, cm/s2, mm/s2, in/s2, ft/s2";
+namespace {
+
+constexpr Word<double> units_of_acceleration[] = {{"g", standard_gravity}, {"m/s2", 1.},
+                                                  {"cm/s2", 0.01},         {"mm/s2", 0.001},
+                                                  {"in/s2", inch},         {"ft/s2", 12. * inch}};
+
+} // namespace
 
 double acceleration_unit(const std::string &name) {
-  for (const auto &[word, value] :
-       {std::pair("g", standard_gravity), std::pair("m/s2", 1.), std::pair("cm/s2", 0.01),
-        std::pair("mm/s2", 0.001), std::pair("in/s2", 0.0254), std::pair("ft/s2", 0.3048)})
-    if (name == word)
-      return value;
-  return 0.;
+  const auto *const found = find_word(units_of_acceleration, name);
+  return found == std::end(units_of_acceleration) ? 0. : found->value;
 }
+
+std::string acceleration_units() { return join(words_of(units_of_acceleration)); }
 
 namespace {
 
@@ -45,49 +53,36 @@ std::string unit_in(const std::string &header) {
              : tidy(header.substr(open + 1, close - open - 1));
 }
 
-void read_header(const std::string &line, const std::string &axes, const std::string &where,
-                 Columns &columns) {
-  const auto comma = line.find_first_of(",;\t");
-  const std::string allowed = "a header of two columns, " + axes +
-                              " and 'acceleration [UNIT]' with one of " + acceleration_units +
-                              ", or none",
-                    hint = "'" + axes.substr(1, axes.find('\'', 1) - 1) + ", acceleration [g]'";
-  if (comma == std::string::npos)
-    refuse(where, "'" + line + "'", allowed, hint);
-  columns.axis = tidy(line.substr(0, comma));
-  const std::string second = tidy(line.substr(comma + 1));
-  columns.unit = unit_in(second);
-  if (axes.find("'" + columns.axis + "'") == std::string::npos ||
-      second.rfind("acceleration", 0) != 0 || acceleration_unit(columns.unit) == 0.)
-    refuse(where, "'" + line + "'", allowed, hint);
+void read_header(const std::string &line, const std::vector<std::string> &fields,
+                 const std::string &axes, const std::string &where, Columns &columns) {
+  columns.axis = fields[0];
+  columns.unit = fields.size() == 2 ? unit_in(fields[1]) : "";
+  if (fields.size() != 2 || axes.find("'" + columns.axis + "'") == std::string::npos ||
+      fields[1].rfind("acceleration", 0) != 0 || acceleration_unit(columns.unit) == 0.)
+    refuse(where, "'" + line + "'",
+           "a header of two columns, " + axes + " and 'acceleration [UNIT]' with one of " +
+               acceleration_units() + ", or none",
+           "'" + axes.substr(1, axes.find('\'', 1) - 1) + ", acceleration [g]'");
 }
 
 Columns read_columns(const std::string &path, const std::string &axes, const std::string &where) {
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path))
+  if (!std::ifstream(path) || std::filesystem::is_directory(path))
     refuse(where, "'" + path + "'", "a file that can be read", "another path");
   const std::string name = std::filesystem::path(path).filename().string();
   Columns columns;
-  unsigned int number = 0;
   bool is_first = true;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    const std::string place = name + ":" + std::to_string(number),
-                      content = tidy(line.substr(0, line.find('#')));
-    if (content.empty())
-      continue;
-    std::string blank = content;
-    for (char &c : blank)
-      c = c == ',' || c == ';' || c == '\t' || c == '\r' ? ' ' : c;
-    const std::vector<std::string> words = split(tidy(blank), ' ');
+  for (const TableRow &row : read_table_rows(path)) {
+    const std::string place = name + ":" + std::to_string(row.line);
+    const std::vector<std::string> fields = fields_of_row(row.text);
     double first, second;
-    if (words.size() == 2 && to_number(words[0], first) && to_number(words[1], second)) {
+    if (fields.size() == 2 && to_number(fields[0], first) && to_number(fields[1], second)) {
       columns.numbers.points.emplace_back(first, second);
       columns.numbers.places.push_back(place);
-    } else if (is_first && !to_number(words[0], first))
-      read_header(content, axes, where + " (" + place + ")", columns);
+    } else if (is_first && !fields.empty() &&
+               std::isalpha(static_cast<unsigned char>(fields[0][0])) != 0)
+      read_header(tidy(row.text), fields, axes, where + " (" + place + ")", columns);
     else
-      refuse(where + " (" + place + ")", "'" + content + "'",
+      refuse(where + " (" + place + ")", "'" + tidy(row.text) + "'",
              "two numbers in each line, with a point before the decimals",
              "correcting this line, or a # before it");
     is_first = false;

@@ -10,11 +10,9 @@
 namespace frictionbeam {
 
 /// @file
-/// Spectra and records as text: two numbers a line, between commas, semicolons, blanks or tabs,
-/// # begins a comment. A first line that says what they are, 'frequency [Hz], acceleration [g]',
-/// 'period [s], acceleration [m/s2]' or 'time [s], acceleration [in/s2]', is taken at its word.
-
-inline constexpr double standard_gravity = 9.80665; ///< [m/s2]
+/// Spectra and records as text: two numbers a line, as rows of tables (table_rows.h). A first line
+/// that says what they are, 'frequency [Hz], acceleration [g]', 'period [s], acceleration [m/s2]'
+/// or 'time [s], acceleration [in/s2]', is taken at its word.
 
 /// How numbers are to be understood that no header explains.
 struct CurveForm {
@@ -26,7 +24,7 @@ struct CurveForm {
 
 /// Acceleration units by name, "g, m/s2, ..."; 0 if it is none of them [m/s2].
 double acceleration_unit(const std::string &name);
-extern const char *const acceleration_units;
+std::string acceleration_units();
 
 /// Points of a spectrum as they are written, with a word for each where it stands.
 struct WrittenCurve {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/unit_constants.h"
 #include "scene/part/parts.h"
 #include "scene/spectra/curve_file.h"
+#include "scene/spectra/interpolations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,12 +50,6 @@ using SpectrumSum = SpectrumSettings::Sum;
 constexpr Word<SpectrumSum> spectrum_sums[] = {{"srss", SpectrumSum::srss},
                                                {"absolute", SpectrumSum::absolute}};
 using Interpolation = Spectrum::Interpolation;
-constexpr Word<Interpolation> interpolations[] = {
-    {"log-log", Interpolation::logarithmic,
-     "straight on logarithmic axes; linear where one of the "
-     "numbers is 0"},
-    {"linear", Interpolation::in_frequency, "in the frequency"},
-    {"linear in period", Interpolation::in_period}};
 constexpr Word<bool> orders[] = {{"modes", false, "in each direction, then the directions"},
                                  {"directions", true, "in each mode, by sizes, then the modes"}};
 using Rigid = SpectrumSettings::Rigid;
@@ -187,7 +183,8 @@ void declare_response(ParameterReader &in) {
   in.declare_choice("First", false, orders, "What is combined first.");
   in.declare_choice("Groups", SpectrumSum::absolute, spectrum_sums,
                     "How groups of supports are combined, in each mode and direction.");
-  in.declare_choice("Interpolation", Interpolation::logarithmic, interpolations, "Of spectra.");
+  in.declare_choice("Interpolation", Interpolation::logarithmic, spectrum_interpolations,
+                    "Of spectra.");
   in.declare_number("Damping", 0.05, "-", positive, 1.,
                     "Ratio to critical, of cqc and double sums.");
   in.declare_number("Duration", 0., "s", 0., 1e6, "Of the earthquake, of double sums; > 0 there.");
@@ -210,7 +207,7 @@ void parse_response(const ParameterReader &in, Scene &scene) {
   s.directions = in.choice("Directions", spectrum_sums);
   s.directions_first = in.choice("First", orders);
   s.groups = in.choice("Groups", spectrum_sums);
-  s.interpolation = in.choice("Interpolation", interpolations);
+  s.interpolation = in.choice("Interpolation", spectrum_interpolations);
   s.damping = in.number("Damping");
   s.duration = in.number("Duration");
   s.missing_mass = in.flag("Missing mass");
