@@ -68,6 +68,9 @@ std::string left_out(const std::size_t n_shown, const std::size_t n_all, const s
                    " has all.");
 }
 
+/// Of force times length: work that is smaller is rounding, and shown as zero.
+constexpr double least_work = 1e-4;
+
 std::string support_table(const Results &results, const Frame &frame) {
   AssertDimension(frame.supports.size(), results.supports.size());
   std::vector<double> weight;
@@ -115,7 +118,8 @@ std::string support_table(const Results &results, const Frame &frame) {
     table.numbers("mt", "N m", column([](const SupportState &s) { return s.mt; }));
   return table
              .numbers("friction work", "J",
-                      column([](const SupportState &s) { return s.work_friction; }))
+                      column([](const SupportState &s) { return s.work_friction; }),
+                      least_work * force.value() * length.value())
              .str() +
          left_out(rows.size(), frame.supports.size(), "supports", "supports.csv");
 }

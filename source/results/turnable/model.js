@@ -335,8 +335,13 @@
   }
 
   const {controls, look, fit} = makeModelView($('canvas'), camera, size, see => {
-    for (let i = 0; i < n; ++i) see(place(i));
-    for (const item of items) see(item.centre);
+    const at = new THREE.Vector3();
+    for (let i = 0; i < n; ++i) {
+      see(place(i));
+      if (state.from) see(place(i).addScaledVector(at.fromArray(state.from.moves, 3 * i), uniforms.scale.value));
+    }
+    for (const item of items)
+      for (const far of [-4, 4]) for (const axis of item.parts[0][1]) see(at.copy(item.centre).addScaledVector(axis, far * item.radius));
   }, draw);
   function resize() {
     const frame = $('canvas').parentElement;
