@@ -85,7 +85,7 @@
   const pipeMesh = line.mesh(symbols.material(palette, uniforms, 1.7));
 
   const {items, batch, axesFor} = placeModelSupports(data, symbols, tangents, radii, size, tint);
-  const leastOfSymbols = 4;
+  const leastOfSymbols = $('canvas').clientWidth < 600 ? 2.5 : 4; // px
   const symbolMesh = items.length ? batch.mesh(symbols.material(null, uniforms, leastOfSymbols)) : new THREE.Group();
   const offsets = items.length && symbolMesh.geometry.attributes.offset.array.slice();
 
