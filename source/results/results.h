@@ -332,7 +332,8 @@ struct Results {
   std::vector<SupportInfo> supports;
   std::vector<RestraintInfo> restraints;
   std::vector<PointInfo> points;       ///< by name
-  std::vector<Frame> frames;           ///< ends of steps, and output instants in between
+  std::vector<Frame> frames;           ///< ends of steps
+  std::vector<Frame> instants;         ///< some of those in between, of transient steps
   std::vector<StationPlace> stations;  ///< of the envelopes
   std::vector<StepEnvelope> envelopes; ///< of transient steps
   std::vector<CombinationRange> combination_ranges;

@@ -108,7 +108,10 @@ OneCheck hangers(const Results &results) {
   OneCheck check("hanger", "hangers", "-");
   for (const HangerUse &one : results.hangers) {
     if (one.stiffness > 0.)
-      check.judge(one.name + ", variability", one.step, one.variability, one.allowed_variability);
+      check.judge(
+          one.name + ", variability" +
+              (one.hot_load > 0. ? "" : ", of which there is none: its hot load is not above 0"),
+          one.step, one.variability, one.allowed_variability);
     if (!one.item.empty()) {
       check.judge(one.name + ", load over the most of " + one.item, one.most_step,
                   one.most_load / one.most_allowed, 1.);

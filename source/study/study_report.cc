@@ -37,6 +37,10 @@ std::string heading(const StudyResults &study, const Scene &scene) {
           " runs converged</b>" + std::to_string(study.variables.size()) +
           (study.variables.size() == 1 ? " variable" : " variables") + ", " +
           rounded_number(study.seconds, 3) + " s.</div>\n";
+  text +=
+      html_note("Stresses, allowable loads and limits are shown as they spread; no run is judged. "
+                "The verdicts of the case as it stands are in the report of frictionbeam " +
+                scene.name + ".prm, without study.");
   if (study.remarks.empty())
     return text;
   text += "<div class=\"remarks\"><b>Remarks</b><ul>\n";

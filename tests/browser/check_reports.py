@@ -53,8 +53,8 @@ DRAWN = """new Promise(done => {
     done([n, colours.size, sum]);
   });
 })"""
-TABLE = "[...document.querySelectorAll('#model-table tbody tr')].map(row => [...row.cells].map(cell => cell.textContent))"
-HEAD = "[...document.querySelectorAll('#model-table th')].map(cell => cell.firstChild.textContent.trim())"
+TABLE = "[...document.querySelectorAll('#model-table .model-states tbody tr')].map(row => [...row.cells].map(cell => cell.textContent))"
+HEAD = "[...document.querySelectorAll('#model-table .model-states th')].map(cell => cell.firstChild.textContent.trim())"
 
 
 def choose(browser, name):
@@ -105,7 +105,45 @@ def check_model(browser, name, folder):
         check(pictures[0] != pictures[1], f"{name}: another step is another picture")
 
 
+def check_history(browser, name, folder):
+    """Of a transient step: the least and largest of a support's fn are those of envelope.csv, its history has the values of
+    supports.csv under the cursor, and a click there takes the model to that instant."""
+    path = os.path.join(folder, "envelope.csv")
+    steps = browser.evaluate("[...document.getElementById('model-step').options].map(option => option.text)")
+    over_time = [step[: -len(", over time")] for step in steps if step.endswith(", over time")]
+    check(bool(over_time) == (os.path.exists(path) and any(row["part"] == "support" for row in rows_of(folder, "envelope.csv"))),
+          f"{name}: a transient step can be played")
+    if not over_time:
+        return
+    step, supports = over_time[-1], rows_of(folder, "supports.csv")
+    support = supports[0]["support"]
+    choose(browser, step + ", over time")
+    browser.click(*browser.evaluate("document.getElementById('model').locate(%r)" % support))
+    row = browser.evaluate("[...[...document.querySelectorAll('#model-table h4 + .scroll tbody tr')].find(row => row.cells[0].textContent.startsWith('fn ')).cells].map(cell => cell.textContent)")
+    exact = next(one for one in rows_of(folder, "envelope.csv") if one["name"] == support and one["what"] == "fn" and one["step"] == step)
+    for text, column in zip(row[1:], ["least", "time_of_least", "largest", "time_of_largest"]):
+        check(close(text, exact[column], 1e-3), f"{name}: {column} of fn of {support} is {text}, envelope.csv {exact[column]}")
+    x, y = browser.evaluate("(r => [r.left + 0.4 * r.width, r.top + 0.5 * r.height])((document.getElementById('model-history').scrollIntoView({block: 'center'}), document.getElementById('model-history').getBoundingClientRect()))")
+    browser.mouse("mouseMoved", x, y)
+    tip = browser.evaluate("(t => [t.hidden, ...[...t.childNodes].map(n => n.textContent)])(document.querySelector('#model-history + .tip'))")
+    time_shown, fn = float(tip[1].split()[0]), float(tip[2].split()[1])
+    at = [one for one in supports if one["support"] == support and one["step"] == step and close(one["time"], time_shown, 1e-5)]
+    check(not tip[0] and at and close(fn, at[-1]["fn"], 1e-4), f"{name}: fn of {support} at {time_shown} s is {fn} under the cursor")
+    browser.click(x, y)
+    status = browser.evaluate("document.getElementById('model-status').textContent")
+    check(status.startswith(f"{step}, {float(f'{time_shown:.5g}'):g} s"), f"{name}: a click on the history shows that instant ({status})")
+
+
 def check_play(browser, name):
+    groups = browser.evaluate("[...document.querySelectorAll('#model-step optgroup')].map(group => [group.label, group.firstChild.text, group.children.length])")
+    moving = [first for label, first, n in groups if label in ["modes", "over time"] or (label == "at the end of" and n > 1)]
+    fixed = [first for label, first, n in groups if label in ["cases", "largest over time"] or (label == "at the end of" and n == 1)]
+    for state in fixed + moving:
+        choose(browser, state)
+        hidden = browser.evaluate("document.getElementById('model-play').hidden")
+        check(hidden == (state in fixed), f"{name}: {state} can{'not' if state in fixed else ''} be played")
+    if not moving:
+        return
     browser.evaluate("document.getElementById('model-play').click()")
     browser.wait("document.getElementById('model-canvas').dataset.fps !== undefined")
     browser.evaluate("document.getElementById('model-play').click()")
@@ -192,16 +230,18 @@ def main():
             browser.size(1280, 900)
             browser.open(page)
             begin = time.time()
-            if browser.evaluate("document.getElementById('model-canvas') !== null"):
+            has_model = browser.evaluate("document.getElementById('model-canvas') !== null")
+            has_line = os.path.exists(os.path.join(folder, "line.csv")) and len(rows_of(folder, "line.csv")) > 0
+            check(has_model or not has_line, f"{name}: a page of a line has a model to turn (is libjs-three installed?)")
+            if has_model:
                 check_model(browser, name, folder)
+                check_history(browser, name, folder)
                 check_play(browser, name)
                 check_chart(browser, name, folder)
             check_print(browser, name, os.path.join(folder, "report.pdf"))
             check_phone(browser, name)
             check(not browser.errors, f"{name}: errors on the console: {browser.errors}")
             print(f"{name}: {size / 1e6:.2f} MB, looked at in {time.time() - begin:.1f} s")
-        if not any("model-canvas" in open(os.path.join(place, case.split("=")[0], "report.html")).read() for case in sys.argv[4:]):
-            check(False, "no page has a model to turn (is libjs-three installed?)")
     finally:
         browser.close()
     sys.exit(1 if failed else 0)

@@ -4,13 +4,13 @@
 #include "base/interruption.h"
 #include "results/combination/governing_cases.h"
 #include "results/file/envelope_tables.h"
-#include "results/table/model_tables.h"
 #include "results/frame/derived_cases.h"
 #include "results/listing/hangers.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/spectrum/modal_csv.h"
 #include "results/spectrum/spectrum_response.h"
 #include "results/stress/stresses.h"
+#include "results/table/model_tables.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -133,10 +133,13 @@ LineRun::LineRun(const Model &model, LoadSequence &sequence, Results &results)
                   Frame converted;
                   const Frame &shown = in_units(scene.units, frame, converted);
                   csv->append(shown);
+                  if (scene.output.report)
+                    kept_instants.add(frame);
                   if (vtu && vtu_frames.takes(frame))
                     vtu->append(shown);
                 }),
-      envelope(model, results), sections(model), vtu_frames(scene), progress_line(scene) {
+      envelope(model, results), sections(model), vtu_frames(scene), kept_instants(scene, results),
+      progress_line(scene) {
   output_timer.reset();
   if (scene.time.is_exact())
     sequence.watch([this](const MotionPiece &piece) {
@@ -167,7 +170,7 @@ void LineRun::open_files() {
 LineRun::~LineRun() = default;
 
 void LineRun::transfer(Archive &archive) {
-  archive(sequence, collector, envelope, sections, *csv, modal_state);
+  archive(sequence, collector, envelope, sections, *csv, kept_instants, modal_state);
   if (vtu)
     archive(*vtu, vtu_frames);
   if (contact_problems)

@@ -9,6 +9,7 @@
 #include "results/file/csv_writer.h"
 #include "results/file/vtu_writer.h"
 #include "results/frame/envelope.h"
+#include "results/frame/kept_instants.h"
 #include "results/inelastic/section_watch.h"
 #include "results/quantity/collector.h"
 
@@ -54,6 +55,7 @@ private:
   std::optional<LineState> modal_state; ///< at the end of the step that modes start from
   bool line_is_known = true;            ///< of a reduced line, not at every instant
   FramesOfStep vtu_frames;
+  KeptInstants kept_instants;
   ProgressLine progress_line;
   dealii::Timer output_timer;
 };

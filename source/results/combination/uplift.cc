@@ -90,11 +90,12 @@ std::string uplift_table(const Scene &scene, const Results &results) {
       });
       cells.push_back(found == all.end() ? dash
                       : !found->lifts
-                          ? fixed_number(unit.factor * found->least, decimals)
+                          ? fixed_number(unit.factor * found->least + 0., decimals)
                           : "<b style=\"color:#b00020\">" +
-                                fixed_number(unit.factor * found->least, decimals) + " lifts</b>");
+                                fixed_number(unit.factor * found->least + 0., decimals) +
+                                " lifts</b>");
     }
-    table.html(one, cells);
+    table.right_html(one, cells);
   }
   return table.str() +
          html_note("Normal force that is left in " + unit.name +

@@ -110,8 +110,9 @@ std::string pictures(const Scene &scene, const Results &results,
 }
 
 /// Columns of a strain, where it is largest and in which step it grew most.
+/// @param length of pipes [m], for all columns to be in one unit
 void add_columns(HtmlTable &table, const std::string &name, const std::vector<WorstSection> &worst,
-                 const std::string &step_name) {
+                 const std::string &step_name, const double length) {
   std::vector<std::string> values, steps;
   std::vector<double> s;
   for (const WorstSection &one : worst) {
@@ -120,7 +121,7 @@ void add_columns(HtmlTable &table, const std::string &name, const std::vector<Wo
     s.push_back(is_any ? one.s : std::numeric_limits<double>::quiet_NaN());
     steps.push_back(is_any ? one.step : dash);
   }
-  table.right(name + " [%]", values).numbers("at s", "m", s).text(step_name, steps);
+  table.right(name + " [%]", values).numbers("at s", "m", s, length).text(step_name, steps);
 }
 
 std::string pipe_table(const Scene &scene, const Results &results) {
@@ -128,6 +129,7 @@ std::string pipe_table(const Scene &scene, const Results &results) {
   std::vector<WorstSection> plastic, creep, utilization;
   std::vector<double> dissipated;
   bool creeps = false;
+  double length = 0.;
   for (const PipeYield &pipe : yield_of_pipes(results)) {
     names.push_back(scene.pipes[pipe.pipe].name);
     plastic.push_back(pipe.plastic);
@@ -136,13 +138,14 @@ std::string pipe_table(const Scene &scene, const Results &results) {
     dissipated.push_back(pipe.dissipated);
     n_hinges.push_back(std::to_string(pipe.n_hinges));
     creeps = creeps || pipe.creep.value > 0.;
+    length = std::max({length, pipe.plastic.s, pipe.creep.s, pipe.utilization.s});
   }
   HtmlTable table(results.units);
   table.text("pipe", names);
-  add_columns(table, "plastic", plastic, "mostly in");
+  add_columns(table, "plastic", plastic, "mostly in", length);
   if (creeps)
-    add_columns(table, "creep", creep, "mostly in");
-  add_columns(table, "utilization", utilization, "end of");
+    add_columns(table, "creep", creep, "mostly in", length);
+  add_columns(table, "utilization", utilization, "end of", length);
   return table.numbers("dissipated", "J", dissipated).right("hinges", n_hinges).str() +
          html_note(
              "The worst section of each pipe. Plastic and creep strain are equivalent, accumulated "
@@ -179,11 +182,12 @@ std::string hinge_table(const Scene &scene, const Results &results,
     since.push_back(hinge.since);
     flows.push_back(hinge.flows ? "yes" : "no");
   }
+  const double length = *std::max_element(to.begin(), to.end());
   HtmlTable table(results.units);
   table.text("pipe", pipes)
-      .numbers("from s", "m", from)
-      .numbers("to", "m", to)
-      .numbers("worst at", "m", at)
+      .numbers("from s", "m", from, length)
+      .numbers("to", "m", to, length)
+      .numbers("worst at", "m", at, length)
       .right("plastic strain [%]", strain)
       .right("utilization [%]", utilization)
       .numbers("bending moment", "N m", moment)

@@ -91,7 +91,7 @@ private:
 
   void include(const std::string &step, const double load) {
     const double change = use.hot_load > 0. ? std::abs(load - use.hot_load) / use.hot_load
-                                            : std::numeric_limits<double>::max();
+                                            : std::numeric_limits<double>::infinity();
     if (change > use.variability) {
       use.variability = change;
       use.step = step;
@@ -135,7 +135,9 @@ std::string hanger_section(const Results &results) {
       values.push_back(value(use));
     return values;
   };
-  const auto percent = [](const double part) { return fixed_number(100. * part, 1); };
+  const auto percent = [](const double part) {
+    return std::isfinite(part) ? fixed_number(100. * part, 1) : dash;
+  };
   const bool any_item = std::any_of(results.hangers.begin(), results.hangers.end(),
                                     [](const HangerUse &use) { return !use.item.empty(); });
   double largest = 0.;
@@ -172,7 +174,8 @@ std::string hanger_section(const Results &results) {
   return table.str() +
          html_note("Cold: before anything has moved. Variability is the largest change of load "
                    "against the hot one over all static steps with weight that are not occasional, "
-                   "and the cold load; \u2717: more than the hanger's Variation. Travel is the way "
+                   "and the cold load; \u2717: more than the hanger's Variation, or a hot load not "
+                   "above 0, of which there is none. Travel is the way "
                    "it pulls, from cold to hot. hangers.csv has the same.");
 }
 
@@ -189,10 +192,10 @@ void write_hangers(const Results &results, const std::string &folder) {
         exact_number(use.stiffness / results.units.factor("N/m")) + ',' +
         exact_number(use.cold_load / force) + ',' + exact_number(use.hot_load / force) + ',' +
         (std::isfinite(use.travel) ? exact_number(use.travel / results.units.factor("m")) : "") +
-        ',' + exact_number(use.variability) + ',' + exact_number(use.allowed_variability) + ',' +
-        csv_field(use.step) + ',' + exact_number(use.least_load / force) + ',' +
-        csv_field(use.least_step) + ',' + exact_number(use.most_load / force) + ',' +
-        csv_field(use.most_step);
+        ',' + (std::isfinite(use.variability) ? exact_number(use.variability) : "") + ',' +
+        exact_number(use.allowed_variability) + ',' + csv_field(use.step) + ',' +
+        exact_number(use.least_load / force) + ',' + csv_field(use.least_step) + ',' +
+        exact_number(use.most_load / force) + ',' + csv_field(use.most_step);
     text += use.item.empty() ? ",,"
                              : ',' + exact_number(use.least_allowed / force) + ',' +
                                    exact_number(use.most_allowed / force);

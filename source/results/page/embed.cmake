@@ -1,12 +1,21 @@
 # Write a source that holds files as text:
-#   cmake -DFOLDER=<results> -DOUTPUT=<source> -DTHREE=<folder of three.js, or empty> -P embed.cmake
+#   cmake -DFOLDER=<results> -DFILES=<a.js,b.js> -DOUTPUT=<source> -DTHREE=<folder of three.js, or empty> -P embed.cmake
+# Those of one folder and one ending become one text, in their order: page/*.js are page_js.
 cmake_minimum_required(VERSION 3.18)
 set(text "// Written by embed.cmake.\n#include \"results/page/embedded.h\"\n\nnamespace frictionbeam::embedded {\n\n")
-foreach(file page/page.css page/page.js page/charts.js turnable/symbols.js turnable/model.js)
+string(REPLACE "," ";" FILES ${FILES})
+set(names)
+foreach(file ${FILES})
+  get_filename_component(name ${file} DIRECTORY)
+  get_filename_component(ending ${file} LAST_EXT)
+  string(MAKE_C_IDENTIFIER ${name}${ending} name)
   file(READ ${FOLDER}/${file} content)
-  get_filename_component(name ${file} NAME)
-  string(MAKE_C_IDENTIFIER ${name} name)
-  string(APPEND text "const char *const ${name} = R\"embedded(${content})embedded\";\n")
+  string(APPEND ${name} "\nR\"embedded(${content})embedded\"")
+  list(APPEND names ${name})
+endforeach()
+list(REMOVE_DUPLICATES names)
+foreach(name ${names})
+  string(APPEND text "const char *const ${name} = ${${name}};\n")
 endforeach()
 
 set(bytes)

@@ -49,7 +49,11 @@ HtmlTable &HtmlTable::text(const std::string &header, const std::vector<std::str
 }
 
 HtmlTable &HtmlTable::right(const std::string &header, const std::vector<std::string> &cells) {
-  columns.push_back({"<th class=\"r\">" + escape_xml(header), "<td class=\"r\">", escaped(cells)});
+  return right_html(header, escaped(cells));
+}
+
+HtmlTable &HtmlTable::right_html(const std::string &header, const std::vector<std::string> &cells) {
+  columns.push_back({"<th class=\"r\">" + escape_xml(header), "<td class=\"r\">", cells});
   return *this;
 }
 
@@ -126,7 +130,7 @@ std::string html_page(const std::string &title, const std::string &body) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          escape_xml(title) + "</title>\n<style>\n" + embedded::page_css + tab_rules() +
          "</style>\n</head>\n<body>\n" + body + "<script>\n" + embedded::page_js +
-         embedded::charts_js + "</script>\n</body>\n</html>\n";
+         "</script>\n</body>\n</html>\n";
 }
 
 } // namespace frictionbeam

@@ -34,6 +34,9 @@ public:
   /// Numbers that are text already, aligned to the right.
   HtmlTable &right(const std::string &header, const std::vector<std::string> &cells);
 
+  /// The same, as HTML.
+  HtmlTable &right_html(const std::string &header, const std::vector<std::string> &cells);
+
   /// Cells that are HTML already.
   HtmlTable &html(const std::string &header, const std::vector<std::string> &cells);
 

@@ -140,6 +140,14 @@ bool write_data(const Plot &plot, const Plot::Series &series, std::ostream &scri
   return some;
 }
 
+/// How the numbers of an axis are written: powers of ten where they are far apart from 1.
+std::string format_of(const Plot &plot, const char axis) {
+  constexpr double small = 1e-3, large = 1e5; // written out as they are
+  const auto [low, high] = range_of(plot, axis);
+  const bool log = axis == 'x' ? plot.log_x : plot.log_y;
+  return log && (low < small || high > large) ? "1e%T" : "%g";
+}
+
 /// A range that gnuplot does not complain about where all values are the same.
 void write_range(const Plot &plot, const char axis, std::ostream &script) {
   const bool log = axis == 'x' ? plot.log_x : plot.log_y;
@@ -176,10 +184,8 @@ void write_settings(const Plot &plot, const std::string &name, const std::string
          << quoted(plot.y_label) << '\n'
          << (plot.log_x ? "set logscale x 10\n" : "unset logscale x\n")
          << (plot.log_y ? "set logscale y 10\n" : "unset logscale y\n") << "set format x '"
-         << (!plot.x_format.empty() ? plot.x_format
-             : plot.log_x           ? "1e%T"
-                                    : "%g")
-         << "'\nset format y '" << (plot.log_y ? "1e%T" : "%g") << "'\n";
+         << (!plot.x_format.empty() ? plot.x_format : format_of(plot, 'x')) << "'\nset format y '"
+         << format_of(plot, 'y') << "'\n";
   write_range(plot, 'x', script);
   write_range(plot, 'y', script);
   script << (!with_key ? "unset key\n"

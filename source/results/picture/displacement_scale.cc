@@ -10,6 +10,8 @@ namespace {
 
 constexpr double part_of_size = 0.08, part_of_distance = 0.7;
 constexpr std::size_t n_places = 300; ///< of a frame that are compared with each other
+constexpr double same_place = 1e-6;   ///< of the line's size: their distance is rounding
+constexpr double no_motion = 1e-200;  ///< of the line's size: no factor would show it
 
 /// 1, 2 or 5 times a power of ten, not above @p value.
 double round_down(const double value) {
@@ -26,8 +28,8 @@ bool is_known(const Station &station) {
   return std::isfinite(way_of(station).norm()) && std::isfinite(station.position.norm());
 }
 
-/// The largest factor at which no two places have come too close.
-double factor_without_crossing(const Frame &frame) {
+/// The largest factor at which no two places have come too close, in a line of size @p size [m].
+double factor_without_crossing(const Frame &frame, const double size) {
   std::vector<const Station *> places;
   const std::size_t every = frame.line.size() / n_places + 1;
   for (std::size_t i = 0; i < frame.line.size(); i += every)
@@ -37,7 +39,7 @@ double factor_without_crossing(const Frame &frame) {
   for (std::size_t a = 0; a < places.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
       const double distance = places[a]->position.distance(places[b]->position);
-      if (distance > 0.)
+      if (distance > same_place * size)
         closing = std::max(closing, (way_of(*places[a]) - way_of(*places[b])).norm() / distance);
     }
   return closing > 0. ? part_of_distance / closing : std::numeric_limits<double>::max();
@@ -59,10 +61,12 @@ double displacement_scale(const std::vector<const Frame *> &frames) {
           high[d] = std::max(high[d], station.position[d]);
         }
       }
-    factor = std::min(factor, factor_without_crossing(*frame));
   }
   const double size = low.distance(high);
-  return largest > 0. && size > 0.
+  for (const Frame *frame : frames)
+    if (!frame->is_amplitude)
+      factor = std::min(factor, factor_without_crossing(*frame, size));
+  return size > 0. && largest > no_motion * size
              ? round_down(std::min(part_of_size * size / largest, std::max(factor, 1.)))
              : 1.;
 }

@@ -299,7 +299,9 @@ std::string Picture::draw_colours(const double baseline) const {
                   largest == 0.
                       ? "no displacement"
                       : "displacement, 0 to " + rounded_number(unit.factor * largest) + " " +
-                            unit.name + ", drawn " + rounded_number(scale) + " times as large");
+                            unit.name +
+                            (scale > 0. ? ", drawn " + rounded_number(scale) + " times as large"
+                                        : ", which are no shape and not drawn"));
   return text;
 }
 

@@ -205,8 +205,9 @@ void write_report(const Scene &scene, const Results &results, const std::string 
       write_file(folder + "/sections.svg",
                  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + draw_flow(scene, results));
     }
-    if (!results.supports.empty() && frames.size() > 1)
-      add("states", "States", state_table(results));
+    if (!results.supports.empty())
+      if (const std::string states = state_table(results); !states.empty())
+        add("states", "States", states);
     if (!results.supports.empty())
       add("supports", "Supports", support_tables(results, frames));
     if (const std::string left = uplift_table(scene, results); !left.empty())

@@ -237,7 +237,7 @@ ReportCharts make_report_charts(const Scene &scene, const Results &results,
     next += groups[g].plots.size();
   }
 
-  if (!results.envelopes.empty())
+  if (!results.envelopes.empty() && !charts.section_forces.empty())
     charts.section_forces += html_note("Solid: at the end of each step. Dashed: the least and the "
                                        "largest over all instants of a transient step; "
                                        "envelope.csv has them with their instants.");

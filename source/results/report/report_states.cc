@@ -20,10 +20,21 @@ double distance(const SupportState &state) {
   return state.status == ContactStatus::open ? state.gap : std::hypot(state.slip1, state.slip2);
 }
 
+/// Whether any support of it has a status; those of sums and of numbers of either sign have none.
+bool knows_a_status(const Frame &frame) {
+  return std::any_of(frame.supports.begin(), frame.supports.end(),
+                     [](const SupportState &state) { return state.status != ContactStatus::none; });
+}
+
 } // namespace
 
 std::string state_table(const Results &results) {
-  const auto frames = frames_to_show(results, n_columns_at_most);
+  std::vector<const Frame *> frames;
+  for (const Frame *frame : frames_to_show(results, n_columns_at_most))
+    if (!frame->is_amplitude && knows_a_status(*frame))
+      frames.push_back(frame);
+  if (frames.size() < 2)
+    return "";
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < results.supports.size(); ++i)
     rows.push_back(i);
@@ -41,7 +52,8 @@ std::string state_table(const Results &results) {
   Largest largest;
   for (const Frame *frame : frames)
     for (const std::size_t row : rows)
-      largest(distance(frame->supports[row]));
+      if (frame->supports[row].status != ContactStatus::none)
+        largest(distance(frame->supports[row]));
   const DisplayUnit unit = display_unit(results.units, "m", largest.value());
   const unsigned int decimals = decimals_for(unit.factor * largest.value());
   std::vector<std::string> names;
@@ -53,6 +65,10 @@ std::string state_table(const Results &results) {
     std::vector<std::string> cells;
     for (const std::size_t row : rows) {
       const SupportState &state = frame->supports[row];
+      if (state.status == ContactStatus::none) {
+        cells.push_back(dash);
+        continue;
+      }
       const double size = unit.factor * distance(state);
       cells.push_back(status_cell(state.status) +
                       (size > 0.5 * std::pow(10., -static_cast<int>(decimals))

@@ -138,6 +138,20 @@ std::string restraint_summary(const Results &results) {
   return table.str() + html_note(note);
 }
 
+namespace {
+
+/// The motion of a point that is on no pipe, at an instant; null if it is not known.
+const Motion *observed(const Results &results, const std::string &point, const double time) {
+  for (const History &history : results.histories)
+    if (history.point == point)
+      for (std::size_t i = history.time.size(); i-- > 0;) // of two at one time, the later
+        if (history.time[i] == time)
+          return &history.displacement[i];
+  return nullptr;
+}
+
+} // namespace
+
 std::string displacement_tables(const Results &results, const std::vector<const Frame *> &frames) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const Frame *const frame : frames) {
@@ -147,12 +161,15 @@ std::string displacement_tables(const Results &results, const std::vector<const 
     for (const PointInfo &point : results.points) {
       const auto station = std::find_if(frame->line.begin(), frame->line.end(),
                                         [&](const Station &s) { return s.vertex == point.vertex; });
-      if (station == frame->line.end() || names.size() == n_rows_at_most)
+      const Motion *const motion = station != frame->line.end()
+                                       ? &station->displacement
+                                       : observed(results, point.name, frame->time);
+      if (motion == nullptr || names.size() == n_rows_at_most)
         continue;
       names.push_back(point.name);
       for (unsigned int c = 0; c < 6; ++c) {
-        motions[c].push_back(station->displacement[c]);
-        largest[c / 3] = std::max(largest[c / 3], std::abs(station->displacement[c]));
+        motions[c].push_back((*motion)[c]);
+        largest[c / 3] = std::max(largest[c / 3], std::abs((*motion)[c]));
       }
     }
     const char *const titles[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
@@ -293,9 +310,8 @@ std::string friction_study_section(const Results &results) {
   return table.numbers("worst", "N", most).right("at \u00d7", which).str() +
          html_note("Largest force of each support over all steps (of transient steps at any of "
                    "their instants, blows on rigid supports left out), with all friction "
-                   "coefficients multiplied; \u00d7 1 is this run. The other runs' own results are "
-                   "in the "
-                   "folders friction_*.") +
+                   "coefficients multiplied; \u00d7 1 is this run. The verdicts judge this run "
+                   "alone; the other runs' own results are in the folders friction_*.") +
          ratio_table(study);
 }
 

@@ -68,6 +68,9 @@ std::string left_out(const std::size_t n_shown, const std::size_t n_all, const s
                    " has all.");
 }
 
+/// Of force times length: work that is smaller is rounding, and shown as zero.
+constexpr double least_work = 1e-4;
+
 std::string support_table(const Results &results, const Frame &frame) {
   AssertDimension(frame.supports.size(), results.supports.size());
   std::vector<double> weight;
@@ -115,7 +118,8 @@ std::string support_table(const Results &results, const Frame &frame) {
     table.numbers("mt", "N m", column([](const SupportState &s) { return s.mt; }));
   return table
              .numbers("friction work", "J",
-                      column([](const SupportState &s) { return s.work_friction; }))
+                      column([](const SupportState &s) { return s.work_friction; }),
+                      least_work * force.value() * length.value())
              .str() +
          left_out(rows.size(), frame.supports.size(), "supports", "supports.csv");
 }
@@ -240,10 +244,9 @@ struct StepRows {
 
   std::string table() const {
     HtmlTable table(results.units);
-    table.text("step", names)
-        .text("loads", loads)
-        .numbers("displacement", "m", displacement)
-        .text("at", where);
+    table.text("step", names).text("loads", loads);
+    if (!scene.pipes.empty())
+      table.numbers("displacement", "m", displacement).text("at", where);
     for (unsigned int s = 0; s < 4; ++s)
       if (std::any_of(counts[s].begin(), counts[s].end(),
                       [](const std::string &count) { return count != "0" && count != dash; }))
@@ -272,13 +275,11 @@ std::string step_table(const Scene &scene, const Results &results,
   }
   return rows.table() +
          html_note(
-             "At the end of each step: its loads, the largest displacement of the line and where "
-             "it is, the number of supports in each state, and sums over the supports of normal "
+             std::string("At the end of each step: its loads, ") +
+             (scene.pipes.empty() ? "" : "the largest displacement of the line and where it is, ") +
+             "the number of supports in each state, and sums over the supports of normal "
              "force, friction force and friction work so far." +
-             std::string(any_envelope
-                             ? " Of transient steps also the largest over all instants, of the "
-                               "displacement of nodes and of the sums."
-                             : ""));
+             (any_envelope ? " Of transient steps also the largest over all instants." : ""));
 }
 
 std::string support_tables(const Results &results, const std::vector<const Frame *> &frames) {

@@ -14,6 +14,9 @@ namespace frictionbeam {
 
 namespace {
 
+/// Of the largest force or moment of either model: what is smaller is rounding, and shown as zero.
+constexpr double rounding = 1e-8;
+
 /// One number of one holder, by either model.
 struct Compared {
   std::string what, component, unit; ///< unit: SI
@@ -57,10 +60,13 @@ std::string holder_table(const Scene &scene, const Results &results, const Frame
     const double largest = row.unit == "N" ? force : moment, factor = scene.units.factor(row.unit);
     what.push_back(row.what);
     component.push_back(row.component + " [" + scene.units.name(row.unit) + "]");
-    a.push_back(rounded_number(row.line / factor, 5));
-    b.push_back(rounded_number(row.solid / factor, 5));
-    difference.push_back(
-        largest > 0. ? rounded_number(100. * (row.solid - row.line) / largest, 2) + " %" : dash);
+    const auto shown = [&](const double value, const double unit, const unsigned int digits) {
+      return std::abs(value) > rounding * largest ? rounded_number(value / unit, digits) : "0";
+    };
+    a.push_back(shown(row.line, factor, 5));
+    b.push_back(shown(row.solid, factor, 5));
+    difference.push_back(largest > 0. ? shown(row.solid - row.line, 0.01 * largest, 2) + " %"
+                                      : dash);
   }
   return HtmlTable()
              .text("Support", what)
@@ -72,9 +78,9 @@ std::string holder_table(const Scene &scene, const Results &results, const Frame
          html_note("Differences relative to the largest force, or moment, of either model.");
 }
 
-/// A number along the pipes by either model.
+/// A number along the pipes by either model. @param least what is smaller is drawn as zero
 Plot both_plot(const Scene &scene, const Frame &line, const Frame &solid, const std::string &label,
-               const std::function<double(const Station &)> &number) {
+               const std::function<double(const Station &)> &number, const double least) {
   std::vector<double> start(scene.pipes.size() + 1, 0.);
   for (const Station &station : line.line)
     start[station.pipe + 1] = std::max(start[station.pipe + 1], station.s);
@@ -89,7 +95,8 @@ Plot both_plot(const Scene &scene, const Frame &line, const Frame &solid, const 
     series.style = is_solid ? Plot::Series::Style::points : Plot::Series::Style::line;
     for (const Station &station : (is_solid ? solid : line).line) {
       series.x.push_back((start[station.pipe] + station.s) / scene.units.factor("m"));
-      series.y.push_back(number(station));
+      const double value = number(station);
+      series.y.push_back(std::abs(value) > least ? value : 0.);
     }
     plot.series.push_back(series);
   }
@@ -103,20 +110,31 @@ std::string step_panel(const Scene &scene, const Results &results, const Frame &
   const std::string of_length = " [" + scene.units.name("m") + "]",
                     of_force = " [" + scene.units.name("N") + "]",
                     of_moment = " [" + scene.units.name("N m") + "]";
+  Largest force, moment;
+  for (const Frame *const frame : {&line, &solid})
+    for (const Station &at : frame->line)
+      for (unsigned int c = 0; c < 6; ++c)
+        (c < 3 ? force : moment)(at.force[c]);
+  const double no_force = rounding * force.value() / N, no_moment = rounding * moment.value() / Nm;
   std::vector<Plot> plots;
-  plots.push_back(both_plot(scene, line, solid, "displacement" + of_length, [&](const Station &at) {
-    return std::sqrt(at.displacement[0] * at.displacement[0] +
-                     at.displacement[1] * at.displacement[1] +
-                     at.displacement[2] * at.displacement[2]) /
-           m;
-  }));
-  plots.push_back(both_plot(scene, line, solid, "N" + of_force,
-                            [&](const Station &at) { return at.force[0] / N; }));
-  plots.push_back(
-      both_plot(scene, line, solid, "bending moment" + of_moment,
-                [&](const Station &at) { return std::hypot(at.force[4], at.force[5]) / Nm; }));
-  plots.push_back(both_plot(scene, line, solid, "torsion" + of_moment,
-                            [&](const Station &at) { return at.force[3] / Nm; }));
+  plots.push_back(both_plot(
+      scene, line, solid, "displacement" + of_length,
+      [&](const Station &at) {
+        return std::sqrt(at.displacement[0] * at.displacement[0] +
+                         at.displacement[1] * at.displacement[1] +
+                         at.displacement[2] * at.displacement[2]) /
+               m;
+      },
+      0.));
+  plots.push_back(both_plot(
+      scene, line, solid, "N" + of_force, [&](const Station &at) { return at.force[0] / N; },
+      no_force));
+  plots.push_back(both_plot(
+      scene, line, solid, "bending moment" + of_moment,
+      [&](const Station &at) { return std::hypot(at.force[4], at.force[5]) / Nm; }, no_moment));
+  plots.push_back(both_plot(
+      scene, line, solid, "torsion" + of_moment,
+      [&](const Station &at) { return at.force[3] / Nm; }, no_moment));
   return holder_table(scene, results, line, solid) +
          html_of_plots(plots, "both" + std::to_string(line.step));
 }

@@ -19,30 +19,7 @@
     return say('This browser draws no WebGL; the drawing below shows the line.');
   }
 
-  // Numbers at stations come as whole differences.
-  const numbers = packed => {
-    let level = 0;
-    return Float32Array.from(packed.d, d => d === null ? NaN : packed.f * (level += d));
-  };
-  const [px, py, pz] = data.position.map(numbers), along = numbers(data.s), n = px.length;
-  const place = i => new THREE.Vector3(px[i], py[i], pz[i]);
-  for (const step of data.steps) {
-    const u = step.u.map(numbers);
-    step.moves = Float32Array.from({length: 3 * n}, (_, k) => u[k % 3][Math.floor(k / 3)] || 0);
-    step.size = Float32Array.from({length: n}, (_, i) => Math.hypot(...u.map(one => one[i])));
-    step.values = [step.size, ...(step.fields || []).map(field => field && numbers(field))];
-  }
-  const fields = [data.displacement, ...data.fields].map((field, k) => {
-    field.known = data.steps.filter(step => step.kind !== 'mode' && step.values[k]);
-    let low = field.name === 'temperature' ? Infinity : 0, high = low === 0 ? 0 : -Infinity;
-    for (const step of field.known)
-      for (const value of step.values[k]) { if (value < low) low = value; if (value > high) high = value; }
-    if (field.signed) { high = Math.max(high, -low); low = -high; }
-    return Object.assign(field, {low, high: high > low ? high : low + 1, any: high > low});
-  });
-  const shown = (value, digits) => value === null || value === undefined || Number.isNaN(value) ? '\u2013' : String(Number(Number(value).toPrecision(digits)));
-  const pipeOf = i => data.pipes.find(pipe => i >= pipe.from && i <= pipe.to);
-  const where = i => `${pipeOf(i).name}, s = ${shown(data.length.factor * along[i], 4)} ${data.length.unit}`;
+  const read = readModelData(data), {n, along, fields, place, shown, where, ofKind, escaped} = read, tables = makeModelTables(data, read);
 
   // Colours in bands: viridis from dark to light; blue, white and red where there are signs.
   const stops = {plain: [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [235, 220, 60]],
@@ -71,7 +48,7 @@
       while (k >= pipe.from && k <= pipe.to && place(k).distanceTo(place(i)) < 1e-9 * size) k += step;
       return k >= pipe.from && k <= pipe.to ? place(k) : place(i);
     };
-    let normal = null;
+    let normal = null, before = line.count;
     for (let i = pipe.from; i <= pipe.to; ++i) {
       const t = far(i, 1).sub(far(i, -1)).normalize();
       if (t.length() === 0) t.set(1, 0, 0);
@@ -90,6 +67,15 @@
           line.lists.index.push(a, b, a - sides, b, b - sides, a - sides);
         }
       }
+      // While it moves: every other side, and of straight stretches every other station.
+      const bends = i > pipe.from && t.distanceTo(tangents[i - 1]) > 1e-3;
+      if (i > pipe.from && (bends || i === pipe.to || first - before > sides)) {
+        for (let k = 0; k < sides; k += 2) {
+          const a = first + k, b = first + (k + 2) % sides, c = before + k, d = before + (k + 2) % sides;
+          line.lists.coarse.push(a, b, c, b, d, c);
+        }
+        before = first;
+      }
       if (i > pipe.from) built.push(place(i - 1), place(i));
       for (let k = 1; (i === pipe.from || i === pipe.to) && k < sides - 1; ++k)
         line.lists.index.push(first, first + k, first + k + 1);
@@ -98,48 +84,8 @@
   const ringsOf = line.stations; // station of each vertex
   const pipeMesh = line.mesh(symbols.material(palette, uniforms, 1.7));
 
-  // Supports and restraints: each item has a shape, a place and axes; at one place those that would cover each other are
-  // moved along the pipe.
-  const items = [];
-  const axesFor = (z, i) => {
-    let x = tangents[i].clone().addScaledVector(z, -tangents[i].dot(z));
-    if (x.length() < 0.1) x = Math.abs(z.z) < 0.9 ? new THREE.Vector3(0, 0, 1).cross(z) : new THREE.Vector3(1, 0, 0);
-    x.normalize();
-    return [x, z.clone().cross(x).normalize(), z];
-  };
-  data.supports.forEach((support, k) => {
-    const z = new THREE.Vector3(...support.n), lateral = Math.abs(z.dot(tangents[support.station])) > 0.8;
-    const name = symbols.of(support.kind) || (lateral ? 'stop' : 'rest');
-    items.push({type: 'support', k, ...support, parts: [[lateral && name === 'guide' ? 'stop' : name, axesFor(z, support.station)]]});
-  });
-  data.restraints.forEach((restraint, k) => {
-    const t = tangents[restraint.station], known = symbols.of(restraint.kind), up = new THREE.Vector3(0, 0, 1);
-    const ways = restraint.ways.map(way => new THREE.Vector3(...way).normalize());
-    const facing = name => ways.map(way => [name, axesFor(way, restraint.station)]);
-    const parts = restraint.kind === 'anchor' || (known === null && ways.length === 3) ? [['anchor', axesFor(Math.abs(t.z) < 0.9 ? up : new THREE.Vector3(0, 1, 0), restraint.station)]]
-      : known === 'hanger' || known === 'constant' || known === 'rod' ? [[known, axesFor(up, restraint.station)]]
-      : known === 'guide' ? ways.flatMap(way => [1, -1].map(s => ['guide', axesFor(way.clone().multiplyScalar(s), restraint.station)]))
-      : known === 'stop' || known === 'spring' ? facing(known)
-      : ways.length > 0 ? facing('holds') : [['collar', [t.clone().cross(up).lengthSq() > 0.01 ? up.clone().cross(t).normalize() : new THREE.Vector3(1, 0, 0), up, t.clone()]]];
-    items.push({type: 'restraint', k, ...restraint, parts: parts.length ? parts : [['other', axesFor(up, restraint.station)]]});
-  });
-  const batch = new symbols.Batch(), taken = new Map();
-  for (const item of items) {
-    const key = item.at.map(x => Math.round(x / size * 1e6)).join(), others = taken.get(key) || [];
-    const covers = other => { // those that face each other do not
-      const facing = other.parts[0][1][2].dot(item.parts[0][1][2]);
-      return facing > -0.9 && (facing > 0.5 || symbols.around.has(other.parts[0][0]) || symbols.around.has(item.parts[0][0]));
-    };
-    const slots = others.filter(covers).map(other => other.slot);
-    item.slot = [0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5].find(slot => !slots.includes(slot)) || 0;
-    taken.set(key, [...others, item]);
-    const r = item.radius = radii[item.station], shift = tangents[item.station].clone().multiplyScalar(4.4 * r * item.slot);
-    item.centre = new THREE.Vector3(...item.at);
-    item.middle = shift.clone().addScaledVector(item.parts[0][1][2], r * ({rest: -2, guide: -2, snubber: -3.5, spring: -3, holds: -2.5, hanger: 5, constant: 5, rod: 5}[item.parts[0][0]] || 0));
-    item.ranges = item.parts.map(([name, axes]) => batch.add(symbols.shape(name), item.centre,
-      axes.map(axis => axis.clone().multiplyScalar(r)), r, shift, tint(item.type === 'support' ? '#999999' : '#3b3f46'), item.station));
-  }
-  const leastOfSymbols = 4;
+  const {items, batch, axesFor} = placeModelSupports(data, symbols, tangents, radii, size, tint);
+  const leastOfSymbols = $('canvas').clientWidth < 600 ? 2.5 : 4; // px
   const symbolMesh = items.length ? batch.mesh(symbols.material(null, uniforms, leastOfSymbols)) : new THREE.Group();
   const offsets = items.length && symbolMesh.geometry.attributes.offset.array.slice();
 
@@ -151,7 +97,7 @@
   let arrows = null;
 
   // What is shown.
-  const state = {from: null, to: null, list: null, field: 0, playing: false, picked: null, began: 0};
+  const state = {from: null, to: null, list: null, field: 0, playing: false, picked: null, began: 0, told: 0};
   const ends = data.steps.filter(step => step.kind === 'step');
   const choices = new Map(); // of the chooser: lists of states
   const group = (label, entries) => {
@@ -165,10 +111,10 @@
     }
     $('step').append(element);
   };
-  const ofKind = kind => data.steps.filter(step => step.kind === kind);
   group('at the end of', ends.map(step => [step.name, [step]]));
   group('cases', ofKind('case').map(step => [step.name, [step]]));
   group('over time', [...new Set(ofKind('instant').map(step => step.name))].map(name => [name + ', over time', ofKind('instant').filter(step => step.name === name)]));
+  group('largest over time', ofKind('envelope').map(step => [step.name + ', largest', [step]]));
   group('modes', ofKind('mode').map(step => [step.name, [step]]));
   fields.forEach((field, k) => { if (k === 0 || field.any) $('field').append(new Option(field.name, k)); });
   if (data.supports.length) $('field').append(new Option('contact status alone', -1));
@@ -180,10 +126,10 @@
     const k = state.field, values = k < 0 ? null : isMode(step) ? (k === 0 ? step.size : null) : step.values[k];
     const low = isMode(step) ? 0 : k < 0 ? 0 : fields[k].low, high = isMode(step) ? Math.max(...step.size) : k < 0 ? 1 : fields[k].high;
     const to = pipeMesh.geometry.attributes.value;
-    ringsOf.forEach((station, v) => {
-      const part = values ? (values[station] - low) / (high - low) : -1;
+    for (let v = 0; v < ringsOf.length; ++v) {
+      const part = values ? (values[ringsOf[v]] - low) / (high - low) : -1;
       to.array[2 * v + column] = Number.isNaN(part) ? -1 : Math.max(part, 0);
-    });
+    }
     to.needsUpdate = true;
   }
 
@@ -239,7 +185,7 @@
     Object.assign(state, {from, to});
     uniforms.blend.value = blend;
     uniforms.scale.value = factorOf(from) * (isMode(from) || from.amplitude ? 1 : Number($('scale').value) / 100);
-    if (fresh) legend();
+    if (fresh && !(state.playing && performance.now() - state.told < 250)) legend();
     draw();
   }
   const stand = step => show(step, step, 0);
@@ -247,6 +193,7 @@
 
   function legend() {
     const step = state.from, k = state.field, field = fields[Math.max(k, 0)], mode = isMode(step);
+    state.told = performance.now();
     $('scale-shown').value = mode ? 'mode' : step.amplitude ? '0' : shown(uniforms.scale.value, 3);
     let text = '';
     if (k >= 0 && !(mode && k > 0) && (mode || step.values[k])) {
@@ -261,7 +208,7 @@
         let most = -1;
         step.values[k].forEach((value, i) => { if (most < 0 || Math.abs(value) > Math.abs(step.values[k][most])) most = i; });
         if (most >= 0 && step.values[k][most]) {
-          text += `<div>most here: ${shown(field.factor * step.values[k][most], 4)} ${field.unit}, ${escaped(where(most))}</div>`;
+          text += `<div>most here: ${shown(field.factor * step.values[k][most], 4)} ${field.unit}, ${escaped(where(most))}${step.at && step.at[k] ? `, at ${shown(step.at[k][most], 4)} s` : ''}</div>`;
           state.most = most;
         }
       }
@@ -276,9 +223,8 @@
     }
     $('legend').innerHTML = text;
     const when = step.kind === 'instant' ? `, ${shown(step.time, 5)} s` : '';
-    $('status').textContent = step.name + when + (step.amplitude ? ' (sizes of either sign: no shape)' : '');
+    $('status').textContent = step.name + when + (step.kind === 'envelope' ? ', largest of all instants (no shape)' : step.amplitude ? ' (sizes of either sign: no shape)' : '');
   }
-  const escaped = text => text.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
 
   // A place on the screen, where the line is now.
   const view = {width: 1, height: 1};
@@ -297,33 +243,14 @@
   const points = data.points.map((point, k) => ({type: 'point', k, ...point}));
   const pipes = data.pipes.map(pipe => ({type: 'pipe', name: pipe.name, station: Math.floor((pipe.from + pipe.to) / 2)}));
 
+  const paintOver = makeModelOverlay($('overlay'), camera);
   function overlay() {
-    const canvas = $('overlay'), ratio = window.devicePixelRatio || 1, pen = canvas.getContext('2d');
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, view.width, view.height);
-    pen.font = '12px system-ui, sans-serif';
     const kinds = {points: [points], supports: [items], pipes: [pipes], all: [points, items, pipes]}[$('names').value] || [];
-    const written = [];
-    for (const item of kinds.flat()) {
-      const at = onScreen(item), wide = pen.measureText(item.name).width;
-      const room = [at.x + 6, at.y - 16, at.x + 10 + wide, at.y - 1];
-      if (!at.seen || written.length > 300 || written.some(w => room[0] < w[2] && room[2] > w[0] && room[1] < w[3] && room[3] > w[1])) continue;
-      written.push(room);
-      pen.fillStyle = 'rgba(255,255,255,.8)';
-      pen.fillRect(room[0], room[1], room[2] - room[0], room[3] - room[1]);
-      pen.fillStyle = item.type === 'pipe' ? '#666' : item.type === 'point' ? '#111' : '#14508a';
-      pen.fillText(item.name, at.x + 8, at.y - 4);
-    }
-    const ring = (at, colour) => { pen.beginPath(); pen.arc(at.x, at.y, 9, 0, 7); pen.lineWidth = 2; pen.strokeStyle = colour; pen.stroke(); };
-    if (state.most !== null && state.most !== undefined) ring(screen(place(state.most), state.most), '#111');
-    if (state.picked) ring(onScreen(state.picked), '#cc2a86');
-    const origin = {x: 38, y: view.height - 38};
-    ['x', 'y', 'z'].forEach((name, d) => {
-      const way = new THREE.Vector3().setComponent(d, 1).transformDirection(camera.matrixWorldInverse);
-      pen.beginPath(); pen.moveTo(origin.x, origin.y); pen.lineTo(origin.x + 24 * way.x, origin.y - 24 * way.y);
-      pen.lineWidth = 1.5; pen.strokeStyle = '#444'; pen.stroke();
-      pen.fillStyle = '#222'; pen.fillText(name, origin.x + 31 * way.x - 3, origin.y - 31 * way.y + 4);
-    });
+    const named = kinds.flat().map(item => [item, onScreen(item), item.type === 'pipe' ? '#666' : item.type === 'point' ? '#111' : '#14508a']);
+    const rings = [];
+    if (state.most !== null && state.most !== undefined) rings.push([screen(place(state.most), state.most), '#111']);
+    if (state.picked) rings.push([onScreen(state.picked), '#cc2a86']);
+    paintOver(view.width, view.height, named, rings);
   }
 
   // What moves is drawn with one pixel for each of the screen's, and fewer where that is too slow; what stands, with four.
@@ -338,6 +265,7 @@
     due = false;
     const moving = state.playing || onFrame || now - still > 0;
     fineness(moving ? coarse : 2);
+    if (n + 10 * items.length > 1000) for (const one of [line, items.length && batch]) if (one) one.simplify(moving);
     clearTimeout(fineness.later);
     if (moving && !state.playing && !onFrame) fineness.later = setTimeout(() => { still = Infinity; draw(); }, 150);
     still = 0;
@@ -346,16 +274,19 @@
     renderer.render(scene, camera);
     overlay();
     if (!state.playing && !onFrame) { frames = []; return; }
-    frames = [...frames.filter(time => now - time < 2000), now]; // the page's own count
-    if (frames.length > 5) {
-      if (frames.length > 15 && coarse === 1 && (now - frames[0]) / (frames.length - 1) > 40) coarse = 0.6;
-      $('canvas').dataset.fps = ((frames.length - 1) / (now - frames[0]) * 1000).toFixed(1);
-      $('status').textContent = $('status').textContent.replace(/ \| .*/, '') + ` | ${Math.round($('canvas').dataset.fps)} frames/s`;
+    frames.push(now); // the page's own count, told twice a second
+    if (now - frames[0] > 500 && frames.length > 5) {
+      const rate = (frames.length - 1) / (now - frames[0]) * 1000;
+      if (coarse === 1 && rate < 25) coarse = 0.6;
+      $('canvas').dataset.fps = rate.toFixed(1);
+      $('status').textContent = $('status').textContent.replace(/ \| .*/, '') + ` | ${Math.round(rate)} frames/s`;
+      frames = [now];
     }
     draw();
   }
+  const listToPlay = () => state.list.length > 1 || isMode(state.list[0]) ? state.list : ends.length > 1 && ends.includes(state.list[0]) ? ends : null;
   function play(now) {
-    const list = state.list.length > 1 ? state.list : isMode(state.list[0]) ? state.list : ends;
+    const list = listToPlay();
     if (isMode(list[0])) {
       uniforms.scale.value = factorOf(list[0]) * Math.sin((now - state.began) / 300);
       return;
@@ -364,6 +295,7 @@
     const a = Math.floor(at), b = Math.min(a + 1, list.length - 1), part = at - a;
     if (list === ends) $('step').value = [...choices].find(([, states]) => states[0] === list[a])[0]; else $('time').value = a;
     show(list[a], list[b], list === ends ? Math.min(1, Math.max(0, 2 * part - 1)) : part);
+    tables.mark(list[a].kind === 'instant' ? (1 - part) * list[a].time + part * list[b].time : null);
   }
   function run(playing) {
     state.playing = playing;
@@ -374,54 +306,18 @@
     draw();
   }
 
-  // Of a support or restraint its forces over the instants of the transient step that is shown, or the last one.
-  function history(item) {
-    const all = ofKind('instant'), name = all.some(step => step.name === state.from.name) ? state.from.name : (all[all.length - 1] || {}).name;
-    const steps = all.filter(step => step.name === name);
-    if (steps.length < 3 || (item.type !== 'support' && item.type !== 'restraint')) return '';
-    const curves = item.type === 'support'
-      ? [['fn', '#0072b2', steps.map(step => step.supports[item.k][1])], ['|ft|', '#d55e00', steps.map(step => Math.hypot(step.supports[item.k][2], step.supports[item.k][3]))]]
-      : [['fx', '#0072b2', 0], ['fy', '#d55e00', 1], ['fz', '#009e73', 2]].map(([c, colour, k]) => [c, colour, steps.map(step => step.reactions[item.k][k])]);
-    const values = curves.flatMap(curve => curve[2]), low = Math.min(0, ...values), high = Math.max(0, ...values, low + 1e-300);
-    const from = steps[0].time, to = steps[steps.length - 1].time;
-    const x = time => (70 + 900 * (time - from) / (to - from)).toFixed(1), y = value => (130 - 115 * (value - low) / (high - low)).toFixed(1);
-    const label = (px, py, anchor, text) => `<text x="${px}" y="${py}" text-anchor="${anchor}">${text}</text>`;
-    return `<p class="key">${curves.map(([c, colour]) => `<span style="--c:${colour}">${c}</span>`).join('')} [${data.units.N}] over ${escaped(name)}</p>` +
-      `<svg viewBox="0 0 1000 160" role="img" aria-label="forces over time" font-size="13" font-family="sans-serif" fill="#333">` +
-      `<path d="M70,15V130H970M70,${y(0)}H970" fill="none" stroke="#999"/>${label(64, 20, 'end', shown(high, 4))}${label(64, 134, 'end', shown(low, 4))}${label(70, 150, 'middle', shown(from, 5) + ' s')}${label(970, 150, 'middle', shown(to, 5) + ' s')}` +
-      curves.map(([, colour, list]) => `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${list.map((value, i) => x(steps[i].time) + ',' + y(value)).join(' ')}"/>`).join('') + '</svg>';
-  }
-
-  // The table of what was picked, over all states.
+  // What was picked, and its numbers over all states.
   function pick(item) {
     state.picked = item;
-    const states = data.steps.filter(step => step.kind !== 'mode'), unit = name => data.units[name];
-    let title = '', head = [], row = null;
-    if (item.type === 'support') {
-      title = `Support ${item.name}, ${item.kind}`;
-      head = ['status', ...['fn', 'ft1', 'ft2'].map(c => [c, unit('N')]), ...['gap', 'slip1', 'slip2'].map(c => [c, unit('m')]), ['friction work', unit('J')], ['mt', unit('N m')]];
-      row = step => step.supports[item.k];
-    } else if (item.type === 'restraint') {
-      title = `${item.kind || 'restraint'} ${item.name}`;
-      head = [...['fx', 'fy', 'fz'].map(c => [c, unit('N')]), ...['mx', 'my', 'mz'].map(c => [c, unit('N m')])];
-      row = step => step.reactions[item.k];
-    } else if (item.type === 'point') {
-      title = `Point ${item.name}, ${where(item.station)}`;
-      head = [...['ux', 'uy', 'uz'].map(c => [c, unit('m')]), ...['rx', 'ry', 'rz'].map(c => [c, unit('rad')])];
-      row = step => step.points[item.k];
-    } else {
-      const known = fields.map((field, k) => k).filter(k => k === 0 || fields[k].any);
-      title = `Pipe ${where(item.station)} (${pipeOf(item.station).section})`;
-      head = known.map(k => [fields[k].name, fields[k].unit]);
-      row = step => known.map(k => step.values[k] ? fields[k].factor * step.values[k][item.station] : null);
-    }
-    const digits = item.type === 'pipe' ? 4 : 7, rows = states.map(step => [step, row(step)]).filter(([, cells]) => cells);
-    const time = states.some(step => step.kind === 'instant');
-    $('table').innerHTML = `<h3>${escaped(title)}</h3>${history(item)}<div class="scroll"><table><thead><tr><th>state</th>${time ? '<th class="r">time <small>s</small></th>' : ''}` +
-      head.map(h => typeof h === 'string' ? `<th>${h}</th>` : `<th class="r">${h[0]} <small>${h[1]}</small></th>`).join('') + '</tr></thead><tbody>' +
-      rows.map(([step, cells]) => `<tr${step === state.from ? ' class="now"' : ''}><td>${escaped(step.name)}${step.kind === 'instant' ? ' (instant)' : ''}</td>${time ? `<td class="r">${shown(step.time, 6)}</td>` : ''}` +
-        cells.map(cell => typeof cell === 'string' ? `<td>${cell}</td>` : `<td class="r">${shown(cell, digits)}</td>`).join('') + '</tr>').join('') + '</tbody></table></div>' +
-      (item.type === 'pipe' && data.left_out ? '<p class="note">The line is thinned here: values are the largest nearby. The csv files have every station.</p>' : '');
+    tables.tell($('table'), item, state.from, instant => {
+      const list = [...choices].find(([, states]) => states.length > 1 && states.includes(instant));
+      if (!list) return;
+      if (state.playing) run(false);
+      $('step').value = list[0];
+      $('time').max = list[1].length - 1;
+      $('time').value = list[1].indexOf(instant);
+      choose();
+    });
     draw();
   }
   function pickAt(x, y) {
@@ -438,29 +334,15 @@
     if (found) pick(found);
   }
 
-  // Camera and controls.
-  const controls = new THREE.OrbitControls(camera, $('canvas'));
-  controls.enableKeys = controls.enableZoom = false; // the wheel is the page's until the model is clicked
-  controls.addEventListener('change', draw);
-  $('canvas').addEventListener('focus', () => { controls.enableZoom = true; });
-  $('canvas').addEventListener('blur', () => { controls.enableZoom = false; });
-  function look(x, y, z) {
-    const back = new THREE.Vector3(x, y, z).normalize(), right = new THREE.Vector3(0, 0, 1).cross(back).normalize(), up = back.clone().cross(right);
-    const span = [right, up, back].map(axis => {
-      let low = Infinity, high = -Infinity;
-      const see = p => { const at = p.dot(axis); low = Math.min(low, at); high = Math.max(high, at); };
-      for (let i = 0; i < n; ++i) see(place(i));
-      for (const item of items) see(item.centre);
-      return {middle: (low + high) / 2, length: high - low};
-    });
-    const tan = Math.tan(camera.fov * Math.PI / 360);
-    const distance = 1.15 * Math.max(span[1].length / 2 / tan, span[0].length / 2 / tan / camera.aspect, 0.05 * size) + span[2].length / 2;
-    controls.target.set(0, 0, 0);
-    [right, up, back].forEach((axis, k) => controls.target.addScaledVector(axis, span[k].middle));
-    camera.position.copy(controls.target).addScaledVector(back, distance);
-    controls.update();
-    draw();
-  }
+  const {controls, look, fit} = makeModelView($('canvas'), camera, size, see => {
+    const at = new THREE.Vector3();
+    for (let i = 0; i < n; ++i) {
+      see(place(i));
+      if (state.from) see(place(i).addScaledVector(at.fromArray(state.from.moves, 3 * i), uniforms.scale.value));
+    }
+    for (const item of items)
+      for (const far of [-4, 4]) for (const axis of item.parts[0][1]) see(at.copy(item.centre).addScaledVector(axis, far * item.radius));
+  }, draw);
   function resize() {
     const frame = $('canvas').parentElement;
     view.width = frame.clientWidth; view.height = frame.clientHeight;
@@ -470,11 +352,13 @@
     camera.aspect = view.width / view.height;
     camera.updateProjectionMatrix();
     uniforms.pixel.value = 2 * Math.tan(camera.fov * Math.PI / 360) / view.height;
+    fit();
     draw();
   }
   function choose() {
     state.list = choices.get($('step').value);
     $('time-label').hidden = state.list.length < 2;
+    $('play').hidden = !listToPlay();
     $('time').max = state.list.length - 1;
     $('time').value = Math.min(Number($('time').value), state.list.length - 1);
     refresh();
@@ -485,22 +369,8 @@
   $('canvas').addEventListener('pointerup', event => {
     if (down && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < 5) pickAt(event.offsetX, event.offsetY);
   });
-  $('canvas').addEventListener('keydown', event => {
-    const turn = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[event.key];
-    const nearer = {'+': 0.85, '-': 1 / 0.85}[event.key];
-    if (!turn && !nearer) return;
-    event.preventDefault();
-    const way = camera.position.clone().sub(controls.target).multiplyScalar(nearer || 1);
-    if (turn) {
-      const flat = Math.hypot(way.x, way.y), height = Math.min(1.55, Math.max(-1.55, Math.atan2(way.z, flat) - turn[1]));
-      const angle = Math.atan2(way.y, way.x) + turn[0], far = way.length();
-      way.set(Math.cos(angle) * Math.cos(height), Math.sin(angle) * Math.cos(height), Math.sin(height)).multiplyScalar(far);
-    }
-    camera.position.copy(controls.target).add(way);
-    controls.update();
-  });
   $('step').onchange = () => { $('time').value = 0; if (state.playing) run(false); else choose(); };
-  $('time').oninput = () => { if (state.playing) run(false); else refresh(); };
+  $('time').oninput = () => { if (state.playing) run(false); else { refresh(); tables.mark(state.from.kind === 'instant' ? state.from.time : null); } };
   $('field').onchange = () => { state.field = Number($('field').value); refresh(); };
   $('scale').oninput = () => { if (!state.playing) refresh(); };
   $('names').onchange = draw;

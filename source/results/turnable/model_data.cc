@@ -2,15 +2,15 @@
 #include "results/turnable/model_data.h"
 #include "results/frame/frame_choice.h"
 #include "results/text.h"
+#include "results/turnable/model_envelopes.h"
 #include "results/turnable/model_fields.h"
 #include "results/turnable/model_stations.h"
+#include "results/turnable/packed_numbers.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -20,15 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json; // numbers that are not finite become null
 
-constexpr double levels = 20000.; ///< of a number at a station
 constexpr std::size_t n_supports_at_most = 1500, n_points_at_most = 400, n_modes_at_most = 12,
-                      n_instants_at_most = 80,
-                      n_numbers_of_instants = 60000; ///< stations times instants
-
-Json rounded(const double value, const unsigned int digits) {
-  return std::isfinite(value) ? Json(std::strtod(rounded_number(value, digits).c_str(), nullptr))
-                              : Json();
-}
+                      n_instants_at_most = 120,
+                      n_numbers_of_instants = 60000; ///< stations times instants, of all steps
 
 template <typename Numbers>
 Json rounded_list(const Numbers &numbers, const unsigned int digits) {
@@ -43,26 +37,6 @@ Json list(const Point3 &point) {
 }
 
 Json list(const Vector3 &vector) { return list(Point3(vector)); }
-
-/// As differences in whole numbers, null where there is no number.
-Json packed(const std::vector<double> &values) {
-  Largest largest;
-  for (const double value : values)
-    largest(value);
-  const double step = std::strtod(rounded_number(largest.value() / levels, 7).c_str(), nullptr);
-  Json differences = Json::array();
-  long before = 0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) {
-      differences.push_back(nullptr);
-      continue;
-    }
-    const long level = step > 0. ? std::lround(value / step) : 0;
-    differences.push_back(level - before);
-    before = level;
-  }
-  return {{"f", step}, {"d", differences}};
-}
 
 /// A state that the model can take.
 struct Shown {
@@ -158,14 +132,18 @@ void ModelData::choose_frames(const std::vector<const Frame *> &frames) {
   for (const Frame *frame : frames)
     add(*frame, frame->step < scene.steps.size() ? "step" : "case", frame->name);
   const std::size_t size = stations.size() + 10 * supports_kept.size();
+  const std::size_t n_transient = std::count_if(
+      scene.steps.begin(), scene.steps.end(), [](const LoadStep &step) { return step.transient; });
   for (std::size_t step = 0; step < scene.steps.size(); ++step) {
     if (!scene.steps[step].transient)
       continue;
     std::vector<const Frame *> instants;
-    for (const Frame &frame : results.frames)
-      if (frame.step == step)
-        instants.push_back(&frame);
-    const std::size_t n = std::min(n_instants_at_most, n_numbers_of_instants / (size + 1));
+    for (const std::vector<Frame> *const list : {&results.instants, &results.frames})
+      for (const Frame &frame : *list) // the end of the step comes last
+        if (frame.step == step)
+          instants.push_back(&frame);
+    const std::size_t n =
+        std::min(n_instants_at_most, n_numbers_of_instants / ((size + 1) * n_transient));
     if (instants.size() > 1 && n > 1)
       for (const Frame *frame : few_of(instants, n))
         add(*frame, "instant", frame->name);
@@ -296,7 +274,8 @@ Json ModelData::json(const double scale) const {
       {"s", packed(s)},
       {"supports", supports()},
       {"restraints", restraints()},
-      {"points", points()}};
+      {"points", points()},
+      {"envelopes", model_envelopes(scene, results, stations, supports_kept, n_supports_at_most)}};
   json["units"] = Json::object();
   for (const char *unit : {"m", "N", "N m", "J", "rad"})
     json["units"][unit] = results.units.name(unit);

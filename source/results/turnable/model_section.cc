@@ -49,7 +49,7 @@ std::string model_section(const Scene &scene, const Results &results,
          packed_element("model-data",
                         dealii::Utilities::compress(model_data(scene, results, frames, scale))) +
          packed_element("model-three", embedded::three_js) + "<script id=\"model-script\">\n" +
-         embedded::symbols_js + embedded::model_js + "</script>\n" +
+         embedded::turnable_js + "</script>\n" +
          "<p class=\"screen-only note\">Drawn by three.js (MIT licence, threejs.org/license), "
          "which "
          "is within this page.</p>\n";

@@ -30,9 +30,9 @@ public:
   std::vector<double> thinned(const std::vector<double> &values,
                               const std::vector<std::size_t> &places) const;
 
-private:
   bool continues(const std::size_t k) const; ///< whether the next one is on the same pipe
 
+private:
   const Frame &first;
   std::vector<std::size_t> kept;
 };

@@ -10,12 +10,13 @@ const makeModelSymbols = () => {
     new THREE.TorusBufferGeometry(radius, 0.22, 6, 12), 0, 0, from + (to - from) * (i + 0.5) / 5));
 
   function merged(parts) {
-    const shape = {position: [], normal: [], index: []};
+    const shape = {position: [], normal: [], index: [], first: 0}; // first: indices of the first part
     for (const geometry of parts) {
       const first = shape.position.length / 3;
       shape.position.push(...geometry.attributes.position.array);
       shape.normal.push(...geometry.attributes.normal.array);
       shape.index.push(...Array.from(geometry.index.array, i => i + first));
+      shape.first = shape.first || shape.index.length;
     }
     return shape;
   }
@@ -41,8 +42,9 @@ const makeModelSymbols = () => {
     arrow: () => [tube(0.35, 0.35, 0.75, -0.625, 8),
                   part(new THREE.ConeBufferGeometry(1, 0.25, 10).rotateX(Math.PI / 2), 0, 0, -0.125)]
   };
+  const coarse = new Set(['rest', 'guide']); // drawn by their first part where there are many and they move
   const made = {};
-  const shape = name => made[name] = made[name] || merged(makers[name]());
+  const shape = name => made[name] = made[name] || Object.assign(merged(makers[name]()), coarse.has(name) ? {} : {first: Infinity});
 
   const ofKind = {rest: 'rest', friction: 'rest', guide: 'guide', 'line stop': 'stop', stop: 'stop', rod: 'rod', snubber: 'snubber',
                   spring: 'spring', 'spring hanger': 'hanger', 'constant hanger': 'constant', anchor: 'anchor'};
@@ -52,7 +54,7 @@ const makeModelSymbols = () => {
   // way from there, which is widened so that nothing gets thinner than some pixels.
   class Batch {
     constructor() {
-      this.lists = {position: [], offset: [], normal: [], size: [], tint: [], index: []};
+      this.lists = {position: [], offset: [], normal: [], size: [], tint: [], index: [], coarse: []};
       this.stations = []; // whose displacement each vertex has
     }
     get count() { return this.stations.length; }
@@ -76,7 +78,7 @@ const makeModelSymbols = () => {
         mix(n, shape.normal, i, lengths.map(l => l > 0 ? 1 / (l * l) : 0)).normalize();
         this.vertex(centre, v, n, size, tint, station);
       }
-      for (const i of shape.index) this.lists.index.push(first + i);
+      shape.index.forEach((i, k) => { this.lists.index.push(first + i); if (k < shape.first) this.lists.coarse.push(first + i); });
       return [first, this.count];
     }
     mesh(material) {
@@ -86,19 +88,22 @@ const makeModelSymbols = () => {
       put('size', this.lists.size, 1);
       for (const name of ['u0', 'u1']) put(name, new Float32Array(3 * this.count), 3);
       put('value', new Float32Array(2 * this.count), 2);
-      geometry.setIndex(this.lists.index);
+      const indices = list => new THREE.BufferAttribute(new Uint32Array(list), 1);
+      this.indices = [indices(this.lists.index), indices(this.lists.coarse)];
+      geometry.setIndex(this.indices[0]);
       this.lists = null;
       const mesh = new THREE.Mesh(geometry, material);
       mesh.frustumCulled = false; // the shader moves it
       this.geometry = geometry;
       return mesh;
     }
+    // With fewer vertices, for what moves.
+    simplify(is) { if (this.indices[1].count) this.geometry.setIndex(this.indices[is ? 1 : 0]); }
     // Displacements of all stations at the beginning (u0) and the end (u1) of a motion.
     move(name, u) {
       const attribute = this.geometry.attributes[name], to = attribute.array;
-      this.stations.forEach((station, i) => {
-        for (let d = 0; d < 3; ++d) to[3 * i + d] = u ? u[3 * station + d] : 0;
-      });
+      for (let i = 0, k = 0; i < this.stations.length; ++i)
+        for (let j = 3 * this.stations[i], d = 0; d < 3; ++d) to[k++] = u[j + d];
       attribute.needsUpdate = true;
     }
   }
