@@ -86,7 +86,10 @@ void remark_on_gains(Results &results) {
         results.status = RunStatus::failed;
     } else
       results.remarks.push_back("Step " + step.step + ": the integrator has gained " + share +
-                                ", at contacts. Take a shorter time step, moreau_jean or event.");
+                                (results.supports.empty()
+                                     ? ". Take a shorter time step or moreau_jean."
+                                     : ", at contacts. Take a shorter time step, moreau_jean or "
+                                       "event."));
   }
 }
 

@@ -94,10 +94,10 @@ inline constexpr std::array<const char *, 2> of_newmark{{"Beta", "Gamma"}},
     of_alpha{{"Spectral radius"}}, of_theta{{"Theta"}}, of_none{};
 
 inline constexpr IntegratorRow integrators[] = {
-    {"newmark", Integrator::newmark, "", 1., false, false, of_newmark},
-    {"generalized_alpha", Integrator::generalized_alpha, "", 0.8, false, false, of_alpha},
+    {"newmark", Integrator::newmark, "", 1., false, true, of_newmark},
+    {"generalized_alpha", Integrator::generalized_alpha, "", 0.8, false, true, of_alpha},
     {"moreau_jean", Integrator::moreau_jean, "", 1., false, true, of_theta},
-    {"nonsmooth_alpha", Integrator::nonsmooth_alpha, "", 1., false, false, of_alpha},
+    {"nonsmooth_alpha", Integrator::nonsmooth_alpha, "", 1., false, true, of_alpha},
     {"event", Integrator::event,
      "exact from one change of a contact's state to the next, with any step", 1., true, false,
      of_none}};
@@ -146,12 +146,12 @@ struct CheckSettings {
 struct SolidSettings {
   /// What an anchor holds of its section: everything, or all but that it widens evenly.
   enum class Anchors { held, breathing } anchors = Anchors::held;
-  unsigned int degree = 2;                  ///< of the elements and of their geometry
-  unsigned int cells_around = 16;           ///< the circumference
-  unsigned int cells_through = 1;           ///< the wall
-  unsigned int cells_per_bend = 8;          ///< in 90 degrees
+  unsigned int degree = 2;                   ///< of the elements and of their geometry
+  unsigned int cells_around = 16;            ///< the circumference
+  unsigned int cells_through = 1;            ///< the wall
+  unsigned int cells_per_bend = 8;           ///< in 90 degrees
   double first_cell = 0., longest_cell = 0.; ///< of a straight run [m]; 0: by the section
-  double most_unknowns = 200000.;           ///< more are refused
+  double most_unknowns = 200000.;            ///< more are refused
 };
 
 /// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.
@@ -175,7 +175,7 @@ enum class Kinematics {
 inline constexpr Word<Kinematics> kinematics_kinds[] = {
     {"linear", Kinematics::linear, "small displacements"},
     {"corotational", Kinematics::corotational,
-     "pipes move and turn by any amount, with small strains, in statics and with the integrator "
-     "moreau_jean; supports keep their directions"}};
+     "pipes move and turn by any amount, with small strains, in statics and with every integrator "
+     "but event; supports keep their directions"}};
 
 } // namespace frictionbeam

@@ -45,8 +45,7 @@ static_assert(std::size(makers) == std::size(integrators), "each integrator is m
 
 std::unique_ptr<TimeIntegrator> make_time_integrator(const Model &model,
                                                      const PieceObserver &observer) {
-  if (model.cells.turns_far() ||
-      (!model.cells.is_linear() && model.scene.time.integrator == Integrator::moreau_jean))
+  if (!model.cells.is_linear() && model.scene.time.integrator == Integrator::moreau_jean)
     return std::make_unique<NonlinearMotion>(model);
   return row_of(makers, model.scene.time.integrator).make(model, observer);
 }

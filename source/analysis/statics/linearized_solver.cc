@@ -180,16 +180,20 @@ double largest_contact_force(const Contacts &contacts, const ContactResponse &re
   return largest;
 }
 
-void set_pose(const Model &model, const Pose &pose, LineState &state) {
-  state.dofs = pose.dofs;
-  state.turns = pose.turns;
+void set_rotations(const Model &model, const Vector &dofs, Vector &unknowns) {
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int c = 3; c < 6; ++c)
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);
           dof != numbers::invalid_dof_index)
         for (const auto &term : model.space.terms(dof))
           if (term.weight == 1.)
-            state.unknowns[term.unknown] = pose.dofs[dof];
+            unknowns[term.unknown] = dofs[dof];
+}
+
+void set_pose(const Model &model, const Pose &pose, LineState &state) {
+  state.dofs = pose.dofs;
+  state.turns = pose.turns;
+  set_rotations(model, pose.dofs, state.unknowns);
 }
 
 } // namespace frictionbeam

@@ -78,6 +78,9 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
 /// Largest force of the contacts on the line.
 double largest_contact_force(const Contacts &contacts, const ContactResponse &response);
 
+/// Take over rotations of all degrees of freedom among the unknowns.
+void set_rotations(const Model &model, const Vector &dofs, Vector &unknowns);
+
 /// Take over a pose: displacements, turns, and rotations among the unknowns.
 void set_pose(const Model &model, const Pose &pose, LineState &state);
 

@@ -7,6 +7,7 @@
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/stiff_friction.h"
 #include "base/numbers.h"
+#include "model/line_pose.h"
 
 namespace frictionbeam {
 
@@ -35,13 +36,17 @@ AlphaScheme::Parameters AlphaScheme::nonsmooth(const Scene &scene) {
 
 AlphaScheme::AlphaScheme(const Model &model, const Parameters &parameters)
     : model(model), p(parameters), ratio((1. - p.alpha_m) / (1. - p.alpha_f)),
-      has_mass(unknowns_with_mass(model.linear.mass())), contacts(model), linearized(model),
+      turns(model.cells.turns_far()), has_mass(unknowns_with_mass(model.linear.mass())),
+      contacts(model), linearized(model), imposed_inertia(model.scene.loads.size()),
       stiff(model.linear.stiffness()), momentum(model.linear.mass()),
       stiffness_diagonal(model.linear.stiffness().diagonal()) {
   if (!p.impulses)
     return_mapping = make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
                                              model.linear.stiffness());
-  factor_mass(model.linear.mass(), mass);
+  if (turns)
+    prepare_turning();
+  else
+    factor_mass(model.linear.mass(), mass);
 }
 
 Vector AlphaScheme::contact_forces(const LineState &state) const {
@@ -55,7 +60,7 @@ Vector AlphaScheme::contact_forces(const LineState &state) const {
 }
 
 std::string AlphaScheme::name() const {
-  return model.scene.time.row().word +
+  return model.scene.time.row().word + std::string(turns ? " in corotational kinematics" : "") +
          std::string(p.impulses ? ": rigid contact and friction by impulses on velocities"
                                 : ": friction elements by their return mapping");
 }
@@ -69,13 +74,10 @@ void AlphaScheme::start(LineState &state, const LoadCourse &loads) {
   Vector forces = (model.cells.is_linear() ? Vector(loads.forces(factors) - stiff(state.unknowns))
                                            : forces_at(state, factors)) -
                   contact_forces(state);
-  loads.add_inertia(state.time, forces, LoadCourse::Side::after);
-  if (model.linear.damping().nonZeros() > 0)
-    forces -= model.linear.damping() * state.velocity;
-  for (int i = 0; i < forces.size(); ++i)
-    if (!has_mass[i]) // a platen, a node without mass: moves with its forces balanced
-      forces[i] = 0.;
-  state.acceleration = mass.solve(forces);
+  add_inertia(loads, state.time, LoadCourse::Side::after, forces);
+  if (damping().nonZeros() > 0)
+    forces -= damping() * state.velocity;
+  state.acceleration = accelerations(forces, pose_of(state));
   state.auxiliary = state.acceleration;
   if (!p.impulses)
     return;
@@ -114,8 +116,11 @@ AlphaScheme::Step AlphaScheme::begin(const LineState &from, const LoadCourse &lo
                                      const double time) {
   Step step;
   const double h = step.h = time - from.time;
+  step.begin = from.unknowns;
+  if (turns)
+    set_rotations(model, Vector::Zero(model.space.n_dofs()), step.begin);
   const Vector &a0 = from.auxiliary, &A0 = p.impulses ? at_start.free : from.acceleration;
-  step.motion = from.unknowns + h * from.velocity + h * h * (0.5 - p.beta) * a0;
+  step.motion = step.begin + h * from.velocity + h * h * (0.5 - p.beta) * a0;
   if (p.impulses)
     step.motion += h * h * (0.5 - p.beta / p.gamma) * at_start.lasting;
   step.velocity = from.velocity + h * (1. - p.gamma) * a0;
@@ -123,10 +128,16 @@ AlphaScheme::Step AlphaScheme::begin(const LineState &from, const LoadCourse &lo
   step.factors = loads.factors_before(time);
   step.forces_before = loads.forces(loads.factors_after(from.time));
   step.forces = loads.forces(step.factors);
-  loads.add_inertia(from.time, step.forces_before, LoadCourse::Side::after);
-  loads.add_inertia(time, step.forces, LoadCourse::Side::before);
-  step.stiff_before = stiff(from.unknowns);
-  step.momentum_before = momentum(from.velocity);
+  add_inertia(loads, from.time, LoadCourse::Side::after, step.forces_before);
+  add_inertia(loads, time, LoadCourse::Side::before, step.forces);
+  if (turns) {
+    step.imposed = loads.imposed(time) - loads.imposed(from.time);
+    step.momentum_before = model.space.restrict_forces(
+        model.cells.momenta(pose_of(from), model.cells.velocities(from.velocity, from.load_rates)));
+  } else {
+    step.stiff_before = stiff(from.unknowns);
+    step.momentum_before = momentum(from.velocity);
+  }
   return step;
 }
 
@@ -163,12 +174,16 @@ EquilibriumResult AlphaScheme::solve(EquilibriumProblem &problem, const Step &st
       to.unknowns, response);
 }
 
-void AlphaScheme::finish_motion(const Step &step, const LineState &from, LineState &to) {
+void AlphaScheme::finish_motion(const Step &step, LineState &to) {
   to.velocity = step.velocity + p.gamma * step.h * step.moved;
   to.auxiliary = step.moved;
   if (p.impulses) {
     at_end.time = to.time;
-    at_end.by_contacts = mass.solve(contacts.impulses()) / step.h;
+    at_end.by_contacts = Vector::Zero(to.unknowns.size());
+    if (!turns) // its contacts are always asked
+      at_end.by_contacts = mass.solve(contacts.impulses()) / step.h;
+    else if (model.contacts.size() > 0)
+      at_end.by_contacts = accelerations(contacts.impulses() / step.h, step.pose);
     to.auxiliary -= at_end.by_contacts / p.gamma;
   }
   to.acceleration = ratio * to.auxiliary + step.rest;
@@ -179,9 +194,15 @@ void AlphaScheme::finish_motion(const Step &step, const LineState &from, LineSta
   }
   for (int i = 0; i < to.unknowns.size(); ++i)
     if (!has_mass[i]) {
-      to.velocity[i] = (to.unknowns[i] - from.unknowns[i]) / step.h;
+      to.velocity[i] = (to.unknowns[i] - step.begin[i]) / step.h;
       to.acceleration[i] = to.auxiliary[i] = 0.;
     }
+  if (!turns)
+    return;
+  keep_inert(step.pose, (to.unknowns - step.begin) / step.h, to.velocity);
+  for (Vector *const rates : {&to.acceleration, &to.auxiliary})
+    keep_inert(step.pose, Vector::Zero(to.unknowns.size()), *rates);
+  set_pose(model, step.pose, to);
 }
 
 TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, const double time,
@@ -203,12 +224,12 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
   to.unknowns = from.unknowns;
   take_over_contacts(from, to);
   report.result = model.cells.is_linear() ? solve(problem, step, from, loads, to, response)
-                                          : solve_yielding(step, from, loads, time, to, response);
+                                          : solve_nonlinear(step, from, loads, time, to, response);
   if (!report.result.converged)
     return report;
 
   arrive(model, loads, time, step.factors, problem.imposed, to);
-  finish_motion(step, from, to);
+  finish_motion(step, to);
   commit_contacts(response, from, to);
   double jump = 0.; // of the displacements, by impulses
   if (p.impulses) {
@@ -224,7 +245,7 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
         {step.stiff_before, stiff(to.unknowns), step.momentum_before, momentum(to.velocity)},
         step.forces_before, step.forces, work);
   else {
-    report.energy = account_yielding(step, from, loads, to);
+    report.energy = account_nonlinear(step, from, loads, to);
     report.energy += account_contacts(model, from, to, work);
   }
   if (to.auxiliary.size() > 0)

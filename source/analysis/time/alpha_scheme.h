@@ -29,8 +29,11 @@ namespace frictionbeam {
  * return mapping. Either way elements of finite stiffness are followed to second order. All of it
  * stands in doc/dynamics.md, "The alpha schemes" and "Rigid contact on velocities".
  *
- * Of a line whose sections yield or creep (small displacements), the cells' forces at the end of
- * the step stand in place of K q, and Newton's method solves the step (alpha_yielding.cc).
+ * Of a line whose sections yield or creep or whose points turn by any angle, the cells' forces at
+ * the end of the step stand in place of K q, and Newton's method solves the step
+ * (alpha_nonlinear.cc). Rotations are then those of O. Bruels and A. Cardona (J. Comput. Nonlinear
+ * Dyn. 5 (2010) 031002, doi:10.1115/1.4001370), in global axes: q1 - q0 of the formula above is the
+ * rotation vector of the step, v the spin, A its derivative, and J A + w x J w stands for M A.
  */
 class AlphaScheme final : public TimeIntegrator {
 public:
@@ -65,16 +68,30 @@ private:
     Vector stiff_before, momentum_before;
     Vector moved; ///< a1, with impulses that of the motion which they are part of
 
-    // Of a line that yields:
+    // Of a nonlinear line:
+    Vector begin;               ///< q0; of a line that turns without rotations, which begin at zero
+    Vector imposed;             ///< motions of all degrees of freedom since its start
     Pose start, pose;           ///< at its start, and where it is
     LineCells::Balance balance; ///< there
+    bool is_answered = false;   ///< whether it has been asked within this step
     Vector residual;            ///< but for the contacts
     SparseMatrix matrix;        ///< less its derivative
     double largest = 0.;        ///< force [N]
   };
 
+  /// What a line whose points turn has beside another.
+  void prepare_turning();
   void set_step(const double step);
   Vector contact_forces(const LineState &state) const;
+  const SparseMatrix &mass_matrix() const;
+  const SparseMatrix &damping() const { return turns ? mass_damping : model.linear.damping(); }
+  /// Of motions that loads impose, and what Rayleigh's damping makes of them.
+  void add_inertia(const LoadCourse &loads, const double time, const LoadCourse::Side side,
+                   Vector &forces) const;
+  /// M^-1 f, with nothing where there is no mass.
+  Vector accelerations(Vector forces, const Pose &pose);
+  /// Rates of rotations without inertia: the mean over the step, or nothing.
+  void keep_inert(const Pose &pose, const Vector &mean, Vector &rates) const;
   Step begin(const LineState &from, const LoadCourse &loads, const double time);
   /// What residuals of the step are measured by [N].
   double size_of(const Step &step, const LineState &from) const;
@@ -84,8 +101,8 @@ private:
   /// Find the motion and the contacts' forces at the end of the step.
   EquilibriumResult solve(EquilibriumProblem &problem, const Step &step, const LineState &from,
                           const LoadCourse &loads, LineState &to, ContactResponse &response);
-  /// Of a line that yields: what its cells and their loads leave at a state, elastically from
-  /// there.
+  /// Of a nonlinear line: what its cells, their loads and its turning leave at a state, elastically
+  /// from there.
   Vector forces_at(const LineState &state, const LoadCourse::Factors &factors) const;
   void evaluate(const LoadCourse &loads, const Vector &unknowns, const double time,
                 Step &step) const;
@@ -98,23 +115,30 @@ private:
   Vector left_over(const Step &step, const ContactResponse &response) const;
   bool is_solved(const Step &step, const double time_of_laws, const ContactResponse &response,
                  EquilibriumResult &result) const;
-  EquilibriumResult solve_yielding(Step &step, const LineState &from, const LoadCourse &loads,
-                                   const double time, LineState &to, ContactResponse &response);
-  EnergyAccount account_yielding(const Step &step, const LineState &from, const LoadCourse &loads,
-                                 const LineState &to) const;
+  /// Add a change whose rotations are spins of the pose to the unknowns.
+  void add_change(const Vector &change, const Step &step, Vector &unknowns) const;
+  EquilibriumResult solve_nonlinear(Step &step, const LineState &from, const LoadCourse &loads,
+                                    const double time, LineState &to, ContactResponse &response);
+  EnergyAccount account_nonlinear(const Step &step, const LineState &from, const LoadCourse &loads,
+                                  const LineState &to) const;
+  EnergyAccount account_turning(const Step &step, const LineState &from, const LoadCourse &loads,
+                                const LineState &to) const;
   /// Velocities and accelerations at the end of the step.
-  void finish_motion(const Step &step, const LineState &from, LineState &to);
+  void finish_motion(const Step &step, LineState &to);
 
   const Model &model;
   const Parameters p;
-  const double ratio; ///< (1 - alpha_m)/(1 - alpha_f)
-  const std::vector<bool> has_mass;
+  const double ratio;         ///< (1 - alpha_m)/(1 - alpha_f)
+  const bool turns;           ///< whether points turn by any angle
+  std::vector<bool> has_mass; ///< or is a rotation of a line that turns (keep_inert())
   std::unique_ptr<EquilibriumSolver> return_mapping; ///< null with impulses
   ImpulseContacts contacts;
-  LinearizedSolver linearized; ///< of lines that yield, without impulses
+  LinearizedSolver linearized; ///< of nonlinear lines, without impulses
   contact::LineFactorization mass;
-  SparseMatrix effective; ///< K + gamma/(beta h) C + ratio/(beta h^2) M
-  Vector diagonal;        ///< of it
+  SparseMatrix mass_damping;           ///< of a line that turns, but for its rotations
+  std::vector<Vector> imposed_inertia; ///< of such a line: LineCells::inertia() by load, or empty
+  SparseMatrix effective;              ///< K + gamma/(beta h) C + ratio/(beta h^2) M
+  Vector diagonal;                     ///< of it
   double effective_step = 0.;
   /// What a state has besides, with impulses.
   struct Parts {

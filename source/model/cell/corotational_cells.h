@@ -39,6 +39,10 @@ public:
                   const double step, Vector &forces, SparseMatrix *matrix) const override;
   void set_spins(const Pose &from, const Pose &to, const Vector &change, const Vector &spin_before,
                  const double step, Vector &velocity) const override;
+  void add_rotary_at(const Pose &pose, const Turning &turning, Vector &forces,
+                     SparseMatrix *matrix) const override;
+  void add_rotary_mass(const Pose &pose, SparseMatrix &matrix) const override;
+  void keep_inert(const Pose &pose, const Vector &mean, Vector &rates) const override;
   Vector momenta(const Pose &pose, const Vector &velocity) const override;
 
   CellState state_of(const unsigned int cell, const PipeElement &element, const Pose &pose,
@@ -75,6 +79,7 @@ private:
     return Eigen::Map<const Eigen::Quaterniond>(pose.turns.data() + 4 * vertex);
   }
   bool turns(const unsigned int vertex) const;
+  std::vector<dealii::types::global_dof_index> rotations_of(const unsigned int vertex) const;
   Vector12 on_line(const Cell &cell, const Eigen::Matrix3d &axes,
                    const std::vector<double> &factors, CorotationalBeam::Vector7 &free) const;
   void add_mass();

@@ -27,6 +27,14 @@ void CorotationalCells::add_mass() {
   }
 }
 
+std::vector<types::global_dof_index>
+CorotationalCells::rotations_of(const unsigned int vertex) const {
+  std::vector<types::global_dof_index> dofs;
+  for (unsigned int d = 0; d < 3; ++d)
+    dofs.push_back(discretization.vertex_dofs().index(vertex, 3 + d));
+  return dofs;
+}
+
 void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vector &change,
                                    const Vector &spin_before, const double step, Vector &forces,
                                    SparseMatrix *const matrix) const {
@@ -47,10 +55,7 @@ void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vecto
     const Matrix3d derivative = 2. / step * (1. + lost) *
                                 (2. / step * after * vertex_inertia[v] * before.transpose() -
                                  skew(momentum) * cayley_spin(vector));
-    std::vector<types::global_dof_index> dofs;
-    for (unsigned int d = 0; d < 3; ++d)
-      dofs.push_back(discretization.vertex_dofs().index(v, 3 + d));
-    space.add_local(derivative, dofs, *matrix);
+    space.add_local(derivative, rotations_of(v), *matrix);
   }
   forces += space.restrict_forces(on_dofs);
 }
@@ -69,6 +74,51 @@ void CorotationalCells::set_spins(const Pose &from, const Pose &to, const Vector
         if (term.weight == 1.)
           velocity[term.unknown] = spin[d];
   }
+}
+
+void CorotationalCells::add_rotary_at(const Pose &pose, const Turning &turning, Vector &forces,
+                                      SparseMatrix *const matrix) const {
+  Vector on_dofs = Vector::Zero(space.n_dofs());
+  for (unsigned int v = 0; v < n_vertices; ++v) {
+    if (!turns(v) || vertex_inertia[v].isZero(0.))
+      continue;
+    const Matrix3d rotation = turn(pose, v).toRotationMatrix(),
+                   inertia = rotation * vertex_inertia[v] * rotation.transpose();
+    const Vector3d spin = part(turning.spin, v, 3), momentum = inertia * spin,
+                   acceleration = part(turning.acceleration, v, 3),
+                   driving = inertia * acceleration;
+    add_part(-(driving + spin.cross(momentum) + turning.damping * momentum), v, 3, on_dofs);
+    if (matrix == nullptr)
+      continue;
+    // By a spin d of the pose J changes by [d]x J - J [d]x.
+    const Matrix3d of_turned = vector_per_spin(part(turning.turned, v, 3)),
+                   of_spin = turning.spin_per_turn * of_turned,
+                   of_driving = inertia * skew(acceleration) - skew(driving) +
+                                turning.acceleration_per_turn * inertia * of_turned,
+                   of_momentum = inertia * skew(spin) - skew(momentum) + inertia * of_spin;
+    space.add_local(of_driving + skew(spin) * of_momentum - skew(momentum) * of_spin +
+                        turning.damping * of_momentum,
+                    rotations_of(v), *matrix);
+  }
+  forces += space.restrict_forces(on_dofs);
+}
+
+void CorotationalCells::add_rotary_mass(const Pose &pose, SparseMatrix &matrix) const {
+  for (unsigned int v = 0; v < n_vertices; ++v)
+    if (turns(v)) {
+      const Matrix3d rotation = turn(pose, v).toRotationMatrix();
+      space.add_local(rotation * (vertex_inertia[v] + Matrix3d::Identity() - inert[v]) *
+                          rotation.transpose(),
+                      rotations_of(v), matrix);
+    }
+}
+
+void CorotationalCells::keep_inert(const Pose &pose, const Vector &mean, Vector &rates) const {
+  for (unsigned int v = 0; v < n_vertices; ++v)
+    if (turns(v)) {
+      const Vector3d off = turn(pose, v).conjugate() * (part(mean, v, 3) - part(rates, v, 3));
+      add_part(turn(pose, v) * (off - inert[v] * off), v, 3, rates);
+    }
 }
 
 Vector CorotationalCells::momenta(const Pose &pose, const Vector &velocity) const {

@@ -136,6 +136,24 @@ public:
   /// Angular velocities at a step's end, in place of the entries of @p velocity that are spins.
   virtual void set_spins(const Pose &from, const Pose &to, const Vector &change,
                          const Vector &spin_before, const double step, Vector &velocity) const = 0;
+  /// How vertices turn at an instant within a step; vectors of all degrees of freedom.
+  struct Turning {
+    const Vector &spin, &acceleration;           ///< angular [rad/s], [rad/s2]
+    const Vector &turned;                        ///< rotation vectors since the step's start
+    double spin_per_turn, acceleration_per_turn; ///< derivatives by these [1/s], [1/s2]
+    double damping;                              ///< Mass damping [1/s]
+  };
+  /**
+   * Inertia that is not constant, at an instant: forces -= J A + w x J w + damping J w on the
+   * unknowns, J that of the vertices as they have turned.
+   * @param matrix += its derivative by spins of the pose; null: not asked for
+   */
+  virtual void add_rotary_at(const Pose &, const Turning &, Vector &, SparseMatrix *) const {}
+  /// Add J, with 1 in directions that have none.
+  virtual void add_rotary_mass(const Pose &, SparseMatrix &) const {}
+  /// Put @p mean in place of @p rates of rotations in directions without inertia, of all degrees
+  /// of freedom.
+  virtual void keep_inert(const Pose &, const Vector &, Vector &) const {}
   /// Momenta that belong to velocities, of all degrees of freedom.
   virtual Vector momenta(const Pose &pose, const Vector &velocity) const = 0;
   /// Velocities of all degrees of freedom from those of the unknowns and the rates of the loads'

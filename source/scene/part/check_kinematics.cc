@@ -24,8 +24,21 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
   const bool transient = any(scene.steps, [](const LoadStep &step) { return step.transient; });
   if (transient) {
     const TimeSettings &time = scene.time;
-    refuse(!time.row().is_for_turning, "another integrator than moreau_jean",
-           "Integrator = moreau_jean in section Time");
+    refuse(!time.row().is_for_turning, "Integrator = event",
+           "Integrator = moreau_jean, newmark or generalized_alpha in section Time");
+    if (time.integrator != Integrator::moreau_jean) {
+      const std::string with = " and Integrator = " + std::string(time.row().word);
+      refuse(time.stiffness_damping != 0., "Stiffness damping" + with,
+             "Integrator = moreau_jean in section Time");
+      refuse(time.modal_damping != 0., "Modal damping" + with,
+             "Integrator = moreau_jean in section Time");
+      refuse(any(scene.springs,
+                 [](const Spring &spring) {
+                   return std::any_of(spring.damping.begin(), spring.damping.end(),
+                                      [](const double damping) { return damping != 0.; });
+                 }),
+             "Damping of a spring" + with, "Integrator = moreau_jean in section Time");
+    }
     refuse(time.reduction.modes != ReductionSettings::Modes::all, "Modes",
            "Modes = all in section Time");
     refuse(time.theta != 0.5, "Theta above 0.5", "Theta = 0.5 in section Time");
