@@ -5,6 +5,7 @@
 #include "base/interruption.h"
 #include "base/user_error.h"
 #include "results/body_results.h"
+#include "results/file/body_vtu.h"
 #include "results/file/checkpoint.h"
 #include "results/text.h"
 
@@ -330,7 +331,9 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
   }
   const std::string &folder = scene.output.directory;
   if (scene.output.vtu)
-    write_continuum_vtu(body, sequence.ends(), folder);
+    write_body_vtu<dim>(
+        body, sequence.ends(), "continuum",
+        [&](const ContinuumState &) { return stress_of_body(body); }, folder);
   if (scene.output.report)
     estimate_errors(sequence);
   if (this_process(body.communicator) > 0)

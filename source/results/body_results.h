@@ -29,12 +29,6 @@ std::vector<ContactRow> contact_rows(const ContinuumBody<dim> &body,
 void write_contact_csv(const Scene &scene, const std::vector<ContactRow> &rows,
                        const std::string &folder);
 
-/// `continuum.vtu` (with mpirun `continuum.pvtu` and its pieces) of each step's end, with a `.pvd`:
-/// displacement, stress, contact traction.
-template <int dim>
-void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<ContinuumState> &states,
-                         const std::string &folder);
-
 /**
  * Value of a quantity; the same on all processes.
  *

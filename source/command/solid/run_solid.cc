@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "command/solid/run_solid.h"
+#include "command/solid/wall_scene.h"
 
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
 #include "mesh/solid/wall_layout.h"
 #include "model/line_model.h"
+#include "results/file/body_vtu.h"
 #include "results/file/csv_writer.h"
 #include "results/quantity/collector.h"
 #include "results/quantity/shown_quantity.h"
@@ -24,77 +26,16 @@ using namespace dealii;
 
 namespace {
 
-/// The scene as a body: the wall's materials, what is held and rubbed, and the steps.
-Scene as_body(const Scene &scene, const Model &line, const PipeWall &wall) {
-  ContinuumScene body;
-  body.dimension = 3;
-  for (const Pipe &pipe : scene.pipes) {
-    const Material &material = scene.materials[pipe.material];
-    body.materials.push_back({material.youngs_modulus, material.poissons_ratio});
-  }
-  for (const auto &sites : line.mesh.restraints)
-    for (const Site &site : sites) {
-      const WallRing &ring = wall.rings[wall.ring_at(site.vertex)];
-      body.sections.push_back({ring.centre, ring.tangent, wall.outer,
-                               scene.solid.anchors == SolidSettings::Anchors::breathing});
-    }
-  for (const WallPatch &patch : wall.patches) {
-    const FrictionSupport &support = scene.supports[patch.support];
-    ContinuumContact contact;
-    contact.part = patch.part;
-    contact.law = support.law;
-    contact.parameters = support.parameters_of(patch.site);
-    for (unsigned int i = 0; i < line.contacts.size(); ++i)
-      if (line.contacts[i].support == patch.support && line.contacts[i].site == patch.site) {
-        const LocalAxes &axes = line.contacts[i].axes; // x to the ground
-        const Point3 centre = line.mesh.vertices[line.contacts[i].vertices[0]];
-        const WallRing &ring = wall.rings[wall.ring_at(line.contacts[i].vertices[0])];
-        contact.patch = ContinuumPatch{{{axes.x, axes.z, axes.y}},
-                                       centre,
-                                       ring.tangent,
-                                       patch.outward,
-                                       std::cos(patch_half_arc * (1. + 1e-6))};
-      }
-    body.contacts.push_back(contact);
-  }
-  for (const LoadStep &step : scene.steps) {
-    ContinuumStep one;
-    one.name = step.name;
-    one.n_increments = step.n_increments;
-    one.factors.assign(std::max<std::size_t>(1, scene.loads.size()), 0.);
-    for (const auto &[load, factor] : step.loads)
-      one.factors[load] += factor;
-    body.steps.push_back(one);
-  }
-  Scene result = scene;
-  result.continuum = body;
-  result.continuum_settings.degree = scene.solid.degree;
-  result.continuum_settings.linear_solver = ContinuumSettings::LinearSolver::direct; // thin cells
-  return result;
-}
-
-/// @throws UserError where nothing holds the pipes, and for what is not done
-void check_held(const Scene &scene) {
-  if (scene.continuum_settings.linear_solver == ContinuumSettings::LinearSolver::amg)
-    throw UserError("Walls of pipes are factored.\n  read:    Continuum/Linear solver = amg\n  "
-                    "allowed: auto or direct with Model = solid\n  try:     to leave it out");
-  if (n_processes() > 1)
-    throw UserError("Walls of pipes are solved by one process.\n  read:    Model = solid under "
-                    "mpirun\n  allowed: one process\n  try:     without mpirun");
-  if (scene.restraints.empty())
-    throw UserError("Nothing holds the solid pipe.\n  read:    no Support\n  allowed: anchors\n  "
-                    "try:     an anchor at one end");
-}
-
 class SolidRun {
 public:
   SolidRun(const Scene &scene, const LawLibrary &laws, Results &results)
       : scene(scene), results(results), line(scene, laws),
         wall(build_pipe_wall(scene, line.model().mesh)),
-        body_scene(as_body(scene, line.model(), wall)), body(body_scene, wall.mesh),
+        body_scene(scene_of_wall(scene, line.model(), wall)), body(body_scene, wall.mesh),
         loads(scene, line.model().mesh, wall, body), collector(line.model(), results, {}) {
     results.cost.mesh_seconds = wall_clock.wall_time();
     body.distribute();
+    check_patches(scene, wall, body);
     std::vector<ContinuumVector> forces = loads.forces();
     if (forces.empty()) {
       forces.resize(1);
@@ -123,6 +64,7 @@ private:
   const Collector collector; ///< of the quantities, in the words of a line
   std::unique_ptr<ContinuumSequence<3>> sequence;
   std::vector<WallFrame> frames;
+  double support_imbalance = 0.; ///< largest of all frames
 };
 
 void SolidRun::run() {
@@ -144,6 +86,9 @@ void SolidRun::read_states() {
     frame.rings = wall_state(wall, loads, body, state);
     results.frames.push_back(solid_frame(scene, line.model(), wall, loads, body,
                                          sequence->contacts(), state, frame.rings));
+    support_imbalance =
+        std::max(support_imbalance, imbalance_of_supports(loads.resultant(state.factors),
+                                                          line.model(), results.frames.back()));
     frames.push_back(std::move(frame));
   }
 }
@@ -171,6 +116,10 @@ void SolidRun::report(const bool converged) {
     results.cost.steps += step.increments;
   }
   results.certify(scene, true);
+  results.certificate.push_back({"support_balance", "-",
+                                 "sum of loads and of forces of anchors and supports, of the "
+                                 "largest of them",
+                                 support_imbalance});
 }
 
 void SolidRun::add_quantities() {
@@ -202,7 +151,10 @@ void SolidRun::write() {
   if (frames.empty())
     return;
   if (scene.output.vtu)
-    write_wall_vtu(loads, body, sequence->ends(), folder);
+    write_body_vtu<3>(
+        body, sequence->ends(), "solid",
+        [&](const ContinuumState &state) { return stress_of_wall(loads, body, state.factors); },
+        folder);
   if (this_process(body.communicator) > 0)
     return;
   CsvWriter csv(scene, results, folder);
@@ -221,13 +173,27 @@ void SolidRun::write() {
 
 Results run_solid(const Scene &scene, const LawLibrary &laws) {
   Results results;
-  check_held(scene);
+  check_can_be_solid(scene);
   try {
     SolidRun(scene, laws, results).run();
   } catch (const UserError &error) {
     throw UserError(with_place(scene, error.what()));
   }
   return results;
+}
+
+std::string check_solid(const Scene &scene, const Model &line) {
+  check_can_be_solid(scene);
+  const PipeWall wall = build_pipe_wall(scene, line.mesh);
+  const Scene body_scene = scene_of_wall(scene, line, wall);
+  ContinuumBody<3> body(body_scene, wall.mesh);
+  body.distribute();
+  check_patches(scene, wall, body);
+  return std::to_string(wall.n_layers()) + " layers of " +
+         std::to_string(wall.around * wall.through) + " cells of degree " +
+         std::to_string(scene.solid.degree) + ", " + std::to_string(body.dof_handler.n_dofs()) +
+         " unknowns, " + std::to_string(body.nodes.size()) + " contact nodes in " +
+         std::to_string(wall.patches.size()) + " patches";
 }
 
 } // namespace frictionbeam

@@ -54,6 +54,22 @@ double PipeWall::inertia() const {
          (std::pow(outer, 4) - std::pow(inner, 4));
 }
 
+const WallSegment &PipeWall::segment_at(const double s) const {
+  for (const WallSegment &segment : segments)
+    if (s < segment.start + segment.path.length)
+      return segment;
+  return segments.back();
+}
+
+double PipeWall::s_of(const LineMesh &line, const unsigned int vertex) const {
+  for (unsigned int p = 0; p < line.pipes.size(); ++p)
+    for (unsigned int i = 0; i < line.pipes[p].vertices.size(); ++i)
+      if (line.pipes[p].vertices[i] == vertex)
+        return pipe_start[p] + line.pipes[p].s[i];
+  throw UserError("A point is on no pipe.\n  read:    a support or point off the pipes\n  allowed: "
+                  "points of the pipes with Model = solid\n  try:     Model = line");
+}
+
 unsigned int PipeWall::ring_at(const unsigned int vertex) const {
   for (unsigned int r = 0; r < rings.size(); ++r)
     if (rings[r].vertex == vertex)

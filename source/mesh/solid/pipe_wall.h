@@ -22,6 +22,7 @@ constexpr double patch_half_arc = 3.14159265358979323846 / 12.;
 /// Where a support's patch is pressed against the outside of the wall.
 struct WallPatch {
   std::string part;          ///< of the mesh's boundary
+  unsigned int vertex = 0;   ///< of the LineMesh, on the axis
   unsigned int support = 0;  ///< in Scene::supports
   unsigned int site = 0;     ///< among the places of that support
   double from = 0., to = 0.; ///< along the chain [m]
@@ -57,6 +58,11 @@ struct PipeWall {
   unsigned int pipe_of_layer(const unsigned int layer) const {
     return segments[layer_segment[layer]].pipe;
   }
+  double length() const { return segments.back().start + segments.back().path.length; } ///< [m]
+  /// The first segment that ends behind a place along the chain, or the last one.
+  const WallSegment &segment_at(const double s) const;
+  /// Along the chain [m]. @throws UserError for a vertex that is on no pipe
+  double s_of(const LineMesh &line, const unsigned int vertex) const;
   /// The ring at a vertex of the LineMesh. @throws UserError if there is none
   unsigned int ring_at(const unsigned int vertex) const;
 };

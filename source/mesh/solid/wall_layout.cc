@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/solid/wall_layout.h"
+#include "mesh/solid/patch_layout.h"
 #include "mesh/solid/wall_manifold.h"
 
 #include "base/numbers.h"
@@ -16,7 +17,7 @@ using namespace dealii;
 
 namespace {
 
-constexpr double same = 1e-6;      ///< of the outer radius: places of rings that are one
+constexpr double one_place = 1e-3; ///< of the outer radius: places that have one ring
 constexpr double growth = 0.5;     ///< of a straight run's cells, of the distance
 constexpr double no_corner = 1e-6; ///< of two tangents
 
@@ -27,8 +28,9 @@ public:
 
 private:
   void chain_pipes();
+  /// @throws UserError for a pipe that is hardly there
+  void check_length(const unsigned int pipe, const PipePath &path) const;
   void add_segment(const PipePath::Segment &path, const unsigned int pipe);
-  void add_patches();
   void place_rings();
   void add_rings_between(const double from, const double to);
   void make_cells();
@@ -42,14 +44,10 @@ private:
   void ask_for_ring(const double s, const std::optional<unsigned int> vertex = {}) {
     places.push_back({s, vertex});
   }
-  double s_of(const unsigned int vertex) const;
-  const WallSegment &segment_at(const double middle) const;
+  /// @throws UserError for two points of one ring
+  void check_apart(const Place &a, const Place &b) const;
   /// Length of the cells of a straight run at @p s.
   double cell_length(const double s) const;
-  bool is_straight(const unsigned int segment) const {
-    return wall.segments[segment].path.radius == 0.;
-  }
-  std::string text(const double length) const { return in_units(scene.units, length, "m"); }
 
   const Scene &scene;
   const LineMesh &line;
@@ -94,6 +92,19 @@ void WallLayout::add_segment(const PipePath::Segment &path, const unsigned int p
   wall.segments.push_back(segment);
 }
 
+void WallLayout::check_length(const unsigned int pipe, const PipePath &path) const {
+  double all = 0.;
+  for (const PipePath::Segment &segment : path.segments())
+    all += segment.length;
+  const double least = 0.01 * wall.outer;
+  if (all < least)
+    throw UserError("Pipe " + scene.pipes[pipe].name +
+                    ": it is too short for a wall.\n  read:    " + in_units(scene.units, all, "m") +
+                    " of pipe\n  allowed: " + in_units(scene.units, least, "m") +
+                    " or more with Model = solid, a hundredth of the outer radius\n  try:     a "
+                    "longer Route, or Model = line");
+}
+
 void WallLayout::chain_pipes() {
   std::vector<PipePath> paths;
   for (const Pipe &pipe : scene.pipes)
@@ -102,7 +113,7 @@ void WallLayout::chain_pipes() {
   const auto begin = [&](const unsigned int p) { return paths[p].segments().front().begin; };
   const auto end = [&](const unsigned int p) { return paths[p].segments().back().end; };
   const auto meet = [&](const Point3 &p, const Point3 &q) {
-    return p.distance(q) < 1e-3 * wall.outer;
+    return p.distance(q) < one_place * wall.outer;
   };
   const auto fail = [&](const unsigned int p, const std::string &what) {
     throw UserError("Pipe " + scene.pipes[p].name + ": " + what +
@@ -110,6 +121,8 @@ void WallLayout::chain_pipes() {
                     "pipes of which each begins where another ends, without branches, tees and "
                     "loops\n  try:     one route, routes in one direction, or Model = line");
   };
+  for (unsigned int p = 0; p < n; ++p)
+    check_length(p, paths[p]);
   std::vector<int> before(n, -1), after(n, -1);
   for (unsigned int p = 0; p < n; ++p)
     for (unsigned int q = 0; q < n; ++q) {
@@ -140,77 +153,6 @@ void WallLayout::chain_pipes() {
   }
 }
 
-double WallLayout::s_of(const unsigned int vertex) const {
-  for (unsigned int p = 0; p < line.pipes.size(); ++p)
-    for (unsigned int i = 0; i < line.pipes[p].vertices.size(); ++i)
-      if (line.pipes[p].vertices[i] == vertex)
-        return wall.pipe_start[p] + line.pipes[p].s[i];
-  throw UserError("A point is on no pipe.\n  read:    a support or point off the pipes\n  allowed: "
-                  "points of the pipes with Model = solid\n  try:     Model = line");
-}
-
-const WallSegment &WallLayout::segment_at(const double middle) const {
-  for (const WallSegment &segment : wall.segments)
-    if (middle < segment.start + segment.path.length)
-      return segment;
-  return wall.segments.back();
-}
-
-void WallLayout::add_patches() {
-  for (unsigned int i = 0; i < scene.supports.size(); ++i) {
-    const FrictionSupport &support = scene.supports[i];
-    const auto &sites = line.supports[i];
-    for (unsigned int k = 0; k < sites.size(); ++k) {
-      WallPatch patch;
-      patch.support = i;
-      patch.site = k;
-      patch.part =
-          "support " + support.name + (sites.size() > 1 ? "." + std::to_string(k + 1) : "");
-      const double width = support.width > 0. ? support.width : 2. * wall.outer,
-                   s = s_of(sites[k].vertex), rounding = same * wall.outer;
-      patch.from = s - width / 2.;
-      patch.to = s + width / 2.;
-      const WallSegment &run = segment_at(s);
-      double begin = run.start, end = run.start + run.path.length;
-      const unsigned int number = &run - wall.segments.data();
-      for (unsigned int before = number; before > 0 && is_straight(before - 1); --before)
-        begin = wall.segments[before - 1].start;
-      for (unsigned int next = number + 1; next < wall.segments.size() && is_straight(next); ++next)
-        end = wall.segments[next].start + wall.segments[next].path.length;
-      const bool leaves = patch.from < -rounding || patch.to > length + rounding;
-      if (leaves || run.path.radius > 0. || patch.from < begin - rounding ||
-          patch.to > end + rounding)
-        throw UserError(
-            "Support " + support.name + ": its patch " +
-            (leaves ? "leaves the pipe" : "does not lie on a straight run") +
-            ".\n  read:    a patch of width " + text(width) + " at " +
-            in_units(scene.units, line.vertices[sites[k].vertex]) + ", on a run from " +
-            text(s - begin) + " before to " + text(end - s) +
-            " behind it\n  allowed: a patch that lies on one straight run, Width along the pipe\n"
-            "  try:     Width = " +
-            text(2. * std::max(0.1 * wall.outer, std::min(s - begin, end - s))) +
-            " or less, or the support further from the end");
-      const Vector3 tangent = run.path.first_tangent;
-      Vector3 normal = support.normal.vector;
-      if (support.normal.kind == Direction::Kind::across)
-        normal = support.normal.sign * LocalAxes(tangent).y;
-      else
-        normal *= support.normal.sign;
-      const Vector3 across = normal - (normal * tangent) * tangent;
-      if (across.norm() < 0.5)
-        throw UserError("Support " + support.name +
-                        ": it pushes along the pipe.\n  read:    a Normal that is more along than "
-                        "across the pipe\n  allowed: normals across the pipe with Model = solid\n  "
-                        "try:     an anchor, or Model = line");
-      patch.outward = -across / across.norm();
-      ask_for_ring(patch.from);
-      ask_for_ring(s, sites[k].vertex);
-      ask_for_ring(patch.to);
-      wall.patches.push_back(patch);
-    }
-  }
-}
-
 double WallLayout::cell_length(const double s) const {
   double nearest = longest;
   for (const Place &at : places)
@@ -219,7 +161,7 @@ double WallLayout::cell_length(const double s) const {
 }
 
 void WallLayout::add_rings_between(const double from, const double to) {
-  const WallSegment &segment = segment_at(0.5 * (from + to));
+  const WallSegment &segment = wall.segment_at(0.5 * (from + to));
   const unsigned int number = &segment - wall.segments.data();
   std::vector<double> all = {from};
   if (segment.path.radius > 0.) {
@@ -252,23 +194,41 @@ void WallLayout::add_rings_between(const double from, const double to) {
   }
 }
 
+void WallLayout::check_apart(const Place &a, const Place &b) const {
+  if (!a.vertex || *a.vertex == *b.vertex)
+    return;
+  throw UserError("Two points are too near to each other for a solid pipe.\n  read:    points at " +
+                  in_units(scene.units, line.vertices[*a.vertex]) + " and " +
+                  in_units(scene.units, line.vertices[*b.vertex]) +
+                  "\n  allowed: points that are apart by " +
+                  in_units(scene.units, one_place * wall.outer, "m") +
+                  " or more\n  try:     one point there, or Model = line");
+}
+
 void WallLayout::place_rings() {
   for (const WallSegment &segment : wall.segments)
     ask_for_ring(segment.start);
   ask_for_ring(length);
   for (const auto &[name, vertex] : line.points)
-    ask_for_ring(s_of(vertex), vertex);
+    ask_for_ring(wall.s_of(line, vertex), vertex);
   for (const auto &sites : line.restraints)
     for (const Site &site : sites)
-      ask_for_ring(s_of(site.vertex), site.vertex);
+      ask_for_ring(wall.s_of(line, site.vertex), site.vertex);
+  for (const WallPatch &patch : wall.patches) {
+    ask_for_ring(patch.from);
+    ask_for_ring(wall.s_of(line, patch.vertex), patch.vertex);
+    ask_for_ring(patch.to);
+  }
   std::stable_sort(places.begin(), places.end(),
                    [](const Place &p, const Place &q) { return p.s < q.s; });
   std::vector<Place> merged;
   for (const Place &place : places)
-    if (merged.empty() || place.s > merged.back().s + 1e-3 * wall.outer)
+    if (merged.empty() || place.s > merged.back().s + one_place * wall.outer)
       merged.push_back(place);
-    else if (place.vertex)
+    else if (place.vertex) {
+      check_apart(merged.back(), place);
       merged.back().vertex = place.vertex;
+    }
   places = merged;
   places.front().s = 0.;
   places.back().s = length;
@@ -383,7 +343,7 @@ void WallLayout::name_faces() {
 
 PipeWall WallLayout::make() {
   chain_pipes();
-  add_patches();
+  wall.patches = lay_patches(scene, line, wall);
   place_rings();
   make_cells();
   name_faces();

@@ -30,7 +30,7 @@ WallLoads::WallLoads(const Scene &scene, const LineMesh &line, const PipeWall &w
 double WallLoads::free_strain(const unsigned int pipe, const std::vector<double> &factors) const {
   const Material &material = scene.materials[scene.pipes[pipe].material];
   double strain = 0.;
-  for (std::size_t l = 0; l < factors.size(); ++l) {
+  for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     const Load &load = scene.loads[l];
     if (load.kind == Load::Kind::temperature && load.is_on(scene.pipes[pipe].name))
       strain +=
@@ -41,7 +41,7 @@ double WallLoads::free_strain(const unsigned int pipe, const std::vector<double>
 
 double WallLoads::pressure(const std::vector<double> &factors) const {
   double sum = 0.;
-  for (std::size_t l = 0; l < factors.size(); ++l)
+  for (std::size_t l = 0; l < scene.loads.size(); ++l)
     if (scene.loads[l].kind == Load::Kind::pressure)
       sum += factors[l] * scene.loads[l].value;
   return sum;
@@ -52,7 +52,7 @@ Vector3 WallLoads::volume_force(const unsigned int pipe, const std::vector<doubl
   const double mass =
       scene.materials[scene.pipes[pipe].material].density * section.area + section.added_mass;
   Vector3 force;
-  for (std::size_t l = 0; l < factors.size(); ++l) {
+  for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     const Load &load = scene.loads[l];
     if (!load.is_on(scene.pipes[pipe].name))
       continue;
@@ -66,7 +66,7 @@ Vector3 WallLoads::volume_force(const unsigned int pipe, const std::vector<doubl
 
 Motion WallLoads::section_load(const unsigned int ring, const std::vector<double> &factors) const {
   Motion sum{};
-  for (std::size_t l = 0; l < factors.size(); ++l)
+  for (std::size_t l = 0; l < scene.loads.size(); ++l)
     for (const auto &[place, load] : at_rings[l])
       if (place == ring)
         for (unsigned int c = 0; c < 6; ++c)
@@ -171,6 +171,33 @@ void WallLoads::add_section(const unsigned int ring, const Motion &load,
                twist / (2. * I) * cross_product_3d(at.tangent, arm);
       },
       forces);
+}
+
+Vector3 WallLoads::resultant(const std::vector<double> &factors) const {
+  const double p = pressure(factors);
+  FEValues<3> values(body.mapping, body.fe, QGauss<3>(body.fe.degree + 1), update_JxW_values);
+  FEFaceValues<3> on_bore(body.mapping, body.fe, QGauss<2>(body.fe.degree + 2),
+                          update_normal_vectors | update_JxW_values);
+  Vector3 sum;
+  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    values.reinit(cell);
+    const Vector3 force = volume_force(cell->material_id(), factors);
+    for (const unsigned int q : values.quadrature_point_indices())
+      sum += values.JxW(q) * force;
+    if (p == 0. || cell->index() / wall.around % wall.through > 0)
+      continue;
+    on_bore.reinit(cell, 0);
+    for (const unsigned int q : on_bore.quadrature_point_indices())
+      sum -= on_bore.JxW(q) * p * on_bore.normal_vector(q);
+  }
+  sum = Utilities::MPI::sum(sum, body.communicator);
+  for (std::size_t l = 0; l < scene.loads.size(); ++l)
+    for (const auto &[ring, load] : at_rings[l])
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += factors[l] * load[d];
+  return sum;
 }
 
 std::vector<ContinuumVector> WallLoads::forces() const {

@@ -26,6 +26,8 @@ public:
   double free_strain(const unsigned int pipe, const std::vector<double> &factors) const;
   double pressure(const std::vector<double> &factors) const; ///< [Pa]
   Vector3 volume_force(const unsigned int pipe, const std::vector<double> &factors) const;
+  /// All forces together, integrated over the mesh [N].
+  Vector3 resultant(const std::vector<double> &factors) const;
   /// Force [N] and moment [N m] on the section at a ring, thrust included.
   Motion section_load(const unsigned int ring, const std::vector<double> &factors) const;
   /// Whether some load acts on the section at a ring by itself.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/body_results.h"
+#include "results/file/body_vtu.h"
 #include "results/file/output_file.h"
 
 #include <deal.II/numerics/data_out.h>
@@ -56,15 +56,21 @@ private:
   const LameConstants lame;
 };
 
+/// Where the pieces of a state are written.
+struct StateFile {
+  std::string folder, name;
+  unsigned int rank, n_ranks;
+  std::string piece(const unsigned int i) const {
+    return name + (n_ranks > 1 ? "_" + std::to_string(i) : "") + ".vtu";
+  }
+};
+
 /// Write one state, each process its part. @return the file that has, or knows, all of it
 template <int dim>
 std::string write_state(const ContinuumBody<dim> &body, const ContinuumState &state,
-                        const std::string &folder) {
-  const unsigned int rank = this_process(body.communicator),
-                     n_ranks = n_processes(body.communicator);
+                        const DataPostprocessor<dim> &stress, const StateFile &file) {
   const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector(
       dim, DataComponentInterpretation::component_is_part_of_vector);
-  const StressOutput<dim> stress(lame_constants(body.continuum));
   ContinuumVector traction = nodal_tractions(body, state);
   traction.update_ghost_values();
   DataOut<dim> out;
@@ -72,45 +78,55 @@ std::string write_state(const ContinuumBody<dim> &body, const ContinuumState &st
   out.add_data_vector(state.displacement, std::vector<std::string>(dim, "displacement"),
                       DataOut<dim>::type_dof_data, vector);
   out.add_data_vector(state.displacement, stress);
-  out.add_data_vector(traction, std::vector<std::string>(dim, "contact_traction"),
-                      DataOut<dim>::type_dof_data, vector);
-  out.build_patches(body.fe.degree);
-  const std::string name = "continuum_" + std::to_string(state.step);
-  const auto piece = [&](const unsigned int i) {
-    return name + (n_ranks > 1 ? "_" + std::to_string(i) : "") + ".vtu";
-  };
+  if (!body.continuum.contacts.empty())
+    out.add_data_vector(traction, std::vector<std::string>(dim, "contact_traction"),
+                        DataOut<dim>::type_dof_data, vector);
+  out.build_patches(body.mapping, body.fe.degree,
+                    body.mesh.manifolds.empty() ? DataOut<dim>::curved_boundary
+                                                : DataOut<dim>::curved_inner_cells);
   std::ostringstream text; // deal.II has words of its own for a stream that fails
   out.write_vtu(text);
-  write_file(folder + "/" + piece(rank), text.str());
-  if (n_ranks == 1 || rank > 0)
-    return piece(0);
+  write_file(file.folder + "/" + file.piece(file.rank), text.str());
+  if (file.n_ranks == 1 || file.rank > 0)
+    return file.piece(0);
   std::vector<std::string> pieces;
-  for (unsigned int i = 0; i < n_ranks; ++i)
-    pieces.push_back(piece(i));
+  for (unsigned int i = 0; i < file.n_ranks; ++i)
+    pieces.push_back(file.piece(i));
   std::ostringstream record;
   out.write_pvtu_record(record, pieces);
-  write_file(folder + "/" + name + ".pvtu", record.str());
-  return name + ".pvtu";
+  write_file(file.folder + "/" + file.name + ".pvtu", record.str());
+  return file.name + ".pvtu";
 }
 
 } // namespace
 
 template <int dim>
-void write_continuum_vtu(const ContinuumBody<dim> &body, const std::vector<ContinuumState> &states,
-                         const std::string &folder) {
-  std::vector<std::pair<double, std::string>> records;
-  for (const ContinuumState &state : states)
-    records.emplace_back(state.time, write_state(body, state, folder));
-  if (this_process(body.communicator) == 0) {
-    std::ostringstream text;
-    DataOutBase::write_pvd_record(text, records);
-    write_file(folder + "/continuum.pvd", text.str());
-  }
+std::unique_ptr<DataPostprocessor<dim>> stress_of_body(const ContinuumBody<dim> &body) {
+  return std::make_unique<StressOutput<dim>>(lame_constants(body.continuum));
 }
 
-template void write_continuum_vtu<2>(const ContinuumBody<2> &, const std::vector<ContinuumState> &,
-                                     const std::string &);
-template void write_continuum_vtu<3>(const ContinuumBody<3> &, const std::vector<ContinuumState> &,
-                                     const std::string &);
+template <int dim>
+void write_body_vtu(const ContinuumBody<dim> &body, const std::vector<ContinuumState> &states,
+                    const std::string &name, const StressOf<dim> &stress_of,
+                    const std::string &folder) {
+  std::vector<std::pair<double, std::string>> records;
+  for (const ContinuumState &state : states)
+    records.emplace_back(
+        state.time, write_state(body, state, *stress_of(state),
+                                {folder, name + "_" + std::to_string(state.step),
+                                 this_process(body.communicator), n_processes(body.communicator)}));
+  if (this_process(body.communicator) > 0)
+    return;
+  std::ostringstream text;
+  DataOutBase::write_pvd_record(text, records);
+  write_file(folder + "/" + name + ".pvd", text.str());
+}
+
+template std::unique_ptr<DataPostprocessor<2>> stress_of_body(const ContinuumBody<2> &);
+template std::unique_ptr<DataPostprocessor<3>> stress_of_body(const ContinuumBody<3> &);
+template void write_body_vtu<2>(const ContinuumBody<2> &, const std::vector<ContinuumState> &,
+                                const std::string &, const StressOf<2> &, const std::string &);
+template void write_body_vtu<3>(const ContinuumBody<3> &, const std::vector<ContinuumState> &,
+                                const std::string &, const StressOf<3> &, const std::string &);
 
 } // namespace frictionbeam

@@ -3,6 +3,8 @@
 
 #include "results/solid/wall_state.h"
 
+#include <deal.II/numerics/data_postprocessor.h>
+
 #include <string>
 #include <vector>
 
@@ -25,10 +27,11 @@ struct WallFrame {
 void write_wall_csv(const Scene &scene, const PipeWall &wall, const std::vector<WallFrame> &frames,
                     const std::string &folder);
 
-/// `solid_STEP.vtu` of each step's end, with `solid.pvd`: displacement, stress, von Mises stress,
-/// contact traction on the curved wall. By all processes.
-void write_wall_vtu(const WallLoads &loads, const ContinuumBody<3> &body,
-                    const std::vector<ContinuumState> &states, const std::string &folder);
+/// Of the free strain of the loads: stress xx, yy, xy, zz, yz, zx and von Mises's, for
+/// write_body_vtu().
+std::unique_ptr<dealii::DataPostprocessor<3>> stress_of_wall(const WallLoads &loads,
+                                                             const ContinuumBody<3> &body,
+                                                             const std::vector<double> &factors);
 
 /// Charts along the chain of pipes, and the wall coloured by its stress, as HTML; the picture is
 /// `solid.svg` in the folder as well.

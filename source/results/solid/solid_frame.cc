@@ -137,7 +137,10 @@ Frame solid_frame(const Scene &scene, const Model &line, const PipeWall &wall,
                   const std::vector<RingState> &rings) {
   std::vector<bool> jumps(rings.size(), false);
   for (unsigned int r = 0; r < rings.size(); ++r)
-    jumps[r] = loads.is_loaded(r);
+    jumps[r] = loads.is_loaded(r) ||
+               std::any_of(wall.patches.begin(), wall.patches.end(), [&](const WallPatch &patch) {
+                 return wall.rings[r].s >= patch.from && wall.rings[r].s <= patch.to;
+               });
   Frame frame;
   for (const auto &sites : line.mesh.restraints)
     for (const Site &site : sites) {

@@ -123,6 +123,10 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text("Ground", "", "name of a point of another pipe",
                   "What the support stands on; empty: the ground. What of the way there is across "
                   "the normal, is a rigid arm of that pipe.");
+  in.declare_number("Width", 0., "m", 0., 1e300,
+                    "Along the pipe, of the patch that a support of a solid pipe is pressed on, "
+                    "over 30 degrees of its circumference; 0: an outer diameter. A line stands on "
+                    "points.");
   in.declare_number("Restitution", 0., "-", 0., 1.,
                     "Newton's coefficient of an impact on a rigid contact, in transient steps: "
                     "relative velocity after over the one before.");
@@ -181,6 +185,7 @@ Restraint parse_restraint(const ParameterReader &in, const std::string &name,
          "friction");
   refuse(in, law_entries, kind, "a law's entries for guide, line stop, rest and friction");
   refuse(in, {"Pad"}, kind, "a pad under rest, guide, stop and friction");
+  refuse(in, {"Width"}, kind, "a Width of rest, guide, stop and friction");
   Restraint restraint;
   restraint.name = name;
   restraint.kind = kind;
@@ -287,6 +292,7 @@ FrictionSupport parse_friction_support(const ParameterReader &in, const std::str
   support.normal_force = in.number("Normal force");
   support.restitution = in.number("Restitution");
   support.capacity = in.number("Capacity");
+  support.width = in.number("Width");
   remark_on_restitution(in, law, support, scene);
   parse_ground(in, scene, support);
   return support;

@@ -55,6 +55,7 @@ public:
   SolidCheck(ParameterReader &in, const Scene &scene) : in(in), scene(scene) {}
 
   void all() {
+    check_scene();
     check_settings();
     check_parts();
     check_pipes();
@@ -87,10 +88,13 @@ private:
                     "Model = line");
   }
 
+  void check_scene();
   void check_settings();
   void check_parts();
   void check_pipes();
   void check_supports();
+  /// What a patch of the wall can be pressed on.
+  void check_patch(const FrictionSupport &support);
   void check_loads();
   void check_steps();
   void check_quantities();
@@ -98,6 +102,13 @@ private:
   ParameterReader &in;
   const Scene &scene;
 };
+
+void SolidCheck::check_scene() {
+  in.enter("");
+  if (const std::string kind = in.text("Scene"); kind != "line")
+    in.fail("Model", "line for Scene = " + kind + ", which is generated as beams alone,",
+            "Model = line, or the parts of a scene of its own");
+}
 
 void SolidCheck::check_settings() {
   const std::array<bool, 6> all_motions{{true, true, true, true, true, true}};
@@ -111,13 +122,17 @@ void SolidCheck::check_settings() {
          "a run for each coefficient");
   refuse(!scene.monitors.empty(), "", "Monitors", "none", "quantities at the ends of steps");
   refuse(!scene.mesh.file.empty(), "Mesh", "File", "routes", "pipes with a Route");
+  in.enter("Mesh");
+  for (const char *entry : {"Cell length", "Cells per bend", "Bends"})
+    refuse(scene.model == ModelKind::solid && in.given(entry), "Mesh", entry,
+           "cells by section Solid", "Longest cell and Cells per bend of section Solid");
   refuse(scene.mesh.refine_hinges, "Mesh", "Refine hinges", "false", "false");
   refuse(!scene.stress.code.empty(), "Stress", "Code", "no stress code", "removing section Stress");
   refuse(scene.modal.n_modes > 0, "Modes", "Number", "no modes", "0");
   refuse(scene.exact.has_value(), "Exact", "At", "no exact history", "removing section Exact");
   refuse(scene.output.contact_problems, "Output", "Write contact problems", "false", "false");
   refuse(scene.output.every_increment, "Output", "Every increment", "false", "false");
-  refuse(!scene.solver.is_exact() && !scene.supports.empty(), "Solver", "Method", "exact", "exact");
+  refuse(!scene.solver.is_exact(), "Solver", "Method", "exact", "exact");
 }
 
 void SolidCheck::check_parts() {
@@ -168,19 +183,45 @@ void SolidCheck::check_supports() {
     const std::string heading = "Support " + restraint.name;
     const bool all = std::all_of(restraint.fixed.begin(), restraint.fixed.end(),
                                  [](const bool held) { return held; });
-    refuse(!restraint.translations.empty(), heading, "Kind",
-           "anchor: a solid pipe does not stand on rests, guides and stops yet,", "anchors alone");
+    refuse(!restraint.translations.empty(), heading, "Gap",
+           "a guide or stop with a Gap, for heat and pressure widen the wall, which one without "
+           "would squeeze,",
+           "a Gap larger than the pipe's widening");
     refuse(!all, heading, "Fixed", "all six motions", "Kind = anchor");
     refuse(restraint.placement.continuous, heading, "Continuous", "false", "an anchor At a point");
   }
-  for (const FrictionSupport &support : scene.supports) {
-    std::string heading = "Support " + support.name;
-    for (const std::string half : {".plus", ".minus"})
-      if (const auto at = heading.rfind(half); at != std::string::npos)
-        heading.resize(at);
-    refuse(true, heading, "Kind",
-           "anchor: a solid pipe does not stand on rests, guides and stops yet,", "anchors alone");
+  for (const FrictionSupport &support : scene.supports)
+    check_patch(support);
+}
+
+void SolidCheck::check_patch(const FrictionSupport &support) {
+  std::string heading = "Support " + support.name;
+  for (const std::string half : {".plus", ".minus"})
+    if (heading.size() > half.size() &&
+        heading.compare(heading.size() - half.size(), half.size(), half) == 0)
+      heading.resize(heading.size() - half.size());
+  const bool is_known = support.kind != "rod" && support.kind != "snubber";
+  refuse(!is_known, heading, "Kind", "anchor, rest, guide, stop or friction", "rest");
+  refuse(support.law != "coulomb", heading, "Law", "coulomb", "coulomb");
+  for (const char *const rigidity : {"Axial rigidity", "Shear rigidity"}) {
+    in.enter(heading);
+    refuse(in.given(rigidity), heading, rigidity, "rigid contact", "removing the entry");
   }
+  refuse(support.torsion, heading, "Torsion", "false", "false");
+  refuse(support.normal_force > 0., heading, "Normal force", "ground that stands still",
+         "removing the entry");
+  refuse(!support.ground.empty(), heading, "Ground", "the ground", "removing the entry");
+  refuse(support.ground_moves(), heading, "Ground motion", "ground that stands still",
+         "removing the entry");
+  refuse(support.placement.continuous, heading, "Continuous", "false", "supports Every so often");
+  const bool is_pair = support.kind == "guide" || support.kind == "stop";
+  if (!is_pair)
+    return;
+  in.enter(heading);
+  refuse(!in.given("Gap") || in.number("Gap") == 0., heading, "Gap",
+         "a Gap, for heat and pressure widen the wall, which a guide or stop without one would "
+         "squeeze,",
+         "a Gap larger than the pipe's widening");
 }
 
 void SolidCheck::check_loads() {

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "command/solid/wall_scene.h"
+
+#include "base/processes.h"
+#include "base/user_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+const Contact &contact_of(const Model &line, const WallPatch &patch) {
+  for (unsigned int i = 0; i < line.contacts.size(); ++i)
+    if (line.contacts[i].support == patch.support && line.contacts[i].site == patch.site)
+      return line.contacts[i];
+  AssertThrow(false, ExcInternalError());
+  return line.contacts[0];
+}
+
+ContinuumContact contact_on(const Scene &scene, const Model &line, const PipeWall &wall,
+                            const WallPatch &patch) {
+  const FrictionSupport &support = scene.supports[patch.support];
+  const WallRing &ring = wall.rings[wall.ring_at(patch.vertex)];
+  const LocalAxes &axes = contact_of(line, patch).axes; // x to the ground
+  ContinuumContact contact;
+  contact.part = patch.part;
+  contact.law = support.law;
+  contact.parameters = support.parameters_of(patch.site);
+  contact.patch = ContinuumPatch{{{axes.x, axes.z, axes.y}},
+                                 ring.centre,
+                                 ring.tangent,
+                                 patch.outward,
+                                 std::cos(patch_half_arc * (1. + 1e-6))};
+  return contact;
+}
+
+ContinuumStep as_step_of_body(const LoadStep &step, const std::size_t n_loads) {
+  ContinuumStep result;
+  result.name = step.name;
+  result.n_increments = step.n_increments;
+  result.factors.assign(std::max<std::size_t>(1, n_loads), 0.);
+  for (const auto &[load, factor] : step.loads)
+    result.factors[load] += factor;
+  return result;
+}
+
+} // namespace
+
+Scene scene_of_wall(const Scene &scene, const Model &line, const PipeWall &wall) {
+  ContinuumScene body;
+  body.dimension = 3;
+  for (const Pipe &pipe : scene.pipes) {
+    const Material &material = scene.materials[pipe.material];
+    body.materials.push_back({material.youngs_modulus, material.poissons_ratio});
+  }
+  for (const auto &sites : line.mesh.restraints)
+    for (const Site &site : sites) {
+      const WallRing &ring = wall.rings[wall.ring_at(site.vertex)];
+      body.sections.push_back({ring.centre, ring.tangent, wall.outer,
+                               scene.solid.anchors == SolidSettings::Anchors::breathing});
+    }
+  for (const WallPatch &patch : wall.patches)
+    body.contacts.push_back(contact_on(scene, line, wall, patch));
+  for (const LoadStep &step : scene.steps)
+    body.steps.push_back(as_step_of_body(step, scene.loads.size()));
+  Scene result = scene;
+  result.continuum = body;
+  result.continuum_settings.degree = scene.solid.degree;
+  result.continuum_settings.linear_solver = ContinuumSettings::LinearSolver::direct; // thin cells
+  return result;
+}
+
+void check_can_be_solid(const Scene &scene) {
+  if (scene.continuum_settings.linear_solver == ContinuumSettings::LinearSolver::amg)
+    throw UserError("Walls of pipes are factored.\n  read:    Continuum/Linear solver = amg\n  "
+                    "allowed: auto or direct with Model = solid\n  try:     to leave it out");
+  if (n_processes() > 1)
+    throw UserError("Walls of pipes are solved by one process.\n  read:    Model = solid under "
+                    "mpirun\n  allowed: one process\n  try:     without mpirun");
+  if (scene.restraints.empty())
+    throw UserError("Nothing holds the solid pipe.\n  read:    no anchor\n  allowed: anchors, and "
+                    "supports beside them\n  try:     an anchor at one end");
+}
+
+void check_patches(const Scene &scene, const PipeWall &wall, const ContinuumBody<3> &body) {
+  std::vector<unsigned int> n_nodes(wall.patches.size(), 0);
+  for (const ContinuumContactNode<3> &node : body.nodes)
+    ++n_nodes[node.surface];
+  for (std::size_t p = 0; p < n_nodes.size(); ++p)
+    if (n_nodes[p] == 0)
+      throw UserError(
+          "Support " + scene.supports[wall.patches[p].support].name +
+          ": no node of the wall lies on its patch.\n  read:    " + std::to_string(wall.around) +
+          " Cells around of degree " + std::to_string(scene.solid.degree) +
+          "\n  allowed: nodes nearer than a patch's arc of 30 degrees\n  try:     "
+          "Cells around = 16 in section Solid, or more");
+}
+
+double imbalance_of_supports(const Vector3 &load, const Model &line, const Frame &frame) {
+  Vector3 sum = load;
+  double largest = load.norm();
+  const auto add = [&](const Vector3 &force) {
+    sum += force;
+    largest = std::max(largest, force.norm());
+  };
+  for (const Motion &held : frame.reactions)
+    add(Vector3({held[0], held[1], held[2]}));
+  for (unsigned int i = 0; i < frame.supports.size(); ++i) {
+    const LocalAxes &axes = line.contacts[i].axes;
+    const SupportState &state = frame.supports[i];
+    add(-state.fn * axes.x + state.ft1 * axes.z + state.ft2 * axes.y);
+  }
+  return largest > 0. ? sum.norm() / largest : 0.;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/solid/patch_layout.h"
+
+#include "base/user_error.h"
+#include "scene/in_units.h"
+#include <frictionbeam/generalized_strain.h>
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+class PatchLayout {
+public:
+  PatchLayout(const Scene &scene, const LineMesh &line, const PipeWall &wall)
+      : scene(scene), line(line), wall(wall), rounding(1e-6 * wall.outer) {}
+
+  WallPatch patch(const unsigned int support, const unsigned int site) const;
+
+private:
+  struct Run {
+    double begin, end;
+  };
+  /// The straight run that a segment is a part of.
+  Run run_of(const WallSegment &segment) const;
+  void check_on_run(const WallPatch &patch, const double s) const;
+  void check_anchors(const WallPatch &patch) const;
+  Vector3 outward(const FrictionSupport &support, const Vector3 &tangent) const;
+  bool is_straight(const unsigned int segment) const {
+    return wall.segments[segment].path.radius == 0.;
+  }
+  std::string text(const double length) const { return in_units(scene.units, length, "m"); }
+
+  const Scene &scene;
+  const LineMesh &line;
+  const PipeWall &wall;
+  const double rounding;
+};
+
+PatchLayout::Run PatchLayout::run_of(const WallSegment &segment) const {
+  Run run{segment.start, segment.start + segment.path.length};
+  const unsigned int number = &segment - wall.segments.data();
+  for (unsigned int before = number; before > 0 && is_straight(before - 1); --before)
+    run.begin = wall.segments[before - 1].start;
+  for (unsigned int next = number + 1; next < wall.segments.size() && is_straight(next); ++next)
+    run.end = wall.segments[next].start + wall.segments[next].path.length;
+  return run;
+}
+
+void PatchLayout::check_on_run(const WallPatch &patch, const double s) const {
+  const bool leaves = patch.from < -rounding || patch.to > wall.length() + rounding;
+  const WallSegment &segment = wall.segment_at(s);
+  const Run run = run_of(segment);
+  const bool on_bend = segment.path.radius > 0.;
+  if (!leaves && !on_bend && patch.from >= run.begin - rounding && patch.to <= run.end + rounding)
+    return;
+  const double most = 2. * std::min(s - run.begin, run.end - s);
+  throw UserError("Support " + scene.supports[patch.support].name + ": its patch " +
+                  (leaves ? "leaves the pipe" : "overlaps a bend") +
+                  ".\n  read:    a patch of width " + text(patch.to - patch.from) + " at " +
+                  in_units(scene.units, line.vertices[patch.vertex]) +
+                  (on_bend ? ", in a bend"
+                           : ", on a run from " + text(s - run.begin) + " before to " +
+                                 text(run.end - s) + " behind it") +
+                  "\n  allowed: with Model = solid, a patch that lies on one straight run, over "
+                  "Width along the "
+                  "pipe\n  try:     " +
+                  (on_bend || most < 0.1 * wall.outer
+                       ? "the support further from there"
+                       : "Width = " + text(most) + " or less, or the support further from there"));
+}
+
+void PatchLayout::check_anchors(const WallPatch &patch) const {
+  for (unsigned int i = 0; i < scene.restraints.size(); ++i)
+    for (const Site &site : line.restraints[i]) {
+      const double s = wall.s_of(line, site.vertex);
+      if (s > patch.from - rounding && s < patch.to + rounding)
+        throw UserError("Support " + scene.supports[patch.support].name +
+                        ": its patch covers anchor " + scene.restraints[i].name +
+                        ".\n  read:    a patch of width " + text(patch.to - patch.from) + " at " +
+                        in_units(scene.units, line.vertices[patch.vertex]) +
+                        "\n  allowed: with Model = solid, patches away from anchors, which hold "
+                        "all of the section\n  try:     a smaller Width, or the support further "
+                        "from the anchor");
+    }
+}
+
+Vector3 PatchLayout::outward(const FrictionSupport &support, const Vector3 &tangent) const {
+  Vector3 normal = support.normal.vector;
+  if (support.normal.kind == Direction::Kind::across)
+    normal = LocalAxes(tangent).y;
+  else if (support.normal.kind == Direction::Kind::along)
+    normal = tangent;
+  normal *= support.normal.sign;
+  constexpr double square_enough = 1e-3; // else it would press along the pipe as well
+  const double along = normal * tangent;
+  if (std::abs(along) > square_enough)
+    throw UserError("Support " + support.name +
+                    ": it pushes along the pipe.\n  read:    a Normal " +
+                    std::string(std::abs(along) > 0.999 ? "along" : "that is not square to") +
+                    " the pipe\n  allowed: normals across the pipe with Model = solid\n  try:     "
+                    "an anchor, or Model = line");
+  const Vector3 across = normal - along * tangent;
+  return -across / across.norm();
+}
+
+WallPatch PatchLayout::patch(const unsigned int support, const unsigned int site) const {
+  const FrictionSupport &of = scene.supports[support];
+  WallPatch patch;
+  patch.support = support;
+  patch.site = site;
+  patch.vertex = line.supports[support][site].vertex;
+  patch.part = "support " + of.name +
+               (line.supports[support].size() > 1 ? "." + std::to_string(site + 1) : "");
+  const double width = of.width > 0. ? of.width : 2. * wall.outer,
+               s = wall.s_of(line, patch.vertex);
+  patch.from = s - width / 2.;
+  patch.to = s + width / 2.;
+  check_on_run(patch, s);
+  check_anchors(patch);
+  patch.outward = outward(of, wall.segment_at(s).path.first_tangent);
+  return patch;
+}
+
+} // namespace
+
+std::vector<WallPatch> lay_patches(const Scene &scene, const LineMesh &line, const PipeWall &wall) {
+  const PatchLayout layout(scene, line, wall);
+  std::vector<WallPatch> patches;
+  for (unsigned int i = 0; i < scene.supports.size(); ++i)
+    for (unsigned int k = 0; k < line.supports[i].size(); ++k)
+      patches.push_back(layout.patch(i, k));
+  return patches;
+}
+
+} // namespace frictionbeam
