@@ -59,6 +59,7 @@ subsection Solid
   set Anchors = breathing
   set Degree = 3
   set Cells around = {around}
+  set First cell = {first!r}
   set Cells per bend = {along}
 end
 subsection Output
@@ -74,6 +75,7 @@ def flexibilities(program, h, tangent, around, along):
     outer, inner = RADIUS + wall / 2, RADIUS - wall / 2
     length = tangent * 2 * outer
     case = CASE.format(diameter=2 * outer, wall=wall, corner=length + R, around=around, along=along,
+                       first=RADIUS / 2,
                        **{name: globals()[name] for name in ("E", "NU", "R", "MOMENT")})
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "bend.prm"
