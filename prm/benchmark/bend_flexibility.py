@@ -57,7 +57,7 @@ subsection Quantities
 end
 subsection Solid
   set Anchors = breathing
-  set Degree = 3
+  set Degree = 2
   set Cells around = {around}
   set First cell = {first!r}
   set Cells per bend = {along}
@@ -97,7 +97,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--h", type=float, nargs="+", default=[0.05, 0.1, 0.2, 0.5, 1.0])
     parser.add_argument("--tangents", type=float, nargs="+", default=[0.5, 1, 2, 5])
-    parser.add_argument("--around", type=int, default=12)
+    parser.add_argument("--around", type=int, default=32)
     parser.add_argument("--along", type=int, default=6)
     options = parser.parse_args()
     heads = [f"{tangent:g} D" for tangent in options.tangents]
