@@ -263,6 +263,12 @@ void SolidCheck::check_quantities() {
 
 /// What a line does not use.
 void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
+  const auto wide = std::find_if(scene.supports.begin(), scene.supports.end(),
+                                 [](const FrictionSupport &support) { return support.width > 0.; });
+  if (wide != scene.supports.end())
+    scene.remarks.push_back("Support " + wide->name +
+                            ": its Width is that of a patch on a solid pipe, and a line does not "
+                            "use it.");
   in.enter("Solid");
   for (const char *entry : {"Degree", "Cells around", "Cells through", "Cells per bend",
                             "First cell", "Longest cell", "Anchors", "Most unknowns"})
