@@ -4,8 +4,8 @@
 #include <frictionbeam/contact/halving_search.h>
 #include <frictionbeam/contact/tolerances.h>
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace frictionbeam::contact {
@@ -19,6 +19,43 @@ constexpr double most_rounding = 1e-2;
 /// Parts of the tolerances at which nothing is left to gain, and of the merit that a step must
 /// leave for another one to be worth it.
 constexpr double sharp = 1e-4, least_gain = 0.25;
+
+/// (I - D diag(by centre))^-1, of the tangent D of an exact contact: its normal force depends on
+/// nothing else, its friction and its torsion on this and on themselves, and the centre has no
+/// torsion.
+class LawWithoutCentre {
+public:
+  LawWithoutCentre(const Block &D, const Strains &by_centre)
+      : normal(1. - D(0, 0) * by_centre[0]), by_normal(D.col(0) * by_centre[0]),
+        across(Eigen::Matrix2d::Identity() -
+               D.block<2, 2>(1, 1) * by_centre.segment<2>(1).asDiagonal()) {
+    swaps = std::abs(across(1, 0)) > std::abs(across(0, 0));
+    if (swaps)
+      across.row(0).swap(across.row(1));
+    factor = across(1, 0) / across(0, 0);
+    last = across(1, 1) - factor * across(0, 1);
+  }
+
+  template <int n_columns, int order>
+  Eigen::Matrix<double, n_strains, n_columns, order>
+  times(const Eigen::Matrix<double, n_strains, n_columns, order> &right) const {
+    auto x = right;
+    x.row(0) /= normal;
+    for (int row = 1; row < n_strains; ++row)
+      x.row(row) += by_normal[row] * x.row(0);
+    if (swaps)
+      x.row(1).swap(x.row(2));
+    x.row(2) = (x.row(2) - factor * x.row(1)) / last;
+    x.row(1) = (x.row(1) - across(0, 1) * x.row(2)) / across(0, 0);
+    return x;
+  }
+
+private:
+  double normal, factor, last;
+  Strains by_normal;
+  Eigen::Matrix2d across; ///< its larger row first
+  bool swaps;
+};
 
 } // namespace
 
@@ -131,11 +168,9 @@ void Newton::eliminate_centre(Response &response, std::vector<Strains> &step) co
       continue;
     }
     proximal.centre[i][3] = response.stress[i][3]; // torsion has no proximal term
-    const Block D = response.tangent[i];
-    const Eigen::PartialPivLU<Block> M(Block::Identity() -
-                                       (1. - epsilon) * D * proximal.by_centre(i).asDiagonal());
-    response.tangent[i] = M.solve(D);
-    step[i] = M.solve(proximal.misfit[i]);
+    const LawWithoutCentre without(response.tangent[i], (1. - epsilon) * proximal.by_centre(i));
+    response.tangent[i] = without.times(response.tangent[i]);
+    step[i] = without.times(proximal.misfit[i]);
     response.stress[i] = proximal.centre[i] + step[i];
   }
 }
