@@ -51,7 +51,7 @@ void give_bend(const PcfFile &file, const PcfComponent &component, const Point3 
   const auto refuse = [&](const std::string &read) {
     file.fail(component.line, component.keyword + " " + read,
               "CENTRE-POINT where the tangents at both END-POINTs meet, equally far from both",
-              "the right CENTRE-POINT; of a bend of 180 degrees with ANGLE 18000");
+              "the right CENTRE-POINT; of a bend of 180 degrees in the middle between its ends");
   };
   if (std::abs(first - second) > std::max(tolerance, 1e-3 * first) ||
       std::min(first, second) <= tolerance)
@@ -98,8 +98,7 @@ std::pair<Piece, Piece> cut_bend(const Piece &bend, const Point3 &a, const Point
 bool turns_back(const PcfComponent &component, const double tolerance) {
   const Point3 &a = component.ends[0].position, &b = component.ends[1].position;
   const Point3 middle(a + 0.5 * (b - a));
-  return (component.angle && std::abs(*component.angle - 180. * degree) < differing_radius) ||
-         component.centre->position.distance(middle) <= std::max(tolerance, 1e-3 * a.distance(b));
+  return component.centre->position.distance(middle) <= std::max(tolerance, 1e-3 * a.distance(b));
 }
 
 Point3 top_of_return(const PcfFile &file, const PcfLine &line, const PcfComponent &component,

@@ -24,8 +24,8 @@ std::pair<Piece, Piece> cut_bend(const Piece &bend, const Point3 &a, const Point
                                  const Point3 &b);
 
 /**
- * Whether a bend turns back: by its ANGLE, or by a CENTRE-POINT in the middle between its ends,
- * where the tangents of no other bend meet.
+ * Whether a bend turns back: by a CENTRE-POINT in the middle between its ends, where the tangents
+ * of no other bend meet.
  */
 bool turns_back(const PcfComponent &component, const double tolerance);
 
