@@ -50,7 +50,7 @@ public:
       places.insert(info.position);
     for (const RestraintInfo &info : results.restraints)
       places.insert(info.position);
-    n_held = places.points.size();
+    holds.resize(places.points.size());
   }
 
   void of_displacements() {
@@ -81,7 +81,8 @@ public:
 
   void of_sags() {
     std::vector<std::string> spans;
-    for (const Frame *const frame : ends)
+    for (const Frame *const frame : ends) {
+      find_what_holds(*frame);
       for (std::size_t begin = 0; begin < frame->line.size();) {
         std::size_t end = begin + 1;
         while (end < frame->line.size() && frame->line[end].pipe == frame->line[begin].pipe &&
@@ -92,6 +93,7 @@ public:
           note(spans, span_in_words(*frame, begin, end));
         begin = end;
       }
+    }
     if (spans.empty())
       return;
     std::string text;
@@ -158,9 +160,21 @@ private:
     return std::any_of(results.supports.begin(), results.supports.end(),
                        [](const SupportInfo &info) { return holds_up(info); });
   }
-  /// Whether anything stands there.
+  /// Restraints, and supports that touch the line.
+  void find_what_holds(const Frame &frame) {
+    std::fill(holds.begin(), holds.end(), false);
+    for (const RestraintInfo &info : results.restraints)
+      holds[places.insert(info.position)] = true;
+    for (std::size_t i = 0; i < frame.supports.size(); ++i)
+      if (!stands_off(frame.supports[i], same_place))
+        holds[places.insert(results.supports[i].position)] = true;
+  }
+  /// Whether anything holds it there.
   bool is_held(const Station &station) {
-    return station.is_node() && places.insert(station.position) < n_held;
+    if (!station.is_node())
+      return false;
+    const std::size_t place = places.insert(station.position);
+    return place < holds.size() && holds[place];
   }
   /// Between two that are held, below the straight line from one to the other.
   static bool sags(const Frame &frame, const std::size_t begin, const std::size_t end) {
@@ -189,8 +203,8 @@ private:
   const Scene &scene;
   Results &results;
   const std::vector<const Frame *> ends;
-  PointSet places; ///< those of supports first
-  int n_held = 0;  ///< of them
+  PointSet places;         ///< those of supports first
+  std::vector<bool> holds; ///< of them, in the frame that is looked at
 };
 
 } // namespace

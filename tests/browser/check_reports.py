@@ -170,8 +170,11 @@ def check_chart(browser, name, folder):
     if not tip or not tip[2] or not label.startswith("N, axial force [kN]"):
         return
     s, rows = float(tip[1]), rows_of(folder, "line.csv")
+    steps = list(dict.fromkeys(row["step"] for row in rows))
     pipe = rows[0]["pipe"]
     for text in tip[2]:
+        if ": " not in text:  # of a single step, which has no name there
+            text = steps[-1] + ": " + text
         step, value = text.rsplit(": ", 1)
         line = [(float(row["s"]), float(row["N"]) / 1e3) for row in rows if row["step"] == step and row["pipe"] == pipe]
         if not line:

@@ -2,6 +2,7 @@
 #include "results/picture/coloured_line.h"
 
 #include "results/picture/isometric.h"
+#include "results/picture/label_placer.h"
 #include "results/picture/marker.h"
 #include "results/text.h"
 
@@ -87,13 +88,22 @@ std::string ring(const Pixel &at, const std::string &tooltip) {
          (tooltip.empty() ? "" : "<title>" + escape_xml(tooltip) + "</title>") + "</circle>\n";
 }
 
-/// The names of points of routes, each once; those that come too close to the one before are left
-/// out.
+/// The names of points of routes, each once, where there is room for them.
 template <typename Place>
 std::string draw_names(const Scene &scene, const Results &results, const Frame &frame,
-                       const Place &place) {
+                       const Place &place, LabelPlacer placer) {
+  constexpr double font_size = 11.;
   std::string names;
   Pixel last{-1e9, -1e9};
+  for (std::size_t i = 0; i < frame.line.size(); ++i) {
+    const Pixel at = place(frame.line[i]);
+    const bool begins = i == 0 || frame.line[i - 1].pipe != frame.line[i].pipe;
+    if (!begins && std::hypot(at.x - last.x, at.y - last.y) < 3.)
+      continue;
+    if (!begins)
+      placer.avoid_stroke(last.x, last.y, at.x, at.y);
+    last = at;
+  }
   std::set<std::string> unnamed; // corners of routes
   for (const Pipe &pipe : scene.pipes)
     for (const RoutePoint &point : pipe.route)
@@ -102,9 +112,9 @@ std::string draw_names(const Scene &scene, const Results &results, const Frame &
     for (const PointInfo &point : results.points)
       if (point.vertex == station.vertex && unnamed.erase(point.name) > 0) {
         const Pixel at = place(station);
-        if (std::hypot(at.x - last.x, at.y - last.y) > 24.)
-          names += text_at(at.x + 6., at.y - 6., point.name, "font-size=\"11\" fill=\"#444\"");
-        last = at;
+        if (const auto found = placer.place(point.name, font_size, at.x, at.y))
+          names += text_at(found->x, found->y, point.name,
+                           "font-size=\"11\" fill=\"#444\" text-anchor=\"" + found->anchor + "\"");
       }
   return names;
 }
@@ -151,7 +161,8 @@ std::string draw_coloured_line(const Scene &scene, const Results &results, const
   for (const ColouredLine::Ring &one : what.rings)
     rings += ring(view.place(moved(frame.line[one.station])), one.tooltip);
   const std::string names = draw_names(
-      scene, results, frame, [&](const Station &station) { return view.place(moved(station)); });
+      scene, results, frame, [&](const Station &station) { return view.place(moved(station)); },
+      LabelPlacer(wide, above, bottom));
   std::string key = draw_key(bottom, what.legend);
   if (!what.rings.empty())
     key += ring({wide - margin - 250., bottom + 11.}, "") +

@@ -47,3 +47,15 @@ const readModelData = data => {
     escaped: text => text.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`)
   };
 };
+
+// Colours in bands: viridis from dark to light; blue, white and red where there are signs.
+const modelColours = (() => {
+  const stops = {plain: [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [235, 220, 60]],
+                 signed: [[33, 102, 172], [146, 197, 222], [245, 245, 245], [244, 165, 130], [178, 24, 43]]};
+  const bands = 12;
+  const bandColours = kind => Array.from({length: bands}, (_, b) => {
+    const at = 4 * b / (bands - 1), k = Math.min(3, Math.floor(at));
+    return stops[kind][k].map((c, d) => Math.round(c + (at - k) * (stops[kind][k + 1][d] - c)));
+  });
+  return {bands, bandColours};
+})();

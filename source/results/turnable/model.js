@@ -21,14 +21,7 @@
 
   const read = readModelData(data), {n, along, fields, place, shown, where, ofKind, escaped} = read, tables = makeModelTables(data, read);
 
-  // Colours in bands: viridis from dark to light; blue, white and red where there are signs.
-  const stops = {plain: [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [235, 220, 60]],
-                 signed: [[33, 102, 172], [146, 197, 222], [245, 245, 245], [244, 165, 130], [178, 24, 43]]};
-  const bands = 12;
-  const bandColours = kind => Array.from({length: bands}, (_, b) => {
-    const at = 4 * b / (bands - 1), k = Math.min(3, Math.floor(at));
-    return stops[kind][k].map((c, d) => Math.round(c + (at - k) * (stops[kind][k + 1][d] - c)));
-  });
+  const {bands, bandColours} = modelColours;
   const palette = new THREE.DataTexture(new Uint8Array(3 * bands), bands, 1, THREE.RGBFormat);
   palette.magFilter = palette.minFilter = THREE.NearestFilter;
   const statusColours = {stick: '#0072b2', slip: '#d55e00', open: '#f4f4f4', closed: '#009e73', none: '#999999'};
@@ -337,11 +330,10 @@
   const {controls, look, fit} = makeModelView($('canvas'), camera, size, see => {
     const at = new THREE.Vector3();
     for (let i = 0; i < n; ++i) {
-      see(place(i));
-      if (state.from) see(place(i).addScaledVector(at.fromArray(state.from.moves, 3 * i), uniforms.scale.value));
+      see(place(i), radii[i]);
+      if (state.from) see(place(i).addScaledVector(at.fromArray(state.from.moves, 3 * i), uniforms.scale.value), radii[i]);
     }
-    for (const item of items)
-      for (const far of [-4, 4]) for (const axis of item.parts[0][1]) see(at.copy(item.centre).addScaledVector(axis, far * item.radius));
+    for (const item of items) see(item.centre, radii[item.station] + 3 * item.radius);
   }, draw);
   function resize() {
     const frame = $('canvas').parentElement;

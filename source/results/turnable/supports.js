@@ -24,6 +24,14 @@ const placeModelSupports = (data, symbols, tangents, radii, size, tint) => {
       : ways.length > 0 ? facing('holds') : [['collar', [t.clone().cross(up).lengthSq() > 0.01 ? up.clone().cross(t).normalize() : new THREE.Vector3(1, 0, 0), up, t.clone()]]];
     items.push({type: 'restraint', k, ...restraint, parts: parts.length ? parts : [['other', axesFor(up, restraint.station)]]});
   });
+  // No larger than their neighbours leave room for.
+  const order = [...items].sort((a, b) => a.station - b.station), place = item => new THREE.Vector3(...item.at);
+  const apart = new Map(items.map(item => [item, Infinity]));
+  for (let i = 1, before = null; i < order.length; ++i) {
+    if (order[i].station !== order[i - 1].station) before = order[i - 1];
+    const far = before ? place(order[i]).distanceTo(place(before)) : 0;
+    if (far > 1e-6 * size) for (const one of [before, order[i]]) apart.set(one, Math.min(apart.get(one), far));
+  }
   const batch = new symbols.Batch(), taken = new Map();
   for (const item of items) {
     const key = item.at.map(x => Math.round(x / size * 1e6)).join(), others = taken.get(key) || [];
@@ -34,11 +42,13 @@ const placeModelSupports = (data, symbols, tangents, radii, size, tint) => {
     const slots = others.filter(covers).map(other => other.slot);
     item.slot = [0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5].find(slot => !slots.includes(slot)) || 0;
     taken.set(key, [...others, item]);
-    const r = item.radius = radii[item.station], shift = tangents[item.station].clone().multiplyScalar(4.4 * r * item.slot);
+    const whole = radii[item.station], r = item.radius = symbols.around.has(item.parts[0][0]) ? whole : Math.min(whole, Math.max(apart.get(item) / 4.4, 0.2 * whole));
+    const shift = tangents[item.station].clone().multiplyScalar(4.4 * r * item.slot);
     item.centre = new THREE.Vector3(...item.at);
     item.middle = shift.clone().addScaledVector(item.parts[0][1][2], r * ({rest: -2, guide: -2, snubber: -3.5, spring: -3, holds: -2.5, hanger: 5, constant: 5, rod: 5}[item.parts[0][0]] || 0));
+    item.middle.addScaledVector(item.parts[0][1][2], symbols.above.has(item.parts[0][0]) ? whole - r : r - whole);
     item.ranges = item.parts.map(([name, axes]) => batch.add(symbols.shape(name), item.centre,
-      axes.map(axis => axis.clone().multiplyScalar(r)), r, shift, tint(item.type === 'support' ? '#999999' : '#3b3f46'), item.station));
+      axes.map(axis => axis.clone().multiplyScalar(r)), r, shift.clone().addScaledVector(axes[2], symbols.above.has(name) ? whole - r : r - whole), tint(item.type === 'support' ? '#999999' : '#3b3f46'), item.station));
   }
   return {items, batch, axesFor};
 };

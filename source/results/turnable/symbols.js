@@ -48,7 +48,7 @@ const makeModelSymbols = () => {
 
   const ofKind = {rest: 'rest', friction: 'rest', guide: 'guide', 'line stop': 'stop', stop: 'stop', rod: 'rod', snubber: 'snubber',
                   spring: 'spring', 'spring hanger': 'hanger', 'constant hanger': 'constant', anchor: 'anchor'};
-  const around = new Set(['stop', 'anchor', 'other']);
+  const around = new Set(['stop', 'anchor', 'other', 'collar']), above = new Set(['rod', 'hanger', 'constant']);
 
   // Vertices of many symbols, or of pipes, drawn in one go. Each vertex knows its centre, which moves with the line, and its
   // way from there, which is widened so that nothing gets thinner than some pixels.
@@ -134,6 +134,6 @@ const makeModelSymbols = () => {
       }`
   });
 
-  return {shape, Batch, material, around,
+  return {shape, Batch, material, around, above,
           of: kind => ofKind[kind] || null};
 };

@@ -59,7 +59,7 @@ const makeModelTables = (data, model) => {
       `<path d="M${left},${top}V${bottom}H${right}M${left},${h.y(0)}H${right}" fill="none" stroke="#999"/>${label(64, 20, 'end', shown(h.high, 4))}${label(64, 134, 'end', shown(h.low, 4))}${label(left, 150, 'middle', shown(h.from, 5) + ' s')}${label(right, 150, 'middle', shown(h.to, 5) + ' s')}` +
       h.curves.map(([, colour, list]) => `<polyline fill="none" stroke="${colour}" stroke-width="2" points="${list.map((value, i) => value === null ? '' : at(h.steps[i].time, value)).join(' ')}"/>`).join('') +
       h.curves.map(([, colour, , row]) => row ? mark(row[1], row[0], colour) + mark(row[3], row[2], colour) : '').join('') +
-      '<line id="model-history-now" y1="15" y2="130" stroke="#cc2a86" stroke-width="1.5"/><line id="model-history-at" y1="15" y2="130" stroke="#555" stroke-dasharray="4 3"/></svg><div class="tip" hidden></div></div>';
+      '<line id="model-history-at" y1="15" y2="130" stroke="#555" stroke-dasharray="4 3"/></svg><div class="tip" hidden></div><div id="model-history-now"></div></div>';
   }
   // The values under the cursor; a click takes the model there.
   function answer(h, take) {
@@ -88,8 +88,8 @@ const makeModelTables = (data, model) => {
   function mark(time) {
     const line = shownHistory && document.getElementById('model-history-now');
     if (!line) return;
-    line.setAttribute('visibility', time === null ? 'hidden' : 'visible');
-    if (time !== null) { line.setAttribute('x1', shownHistory.x(time)); line.setAttribute('x2', shownHistory.x(time)); }
+    line.hidden = time === null;
+    if (time !== null) line.style.transform = `translateX(${shownHistory.x(time) / 10}cqw)`; // moved by the compositor: nothing is painted
   }
 
   /** Fill an element with what is known of an item; take(state) shows a state. */

@@ -13,7 +13,7 @@ const makeModelView = (canvas, camera, size, everyPlace, draw) => {
     const back = new THREE.Vector3(x, y, z).normalize(), right = new THREE.Vector3(0, 0, 1).cross(back).normalize(), up = back.clone().cross(right);
     const span = [right, up, back].map(axis => {
       let low = Infinity, high = -Infinity;
-      everyPlace(p => { const at = p.dot(axis); low = Math.min(low, at); high = Math.max(high, at); });
+      everyPlace((p, r) => { const at = p.dot(axis); low = Math.min(low, at - r); high = Math.max(high, at + r); });
       return {middle: (low + high) / 2, length: high - low};
     });
     const tan = Math.tan(camera.fov * Math.PI / 360);
