@@ -5,8 +5,8 @@
 #include "command/line/run_line.h"
 #include "command/run_body.h"
 #include "command/run_folder.h"
-#include "command/solid/run_solid.h"
 #include "command/size_hangers.h"
+#include "command/solid/run_solid.h"
 
 #include "base/interruption.h"
 #include "base/processes.h"
@@ -16,7 +16,6 @@
 #include "results/file/checkpoint.h"
 #include "results/file/csv_writer.h"
 #include "results/file/envelope_tables.h"
-#include "results/table/model_tables.h"
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/finite.h"
@@ -31,6 +30,8 @@
 #include "results/solid/line_and_solid.h"
 #include "results/spectrum/modal_csv.h"
 #include "results/stress/stresses.h"
+#include "results/stress/wall_stress_table.h"
+#include "results/table/model_tables.h"
 #include "results/text.h"
 #include "results/verdicts.h"
 #include "scene/read_scene.h"
@@ -176,6 +177,7 @@ Results run_line(const Scene &scene, const LawLibrary &laws) {
   study_friction(scene, laws, results);
   write_stresses(scene, results, scene.output.directory);
   write_compliance(scene, results, scene.output.directory);
+  write_wall_stresses(scene, results, scene.output.directory);
   write_hangers(results, scene.output.directory);
   write_section_histories(scene, results, scene.output.directory);
   write_force_tables(scene, results, scene.output.directory);

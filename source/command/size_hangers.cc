@@ -123,6 +123,31 @@ bool carries(const HangerItem &item, const double hot, const double travel) {
   return std::min(hot, cold) >= item.least_load && std::max(hot, cold) <= item.most_load;
 }
 
+/// The first constant item of the catalogue that carries a load and has the travel.
+HangerItem pick_constant_item(const Scene &scene, const Hanger &hanger, const Spring &spring,
+                              const double travel) {
+  const double load = spring.preload;
+  unsigned int n_carrying = 0;
+  double longest = 0.;
+  for (const HangerItem &item : scene.catalogue.constant_hangers) {
+    if (load < item.least_load || load > item.most_load)
+      continue;
+    if (std::abs(travel) <= usable * item.travel)
+      return item;
+    ++n_carrying;
+    longest = std::max(longest, item.travel);
+  }
+  throw UserError(
+      "Hanger " + hanger.name + ": no constant item of the catalogue fits " + spring.name +
+      ".\n  read:    a load of " + in_words(scene, load, "N") + " and a travel of " +
+      in_words(scene, travel, "m") + "\n  allowed: an item whose range holds the load, of " +
+      std::to_string(scene.catalogue.constant_hangers.size()) + " there are " +
+      std::to_string(n_carrying) + ", and " + rounded_number(100. * usable, 4) +
+      " % of whose travel is enough" +
+      (n_carrying > 0 ? ", the longest of these is " + in_words(scene, longest, "m") : "") +
+      "\n  try:     more items in Catalogue/Constant hangers");
+}
+
 /// The first item of the catalogue that carries hot and cold load with no more than the variation
 /// that is allowed.
 HangerItem pick_item(const Scene &scene, const Hanger &hanger, const Spring &spring,
@@ -160,7 +185,8 @@ void size_spring(Hanger &hanger, const std::size_t place, const double travel, S
   const double hot = spring.preload, variation = usable * hanger.largest_variation,
                sizing_travel = variation * least_travel;
   if (hanger.picks_item)
-    hanger.items.push_back(pick_item(scene, hanger, spring, travel));
+    hanger.items.push_back(hanger.constant ? pick_constant_item(scene, hanger, spring, travel)
+                                           : pick_item(scene, hanger, spring, travel));
   const bool has_item = place < hanger.items.size();
   const bool travels_less = !hanger.constant && !has_item && std::abs(travel) < sizing_travel;
   if (!hanger.constant) {

@@ -135,6 +135,7 @@ struct RestraintEnvelope {
 struct StressEnvelope {
   std::string from; ///< of an expansion range: the step before; empty: sustained or occasional
   std::vector<double> stress, time; ///< [Pa, s]
+  std::vector<double> force;        ///< N, Vy, Vz, Mx, My, Mz of each station then [N, N m]
 };
 
 /// The forces on a nozzle when it used most of what is allowed.
@@ -208,10 +209,9 @@ struct StressCase {
   Frame frame;
   std::vector<double> stress, allowed; ///< [Pa]
   std::vector<StressFactors> factors;
-  /// That make each stress; empty where they are not kept: of transient steps.
-  std::vector<StressForces> forces;
-  std::string step;         ///< that it is of; of a range, the later one
-  unsigned int worst = 0;   ///< the station of largest stress over allowed
+  std::vector<StressForces> forces; ///< that make each stress, at its instant
+  std::string step;                 ///< that it is of; of a range, the later one
+  unsigned int worst = 0;           ///< the station of largest stress over allowed
   std::vector<double> time; ///< when each stress was met, of a transient step; empty: at the end
 };
 
@@ -230,6 +230,9 @@ struct HangerUse {
   double stiffness = 0.;                ///< [N/m]; 0: constant
   double cold_load = 0., hot_load = 0.; ///< before anything has moved; in the hot step [N]
   double travel = 0.;                   ///< up, to the hot step [m]
+  /// From the lowest to the highest over these steps and before anything has moved, and what a
+  /// constant item of a catalogue has; 0: any [m].
+  double largest_travel = 0., allowed_travel = 0.;
   /// Largest |F - F_hot|/F_hot over these steps and the cold load, and where; how much is allowed.
   double variability = 0., allowed_variability = 0.;
   std::string step;                       ///< "cold" or a step

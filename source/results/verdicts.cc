@@ -120,6 +120,9 @@ OneCheck hangers(const Results &results) {
                                       : std::numeric_limits<double>::infinity(),
                   1.);
     }
+    if (one.allowed_travel > 0.)
+      check.judge(one.name + ", travel over that of " + one.item, "",
+                  one.largest_travel / one.allowed_travel, 1.);
   }
   return check;
 }

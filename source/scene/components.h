@@ -47,8 +47,9 @@ struct Tee {
 /// A spring hanger of a catalogue.
 struct HangerItem {
   std::string name;
-  double stiffness = 0.;                  ///< [N/m]
-  double least_load = 0., most_load = 0.; ///< that its spring is made for [N]
+  double stiffness = 0.;                  ///< [N/m]; 0: of a constant hanger
+  double least_load = 0., most_load = 0.; ///< that it is made for [N]
+  double travel = 0.;                     ///< that a constant one has, up and down together [m]
 };
 
 /// A rigid part of a catalogue: a valve, a flange.
@@ -59,7 +60,7 @@ struct ComponentItem {
 
 /// The user's own tables, in the order of their rows.
 struct Catalogue {
-  std::vector<HangerItem> hangers;
+  std::vector<HangerItem> hangers, constant_hangers;
   std::vector<ComponentItem> components;
 };
 

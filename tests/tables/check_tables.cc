@@ -3,24 +3,17 @@
 // summary.json fits doc/summary.schema.json; the tables of the model agree with line.csv,
 // supports.csv and reactions.csv.
 //   check_tables PROGRAM PROJECT TEST
-#include "../cases/run_program.h"
-#include "../check.h"
 #include "schema.h"
+#include "tables.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 
+/// Forces of transient steps in the compliance table (transient.cc).
+void check_transient_compliance();
+
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string program_path, project;
-
-void expect(const std::string &what, const bool holds) {
-  if (!check::count(holds, "tables", 0))
-    std::cerr << what << '\n';
-}
 
 /// Runs that write every sort of table that a run writes, and every sort of summary.
 struct Case {
@@ -54,36 +47,6 @@ program::Run run_case(const Case &one, const fs::path &folder) {
   options.insert(options.end(),
                  {"--quiet", "--set", "Output/VTU = false", "--set", "Output/Report = false"});
   return program::run(program_path, project + "/" + one.file, options, folder);
-}
-
-std::vector<std::string> fields_of(const std::string &row) {
-  std::vector<std::string> result(1);
-  bool quoted = false;
-  for (const char c : row)
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  return result;
-}
-
-/// Rows of a table by the names of its columns.
-std::vector<std::map<std::string, std::string>> rows_of(const fs::path &file) {
-  std::ifstream in(file);
-  std::string row;
-  std::getline(in, row);
-  const std::vector<std::string> header = fields_of(row);
-  std::vector<std::map<std::string, std::string>> result;
-  while (std::getline(in, row)) {
-    const std::vector<std::string> fields = fields_of(row);
-    expect(file.string() + ": as many fields as columns", fields.size() == header.size());
-    result.emplace_back();
-    for (std::size_t i = 0; i < std::min(fields.size(), header.size()); ++i)
-      result.back()[header[i]] = fields[i];
-  }
-  return result;
 }
 
 /// Columns of each file of the glossary: the headings and first fields of the tables below them.
@@ -332,7 +295,8 @@ int main(int argc, char **argv) {
   program_path = argv[1];
   project = argv[2];
   const std::map<std::string, void (*)()> tests = {{"documents", check_documents},
-                                                   {"tables", check_tables}};
+                                                   {"tables", check_tables},
+                                                   {"transient", check_transient_compliance}};
   tests.at(argv[3])();
   return check::report();
 }

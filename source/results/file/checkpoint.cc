@@ -129,7 +129,7 @@ void transfer(Archive &archive, History &history) {
 }
 
 void transfer(Archive &archive, StressEnvelope &envelope) {
-  archive(envelope.from, envelope.stress, envelope.time);
+  archive(envelope.from, envelope.stress, envelope.time, envelope.force);
 }
 
 void transfer(Archive &archive, StepEnvelope &envelope) {

@@ -104,6 +104,7 @@ void Envelope::begin(const unsigned int step, const LineState &state) {
   for (StressEnvelope &stress : envelope.stresses) {
     stress.stress.assign(n, -1.);
     stress.time.assign(n, 0.);
+    stress.force.assign(6 * n, 0.);
   }
   previous_status = state.contact_status;
   previous_impulse = state.contacts.impulse;
@@ -330,6 +331,7 @@ void Envelope::include_forces(const double time, const unsigned int first,
       if (stress > most.stress[i]) {
         most.stress[i] = stress;
         most.time[i] = time;
+        std::copy_n(forces + 6 * j, 6, most.force.begin() + 6 * i);
       }
     }
   }

@@ -128,7 +128,7 @@ std::string compliance_section(const Scene &scene, const Results &results) {
          html_note(
              "Named nodes and the worst one, of two sides of a node the one with more stress; "
              "\u2717: more than is allowed. Of a range, forces are those of the difference. "
-             "Of transient steps the largest stress counts, whose forces are not kept. "
+             "Of transient steps the largest stress counts, with the forces of its instant. "
              "compliance.csv has every node.") +
          "</details>\n";
 }

@@ -53,6 +53,7 @@ public:
       use.item = hanger.items[place].name;
       use.least_allowed = hanger.items[place].least_load;
       use.most_allowed = hanger.items[place].most_load;
+      use.allowed_travel = hanger.items[place].travel;
     }
     while (restraint < results.restraints.size() &&
            results.restraints[restraint].name != spring.name)
@@ -77,8 +78,14 @@ public:
   void find_variability() {
     include("cold", use.cold_load);
     for (const Frame &frame : results.frames)
-      if (is_operating(scene, frame))
+      if (is_operating(scene, frame)) {
         include(frame.name, load(frame));
+        if (const auto travel = travel_of(results, frame, spring)) {
+          lowest = std::min(lowest, *travel);
+          highest = std::max(highest, *travel);
+          use.largest_travel = highest - lowest;
+        }
+      }
   }
 
   HangerUse use;
@@ -111,6 +118,7 @@ private:
   const Hanger &hanger;
   const Spring &spring;
   std::size_t restraint = 0;
+  double lowest = 0., highest = 0.; ///< travel, from before anything has moved [m]
 };
 
 } // namespace
@@ -170,7 +178,13 @@ std::string hanger_section(const Results &results) {
         .numbers("range from", "N", column([](const HangerUse &use) { return use.least_allowed; }),
                  largest)
         .numbers("range to", "N", column([](const HangerUse &use) { return use.most_allowed; }),
-                 largest);
+                 largest)
+        .numbers("largest travel", "m",
+                 column([](const HangerUse &use) { return use.largest_travel; }))
+        .numbers("travel it has", "m", column([](const HangerUse &use) {
+                   return use.allowed_travel > 0. ? use.allowed_travel
+                                                  : std::numeric_limits<double>::quiet_NaN();
+                 }));
   return table.str() +
          html_note("Cold: before anything has moved. Variability is the largest change of load "
                    "against the hot one over all static steps with weight that are not occasional, "
@@ -185,7 +199,7 @@ void write_hangers(const Results &results, const std::string &folder) {
   const double force = results.units.factor("N");
   std::string text = "hanger,point,item,stiffness,cold_load,hot_load,travel,variability,"
                      "allowed_variability,step,least_load,least_step,most_load,most_step,"
-                     "range_from,range_to\n";
+                     "range_from,range_to,largest_travel,travel_of_item\n";
   for (const HangerUse &use : results.hangers) {
     text +=
         csv_field(use.name) + ',' + csv_field(use.point) + ',' + csv_field(use.item) + ',' +
@@ -199,7 +213,10 @@ void write_hangers(const Results &results, const std::string &folder) {
     text += use.item.empty() ? ",,"
                              : ',' + exact_number(use.least_allowed / force) + ',' +
                                    exact_number(use.most_allowed / force);
-    text += '\n';
+    text += ',' + exact_number(use.largest_travel / results.units.factor("m")) + ',' +
+            (use.allowed_travel > 0. ? exact_number(use.allowed_travel / results.units.factor("m"))
+                                     : "") +
+            '\n';
   }
   write_file(folder + "/hangers.csv", text);
 }

@@ -19,6 +19,7 @@
 #include "results/report/report_tables.h"
 #include "results/report/report_tree.h"
 #include "results/stress/stresses.h"
+#include "results/stress/wall_stress_table.h"
 #include "results/text.h"
 #include "results/turnable/model_section.h"
 #include "results/verdicts.h"
@@ -219,6 +220,8 @@ void write_report(const Scene &scene, const Results &results, const std::string 
     if (!results.stresses.empty())
       add("stresses", "Stresses",
           stress_section(scene, results) + compliance_section(scene, results));
+    if (const std::string walls = wall_stress_section(scene, results); !walls.empty())
+      add("walls", "Stresses of the wall", walls);
     if (!results.nozzles.empty())
       add("nozzles", "Allowable loads", nozzle_section(results));
     if (!results.hangers.empty())

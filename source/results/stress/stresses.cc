@@ -124,16 +124,26 @@ private:
   const Frame *least, *largest;
 };
 
-/// The largest stresses over a transient step; false if there are none.
-bool take_envelope(const Results &results, const Frame &frame, const std::string &from,
-                   StressCase &result) {
-  const StepEnvelope *const envelope = results.envelope_of(frame.step);
+/// The largest stresses over a transient step, with the forces of their instants; false if there
+/// are none.
+/// @param before that the forces of a range count from, or null @param pressure in a pipe [Pa]
+bool take_envelope(const StressEvaluation &evaluation, const Frame &frame, const std::string &from,
+                   const Frame *const before,
+                   const std::function<double(const unsigned int)> &pressure, StressCase &result) {
+  const StepEnvelope *const envelope = evaluation.results.envelope_of(frame.step);
   if (envelope == nullptr)
     return false;
   for (const StressEnvelope &one : envelope->stresses)
     if (one.from == from && one.stress.size() == frame.line.size()) {
       result.stress = one.stress;
       result.time = one.time;
+      for (std::size_t i = 0; i < frame.line.size(); ++i) {
+        Motion force;
+        for (unsigned int c = 0; c < 6; ++c)
+          force[c] = one.force[6 * i + c] - (before != nullptr ? before->line[i].force[c] : 0.);
+        result.forces.push_back(
+            evaluation.axes(frame.line[i], pressure(frame.line[i].pipe)).forces(force.data()));
+      }
       return true;
     }
   return false;
@@ -153,7 +163,9 @@ case_of_loads(const StressEvaluation &evaluation, const std::string &step, const
   result.name = result.step = step;
   result.kind = occasional ? "occasional" : "sustained";
   result.frame = *frame;
-  const bool is_known = take_envelope(evaluation.results, *frame, "", result);
+  const bool is_known = take_envelope(
+      evaluation, *frame, "", nullptr,
+      [&](const unsigned int pipe) { return pressure(step, pipe); }, result);
   const StressOfCase stress_of(evaluation, *frame);
   for (unsigned int i = 0; i < frame->line.size(); ++i) {
     const Station &station = frame->line[i];
@@ -182,7 +194,8 @@ std::optional<StressCase> case_of_expansion(const StressEvaluation &evaluation,
   result.step = to;
   result.kind = "expansion";
   result.frame = *after;
-  const bool is_known = take_envelope(evaluation.results, *after, from, result);
+  const bool is_known = take_envelope(
+      evaluation, *after, from, before, [](const unsigned int) { return 0.; }, result);
   const StressOfCase stress_of(evaluation, *after);
   for (unsigned int i = 0; i < after->line.size(); ++i) {
     const StressPoint point = evaluation.point(after->line[i]);

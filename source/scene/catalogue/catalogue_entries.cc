@@ -34,22 +34,40 @@ void declare_catalogue(ParameterReader &in) {
                   "Your own table of spring hangers: item, stiffness [N/mm], least load [N], most "
                   "load [N], in the order in which they are preferred.");
   in.declare_text(
+      "Constant hangers", "", "path of a csv file",
+      "The same of constant hangers: item, least load [N], most load [N], travel [mm].");
+  in.declare_text(
       "Components", "", "path of a csv file",
       "Your own table of valves, flanges and other rigid parts: item, length [mm], mass "
       "[kg].");
 }
 
+namespace {
+
+void check_range(const ParameterReader &in, const std::string &entry, const Scene &scene,
+                 const CatalogueRow &row, const HangerItem &item) {
+  if (item.least_load >= item.most_load)
+    in.fail(entry, "a least load below the most load",
+            "to change the two in line " + std::to_string(row.line),
+            "item '" + item.name + "' with a least load of " +
+                in_units(scene.units, item.least_load, "N") + " and a most load of " +
+                in_units(scene.units, item.most_load, "N"));
+}
+
+} // namespace
+
 void parse_catalogue(const ParameterReader &in, Scene &scene) {
   for (const CatalogueRow &row :
        rows_of(in, "Hangers", {{"stiffness", "N/m"}, {"least load", "N"}, {"most load", "N"}})) {
     const HangerItem item{row.item, row.numbers[0], row.numbers[1], row.numbers[2]};
-    if (item.least_load >= item.most_load)
-      in.fail("Hangers", "a least load below the most load",
-              "to change the two in line " + std::to_string(row.line),
-              "item '" + item.name + "' with a least load of " +
-                  in_units(scene.units, item.least_load, "N") + " and a most load of " +
-                  in_units(scene.units, item.most_load, "N"));
+    check_range(in, "Hangers", scene, row, item);
     scene.catalogue.hangers.push_back(item);
+  }
+  for (const CatalogueRow &row : rows_of(
+           in, "Constant hangers", {{"least load", "N"}, {"most load", "N"}, {"travel", "m"}})) {
+    const HangerItem item{row.item, 0., row.numbers[0], row.numbers[1], row.numbers[2]};
+    check_range(in, "Constant hangers", scene, row, item);
+    scene.catalogue.constant_hangers.push_back(item);
   }
   for (const CatalogueRow &row : rows_of(in, "Components", {{"length", "m"}, {"mass", "kg"}}))
     scene.catalogue.components.push_back({row.item, row.numbers[0], row.numbers[1]});
@@ -89,13 +107,14 @@ void parse_item_of_hanger(const ParameterReader &in, const Scene &scene, Hanger 
   const std::string name = in.text("Item");
   if (name.empty())
     return;
-  if (hanger.constant || hanger.stiffness > 0.)
+  if (hanger.stiffness > 0.)
     in.fail("Item", "an item, which has a stiffness, of a variable hanger without 'Stiffness'",
-            "removing 'Stiffness' and 'Kind = constant'");
-  const auto &known = scene.catalogue.hangers;
+            "removing 'Stiffness'");
+  const std::string table = hanger.constant ? "Constant hangers" : "Hangers";
+  const auto &known = hanger.constant ? scene.catalogue.constant_hangers : scene.catalogue.hangers;
   if (known.empty())
-    in.fail("Item", "an item beside section Catalogue with Hangers",
-            "'set Hangers = hangers.csv' there");
+    in.fail("Item", "an item beside section Catalogue with " + table,
+            "'set " + table + " = hangers.csv' there");
   hanger.picks_item = name == "by load";
   if (hanger.picks_item) {
     if (hanger.cold_load > 0.)

@@ -163,7 +163,9 @@ void declare_hanger(ParameterReader &in) {
                     "weight when the line is hot.");
   in.declare_text("Item", "", "name of an item of Catalogue/Hangers, or by load",
                   "Whose stiffness and range of loads it has. by load: the first of the table that "
-                  "carries hot and cold load with no more than 'Variation'.");
+                  "carries hot and cold load with no more than 'Variation'; of constant hangers "
+                  "(Catalogue/Constant hangers) the first that carries the load and has the "
+                  "travel.");
   in.declare_text("Direction", "0 0 1", "x y z [-]",
                   "Of its force on the pipe, and of its stiffness: a hanger that pulls askew.");
   in.declare_number("Variation", 0.25, "-", positive, 1.,

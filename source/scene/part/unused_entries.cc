@@ -152,16 +152,21 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
 
 /// Tables of the catalogue that no part has an item of.
 void remark_on_catalogue(ParameterReader &in, Scene &scene) {
-  bool hangers = false, components = false;
+  bool hangers = false, constant = false, components = false;
   for (const ParameterFile::Section &section : in.file().sections()) {
     in.enter(section.heading);
     const bool is_hanger = section.heading.rfind("Hanger ", 0) == 0;
-    hangers = hangers || (is_hanger && in.given("Item"));
+    const bool is_constant = is_hanger && in.text("Kind") == "constant";
+    hangers = hangers || (is_hanger && !is_constant && in.given("Item"));
+    constant = constant || (is_constant && in.given("Item"));
     components = components || (!is_hanger && in.given("Item"));
   }
   in.enter("Catalogue");
   if (!hangers)
     remark_on(in, "Catalogue", {"Hangers"}, "without a hanger that has an Item", scene);
+  if (!constant)
+    remark_on(in, "Catalogue", {"Constant hangers"}, "without a constant hanger that has an Item",
+              scene);
   if (!components)
     remark_on(in, "Catalogue", {"Components"}, "without a pipe or mass that has an Item", scene);
 }

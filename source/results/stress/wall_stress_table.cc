@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/stress/wall_stress_table.h"
+
+#include "results/file/csv_writer.h"
+#include "results/file/output_file.h"
+#include "results/page/html.h"
+#include "results/stress/wall_stress.h"
+#include "results/text.h"
+
+namespace frictionbeam {
+
+namespace {
+
+/// Call @p take with frame, station and stresses of every station that has some.
+template <typename Take>
+void for_each_station(const Scene &scene, const Results &results, const Take &take) {
+  for (const Frame &frame : results.frames) {
+    if (!frame.end_of_step || frame.step >= scene.steps.size())
+      continue;
+    for (const Station &station : frame.line) {
+      const Pipe &pipe = scene.pipes[station.pipe];
+      const Section &section = scene.sections[pipe.section];
+      if (!pipe.rigid && section.wall > 0. && (!section.is_inelastic() || scene.keeps_elastic))
+        take(frame, station,
+             wall_stress(section_at(scene, station), station.force, station.pressure));
+    }
+  }
+}
+
+} // namespace
+
+std::string wall_stress_section(const Scene &scene, const Results &results) {
+  struct Worst {
+    const Frame *frame;
+    const Station *station;
+    WallStress stress;
+  };
+  std::vector<Worst> worst; // of each step
+  for_each_station(scene, results,
+                   [&](const Frame &frame, const Station &station, const WallStress &stress) {
+                     if (worst.empty() || worst.back().frame != &frame)
+                       worst.push_back({&frame, &station, stress});
+                     else if (stress.von_mises > worst.back().stress.von_mises)
+                       worst.back() = {&frame, &station, stress};
+                   });
+  if (worst.empty())
+    return "";
+  const auto column = [&](const auto &value) {
+    std::vector<decltype(value(worst.front()))> values;
+    for (const Worst &one : worst)
+      values.push_back(value(one));
+    return values;
+  };
+  HtmlTable table(results.units);
+  table.text("step", column([](const Worst &one) { return one.frame->name; }))
+      .text("pipe", column([&](const Worst &one) { return scene.pipes[one.station->pipe].name; }))
+      .numbers("s", "m", column([](const Worst &one) { return one.station->s; }))
+      .numbers("von Mises", "Pa", column([](const Worst &one) { return one.stress.von_mises; }))
+      .numbers("Tresca", "Pa", column([](const Worst &one) { return one.stress.tresca; }))
+      .numbers("largest principal", "Pa", column([](const Worst &one) { return one.stress.most; }))
+      .numbers("least principal", "Pa", column([](const Worst &one) { return one.stress.least; }));
+  return table.str() +
+         html_note("Where each step has the largest equivalent stress at its end, of a straight "
+                   "elastic wall under section forces and pressure; what bends and tees have more "
+                   "is left to the stress code. wall_stresses.csv has every station.");
+}
+
+void write_wall_stresses(const Scene &scene, const Results &results, const std::string &folder) {
+  const double stress_unit = results.units.factor("Pa"), length = results.units.factor("m");
+  std::string text = "step,pipe,s,principal_most,principal_least,von_mises,tresca\n";
+  bool any = false;
+  for_each_station(
+      scene, results, [&](const Frame &frame, const Station &station, const WallStress &stress) {
+        any = true;
+        text += csv_field(frame.name) + ',' + csv_field(scene.pipes[station.pipe].name) + ',' +
+                exact_number(station.s / length);
+        for (const double value : {stress.most, stress.least, stress.von_mises, stress.tresca})
+          text += ',' + exact_number(value / stress_unit);
+        text += '\n';
+      });
+  if (any)
+    write_file(folder + "/wall_stresses.csv", text);
+}
+
+} // namespace frictionbeam
