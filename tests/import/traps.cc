@@ -112,6 +112,29 @@ void valves() {
   check_near("UNITS-WEIGHT LBS of an attribute", mass, 45.359237, 1e-8);
 }
 
+/// Tees without a centre, and reducers with a branch.
+void branches() {
+  const std::string ends = run_of("PIPE", "0 0 0", "1000 0 0") + anchor("0 0 0");
+  const Imported lateral = taken("a tee without a centre",
+                                 ends + "TEE\n" + point("END-POINT", "1000 0 0", "100") +
+                                     point("END-POINT", "1400 0 0", "100") +
+                                     point("BRANCH1-POINT", "1341.4 141.4 0", "100") +
+                                     run_of("PIPE", "1400 0 0", "2000 0 0") + anchor("2000 0 0"));
+  expect_part("its centre is said", lateral.run.output,
+              "TEE has no CENTRE-POINT: taken where its branch is square to its run, at (1.3414, "
+              "0, 0) m");
+  const std::string reducer =
+      run_of("PIPE", "0 0 0", "1000 0 0", "", "150") + "REDUCER-CONCENTRIC-TEED\n" +
+      point("END-POINT", "1000 0 0", "150") + point("END-POINT", "1140 0 0", "100") +
+      point("CENTRE-POINT", "1070 0 0") + point("BRANCH1-POINT", "1070 100 0", "50") +
+      run_of("PIPE", "1140 0 0", "2000 0 0") +
+      run_of("PIPE", "1070 100 0", "1070 800 0", "", "50") + anchor("0 0 0") + anchor("2000 0 0");
+  const Imported teed = taken("a reducer with a branch", reducer);
+  expect("there is one reducer", count(teed.parameters, "set End section") == 1, teed.parameters);
+  expect_part("there is a tee", teed.parameters, "subsection Tee ");
+  expect_part("the branch is whole", teed.parameters, " 1.07 0.8 0\n");
+}
+
 /// A support in the middle of a reducer leaves it one cone.
 void reducers() {
   const std::string text =
@@ -193,6 +216,14 @@ void bends() {
     expect_part("it is said", line.run.output, "turns by 180 degrees");
     check_near("its weight", weight_of(ends + back), gravity * metal * (2. + pi * 0.152), 1e-6);
   }
+  // An ANGLE that is wrong bends nothing.
+  const Imported wrong =
+      taken("a wrong ANGLE", run_of("PIPE", "0 0 0", "1000 0 0") +
+                                 run_of("BEND", "1000 0 0", "1152 152 0",
+                                        point("CENTRE-POINT", "1152 0 0") + "    ANGLE 18000\n") +
+                                 run_of("PIPE", "1152 152 0", "1152 900 0") + anchor("0 0 0"));
+  expect_part("a wrong ANGLE", wrong.parameters, "1.152 0 0 bend 0.152;");
+  expect_part("it is said", wrong.run.output, "ANGLE is 180 degrees, its points turn by 90");
   const Imported lost = import_text(
       head + run_of("BEND", "1000 0 0", "1000 304 0", point("CENTRE-POINT", "1000 152 0")) +
           anchor("1000 0 0"),
@@ -334,6 +365,7 @@ void long_files() {
 void traps(const std::string &name) {
   const std::map<std::string, void (*)()> tests = {{"double_elbows", double_elbows},
                                                    {"valves", valves},
+                                                   {"branches", branches},
                                                    {"reducers", reducers},
                                                    {"schedules", schedules},
                                                    {"bends", bends},

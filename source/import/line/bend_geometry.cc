@@ -95,44 +95,68 @@ std::pair<Piece, Piece> cut_bend(const Piece &bend, const Point3 &a, const Point
   return {part(a), part(b)};
 }
 
-bool turns_back(const PcfComponent &component, const double tolerance) {
+namespace {
+
+/// The part of @p way that is square to the line of both ends.
+Vector3 across(const PcfComponent &component, const Vector3 &way) {
+  const Vector3 chord = component.ends[1].position - component.ends[0].position;
+  return way - (way * chord / chord.norm_square()) * chord;
+}
+
+/// The way in which something comes in square to the line of both ends; empty if nothing does.
+std::optional<Vector3> square_way_in(const PcfLine &line, const PcfComponent &component,
+                                     const double tolerance) {
   const Point3 &a = component.ends[0].position, &b = component.ends[1].position;
-  const Point3 middle(a + 0.5 * (b - a));
-  return component.centre->position.distance(middle) <= std::max(tolerance, 1e-3 * a.distance(b));
+  for (const PcfComponent &other : line.components) {
+    if (&other == &component || other.ends.size() != 2)
+      continue;
+    for (const unsigned int end : {0u, 1u}) {
+      const Point3 &here = other.ends[end].position;
+      if (std::min(here.distance(a), here.distance(b)) > tolerance)
+        continue;
+      const Vector3 along = here - (other.centre ? *other.centre : other.ends[1 - end]).position,
+                    square = across(component, along);
+      if (along.norm() > cells_to_tell * tolerance &&
+          square.norm() > std::cos(largest_kink) * along.norm())
+        return square;
+    }
+  }
+  return {};
+}
+
+Point3 middle_of(const PcfComponent &component) {
+  return Point3(component.ends[0].position +
+                0.5 * (component.ends[1].position - component.ends[0].position));
+}
+
+/// Whether CENTRE-POINT is in the middle between the ends.
+bool is_centre_of_arc(const PcfComponent &component, const double tolerance) {
+  return component.centre->position.distance(middle_of(component)) <=
+         std::max(tolerance,
+                  1e-3 * component.ends[0].position.distance(component.ends[1].position));
+}
+
+} // namespace
+
+bool turns_back(const PcfLine &line, const PcfComponent &component, const double tolerance) {
+  return is_centre_of_arc(component, tolerance) ||
+         (component.angle && std::abs(*component.angle - 180. * degree) < differing_radius &&
+          square_way_in(line, component, tolerance));
 }
 
 Point3 top_of_return(const PcfFile &file, const PcfLine &line, const PcfComponent &component,
                      const double tolerance) {
-  const Point3 &a = component.ends[0].position, &b = component.ends[1].position;
-  const Point3 middle(a + 0.5 * (b - a));
-  const double radius = a.distance(b) / 2.;
-  const auto across = [&](const Vector3 &way) { // its part square to the line of both ends
-    return way - (way * (b - a) / (b - a).norm_square()) * (b - a);
-  };
-  Vector3 way = across(component.centre->position - middle);
-  for (const PcfComponent &other : line.components) {
-    if (way.norm() > std::max(tolerance, 1e-3 * radius))
-      break;
-    if (&other == &component || other.ends.size() != 2)
-      continue;
-    for (const unsigned int end : {0u, 1u})
-      if (const Point3 here = other.ends[end].position;
-          std::min(here.distance(a), here.distance(b)) <= tolerance) {
-        const Vector3 along = here - (other.centre ? *other.centre : other.ends[1 - end]).position;
-        if (along.norm() > cells_to_tell * tolerance &&
-            across(along).norm() > std::cos(largest_kink) * along.norm())
-          way = across(along);
-      }
-  }
-  if (way.norm() <= std::max(tolerance, 1e-3 * radius))
+  const Point3 middle = middle_of(component);
+  const std::optional<Vector3> way = square_way_in(line, component, tolerance);
+  if (!way)
     file.fail(component.line,
               component.keyword + " whose CENTRE-POINT " +
                   text_of_place(component.centre->position) +
                   " is in the middle between its ends, and no pipe comes in square to them",
-              "a bend of 180 degrees with pipe at one of its ends, or CENTRE-POINT on the side "
-              "that it turns to",
-              "two bends of 90 degrees");
-  return Point3(middle + radius / way.norm() * way);
+              "a bend of 180 degrees with pipe square at one of its ends",
+              "two bends of 90 degrees, or CENTRE-POINT where the tangents meet");
+  const double radius = component.ends[0].position.distance(component.ends[1].position) / 2.;
+  return on_grid(Point3(middle + radius / way->norm() * *way));
 }
 
 void check_tangents(const PcfFile &file, const PcfLine &line, const Network &network,

@@ -25,14 +25,13 @@ std::pair<Piece, Piece> cut_bend(const Piece &bend, const Point3 &a, const Point
 
 /**
  * Whether a bend turns back: by a CENTRE-POINT in the middle between its ends, where the tangents
- * of no other bend meet.
+ * of no other bend meet, or by its ANGLE if something comes in square to the line of its ends.
  */
-bool turns_back(const PcfComponent &component, const double tolerance);
+bool turns_back(const PcfLine &line, const PcfComponent &component, const double tolerance);
 
 /**
- * Where the arc of a bend of 180 degrees is farthest from its ends: towards CENTRE-POINT, or if
- * that is the arc's centre, on from what comes in.
- * @throws UserError where neither says it
+ * Where the arc of a bend of 180 degrees is farthest from its ends: on from what comes in.
+ * @throws UserError where nothing does
  */
 Point3 top_of_return(const PcfFile &file, const PcfLine &line, const PcfComponent &component,
                      const double tolerance);

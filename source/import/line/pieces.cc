@@ -66,22 +66,35 @@ private:
         add_with_branches(i, true);
       return;
     case Shape::bend:
-      if (component.kind != nullptr && component.kind->tee_kind != nullptr &&
-          !component.branches.empty())
-        olets.push_back(i);
-      if (turns_back(component, tolerance)) {
+      add_later(i);
+      if (turns_back(line, component, tolerance)) {
         add_return(i);
         return;
       }
       add_run(i);
       return;
-    case Shape::pipe:
     case Shape::reducer:
+      add_later(i);
+      add_run(i);
+      return;
+    case Shape::pipe:
       add_run(i);
       return;
     default:
       return; // placed on the line when there is one
     }
+  }
+
+  /// The branch of a bend or reducer that has one, when all of the line is there.
+  void add_later(const std::size_t i) {
+    const PcfComponent &component = line.components[i];
+    if (component.branches.empty())
+      return;
+    if (component.centre && component.kind != nullptr && component.kind->tee_kind != nullptr)
+      olets.push_back(i);
+    else
+      notes.not_understood.push_back(
+          {component.line, component.keyword + ": its branch, without a CENTRE-POINT; left out"});
   }
 
   Piece piece_of(const std::size_t i, const unsigned int from, const unsigned int to) {
@@ -180,6 +193,10 @@ private:
           way.norm() > 0. ? (component.branches[0].position - a) * way / way.norm_square() : 0.;
       centre.position = a + std::min(1., std::max(0., part)) * way;
       centre.line = component.line;
+      notes.assumed.push_back({component.line, component.keyword +
+                                                   " has no CENTRE-POINT: taken where its branch "
+                                                   "is square to its run, at " +
+                                                   text_of_place(on_grid(centre.position))});
     }
     if (!rigid && is_off_line(centre.position, a, b, std::max(tolerance, 0.01 * a.distance(b))))
       file.fail(component.line,

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char *bores_differ = "taken as a bend of its first bore: it reduces as well";
 constexpr const char *branch_on_bend = "a bend with a branch, which is taken as unreinforced";
-constexpr const char *without_branch = "taken without its branch";
+constexpr const char *branch_on_reducer = "a reducer with a branch, which is taken as unreinforced";
 
 constexpr ComponentKind kinds[] = {
     {"PIPE", Shape::pipe},
@@ -32,8 +32,8 @@ constexpr ComponentKind kinds[] = {
     {"REDUCER-CONCENTRIC", Shape::reducer},
     {"REDUCER-ECCENTRIC", Shape::reducer},
     {"REDUCER", Shape::reducer},
-    {"REDUCER-CONCENTRIC-TEED", Shape::reducer, false, without_branch},
-    {"REDUCER-ECCENTRIC-TEED", Shape::reducer, false, without_branch},
+    {"REDUCER-CONCENTRIC-TEED", Shape::reducer, false, branch_on_reducer, "unreinforced"},
+    {"REDUCER-ECCENTRIC-TEED", Shape::reducer, false, branch_on_reducer, "unreinforced"},
     {"FLANGE", Shape::rigid, true},
     {"FLANGE-REDUCING-CONCENTRIC", Shape::rigid, true},
     {"FLANGE-REDUCING-ECCENTRIC", Shape::rigid, true},
