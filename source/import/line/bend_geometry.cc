@@ -51,7 +51,7 @@ void give_bend(const PcfFile &file, const PcfComponent &component, const Point3 
   const auto refuse = [&](const std::string &read) {
     file.fail(component.line, component.keyword + " " + read,
               "CENTRE-POINT where the tangents at both END-POINTs meet, equally far from both",
-              "the right CENTRE-POINT; of a bend of 180 degrees in the middle between its ends");
+              "the right CENTRE-POINT; of a bend of 180 degrees with ANGLE 18000");
   };
   if (std::abs(first - second) > std::max(tolerance, 1e-3 * first) ||
       std::min(first, second) <= tolerance)
