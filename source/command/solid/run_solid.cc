@@ -75,8 +75,12 @@ Scene as_body(const Scene &scene, const Model &line, const PipeWall &wall) {
 
 /// @throws UserError where nothing holds the pipes, and for what is not done
 void check_held(const Scene &scene) {
-  if (scene.continuum_settings.linear_solver == ContinuumSettings::LinearSolver::amg)
-    throw UserError("Walls of pipes are factored.\n  read:    Continuum/Linear solver = amg\n  "
+  using LinearSolver = ContinuumSettings::LinearSolver;
+  const LinearSolver wish = scene.continuum_settings.linear_solver;
+  if (wish == LinearSolver::amg || wish == LinearSolver::multigrid)
+    throw UserError("Walls of pipes are factored.\n  read:    Continuum/Linear solver = " +
+                    std::string(wish == LinearSolver::amg ? "amg" : "multigrid") +
+                    "\n  "
                     "allowed: auto or direct with Model = solid\n  try:     to leave it out");
   if (n_processes() > 1)
     throw UserError("Walls of pipes are solved by one process.\n  read:    Model = solid under "
