@@ -239,9 +239,9 @@ void AdaptiveRun<dim>::run() {
   const ContinuumSettings &settings = scene.continuum_settings;
   if (settings.linear_solver == ContinuumSettings::LinearSolver::amg && !body.is_parallel)
     throw UserError(
-        "Multigrid is Trilinos', and runs under mpirun only.\n  read:    Continuum/Linear "
-        "solver = amg, without mpirun\n  allowed: auto or direct, or with mpirun\n  try:  "
-        "   mpirun -np 1 frictionbeam ...");
+        "Algebraic multigrid is Trilinos', and runs under mpirun only.\n  read:    "
+        "Continuum/Linear solver = amg, without mpirun\n  allowed: auto, direct or multigrid, or "
+        "with mpirun\n  try:     mpirun -np 1 frictionbeam ...");
   body.distribute();
   if (scene.output.resume)
     resume();
@@ -294,10 +294,6 @@ void AdaptiveRun<dim>::judge(const Solution<dim> &solution, const std::string &l
                               " before the quantities were known to Continuum/Tolerance = " +
                               rounded_number(settings.tolerance, 3) + ": the estimated error is " +
                               (std::isnan(error) ? "not known" : rounded_number(error, 2)) + ".");
-  if (dim == 3 && !body.is_parallel && levels.back().unknowns > most_direct<dim>)
-    results.remarks.push_back(
-        "A factorization fills up in three dimensions: under mpirun, -np 1 or "
-        "more, multigrid takes its place.");
 }
 
 template <int dim>
@@ -316,7 +312,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
                                      "Newton method"
                                    : "newton: consistent tangent of the return mapping") +
                    ", elements of degree " + std::to_string(body.fe.degree) + ", " +
-                   (body.is_parallel ? "Trilinos" : "contacts condensed");
+                   sequence.linear_solver();
   for (unsigned int i = 0; i < body.continuum.quantities.size(); ++i) {
     const ContinuumQuantity &quantity = body.continuum.quantities[i];
     QuantityResult result{quantity.name,      unit_of(quantity),

@@ -133,7 +133,7 @@ struct ContinuumScene {
 /// How it is discretized and solved (section Continuum).
 struct ContinuumSettings {
   enum class Refinement { adaptive, uniform, none } refinement = Refinement::adaptive;
-  enum class LinearSolver { automatic, direct, amg } linear_solver = LinearSolver::automatic;
+  enum class LinearSolver { automatic, direct, amg, multigrid } linear_solver = LinearSolver::automatic;
   unsigned int degree = 3;
   unsigned int cells = 2;  ///< across the height of a box
   double tolerance = 1e-3; ///< relative, of every quantity

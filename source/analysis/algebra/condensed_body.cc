@@ -26,6 +26,7 @@ public:
   }
   bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
              ContinuumVector &x) override;
+  std::string name() const override { return "factorization, contacts condensed"; }
 
 private:
   using Sparse = Eigen::SparseMatrix<double>;

@@ -45,6 +45,9 @@ public:
   }
   bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
              ContinuumVector &x) override;
+  std::string name() const override {
+    return direct ? "Trilinos, factorization (KLU)" : "Trilinos, algebraic multigrid (ML)";
+  }
 
 private:
   /// The stiffness with blocks, or with the positive part of their diagonals.
@@ -139,19 +142,6 @@ std::unique_ptr<ContinuumSystem> make_distributed_system(const ContinuumBody<dim
   return std::make_unique<DistributedSystem>(body, direct);
 }
 
-template <int dim>
-std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> &body) {
-  using LinearSolver = ContinuumSettings::LinearSolver;
-  if (!body.is_parallel)
-    return make_condensed_system(body);
-  const LinearSolver wish = body.scene.continuum_settings.linear_solver;
-  return make_distributed_system(
-      body, wish == LinearSolver::direct ||
-                (wish == LinearSolver::automatic && body.dof_handler.n_dofs() <= most_direct<dim>));
-}
-
-template std::unique_ptr<ContinuumSystem> make_continuum_system<2>(const ContinuumBody<2> &);
-template std::unique_ptr<ContinuumSystem> make_continuum_system<3>(const ContinuumBody<3> &);
 template std::unique_ptr<ContinuumSystem> make_distributed_system<2>(const ContinuumBody<2> &,
                                                                      const bool);
 template std::unique_ptr<ContinuumSystem> make_distributed_system<3>(const ContinuumBody<3> &,

@@ -3,6 +3,8 @@
 
 #include "model/body/body.h"
 
+#include <string>
+
 namespace frictionbeam {
 
 /// Symmetric stiffness of a body on its free dofs, and linear systems with it.
@@ -29,14 +31,15 @@ public:
   virtual bool solve(const std::vector<Block> &blocks, const bool symmetric,
                      const ContinuumVector &b, ContinuumVector &x) = 0;
 
+  /// What it is, for the summary.
+  virtual std::string name() const = 0;
+
   unsigned int n_factorizations = 0;
 };
 
-/// Unknowns up to which a factorization is taken where Continuum/Linear solver leaves it open.
-template <int dim>
-inline constexpr dealii::types::global_dof_index most_direct = dim == 2 ? 60000 : 15000;
-
-/// Direct, or with algebraic multigrid, as Continuum/Linear solver says.
+/// What Continuum/Linear solver says. Where it leaves it open: multigrid in 3D from 3,000 unknowns
+/// on, if the first mesh is coarse (at most 3,000 unknowns of linear elements) and flat; else a
+/// factorization, but under mpirun with more than 60,000 unknowns in 2D and 15,000 in 3D amg.
 template <int dim>
 std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> &body);
 
@@ -50,6 +53,10 @@ std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> 
  */
 template <int dim>
 std::unique_ptr<ContinuumSystem> make_condensed_system(const ContinuumBody<dim> &body);
+
+/// Matrix-free, with geometric multigrid (ElasticMultigrid); in serial and distributed.
+template <int dim>
+std::unique_ptr<ContinuumSystem> make_multigrid_system(const ContinuumBody<dim> &body);
 
 /// Trilinos, distributed. @param direct with KLU, else AMG with CG or GMRES
 template <int dim>

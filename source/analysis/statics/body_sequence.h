@@ -51,6 +51,8 @@ public:
   const std::vector<ContinuumState> &ends() const { return step_ends; } ///< states at ends of steps
   const std::vector<StepReport> &reports() const { return step_reports; }
   const FoundationContacts &contacts() const { return foundation; }
+  /// What solves the linear systems, for the summary.
+  std::string linear_solver() const { return system->name(); }
   double time() const { return now; } ///< of the last equilibrium, one unit a step
 
   /// The last state as a guess for a finer mesh, both fields ready to be transferred.

@@ -75,8 +75,12 @@ Scene scene_of_wall(const Scene &scene, const Model &line, const PipeWall &wall)
 }
 
 void check_can_be_solid(const Scene &scene) {
-  if (scene.continuum_settings.linear_solver == ContinuumSettings::LinearSolver::amg)
-    throw UserError("Walls of pipes are factored.\n  read:    Continuum/Linear solver = amg\n  "
+  using LinearSolver = ContinuumSettings::LinearSolver;
+  const LinearSolver wish = scene.continuum_settings.linear_solver;
+  if (wish == LinearSolver::amg || wish == LinearSolver::multigrid)
+    throw UserError("Walls of pipes are factored.\n  read:    Continuum/Linear solver = " +
+                    std::string(wish == LinearSolver::amg ? "amg" : "multigrid") +
+                    "\n  "
                     "allowed: auto or direct with Model = solid\n  try:     to leave it out");
   if (n_processes() > 1)
     throw UserError("Walls of pipes are solved by one process.\n  read:    Model = solid under "

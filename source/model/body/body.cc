@@ -115,31 +115,36 @@ void ContinuumBody<dim>::transfer(Archive &archive) {
 
 template <int dim>
 void ContinuumBody<dim>::constrain() {
-  constraints.clear();
-  constraints.reinit(relevant);
-  DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-  for (const ContinuumHold &part : continuum.holds)
-    hold(part);
-  for (const HeldSection &section : continuum.sections)
-    if constexpr (dim == 3)
-      hold_section(mapping, dof_handler, section, constraints);
-    else
-      (void)section;
-  constraints.close();
+  constrain(dof_handler, constraints);
   find_contact_nodes();
 }
 
 template <int dim>
-void ContinuumBody<dim>::hold(const ContinuumHold &part) {
+void ContinuumBody<dim>::constrain(const DoFHandler<dim> &of,
+                                   AffineConstraints<double> &constraints) const {
+  constraints.clear();
+  constraints.reinit(DoFTools::extract_locally_relevant_dofs(of));
+  DoFTools::make_hanging_node_constraints(of, constraints);
+  for (const ContinuumHold &part : continuum.holds)
+    hold(part, of, constraints);
+  if constexpr (dim == 3)
+    for (const HeldSection &section : continuum.sections)
+      hold_section(mapping, of, section, constraints);
+  constraints.close();
+}
+
+template <int dim>
+void ContinuumBody<dim>::hold(const ContinuumHold &part, const DoFHandler<dim> &of,
+                              AffineConstraints<double> &constraints) const {
   const auto point = mesh.points.find(part.part);
   if (point == mesh.points.end()) {
     ComponentMask mask(dim, false);
     for (unsigned int d = 0; d < dim; ++d)
       mask.set(d, part.fixed[d]);
-    DoFTools::make_zero_boundary_constraints(dof_handler, mesh.part(part.part), constraints, mask);
+    DoFTools::make_zero_boundary_constraints(of, mesh.part(part.part), constraints, mask);
     return;
   }
-  for (const auto &cell : dof_handler.active_cell_iterators())
+  for (const auto &cell : of.active_cell_iterators())
     if (!cell->is_artificial())
       for (const unsigned int v : cell->vertex_indices())
         if (cell->vertex(v).distance(point->second) < 1e-6 * cell->diameter())
@@ -285,9 +290,7 @@ template <int dim>
 std::array<Tensor<1, dim>, dim> axes_along(const Tensor<1, dim> &n) {
   std::array<Tensor<1, dim>, dim> axes;
   axes[0] = n;
-  unsigned int axis = 0;
-  while (std::abs(n[axis]) > 0.9)
-    ++axis;
+  const unsigned int axis = std::abs(n[0]) > 0.9 ? 1 : 0;
   Tensor<1, dim> t;
   t[axis] = 1.;
   t -= (t * n) * n;

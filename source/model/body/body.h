@@ -60,6 +60,9 @@ public:
   /// held displacements and contact nodes.
   void distribute_dofs();
   void constrain();
+  /// Hanging nodes and held displacements of a numbering of this mesh or a coarser one.
+  void constrain(const dealii::DoFHandler<dim> &of,
+                 dealii::AffineConstraints<double> &constraints) const;
 
   /// To be called before the flagged cells are refined, so that transfer() knows of them.
   void remember_flagged_cells();
@@ -103,7 +106,8 @@ public:
   double thickness() const { return dim == 2 ? continuum.thickness : 1.; }
 
 private:
-  void hold(const ContinuumHold &part);
+  void hold(const ContinuumHold &part, const dealii::DoFHandler<dim> &of,
+            dealii::AffineConstraints<double> &constraints) const;
   /// What the faces of a surface with friction tell of its nodes.
   struct ContactArea {
     ContinuumVector normals; ///< area times outward normal of each node, on its dofs

@@ -15,9 +15,12 @@ constexpr Word<Refinement> refinements[] = {
 using LinearSolver = ContinuumSettings::LinearSolver;
 constexpr Word<LinearSolver> linear_solvers[] = {
     {"auto", LinearSolver::automatic,
-     "direct for up to 60,000 unknowns in 2D and 15,000 in 3D and without mpirun, else amg"},
+     "multigrid from 3,000 unknowns in 3D, where the first mesh has at most 1,000 nodes and no "
+     "curved cells; else direct, but under mpirun amg from 60,000 unknowns in 2D, 15,000 in 3D"},
     {"direct", LinearSolver::direct,
      "factorization (with mpirun: Amesos KLU, which works on one process)"},
+    {"multigrid", LinearSolver::multigrid,
+     "CG or GMRES, matrix-free, with geometric multigrid down to the first mesh"},
     {"amg", LinearSolver::amg, "CG or GMRES with Trilinos ML, needs mpirun"}};
 
 } // namespace
@@ -65,8 +68,8 @@ void check_model(const ParameterReader &in, const Scene &scene) {
     in.fail("Model", "line, solid, both or auto for Scene = " + in.text("Scene"),
             "line; slab, long bar and body are continua");
   if (scene.model == ModelKind::solid && scene.continuum)
-    in.fail("Model", "solid for scenes of pipes", "continuum, which Scene = " + in.text("Scene") +
-            " is as well");
+    in.fail("Model", "solid for scenes of pipes",
+            "continuum, which Scene = " + in.text("Scene") + " is as well");
   if (scene.accuracy > 0. && scene.model == ModelKind::both)
     in.fail("Accuracy", "Model = line, continuum or auto", "one after the other",
             in.text("Accuracy"));

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/algebra/coarse_factorization.h"
+#include "model/body/cell_stiffness.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+template <int dim>
+CoarseFactorization<dim>::CoarseFactorization(const ContinuumBody<dim> &body,
+                                              const DoFHandler<dim> &dof_handler,
+                                              const AffineConstraints<double> &constraints)
+    : communicator(body.communicator), owned(dof_handler.locally_owned_dofs()) {
+  const auto &fe = dynamic_cast<const FESystem<dim> &>(dof_handler.get_fe());
+  const QGauss<dim> quadrature(fe.degree + 1);
+  FEValues<dim> values(body.mapping, fe, quadrature, update_gradients | update_JxW_values);
+  std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+  using Shares = std::vector<std::pair<types::global_dof_index, double>>; // of a dof, in free ones
+  std::vector<Shares> shares(dofs.size());
+  std::vector<Entry> entries;
+  for (const auto &cell : dof_handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    values.reinit(cell);
+    cell->get_dof_indices(dofs);
+    const LameConstants lame = lame_constants(body.continuum, cell->material_id());
+    const FullMatrix<double> local =
+        cell_stiffness(values, fe, lame.lambda, lame.mu, body.thickness());
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (const auto *const masters = constraints.get_constraint_entries(dofs[i]))
+        shares[i] = *masters;
+      else if (constraints.is_constrained(dofs[i]))
+        shares[i].clear();
+      else
+        shares[i] = {{dofs[i], 1.}};
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      for (unsigned int j = 0; j < dofs.size(); ++j)
+        for (const auto &[row, of_row] : shares[i])
+          for (const auto &[column, of_column] : shares[j])
+            if (row >= column)
+              entries.push_back({static_cast<unsigned int>(row), static_cast<unsigned int>(column),
+                                 of_row * of_column * local(i, j)});
+  }
+  for (const auto dof : owned)
+    if (constraints.is_constrained(dof))
+      entries.push_back({static_cast<unsigned int>(dof), static_cast<unsigned int>(dof), 1.});
+  stiffness = sum_of_all(entries);
+}
+
+template <int dim>
+Eigen::SparseMatrix<double>
+CoarseFactorization<dim>::sum_of_all(const std::vector<Entry> &own) const {
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (const auto &part : Utilities::MPI::all_gather(communicator, own))
+    for (const Entry &entry : part)
+      triplets.emplace_back(entry.row, entry.column, entry.value);
+  Sparse sum(owned.size(), owned.size());
+  sum.setFromTriplets(triplets.begin(), triplets.end());
+  return sum;
+}
+
+template <int dim>
+bool CoarseFactorization<dim>::factorize(const std::vector<NodeBlock<dim>> &blocks) {
+  std::vector<Entry> entries;
+  for (const auto &block : blocks)
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int b = 0; b < dim; ++b)
+        if (block.dofs[a] >= block.dofs[b] && block.stiffness(a, b) != 0.)
+          entries.push_back({static_cast<unsigned int>(block.dofs[a]),
+                             static_cast<unsigned int>(block.dofs[b]), block.stiffness(a, b)});
+  const Sparse sum = stiffness + sum_of_all(entries);
+  factors.compute(sum);
+  return factors.info() == Eigen::Success;
+}
+
+template <int dim>
+void CoarseFactorization<dim>::solve(Vector &x, const Vector &b) const {
+  std::vector<double> right(owned.size(), 0.), all(owned.size());
+  for (const auto dof : owned)
+    right[dof] = b(dof);
+  Utilities::MPI::sum(right, communicator, all);
+  const Eigen::VectorXd solution =
+      factors.solve(Eigen::Map<const Eigen::VectorXd>(all.data(), all.size()));
+  for (const auto dof : owned)
+    x(dof) = solution[dof];
+}
+
+template class CoarseFactorization<2>;
+template class CoarseFactorization<3>;
+
+} // namespace frictionbeam
