@@ -212,10 +212,11 @@ void LoadSequence::judge_increment(const LineState &before, EnergyAccount accoun
 bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   const Factors full = course.factors_at(time, side);
   LineState to = current;
-  last_result = statics.solve(
-      current,
-      {course, time, full, contact::least_force * force_so_far, force_so_far, iterations_left}, to,
-      response);
+  last_result =
+      statics.solve(current,
+                    {course, time, full, contact::least_force * force_so_far, force_so_far,
+                     iterations_left, model.scene.steps[position.step].finds_limit},
+                    to, response);
   iterations_left -= std::min(iterations_left, last_result.iterations);
   if (!add_result(last_result, step_reports.back()))
     return false;

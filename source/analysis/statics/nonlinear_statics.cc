@@ -115,6 +115,10 @@ bool NonlinearStatics::move(const Vector &change, Approach &at) const {
 bool NonlinearStatics::search(const Pose &from, const Vector &moved, const Vector &change,
                               const Vector &before, const Vector &of_contacts, Approach &at) const {
   const double slope = -(before - of_contacts).dot(change);
+  if (model.cells.turns_far() && slope >= 0.) { // where the potential is not convex
+    evaluate(at, false);
+    return true;
+  }
   Vector dofs;
   model.space.expand(change, dofs);
   const auto slope_at = [&](const double length) {
@@ -147,7 +151,8 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
-  const bool may_search = model.cells.pipe_sections().any() && !model.cells.turns_far();
+  const bool may_search =
+      model.cells.pipe_sections().any() && !(model.cells.turns_far() && increment.finds_limit);
   bool is_searched = false;
   unsigned int steps_in_vain = 0;
   std::vector<Contact::Strains> contact_forces = from.contact_stress;

@@ -19,6 +19,7 @@ struct StaticIncrement {
   double least_force = 0.;            ///< that residuals are measured by, whatever the loads [N]
   double force_so_far = 0.;           ///< largest of the sequence [N]
   unsigned int most_iterations = 0;
+  bool finds_limit = false; ///< of the poses near by, where others far away would carry more
 };
 
 /// Solves static increments of a line with its contacts.

@@ -42,7 +42,9 @@ void NonlinearMotion::evaluate(const LineState &state, const Matrix matrix, Step
   LineCells::Step motion{step.from,           step.half,           step.to, step.change, h,
                          {step.start + h, h}, &step.factors_at_end};
   motion.without_stiffness = !wants_matrix;
+  motion.is_near_last = step.is_answered;
   line.evaluate(motion, step.factors, step.balance);
+  step.is_answered = !step.balance.failed;
 
   // The equation of motion divided by h/2.
   const double lost = model.scene.time.mass_damping * h / 2.; // part of the momentum

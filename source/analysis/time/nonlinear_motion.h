@@ -43,10 +43,11 @@ private:
     Vector imposed_impulse;    ///< what these take from the unknowns
     double start = 0., h = 0.; ///< [s]
     LineCells::Balance balance;
-    Vector residual;      ///< but for the contacts at the end
-    SparseMatrix matrix;  ///< less its derivative by `moved`
-    double largest = 0.;  ///< force [N]
-    double momentum = 0.; ///< at its beginning, over half the step [N]
+    bool is_answered = false; ///< whether it has been asked within this step
+    Vector residual;          ///< but for the contacts at the end
+    SparseMatrix matrix;      ///< less its derivative by `moved`
+    double largest = 0.;      ///< force [N]
+    double momentum = 0.;     ///< at its beginning, over half the step [N]
 
     /// What goes without forces [N], in free flight or along free strains.
     double without_force() const { return std::max(momentum, 2. * balance.free); }
