@@ -44,6 +44,15 @@ double time_step(const Scene &scene) {
   return 0.;
 }
 
+/// Whether a transient step begins with another acceleration in Newmark's formulas than the one
+/// that the step before has come to: those of generalized_alpha belong to another instant than the
+/// motion, and start as the true ones.
+bool begins_with_another_acceleration(const Scene &scene) {
+  return std::any_of(scene.more.begin(), scene.more.end(), [](const auto &entry) {
+    return entry.first == "Time/Integrator" && entry.second == "generalized_alpha";
+  });
+}
+
 } // namespace
 
 /// A static step between two of its increments; a transient one at the end of its ramp, or between
@@ -56,7 +65,8 @@ std::optional<Related> step_split(const Scene &scene, Random &random) {
       return {}; // which is sized for a step
   std::vector<std::size_t> candidates;
   for (std::size_t s = 0; s < scene.steps.size(); ++s)
-    if (scene.steps[s].transient || scene.steps[s].increments > 1)
+    if (scene.steps[s].transient ? !begins_with_another_acceleration(scene)
+                                 : scene.steps[s].increments > 1)
       candidates.push_back(s);
   if (candidates.empty())
     return {};
