@@ -28,8 +28,9 @@ std::unique_ptr<FiniteElement<1, 3>> FE_TimoshenkoBeam::clone() const {
 void FE_TimoshenkoBeam::evaluate(const CellGeometry &cell, const double xi,
                                  std::vector<ShapeFunction> &shapes) const {
   const double L = cell.length;
-  const double phi =
-      cell.material_id < shear_flexibility.size() ? shear_flexibility[cell.material_id] / (L * L) : 0.;
+  const double phi = cell.material_id < shear_flexibility.size()
+                         ? shear_flexibility[cell.material_id] / (L * L)
+                         : 0.;
   const double m = 1. / (1. + phi);
   const double xi2 = xi * xi, xi3 = xi2 * xi;
 
@@ -60,7 +61,8 @@ void FE_TimoshenkoBeam::evaluate(const CellGeometry &cell, const double xi,
       unit[d] = 1.;
       const Tensor<1, 3> along = t[d] * t, across = unit - along;
       // A rotation theta deflects by theta x t; a deflection w turns the section by t x w.
-      const Tensor<1, 3> deflection = cross_product_3d(unit, t), rotation = cross_product_3d(t, unit);
+      const Tensor<1, 3> deflection = cross_product_3d(unit, t),
+                         rotation = cross_product_3d(t, unit);
       ShapeFunction &moved = shapes[6 * node + d], &turned = shapes[6 * node + 3 + d];
       for (unsigned int c = 0; c < 3; ++c) {
         moved.value[c] = axial * along[c] + v.w_w * across[c];

@@ -15,7 +15,8 @@ namespace {
 
 using namespace frictionbeam;
 
-// 1. The parameters: each once, with unit, default, bounds and meaning. The program makes entries of
+// 1. The parameters: each once, with unit, default, bounds and meaning. The program makes entries
+// of
 //    the parameter file and their documentation out of this list.
 enum Parameter { rigidity, drag, n_parameters };
 
@@ -23,7 +24,8 @@ constexpr LawParameter parameters[n_parameters] = {
     {"Axial rigidity", "N", 1e9, 0., 1e300, "ES of the element, in compression only"},
     {"Drag", "N s", 0., 0., 1e300, "shear force per rate of shear strain while in contact"}};
 
-// 2. The law: stress, tangent and new internal variables from the strain at the end of the increment
+// 2. The law: stress, tangent and new internal variables from the strain at the end of the
+// increment
 //    and the old internal variables. No memory of its own, no exceptions; return LawStatus::failed
 //    where it has no answer, and the program tries a smaller increment.
 class Skeleton final : public LawBase {
@@ -65,9 +67,9 @@ const frictionbeam::LawDescription frictionbeam_law = {
     frictionbeam::law_interface_version,
     frictionbeam::LawKind::support,
     frictionbeam::n_support_strains,
-    0,          // internal variables
-    true,       // symmetric tangent
-    "skeleton", // the name in the parameter file
+    0,                                      // internal variables
+    true,                                   // symmetric tangent
+    "skeleton",                             // the name in the parameter file
     "FrictionBeam, plugin/law_skeleton.cc", // where your law is from: author, title, doi
     n_parameters,
     parameters,

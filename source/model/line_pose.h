@@ -7,8 +7,6 @@
 namespace frictionbeam {
 
 /// The pose of a state that has been committed, which must outlive it.
-inline Pose pose_of(const LineState &state) {
-  return {state.dofs, state.turns, &state.sections};
-}
+inline Pose pose_of(const LineState &state) { return {state.dofs, state.turns, &state.sections}; }
 
 } // namespace frictionbeam

@@ -8,10 +8,10 @@ void transfer(Archive &archive, ContactState &state) {
 }
 
 void transfer(Archive &archive, LineState &state) {
-  archive(state.unknowns, state.dofs, state.velocity, state.acceleration, state.turns, state.sections,
-          state.contacts, state.contact_stress, state.contact_status, state.load_factors,
-          state.load_rates, state.load_accelerations, state.time, state.auxiliary, state.events,
-          state.with_preload);
+  archive(state.unknowns, state.dofs, state.velocity, state.acceleration, state.turns,
+          state.sections, state.contacts, state.contact_stress, state.contact_status,
+          state.load_factors, state.load_rates, state.load_accelerations, state.time,
+          state.auxiliary, state.events, state.with_preload);
 }
 
 } // namespace frictionbeam

@@ -58,8 +58,7 @@ struct ContinuumPatch {
   double least_cosine = 0.;                 ///< of the angle from the middle
 
   bool has(const dealii::Point<3> &place) const {
-    const dealii::Tensor<1, 3> arm = place - centre,
-                               across = arm - (arm * tangent) * tangent;
+    const dealii::Tensor<1, 3> arm = place - centre, across = arm - (arm * tangent) * tangent;
     return across * outward >= least_cosine * across.norm();
   }
 };
@@ -133,7 +132,12 @@ struct ContinuumScene {
 /// How it is discretized and solved (section Continuum).
 struct ContinuumSettings {
   enum class Refinement { adaptive, uniform, none } refinement = Refinement::adaptive;
-  enum class LinearSolver { automatic, direct, amg, multigrid } linear_solver = LinearSolver::automatic;
+  enum class LinearSolver {
+    automatic,
+    direct,
+    amg,
+    multigrid
+  } linear_solver = LinearSolver::automatic;
   unsigned int degree = 3;
   unsigned int cells = 2;  ///< across the height of a box
   double tolerance = 1e-3; ///< relative, of every quantity

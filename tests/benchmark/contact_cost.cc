@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the contact library costs, on a line and on a block: seconds of set-up and of four increments.
+// What the contact library costs, on a line and on a block: seconds of set-up and of four
+// increments.
 //   build/bin/benchmark_contact_cost [LARGEST = 10000]
 #include <frictionbeam/contact/solver.h>
 #include <frictionbeam/law_library.h>
@@ -116,8 +117,8 @@ double seconds_since(const std::chrono::steady_clock::time_point &start) {
 bool run(const std::string &name, const Body &body, const LawDescription &law) {
   std::vector<contact::Contact> contacts;
   for (const unsigned int node : body.on_floor)
-    contacts.push_back(contact::on_ground({3 * node, 3 * node + 1, 3 * node + 2}, {0., 0., -1.}, law,
-                                          default_parameters(law)));
+    contacts.push_back(contact::on_ground({3 * node, 3 * node + 1, 3 * node + 2}, {0., 0., -1.},
+                                          law, default_parameters(law)));
   const auto start = std::chrono::steady_clock::now();
   contact::Solver solver(contact::system_of(body.K), contacts);
   solver.most_contacts_for_uniqueness = 0;
@@ -150,8 +151,9 @@ int main(int argc, char **argv) {
   LawLibrary laws;
   laws.load_builtin();
   const LawDescription &law = laws.find("coulomb");
-  std::cout << "| body | contacts | unknowns | set-up [s] | an increment [s] | factorizations of an "
-               "increment |\n| --- | --- | --- | --- | --- | --- |\n";
+  std::cout
+      << "| body | contacts | unknowns | set-up [s] | an increment [s] | factorizations of an "
+         "increment |\n| --- | --- | --- | --- | --- | --- |\n";
   bool solved = true;
   for (unsigned int n = 10; n <= largest; n *= 10)
     solved = run("line", line(n), law) && solved;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a time step costs, in back-substitutions with the factored matrix of the same line.
-#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/increment/time_step.h"
 #include "analysis/sequence/load_sequence.h"
 #include "base/user_error.h"
 #include "model/line_model.h"
 #include "scene/read_scene.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The law of one contact, branch by branch, and how it is used: a method moves the centre to the
 // force it answers until both are the same, which is the exact contact.
-#include <frictionbeam/contact/proximal_law.h>
 #include "../check.h"
+#include <frictionbeam/contact/proximal_law.h>
 
 #include <cmath>
 #include <limits>
@@ -31,7 +31,8 @@ void check_tangent(const FrictionThreshold &law, const contact::ProximalPoint &p
     contact::ProximalPoint after = point, before = point;
     after.strain[e] += 1e-7;
     before.strain[e] -= 1e-7;
-    const Strains rise = contact::proximal_law(law, after, {}).stress - contact::proximal_law(law, before, {}).stress;
+    const Strains rise = contact::proximal_law(law, after, {}).stress -
+                         contact::proximal_law(law, before, {}).stress;
     CHECK((rise / 2e-7 - answer.tangent.col(e)).norm() <= 1e-5 * (1. + answer.tangent.norm()));
   }
 }
@@ -43,7 +44,8 @@ int main() {
   // Open: no force, and the slip follows the node.
   const contact::ProximalAnswer open = contact::proximal_law(law, at({1e-3, 2e-3, 0., 0.}), {});
   CHECK(open.status == ContactStatus::open && open.stress.isZero(0.) && open.slip.y == 4e-3);
-  CHECK(contact::proximal_law(law, at({0., 0., 0., 0.}), {}).status == ContactStatus::stick); // touching
+  CHECK(contact::proximal_law(law, at({0., 0., 0., 0.}), {}).status ==
+        ContactStatus::stick); // touching
 
   // Sticking: 100 N/m times what the ground is moved.
   const contact::ProximalPoint pressed = at({-0.02, 5e-3, 0., 0.});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The travelling front. Of contacts in a row, so many shall slip as it takes to carry what the first
-// holds too much; where slip has gone too far, half of what slides backwards shall stop, all of it
-// where the load turns. Chains that are pulled at several places, to and fro, under normal forces
-// that vary, across: the number that slips is by adding up friction from the end, and a front of any
-// length shall cost no more than eight factorizations.
+// The travelling front. Of contacts in a row, so many shall slip as it takes to carry what the
+// first holds too much; where slip has gone too far, half of what slides backwards shall stop, all
+// of it where the load turns. Chains that are pulled at several places, to and fro, under normal
+// forces that vary, across: the number that slips is by adding up friction from the end, and a
+// front of any length shall cost no more than eight factorizations.
 #include "../check.h"
 
 #include "../../plugin/contact/front_prediction.h"
@@ -148,7 +148,8 @@ int main() {
   const double right = 30. * 40 + 15., left = 30. * 25 + 15., within = 30. * 21 + 20.;
   for (const double share : {0.25, 0.5, 0.75})
     several.load({{n - 1, Force(share * right, 0.)}, {0, Force(-share * left, 0.)}});
-  CHECK(several.load({{n - 1, Force(right, 0.)}, {0, Force(-left, 0.)}, {middle, Force(within, 0.)}}) ==
+  CHECK(several.load(
+            {{n - 1, Force(right, 0.)}, {0, Force(-left, 0.)}, {middle, Force(within, 0.)}}) ==
         40 + 25 + 21);
   // Back by half: friction turns where twice its limit has been given up.
   CHECK(several.load({{n - 1, Force(right / 2., 0.)},

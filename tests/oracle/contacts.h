@@ -51,8 +51,8 @@ Matrix contact_rows(const std::vector<Contact> &contacts, int n);
  * Find the forces of an increment: u = free + W f obeys all contact laws, f three for each contact
  * and then the moments against twist. A contact without a normal force, 1e-14 of the largest of the
  * sequence, resists nothing: whatever moved there has slipped.
- * @param largest_so_far force of the sequence, in contacts or of clamped loads; what is below 1e-4 of it is judged as if it were
- * that
+ * @param largest_so_far force of the sequence, in contacts or of clamped loads; what is below 1e-4
+ * of it is judged as if it were that
  * @return whether the sweeps have converged, to 1e-14 of the largest force.
  */
 bool solve_contacts(const Matrix &W, const Vector &free, std::vector<Contact> &contacts,

@@ -147,7 +147,8 @@ inline const std::vector<Holder> holders = {
     {"joint on a rest", false,
      "subsection Joint joint\n  set At = POINT\n  set Pipe = PIPE\n  set Bending = 1e5\nend\n" +
          support("held", "  set Kind = rest\n")},
-    {"guide with friction", true, element("  set Kind = guide\n  set Friction coefficient = 0.2\n")},
+    {"guide with friction", true,
+     element("  set Kind = guide\n  set Friction coefficient = 0.2\n")},
     {"elastic guide with friction", true,
      element("  set Kind = guide\n  set Friction coefficient = 0.2\n  set Axial rigidity = 1e9\n"
              "  set Shear rigidity = 1e8\n")},

@@ -89,7 +89,8 @@ EquilibriumResult ReturnMappingSolver::solve(const EquilibriumProblem &problem,
     size_before = size;
     if (n_at_rounding == most_at_rounding) {
       result.rounding_bars = true;
-      result.remark = contact::too_much_rounding(size, largest) + ": Method = exact knows more digits";
+      result.remark =
+          contact::too_much_rounding(size, largest) + ": Method = exact knows more digits";
       return result;
     }
     if (result.iterations == std::min(most, problem.most_iterations)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/contact/equilibrium.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 namespace frictionbeam {
 

@@ -145,8 +145,9 @@ double EventIntegrator::restitution(const unsigned int i, const double speed) {
   return is_geometric && left <= shortest_rest * output_step ? 0. : e;
 }
 
-void EventIntegrator::strike(const std::vector<unsigned int> &contacts, contact::LocalProblem problem,
-                             const Vector &of_ground, EnergyAccount &energy, LineState &to) {
+void EventIntegrator::strike(const std::vector<unsigned int> &contacts,
+                             contact::LocalProblem problem, const Vector &of_ground,
+                             EnergyAccount &energy, LineState &to) {
   constexpr double tolerance = 1e-12;
   const unsigned int n = contacts.size();
   const Eigen::MatrixXd columns = response_to_impulses(contacts);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/contact/local_problem.h>
 #include "analysis/event/taylor_motion.h"
 #include "analysis/time/moreau_jean.h"
+#include <frictionbeam/contact/local_problem.h>
 
 namespace frictionbeam {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/march/load_jumps.h"
 
-#include <frictionbeam/contact/line_factorization.h>
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/step_helpers.h"
 #include "model/line_pose.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 #include <cmath>
 

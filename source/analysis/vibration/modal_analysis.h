@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/contact/line_factorization.h>
 #include "model/line/full_matrices.h"
 #include "model/line_state.h"
 #include "model/model.h"
+#include <frictionbeam/contact/line_factorization.h>
 
 #include <functional>
 
@@ -64,9 +64,9 @@ private:
   const LineState &start;
   const FullMatrices matrices;
   Eigen::SparseMatrix<double> M;
-  SparseMatrix K;            ///< with the contacts that hold
-  const double shift;        ///< (rad/s)^2 below zero: a line that floats can be factored
-  ContactResponse held;      ///< its tangents are the contacts' stiffness
+  SparseMatrix K;                     ///< with the contacts that hold
+  const double shift;                 ///< (rad/s)^2 below zero: a line that floats can be factored
+  ContactResponse held;               ///< its tangents are the contacts' stiffness
   contact::LineFactorization shifted; ///< of K + shift M
   contact::LineFactorization factors; ///< of K
   std::vector<Mode> found;

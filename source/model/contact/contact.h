@@ -16,7 +16,7 @@ struct Contact : contact::Site {
   std::vector<unsigned int> dofs;         ///< of the cell
   Eigen::Matrix<double, n_support_strains, Eigen::Dynamic> B_dofs; ///< strains of these
   std::vector<int> vertex_unknowns; ///< all free ones of the two vertices
-  double platen_force = 0.; ///< pressed on the ground node [N]
+  double platen_force = 0.;         ///< pressed on the ground node [N]
   double restitution = 0.;
   /// Loads that heat its pipe, and by how much at a factor of one [K].
   std::vector<std::pair<unsigned int, double>> heating;

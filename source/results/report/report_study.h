@@ -16,8 +16,8 @@ std::string displacement_tables(const Results &results, const std::vector<const 
 /// Results::supports, then Results::restraints.
 std::vector<double> largest_forces(const Results &results);
 
-/// Add a run to a study over multipliers of friction: its largest_forces(), and how much nozzles and
-/// stresses use of what is allowed.
+/// Add a run to a study over multipliers of friction: its largest_forces(), and how much nozzles
+/// and stresses use of what is allowed.
 void include_in_study(const double multiplier, const Results &run, FrictionStudy &study);
 
 /// The tables of such a study, as HTML.
