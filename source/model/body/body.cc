@@ -89,12 +89,6 @@ void ContinuumBody<dim>::distribute_dofs() {
 }
 
 template <int dim>
-void ContinuumBody<dim>::distribute() {
-  distribute_dofs();
-  constrain();
-}
-
-template <int dim>
 void ContinuumBody<dim>::remember_flagged_cells() {
   std::vector<bool> flags;
   triangulation->save_refine_flags(flags);

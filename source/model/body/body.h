@@ -55,7 +55,10 @@ public:
   ContinuumBody(const Scene &scene, const ContinuumMesh<dim> &mesh);
 
   /// Number the unknowns of the present mesh, and constrain them.
-  void distribute();
+  void distribute() {
+    distribute_dofs();
+    constrain();
+  }
   /// The two parts of that, for meshes on the way to another: the numbers alone; hanging nodes,
   /// held displacements and contact nodes.
   void distribute_dofs();
