@@ -38,6 +38,7 @@ subsection Step swing
   set Duration = 0.2
 end
 subsection Time
+  set Integrator = newmark
   set Step = 1e-3
 end
 subsection Stress
