@@ -189,7 +189,7 @@ Frame FrameBuilder::make(const LineState &state) {
   Frame frame;
   frame.time = state.time;
   const Pose pose = pose_of(state);
-  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  begin(state);
   frame.line.reserve(model.discretization.pipe_cells().size() * (model.scene.output.stations + 2));
   for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
     add_pipe(state, pose, p, frame.line);
@@ -205,7 +205,7 @@ std::vector<Station> FrameBuilder::stations() {
   LineState at_rest;
   at_rest.load_factors.assign(model.scene.loads.size(), 0.);
   const Pose pose = model.cells.at_rest();
-  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  begin(at_rest);
   std::vector<Station> line;
   for (unsigned int p = 0; p < model.mesh.pipes.size(); ++p)
     add_pipe(at_rest, pose, p, line);

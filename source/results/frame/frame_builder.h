@@ -75,6 +75,8 @@ private:
                 std::vector<Station> &line);
   void add_cell(const LineState &state, const Pose &pose, const unsigned int cell,
                 std::vector<Station> &line);
+  /// Nothing holds any vertex yet, and whether inertia is to be told of this state.
+  void begin(const LineState &state);
   /// What forces M (a + alpha v) of a state in motion make of the section forces along a cell.
   /// @param back turns them into the axes of the stations' places
   void add_inertia_along(const LineState &state, const unsigned int index,
@@ -111,6 +113,7 @@ private:
   std::unordered_map<unsigned int, StationShapes> station_shapes; ///< of Discretization::like()
   std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()
   std::vector<Motion> vertex_forces;    ///< what holds each vertex of the line
+  bool tells_inertia = false;           ///< of the state at hand
 };
 
 } // namespace frictionbeam

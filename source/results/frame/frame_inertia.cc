@@ -47,7 +47,7 @@ void FrameBuilder::find_cells_at_restraints() {
 
 std::vector<Motion> FrameBuilder::reactions(const LineState &state) {
   Assert(model.cells.is_linear(), ExcMessage("Turned cells are evaluated with the frame."));
-  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  begin(state);
   for (const HeldCell &cell : held_cells) {
     PipeElement::Vector12 u;
     for (unsigned int c = 0; c < 12; ++c)
@@ -84,9 +84,14 @@ std::vector<Motion> FrameBuilder::reactions_of_vertices(const LineState &state) 
   return result;
 }
 
+void FrameBuilder::begin(const LineState &state) {
+  vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
+  tells_inertia = has_inertia(model, state);
+}
+
 void FrameBuilder::add_inertia_along(const LineState &state, const unsigned int index,
                                      const Eigen::Matrix3d &back, std::vector<Station> &stations) {
-  if (!has_inertia(model, state))
+  if (!tells_inertia)
     return;
   const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
   const auto cell = model.discretization.pipe_cell(index);
