@@ -29,10 +29,8 @@ CoarseFactorization<dim>::CoarseFactorization(const ContinuumBody<dim> &body,
     const FullMatrix<double> local =
         cell_stiffness(values, fe, lame.lambda, lame.mu, body.thickness());
     for (unsigned int i = 0; i < dofs.size(); ++i)
-      if (const auto *const masters = constraints.get_constraint_entries(dofs[i]))
+      if (const auto *const masters = constraints.get_constraint_entries(dofs[i])) // none of held
         shares[i] = *masters;
-      else if (constraints.is_constrained(dofs[i]))
-        shares[i].clear();
       else
         shares[i] = {{dofs[i], 1.}};
     for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -47,6 +45,7 @@ CoarseFactorization<dim>::CoarseFactorization(const ContinuumBody<dim> &body,
     if (constraints.is_constrained(dof))
       entries.push_back({static_cast<unsigned int>(dof), static_cast<unsigned int>(dof), 1.});
   stiffness = sum_of_all(entries);
+  factors.analyzePattern(stiffness);
 }
 
 template <int dim>
@@ -70,8 +69,8 @@ bool CoarseFactorization<dim>::factorize(const std::vector<NodeBlock<dim>> &bloc
         if (block.dofs[a] >= block.dofs[b] && block.stiffness(a, b) != 0.)
           entries.push_back({static_cast<unsigned int>(block.dofs[a]),
                              static_cast<unsigned int>(block.dofs[b]), block.stiffness(a, b)});
-  const Sparse sum = stiffness + sum_of_all(entries);
-  factors.compute(sum);
+  const Sparse sum = stiffness + sum_of_all(entries); // of dofs that a cell couples: its pattern
+  factors.factorize(sum);
   return factors.info() == Eigen::Success;
 }
 

@@ -50,6 +50,7 @@ public:
       : body(body), constraints(body.constraints),
         stiffness(body, body.dof_handler, body.constraints), multigrid(body) {
     stiffness.find_diagonal(diagonals);
+    give_held_dofs_the_mean();
     for (auto *const vector : {&own_x, &own_b})
       stiffness.reinit(*vector);
   }
@@ -69,6 +70,9 @@ public:
   }
 
 private:
+  /// Contacts are measured by these diagonals, those of held dofs as well: 1 N/m would make light
+  /// of what slips beside them.
+  void give_held_dofs_the_mean();
   std::vector<NodeBlock<dim>> on_free_dofs(const std::vector<Block> &blocks) const;
 
   const ContinuumBody<dim> &body;
@@ -79,6 +83,20 @@ private:
   mutable ContinuumVector own_x, own_b; ///< with the operator's own neighbours
   unsigned int most_iterations = 0;
 };
+
+template <int dim>
+void MultigridSystem<dim>::give_held_dofs_the_mean() {
+  std::vector<double> sums(2, 0.); // of the free ones, and their number
+  for (const auto dof : diagonals.locally_owned_elements())
+    if (!constraints.is_constrained(dof)) {
+      sums[0] += diagonals(dof);
+      sums[1] += 1.;
+    }
+  Utilities::MPI::sum(sums, body.communicator, sums);
+  for (const auto dof : diagonals.locally_owned_elements())
+    if (constraints.is_constrained(dof))
+      diagonals(dof) = sums[1] > 0. ? sums[0] / sums[1] : 1.;
+}
 
 template <int dim>
 std::vector<NodeBlock<dim>>
