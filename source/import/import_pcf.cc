@@ -67,9 +67,12 @@ private:
   /// What the file says of the spring of a support goes to the hanger that it became, where the
   /// user's table has not said it.
   void add_spring_data(const PcfComponent &component, const std::vector<MappedSupport> &row) {
-    const auto rate = component.properties.number(Property::spring_rate),
-               cold = component.properties.number(Property::cold_load),
-               hot = component.properties.number(Property::hot_load);
+    const auto given = [&](const Property property) {
+      const auto value = component.properties.number(property);
+      return value && *value > 0. ? value : std::nullopt;
+    };
+    const auto rate = given(Property::spring_rate), cold = given(Property::cold_load),
+               hot = given(Property::hot_load);
     const auto refuse = [&](const std::string &what) {
       notes.not_understood.push_back(
           {component.line, component.keyword + called(component) + ": " + what});
@@ -98,11 +101,18 @@ private:
           return true;
       return false;
     };
-    if (rate && !cold && !is_given("Cold load"))
+    const auto refuse_given = [&](const std::string &what) {
+      refuse("its " + what + " is not taken: the hanger of --support-map has its own");
+    };
+    if (rate && is_given("Stiffness"))
+      refuse_given("spring rate");
+    else if (rate && !cold && !is_given("Cold load"))
       refuse("a spring rate without a cold load: not taken, the hanger is sized");
-    else if (rate && *rate > 0. && !is_given("Stiffness"))
+    else
       hanger->stiffness = rate;
-    if (cold && *cold > 0. && !is_given("Cold load"))
+    if (cold && is_given("Cold load"))
+      refuse_given("cold load");
+    else
       hanger->cold_load = cold;
   }
 

@@ -182,15 +182,26 @@ void schedules() {
   const Imported unknown = taken("SCH 10S", described("PIPE SMLS SCH 10S A312 TP304"));
   expect_part("a schedule that is not known is said", unknown.run.output,
               "schedule 10S of bore 100 is not known");
-  const Imported reducer =
-      taken("a reducer of two schedules",
-            "REDUCER-CONCENTRIC\n" + point("END-POINT", "0 0 0", "150") +
-                point("END-POINT", "140 0 0", "100") + "    ITEM-CODE I\n" + anchor("0 0 0") +
-                anchor("140 0 0") +
-                "MATERIALS\nITEM-CODE I\n    DESCRIPTION RED CONC SCH 80 X SCH 160 A234\n",
-            {});
-  expect_part("its first end", reducer.parameters, "set Schedule = 80\n");
-  expect_part("its second end", reducer.parameters, "set Schedule = 160\n");
+  for (const auto &[description, wanted] : {std::make_pair("PIPE ASTM A106 STD SCH 160", "160"),
+                                            std::make_pair("PIPE EN STD 10216 SCH 80", "80")})
+    expect_part(description, taken(description, described(description)).parameters,
+                std::string("set Schedule = ") + wanted + "\n");
+  const auto reducer = [](const std::string &description, const std::vector<std::string> &options) {
+    return taken("a reducer, " + description,
+                 "REDUCER-CONCENTRIC\n" + point("END-POINT", "0 0 0", "150") +
+                     point("END-POINT", "140 0 0", "100") + "    ITEM-CODE I\n" + anchor("0 0 0") +
+                     anchor("140 0 0") + "MATERIALS\nITEM-CODE I\n    DESCRIPTION " + description +
+                     "\n",
+                 options);
+  };
+  const Imported two = reducer("RED CONC SCH 80 X SCH 160 A234", {});
+  expect_part("its first end", two.parameters, "set Size = DN 150\n  set Schedule = 80\n");
+  expect_part("its second end", two.parameters, "set Size = DN 100\n  set Schedule = 160\n");
+  const Imported one = reducer("RED CONC SCH 10S X SCH 40", {"--schedule", "80"});
+  expect_part("the first is not known", one.run.output, "schedule 10S of bore 150 is not known");
+  expect_part("the first is the option's", one.parameters,
+              "set Size = DN 150\n  set Schedule = 80\n");
+  expect_part("the second is its own", one.parameters, "set Size = DN 100\n  set Schedule = 40\n");
   // A diameter by an attribute beside a schedule.
   const Imported diameter =
       import_text(head + replaced(described("PIPE SCH 80"), "    ITEM-CODE I\n",
@@ -284,6 +295,11 @@ void springs() {
   expect_part("its load", constant.parameters, "set Cold load = 1500\n");
   expect("it has no stiffness", constant.parameters.find("set Stiffness") == std::string::npos,
          constant.parameters);
+  expect_part("its rate is said", constant.run.output, "its spring rate is not taken");
+  const Imported none =
+      taken("a cold load of nothing",
+            line + support("SPR1", "    SPRING-RATE 50\n    COLD-LOAD 0\n"), options);
+  expect_part("its rate alone", none.run.output, "a spring rate without a cold load");
   const Imported guide =
       taken("a spring that is a guide", line + support("GDE1", "    COLD-LOAD 1.5\n"), options);
   expect_part("it is said", guide.run.output,

@@ -44,6 +44,9 @@ void fields() {
   expect(joined(fields_of_row(R"("a, b";"say ""x""", c)")) == R"(<a, b><say "x", c>)", "quotes");
   expect(joined(fields_of_row(R"(valve 6", 100)")) == R"(<valve 6"><100>)", "an inch mark");
   expect(joined(fields_of_row("a;b,c", ',')) == "<a;b><c>", "the header's separator");
+  for (const std::string row : {"1, 2, 3\t", "\t1, 2, 3", "1,\t2,\t3", "1\t, 2\t, 3"})
+    expect(joined(fields_of_row(row)) == "<1><2><3>", "commas with stray tabs");
+  expect(joined(fields_of_row("a, b\tc")) == "<a, b><c>", "a comma in a field between tabs");
 }
 
 void rows() {

@@ -42,14 +42,9 @@ std::string known_schedule(std::string word) {
              : "";
 }
 
-/// Schedules that a description names: of both ends in "SCH 40 X SCH 80" and "SCH 40X80"; XS and
-/// STD stand for themselves.
-struct Schedules {
-  std::vector<std::string> known;
-  std::string unknown; ///< "10S", the first of them
-};
-
-Schedules schedules_of(const std::string &description) {
+/// Schedules that a description names, in its order: of both ends in "SCH 40 X SCH 80" and
+/// "SCH 40X80", known or not. XS and STD stand for themselves where SCH names none.
+std::vector<std::string> schedules_of(const std::string &description) {
   std::string text = capitals(description);
   std::replace_if(
       text.begin(), text.end(),
@@ -57,42 +52,41 @@ Schedules schedules_of(const std::string &description) {
         return c == ',' || c == ';' || c == '.' || c == '=' || c == ':' || c == '/';
       },
       ' ');
-  Schedules result;
-  bool expected = false, behind = false, other = false; // after SCH; a schedule; it and X
+  std::vector<std::string> named, alone;
+  bool expected = false;                      // after SCH
+  std::vector<std::string> *behind = nullptr; // the list of the word before
+  bool other = false;                         // after that and X
   for (std::string word : split(tidy(text), ' ')) {
-    bool named = expected;
+    bool is_named = expected;
     for (const char *const key : {"SCHEDULE", "SCH"})
       if (word.rfind(key, 0) == 0) {
         word.erase(0, std::string(key).size());
         word.erase(0, std::min(word.size(), word.find_first_not_of('-')));
-        named = true;
+        is_named = true;
         break;
       }
-    expected = named && word.empty();
+    expected = is_named && word.empty();
     if (word.empty())
       continue;
-    if (behind && word == "X") {
+    if (behind != nullptr && word == "X") {
       other = true;
       continue;
     }
-    const std::vector<std::string> parts =
-        known_schedule(word).empty() && std::isdigit(static_cast<unsigned char>(word[0])) != 0
-            ? split(word, 'X')
-            : std::vector<std::string>{word};
-    const bool alone = word == "STD" || word == "XS" || word == "XXS";
-    if (!named && !alone && !(other && !known_schedule(word).empty())) {
-      behind = other = false;
-      continue;
-    }
-    for (const std::string &part : parts)
-      if (const std::string schedule = known_schedule(part); !schedule.empty())
-        result.known.push_back(schedule);
-      else if (result.unknown.empty())
-        result.unknown = part;
-    behind = true;
+    const bool is_number = std::isdigit(static_cast<unsigned char>(word[0])) != 0,
+               stands_alone = word == "STD" || word == "XS" || word == "XXS";
+    behind = is_named                                                ? &named
+             : other && (is_number || !known_schedule(word).empty()) ? behind
+             : stands_alone                                          ? &alone
+                                                                     : nullptr;
     other = false;
+    if (behind == nullptr)
+      continue;
+    const std::vector<std::string> parts = known_schedule(word).empty() && is_number
+                                               ? split(word, 'X')
+                                               : std::vector<std::string>{word};
+    behind->insert(behind->end(), parts.begin(), parts.end());
   }
-  return result;
+  return named.empty() ? alone : named;
 }
 
 /// The wall that a description names, "WT=6mm" [m]; 0 if none.
@@ -198,20 +192,15 @@ SectionPlanner::Wall SectionPlanner::own_wall(const PcfComponent &component, con
       component.properties.number(second ? Property::second_wall : Property::wall).value_or(0.);
   if (!wall.is_known() && !second)
     wall.value = wall_of(component.description);
-  const Schedules schedules = schedules_of(component.description);
+  const std::vector<std::string> schedules = schedules_of(component.description);
   const std::size_t place = second ? 1 : 0;
-  if (wall.is_known() || (schedules.known.size() <= place && schedules.unknown.empty()))
+  if (wall.is_known() || schedules.size() <= place)
     return wall;
-  std::string missing = schedules.unknown;
-  if (schedules.known.size() > place) {
-    wall.schedule = schedules.known[place];
-    if (!find_pipe_size(nominal(bore), wall.schedule, false)) {
-      missing = wall.schedule;
-      wall.schedule.clear();
-    }
-  }
-  if (!wall.is_known() && !missing.empty() &&
-      said["schedule " + missing + " of " + exact_number(bore)]++ == 0)
+  const std::string &missing = schedules[place];
+  if (const std::string known = known_schedule(missing);
+      !known.empty() && find_pipe_size(nominal(bore), known, false))
+    wall.schedule = known;
+  if (!wall.is_known() && said["schedule " + missing + " of " + exact_number(bore)]++ == 0)
     notes.not_understood.push_back({component.line, component.keyword + ": schedule " + missing +
                                                         " of bore " + exact_number(bore) +
                                                         " is not known; --wall can say it"});

@@ -66,11 +66,16 @@ std::vector<TableRow> read_table_rows(const std::string &path) {
 
 char separator_of(const std::string &row) {
   for (const char separator : {';', '\t', ','}) {
-    bool found = false;
+    bool found = false, is_tab_open = false; // a tab beside a comma is a blank like any other
+    char before = ',';                       // the last that is none
     visit_characters(
         row, [&](const char c) { return c == separator; },
         [&](const char c, const bool quoted, const std::size_t) {
-          found = found || (c == separator && !quoted);
+          const bool blank = is_blank(c) && !quoted;
+          found = found || (c == separator && !quoted && !blank) ||
+                  (is_tab_open && !blank && (c != ',' || quoted));
+          is_tab_open = blank && (is_tab_open || (c == '\t' && separator == '\t' && before != ','));
+          before = blank ? before : quoted ? '"' : c;
         });
     if (found)
       return separator;

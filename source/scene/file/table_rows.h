@@ -22,8 +22,8 @@ struct TableRow {
  */
 std::vector<TableRow> read_table_rows(const std::string &path);
 
-/// What stands between the fields of @p row: a semicolon, else a tab, else a comma where it has
-/// one outside quotes, else a blank.
+/// What stands between the fields of @p row: a semicolon, else a tab between two that is not beside
+/// a comma, else a comma where it has one outside quotes, else a blank.
 char separator_of(const std::string &row);
 
 /**

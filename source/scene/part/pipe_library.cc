@@ -127,7 +127,7 @@ std::vector<MaterialPoint> read_material_table(const std::string &file, const Un
     if (row.size() != 3 || !to_number(row[0], point.temperature) ||
         !to_number(row[1], point.youngs_modulus) || !to_number(row[2], point.expansion) ||
         point.youngs_modulus <= 0.) {
-      if (table.empty())
+      if (double number = 0.; table.empty() && !(!row.empty() && to_number(row[0], number)))
         continue; // a heading
       return {};
     }
