@@ -16,8 +16,7 @@ namespace {
 using namespace frictionbeam;
 
 // 1. The parameters: each once, with unit, default, bounds and meaning. The program makes entries
-// of
-//    the parameter file and their documentation out of this list.
+//    of the parameter file and their documentation out of this list.
 enum Parameter { rigidity, drag, n_parameters };
 
 constexpr LawParameter parameters[n_parameters] = {
@@ -25,9 +24,8 @@ constexpr LawParameter parameters[n_parameters] = {
     {"Drag", "N s", 0., 0., 1e300, "shear force per rate of shear strain while in contact"}};
 
 // 2. The law: stress, tangent and new internal variables from the strain at the end of the
-// increment
-//    and the old internal variables. No memory of its own, no exceptions; return LawStatus::failed
-//    where it has no answer, and the program tries a smaller increment.
+//    increment and the old internal variables. No memory of its own, no exceptions; return
+//    LawStatus::failed where it has no answer, and the program tries a smaller increment.
 class Skeleton final : public LawBase {
 public:
   LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {

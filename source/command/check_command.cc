@@ -153,7 +153,9 @@ void draw_as_built(const Model &model) {
   state.contact_stress.assign(model.contacts.size(), Contact::Strains::Zero());
   state.contact_status.assign(model.contacts.size(), ContactStatus::closed);
   state.load_factors.assign(scene.loads.size(), 0.);
-  state.turns = model.cells.at_rest().turns;
+  const Pose at_rest = model.cells.at_rest();
+  state.turns = at_rest.turns;
+  state.sections = *at_rest.sections;
   Results results;
   results.units = scene.units;
   results.supports = builder.support_infos();

@@ -24,8 +24,9 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
   const bool transient = any(scene.steps, [](const LoadStep &step) { return step.transient; });
   if (transient) {
     const TimeSettings &time = scene.time;
-    refuse(!time.row().is_for_turning, "Integrator = event",
-           "Integrator = moreau_jean, newmark or generalized_alpha in section Time");
+    refuse(
+        !time.row().is_for_turning, "Integrator = event",
+        "Integrator = moreau_jean, newmark, generalized_alpha or nonsmooth_alpha in section Time");
     if (time.integrator != Integrator::moreau_jean) {
       const std::string with = " and Integrator = " + std::string(time.row().word);
       refuse(time.stiffness_damping != 0., "Stiffness damping" + with,

@@ -50,6 +50,16 @@ void parse_solid(const ParameterReader &in, Scene &scene) {
 
 namespace {
 
+/// The section that a support was read from, of which a guide is two halves.
+std::string heading_of(const FrictionSupport &support) {
+  std::string heading = "Support " + support.name;
+  for (const std::string half : {".plus", ".minus"})
+    if (heading.size() > half.size() &&
+        heading.compare(heading.size() - half.size(), half.size(), half) == 0)
+      heading.resize(heading.size() - half.size());
+  return heading;
+}
+
 class SolidCheck {
 public:
   SolidCheck(ParameterReader &in, const Scene &scene) : in(in), scene(scene) {}
@@ -195,11 +205,7 @@ void SolidCheck::check_supports() {
 }
 
 void SolidCheck::check_patch(const FrictionSupport &support) {
-  std::string heading = "Support " + support.name;
-  for (const std::string half : {".plus", ".minus"})
-    if (heading.size() > half.size() &&
-        heading.compare(heading.size() - half.size(), half.size(), half) == 0)
-      heading.resize(heading.size() - half.size());
+  const std::string heading = heading_of(support);
   const bool is_known = support.kind != "rod" && support.kind != "snubber";
   refuse(!is_known, heading, "Kind", "anchor, rest, guide, stop or friction", "rest");
   refuse(support.law != "coulomb", heading, "Law", "coulomb", "coulomb");
@@ -266,7 +272,7 @@ void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
   const auto wide = std::find_if(scene.supports.begin(), scene.supports.end(),
                                  [](const FrictionSupport &support) { return support.width > 0.; });
   if (wide != scene.supports.end())
-    scene.remarks.push_back("Support " + wide->name +
+    scene.remarks.push_back(heading_of(*wide) +
                             ": its Width is that of a patch on a solid pipe, and a line does not "
                             "use it.");
   in.enter("Solid");
