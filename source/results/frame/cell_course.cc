@@ -30,13 +30,11 @@ Vector3 part_of(const CellCourse &course, const unsigned int first) {
   return Vector3({course[first], course[first + 1], course[first + 2]});
 }
 
-CellCourse course_of(const Vector3 &force, const Vector3 &moment, const Vector3 &line_force) {
+CellCourse course_of(const Eigen::Matrix<double, 6, 1> &section, const Vector3 &line_force) {
   CellCourse course = CellCourse::Zero();
-  for (unsigned int d = 0; d < 3; ++d) {
-    course[d] = force[d];
-    course[3 + d] = moment[d];
+  course.head<6>() = section;
+  for (unsigned int d = 0; d < 3; ++d)
     course[6 + d] = line_force[d];
-  }
   return course;
 }
 

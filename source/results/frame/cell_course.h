@@ -14,8 +14,8 @@ namespace frictionbeam {
  */
 using CellCourse = Eigen::Matrix<double, 12, 1>;
 
-/// The course of these in global axes.
-CellCourse course_of(const Vector3 &force, const Vector3 &moment, const Vector3 &line_force);
+/// The course of force and moment on the section at the start and of a force per length.
+CellCourse course_of(const Eigen::Matrix<double, 6, 1> &section, const Vector3 &line_force);
 
 /// The course in balance with forces M (a + alpha v) of inertia on a straight cell's ends: q is
 /// their mean over the length, mu closes the moment at the other end.

@@ -22,10 +22,6 @@ std::string instance_name(const std::string &name, const unsigned int site, cons
   return several ? name + "." + std::to_string(site + 1) : name;
 }
 
-Vector3 vector_at(const PipeElement::Vector12 &values, const unsigned int first) {
-  return Vector3({values[first], values[first + 1], values[first + 2]});
-}
-
 /// Motion inside a straight clamped cell under its own load, which the shape functions leave out
 /// (w_p in doc/theory.md, "The pipe").
 /// @param line_force on the cell [N/m] @param x from its beginning [m] @param rest to its end [m]
@@ -226,29 +222,27 @@ void FrameBuilder::append(const std::vector<Station> &stations, std::vector<Stat
 
 std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
                                                const PipeElement::Vector12 &ends,
-                                               const PipeElement::Vector12 &u,
-                                               const CellLoad &load) {
+                                               const PipeElement::Vector12 &u, const CellLoad &load,
+                                               const CellCourse &inertia) {
   const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
   if (element.arc())
-    return stations_of_arc(pipe_cell, ends, u, load);
+    return stations_of_arc(pipe_cell, ends, u, load, inertia);
   const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
   const auto cell = model.discretization.pipe_cell(index);
-  // From here on in the direction of the route: section force F and moment M act on the face that
-  // looks forward, with F' = -q, M' = -x cross F (doc/theory.md, "The pipe").
+  // From here on in the direction of the route: F and M act on the face that looks forward.
   const unsigned int start = pipe_cell.reversed ? 6 : 0;
   const Point3 begin = cell->vertex(pipe_cell.reversed ? 1 : 0);
   const Vector3 axis = cell->vertex(pipe_cell.reversed ? 0 : 1) - begin;
   const LocalAxes axes(axis);
   const double length = axis.norm();
-  const Vector3 force = -vector_at(ends, start), moment = -vector_at(ends, start + 3);
+  const CellCourse course = course_of(-ends.segment<6>(start), load.line_force) + inertia;
   const auto station = [&](const double x) {
     Station result;
     result.pipe = pipe_cell.pipe;
     result.s = meshed.s[pipe_cell.position] +
                x / length * (meshed.s[pipe_cell.position + 1] - meshed.s[pipe_cell.position]);
     result.position = begin + x * axes.x;
-    const Vector3 F = force - x * load.line_force;
-    const Vector3 M = moment - cross_product_3d(axes.x, x * force - x * x / 2. * load.line_force);
+    const auto [F, M] = section_of_straight(course, axes.x, x);
     result.force = {F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
     result.pressure = load.pressure;
     place(pipe_cell, axes, result);
@@ -329,11 +323,12 @@ void FrameBuilder::begin_cell(const Station &first, std::vector<Station> &line) 
 std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
                                                    const PipeElement::Vector12 &ends,
                                                    const PipeElement::Vector12 &motions,
-                                                   const CellLoad &load) const {
+                                                   const CellLoad &load,
+                                                   const CellCourse &inertia) const {
   const ArcBeam &arc = *element.arc();
   const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
   const unsigned int n = model.scene.output.stations, n_stations = n + 2;
-  const CellCourse course = course_of(-vector_at(ends, 0), -vector_at(ends, 3), load.line_force);
+  const CellCourse course = course_of(-ends.head<6>(), load.line_force) + inertia;
   FullMatrix<double> shapes, slopes;
   std::vector<Station> stations;
   for (unsigned int i = 0; i < n_stations; ++i) {

@@ -3,6 +3,7 @@
 
 #include "model/line_pose.h"
 #include "model/model.h"
+#include "results/frame/cell_course.h"
 #include "results/results.h"
 
 #include <unordered_map>
@@ -77,15 +78,17 @@ private:
                 std::vector<Station> &line);
   /// Nothing holds any vertex yet, and whether inertia is to be told of this state.
   void begin(const LineState &state);
-  /// What forces M (a + alpha v) of a state in motion make of the section forces along a cell.
+  /// What forces M (a + alpha v) of a state in motion add to the course of a cell's section forces,
+  /// of the cell that the element speaks of; zero at rest.
   /// @param back turns them into the axes of the stations' places
-  void add_inertia_along(const LineState &state, const unsigned int index,
-                         const Eigen::Matrix3d &back, std::vector<Station> &stations);
+  CellCourse inertia_along(const LineState &state, const unsigned int index,
+                           const Eigen::Matrix3d &back);
   /// Forces M a + C v of a state in motion on the nodes of restraints, of imposed motions too.
   void add_inertia(const LineState &state);
   /// Stations of a cell in a frame that has moved: section forces in the axes that turn with it.
   std::vector<Station> stations_in(const CellFrame &frame, const LineCells::CellState &of_cell,
-                                   const Pose &pose, const unsigned int index, CellLoad load);
+                                   const Pose &pose, const unsigned int index, CellLoad load,
+                                   const CellCourse &inertia);
   /// Give a station what it knows of the pipe there, with its local axes.
   void place(const PipeCell &pipe_cell, const LocalAxes &axes, Station &station) const;
   /// Add the first station of a cell, unless the line has it already. Where the forces jump (a
@@ -93,11 +96,13 @@ private:
   void begin_cell(const Station &first, std::vector<Station> &line) const;
   /// Stations of the cell that the element speaks of, as a linear one, along the route. The forces
   /// on its ends and their motions, beyond joints, stand in the order of the deal.II cell.
+  /// @param inertia as inertia_along() has it
   std::vector<Station> stations_of(const unsigned int index, const PipeElement::Vector12 &ends,
-                                   const PipeElement::Vector12 &motions, const CellLoad &load);
+                                   const PipeElement::Vector12 &motions, const CellLoad &load,
+                                   const CellCourse &inertia);
   std::vector<Station> stations_of_arc(const PipeCell &pipe_cell, const PipeElement::Vector12 &ends,
-                                       const PipeElement::Vector12 &motions,
-                                       const CellLoad &load) const;
+                                       const PipeElement::Vector12 &motions, const CellLoad &load,
+                                       const CellCourse &inertia) const;
   /// Motions inside a straight cell by those of its ends, at each station, in its local axes.
   using StationShapes = std::vector<Eigen::Matrix<double, 6, 12>>;
   const StationShapes &shapes_of(const Discretization::Cell &cell);

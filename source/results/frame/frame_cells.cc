@@ -36,22 +36,21 @@ void FrameBuilder::add_cell(const LineState &state, const Pose &pose, const unsi
       vertex_forces[cell->vertex_index(v)][c] += of_cell.ends[6 * v + c];
   const CellLoad load = model.cells.load_on(pipe_cell, element.profile(),
                                             cell->vertex(1) - cell->vertex(0), state.load_factors);
-  std::vector<Station> stations =
-      of_cell.frame
-          ? stations_in(*of_cell.frame, of_cell, pose, index, load)
-          : stations_of(index, of_cell.ends,
-                        element.inside(of_cell.motions, of_cell.ends, load.pressure), load);
   Eigen::Matrix3d back = Eigen::Matrix3d::Identity();
   if (of_cell.frame)
     back = of_cell.frame->turn.transpose();
-  add_inertia_along(state, index, back, stations);
-  append(stations, line);
+  const CellCourse inertia = inertia_along(state, index, back);
+  append(of_cell.frame ? stations_in(*of_cell.frame, of_cell, pose, index, load, inertia)
+                       : stations_of(index, of_cell.ends,
+                                     element.inside(of_cell.motions, of_cell.ends, load.pressure),
+                                     load, inertia),
+         line);
 }
 
 std::vector<Station> FrameBuilder::stations_in(const CellFrame &frame,
                                                const LineCells::CellState &of_cell,
                                                const Pose &pose, const unsigned int index,
-                                               CellLoad load) {
+                                               CellLoad load, const CellCourse &inertia) {
   // In the frame that goes along, the cell is the linear one, and so are its stations.
   const Eigen::Matrix3d back = frame.turn.transpose();
   PipeElement::Vector12 ends;
@@ -59,7 +58,7 @@ std::vector<Station> FrameBuilder::stations_in(const CellFrame &frame,
     ends.segment<3>(3 * block) = back * of_cell.ends.segment<3>(3 * block);
   load.line_force = to_deal(back * to_eigen(load.line_force));
   std::vector<Station> stations =
-      stations_of(index, ends, element.inside(of_cell.motions, ends, load.pressure), load);
+      stations_of(index, ends, element.inside(of_cell.motions, ends, load.pressure), load, inertia);
 
   // The frame carries the cell's first vertex to where it is: what is at X in it, moved by w, goes
   // to x_0 + turn (X + w - X_0 - w_0).

@@ -89,54 +89,34 @@ void FrameBuilder::begin(const LineState &state) {
   tells_inertia = has_inertia(model, state);
 }
 
-void FrameBuilder::add_inertia_along(const LineState &state, const unsigned int index,
-                                     const Eigen::Matrix3d &back, std::vector<Station> &stations) {
+CellCourse FrameBuilder::inertia_along(const LineState &state, const unsigned int index,
+                                       const Eigen::Matrix3d &back) {
   if (!tells_inertia)
-    return;
+    return CellCourse::Zero();
   const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
   const auto cell = model.discretization.pipe_cell(index);
   std::vector<types::global_dof_index> dofs(12);
   cell->get_dof_indices(dofs);
   PipeElement::Vector12 accelerations;
   for (unsigned int i = 0; i < 12; ++i)
-    accelerations[i] =
-        model.linear.rate(dofs[i], model.space, state.acceleration, state.load_accelerations) +
-        model.scene.time.mass_damping *
-            model.linear.rate(dofs[i], model.space, state.velocity, state.load_rates);
+    accelerations[i] = damped_acceleration(model, state, dofs[i]);
   PipeElement::Vector12 ends = model.cells.mass_of(index, element) * accelerations;
   for (unsigned int part = 0; part < 12; part += 3)
     ends.segment<3>(part) = (back * ends.segment<3>(part)).eval();
-  const auto &arc = element.arc();
-  if (!arc && pipe_cell.reversed)
+  if (element.arc())
+    return course_of_inertia(ends, *element.arc());
+  const Vector3 chord = cell->vertex(1) - cell->vertex(0);
+  Eigen::Vector3d axis(chord[0], chord[1], chord[2]);
+  if (pipe_cell.reversed) {
     ends << ends.tail<6>().eval(), ends.head<6>().eval();
-  const Vector3 axis = (pipe_cell.reversed ? -1. : 1.) * (cell->vertex(1) - cell->vertex(0));
-  const CellCourse course =
-      arc ? course_of_inertia(ends, *arc)
-          : course_of_inertia(ends, Eigen::Vector3d(axis[0], axis[1], axis[2]));
-  for (unsigned int i = 0; i < stations.size(); ++i) {
-    const double part = static_cast<double>(i) / (stations.size() - 1),
-                 side = arc && pipe_cell.reversed ? -1. : 1.,
-                 psi = arc ? arc->angle() * (pipe_cell.reversed ? 1. - part : part) : 0.;
-    const LocalAxes axes(arc ? side * arc->tangent(psi) : axis);
-    const auto [F, M] = arc ? section_of_arc(course, *arc, psi)
-                            : section_of_straight(course, axes.x, part * axis.norm());
-    const Motion more{F * axes.x, F * axes.y, F * axes.z, M * axes.x, M * axes.y, M * axes.z};
-    for (unsigned int c = 0; c < 6; ++c)
-      stations[i].force[c] += side * more[c];
+    axis *= -1.;
   }
+  return course_of_inertia(ends, axis);
 }
 
 void FrameBuilder::add_inertia(const LineState &state) {
-  const bool at_rest =
-      state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
-  if (at_rest)
+  if (is_at_rest(state))
     return;
-  const auto velocity_of = [&](const types::global_dof_index dof) {
-    return model.linear.rate(dof, model.space, state.velocity, state.load_rates);
-  };
-  const auto acceleration_of = [&](const types::global_dof_index dof) {
-    return model.linear.rate(dof, model.space, state.acceleration, state.load_accelerations);
-  };
   const auto add = [&](const unsigned int vertex, const unsigned int c, const double force) {
     if (is_held[vertex])
       vertex_forces[vertex][c] += force;
@@ -145,10 +125,10 @@ void FrameBuilder::add_inertia(const LineState &state) {
   for (const HeldCell &cell : held_cells) {
     PipeElement::Vector12 v, a;
     for (unsigned int c = 0; c < 12; ++c) {
-      v[c] = velocity_of(cell.dofs[c]);
-      a[c] = acceleration_of(cell.dofs[c]);
+      v[c] = model.linear.rate(cell.dofs[c], model.space, state.velocity, state.load_rates);
+      a[c] = damped_acceleration(model, state, cell.dofs[c]);
     }
-    PipeElement::Vector12 forces = cell.mass * (a + time.mass_damping * v);
+    PipeElement::Vector12 forces = cell.mass * a;
     // Velocities at a step's end stretch a cell that turns, which times its stiffness would be a
     // force where there is none: of turning cells the share of damping is left out.
     if (time.stiffness_damping != 0. && model.cells.is_linear())
@@ -162,8 +142,7 @@ void FrameBuilder::add_inertia(const LineState &state) {
     for (const std::string &point : mass.points)
       for (unsigned int d = 0; d < 3; ++d) {
         const unsigned int vertex = model.mesh.points.at(point);
-        const auto dof = at.index(vertex, d);
-        add(vertex, d, mass.mass * (acceleration_of(dof) + time.mass_damping * velocity_of(dof)));
+        add(vertex, d, mass.mass * damped_acceleration(model, state, at.index(vertex, d)));
       }
 }
 

@@ -145,15 +145,9 @@ void SectionForces::find_accelerations(const LineState &state) {
     accelerations.resize(0);
     return;
   }
-  const double alpha = model.scene.time.mass_damping;
   accelerations.resize(state.dofs.size());
-  for (Eigen::Index i = 0; i < accelerations.size(); ++i) {
-    accelerations[i] =
-        model.linear.rate(i, model.space, state.acceleration, state.load_accelerations);
-    if (alpha != 0.)
-      accelerations[i] +=
-          alpha * model.linear.rate(i, model.space, state.velocity, state.load_rates);
-  }
+  for (Eigen::Index i = 0; i < accelerations.size(); ++i)
+    accelerations[i] = damped_acceleration(model, state, i);
 }
 
 const double *SectionForces::forces_of(const Kind &kind, const CellCourse &start) {
@@ -176,10 +170,22 @@ const double *SectionForces::forces_of(const Kind &kind, const CellCourse &start
   return buffer.data();
 }
 
+bool is_at_rest(const LineState &state) {
+  return state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
+}
+
+double damped_acceleration(const Model &model, const LineState &state,
+                           const types::global_dof_index dof) {
+  const double alpha = model.scene.time.mass_damping;
+  const auto rate = [&](const Vector &unknowns, const std::vector<double> &factors) {
+    return model.linear.rate(dof, model.space, unknowns, factors);
+  };
+  return rate(state.acceleration, state.load_accelerations) +
+         (alpha != 0. ? alpha * rate(state.velocity, state.load_rates) : 0.);
+}
+
 bool has_inertia(const Model &model, const LineState &state) {
-  const bool at_rest =
-      state.load_rates.empty() && state.velocity.isZero(0.) && state.acceleration.isZero(0.);
-  return !at_rest &&
+  return !is_at_rest(state) &&
          std::none_of(state.events.begin(), state.events.end(), [&](const ContactEvent &event) {
            return event.status != ContactStatus::open &&
                   is_rigid_stop(model, model.contacts[event.contact]);

@@ -107,6 +107,13 @@ private:
   Vector accelerations; ///< of all degrees of freedom, a + alpha v
 };
 
+bool is_at_rest(const LineState &state);
+
+/// a + alpha v of a degree of freedom of a state in motion, alpha of mass damping: times a mass,
+/// the force that it takes [m/s2, rad/s2].
+double damped_acceleration(const Model &model, const LineState &state,
+                           const dealii::types::global_dof_index dof);
+
 /// Whether forces have inertia in them that is to be told: the line moves, and no rigid stop was
 /// struck within the increment, where accelerations are an impulse over the time step.
 bool has_inertia(const Model &model, const LineState &state);
