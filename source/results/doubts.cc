@@ -114,13 +114,11 @@ public:
       for (const Station &station : frame.line) {
         const Pipe &pipe = scene.pipes[station.pipe];
         const Material &material = scene.materials[pipe.material];
-        if (material.yield_stress == 0. || pipe.rigid || scene.sections[pipe.section].wall == 0. ||
-            (scene.sections[pipe.section].is_inelastic() && !scene.keeps_elastic))
+        const auto of_wall = material.yield_stress > 0. ? elastic_wall_stress(scene, station)
+                                                        : std::optional<WallStress>();
+        if (!of_wall || of_wall->von_mises <= worst * material.yield_stress)
           continue;
-        const double stress =
-            wall_stress(section_at(scene, station), station.force, station.pressure).von_mises;
-        if (stress <= worst * material.yield_stress)
-          continue;
+        const double stress = of_wall->von_mises;
         worst = stress / material.yield_stress;
         text = "Pipe " + pipe.name + ", s = " + length(station.s) + ", step " + frame.name +
                ": the equivalent stress is " +

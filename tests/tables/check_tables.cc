@@ -113,7 +113,7 @@ void check_columns(const Case &one, const fs::path &folder,
     std::getline(in, header);
     if (in_si || header.find('[') == std::string::npos)
       expect("doc/results.md has the columns of " + name + " in their order: " + header,
-             header_fits(fields_of(header), page->second));
+             header_fits(frictionbeam::csv_fields(header), page->second));
   }
 }
 

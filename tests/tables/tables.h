@@ -3,6 +3,7 @@
 
 #include "../cases/run_program.h"
 #include "../check.h"
+#include "base/csv_row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,28 +19,15 @@ inline void expect(const std::string &what, const bool holds) {
     std::cerr << what << '\n';
 }
 
-inline std::vector<std::string> fields_of(const std::string &row) {
-  std::vector<std::string> result(1);
-  bool quoted = false;
-  for (const char c : row)
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  return result;
-}
-
 /// Rows of a table by the names of its columns.
 inline std::vector<std::map<std::string, std::string>> rows_of(const fs::path &file) {
   std::ifstream in(file);
   std::string row;
   std::getline(in, row);
-  const std::vector<std::string> header = fields_of(row);
+  const std::vector<std::string> header = frictionbeam::csv_fields(row);
   std::vector<std::map<std::string, std::string>> result;
   while (std::getline(in, row)) {
-    const std::vector<std::string> fields = fields_of(row);
+    const std::vector<std::string> fields = frictionbeam::csv_fields(row);
     expect(file.string() + ": as many fields as columns", fields.size() == header.size());
     result.emplace_back();
     for (std::size_t i = 0; i < std::min(fields.size(), header.size()); ++i)

@@ -90,10 +90,9 @@ std::string uplift_table(const Scene &scene, const Results &results) {
       });
       cells.push_back(found == all.end() ? dash
                       : !found->lifts
-                          ? fixed_number(unit.factor * found->least + 0., decimals)
+                          ? fixed_number(unit.factor * found->least, decimals)
                           : "<b style=\"color:#b00020\">" +
-                                fixed_number(unit.factor * found->least + 0., decimals) +
-                                " lifts</b>");
+                                fixed_number(unit.factor * found->least, decimals) + " lifts</b>");
     }
     table.right_html(one, cells);
   }

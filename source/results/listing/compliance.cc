@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace frictionbeam {
@@ -77,10 +76,7 @@ std::string table_of(const Scene &scene, const Results &results, const StressCas
     return values;
   };
   const auto of_forces = [&](double StressForces::*const component) {
-    return column([&](const std::size_t i) {
-      return one.forces.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                : one.forces[i].*component;
-    });
+    return column([&](const std::size_t i) { return one.forces[i].*component; });
   };
   const auto of_factors = [&](double StressFactors::*const component) {
     return column([&](const std::size_t i) { return fixed_number(one.factors[i].*component, 2); });
@@ -153,15 +149,11 @@ void write_compliance(const Scene &scene, const Results &results, const std::str
       const StressFactors &factors = one.factors[i];
       for (const double factor : {factors.in_plane, factors.out_of_plane, factors.axial})
         text += ',' + exact_number(factor);
-      if (one.forces.empty())
-        text += ",,,,,";
-      else {
-        const StressForces &f = one.forces[i];
-        text += ',' + exact_number(f.axial / unit("N"));
-        for (const double moment : {f.in_plane, f.out_of_plane, f.torsion})
-          text += ',' + exact_number(moment / unit("N m"));
-        text += ',' + exact_number(f.pressure / unit("Pa"));
-      }
+      const StressForces &f = one.forces[i];
+      text += ',' + exact_number(f.axial / unit("N"));
+      for (const double moment : {f.in_plane, f.out_of_plane, f.torsion})
+        text += ',' + exact_number(moment / unit("N m"));
+      text += ',' + exact_number(f.pressure / unit("Pa"));
       text += ',' + exact_number(one.stress[i] / unit("Pa")) + ',' +
               exact_number(one.allowed[i] / unit("Pa")) + ',' + exact_number(ratio(one, i)) + ',' +
               (one.time.empty() ? "" : exact_number(one.time[i])) + '\n';

@@ -140,12 +140,15 @@ std::string restraint_summary(const Results &results) {
 
 namespace {
 
-/// The motion of a point that is on no pipe, at an instant; null if it is not known.
-const Motion *observed(const Results &results, const std::string &point, const double time) {
+/// The motion of a point that is on no pipe, in a frame of a step; null if it is not known, as of
+/// cases that are made of others.
+const Motion *observed(const Results &results, const std::string &point, const Frame &frame) {
+  if (frame.step >= results.steps.size())
+    return nullptr;
   for (const History &history : results.histories)
     if (history.point == point)
       for (std::size_t i = history.time.size(); i-- > 0;) // of two at one time, the later
-        if (history.time[i] == time)
+        if (history.time[i] == frame.time)
           return &history.displacement[i];
   return nullptr;
 }
@@ -163,7 +166,7 @@ std::string displacement_tables(const Results &results, const std::vector<const 
                                         [&](const Station &s) { return s.vertex == point.vertex; });
       const Motion *const motion = station != frame->line.end()
                                        ? &station->displacement
-                                       : observed(results, point.name, frame->time);
+                                       : observed(results, point.name, *frame);
       if (motion == nullptr || names.size() == n_rows_at_most)
         continue;
       names.push_back(point.name);

@@ -76,6 +76,16 @@ namespace {
 
 using Formulas = StressCode::Formula (StressCode::*)(const StressPoint &) const;
 
+/// Forces of the code at a station.
+/// @param before that they count from, or null
+StressForces forces_of(const StressEvaluation::Axes &axes, Motion force,
+                       const Motion *const before) {
+  if (before != nullptr)
+    for (unsigned int c = 0; c < 6; ++c)
+      force[c] -= (*before)[c];
+  return axes.forces(force.data());
+}
+
 /// The stresses of a case whose forces are known at one instant, or within bounds: the code's
 /// stresses are convex in the forces, so that none between the bounds is larger than that at one
 /// of their corners.
@@ -105,10 +115,7 @@ public:
       for (unsigned int k = 0; k < 4; ++k)
         if ((corner >> k & 1) != 0)
           force[varies[k]] = largest->line[i].force[varies[k]];
-      if (before != nullptr)
-        for (unsigned int c = 0; c < 6; ++c)
-          force[c] -= (*before)[c];
-      const StressForces forces = axes.forces(force.data());
+      const StressForces forces = forces_of(axes, force, before);
       const double value = stress(forces);
       if (corner == 0 || value > most) {
         most = value;
@@ -139,10 +146,10 @@ bool take_envelope(const StressEvaluation &evaluation, const Frame &frame, const
       result.time = one.time;
       for (std::size_t i = 0; i < frame.line.size(); ++i) {
         Motion force;
-        for (unsigned int c = 0; c < 6; ++c)
-          force[c] = one.force[6 * i + c] - (before != nullptr ? before->line[i].force[c] : 0.);
+        std::copy_n(one.force.begin() + 6 * i, 6, force.begin());
         result.forces.push_back(
-            evaluation.axes(frame.line[i], pressure(frame.line[i].pipe)).forces(force.data()));
+            forces_of(evaluation.axes(frame.line[i], pressure(frame.line[i].pipe)), force,
+                      before != nullptr ? &before->line[i].force : nullptr));
       }
       return true;
     }

@@ -59,4 +59,12 @@ WallStress wall_stress(const Section &section, const Motion &force, const double
   return result;
 }
 
+std::optional<WallStress> elastic_wall_stress(const Scene &scene, const Station &station) {
+  const Pipe &pipe = scene.pipes[station.pipe];
+  const Section &section = scene.sections[pipe.section];
+  if (pipe.rigid || section.wall == 0. || (section.is_inelastic() && !scene.keeps_elastic))
+    return {};
+  return wall_stress(section_at(scene, station), station.force, station.pressure);
+}
+
 } // namespace frictionbeam

@@ -3,6 +3,8 @@
 
 #include "results/results.h"
 
+#include <optional>
+
 namespace frictionbeam {
 
 /// Largest and least principal stress of a pipe's wall, and the largest equivalent ones [Pa].
@@ -18,6 +20,9 @@ struct WallStress {
  * @param section with a wall @param force N, Vy, Vz, Mx, My, Mz
  */
 WallStress wall_stress(const Section &section, const Motion &force, const double pressure);
+
+/// That of a station of a pipe with a wall that answers elastically; none of others.
+std::optional<WallStress> elastic_wall_stress(const Scene &scene, const Station &station);
 
 /// The section of a pipe at a station, of a reducer too.
 Section section_at(const Scene &scene, const Station &station);

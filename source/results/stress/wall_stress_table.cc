@@ -15,15 +15,11 @@ namespace {
 template <typename Take>
 void for_each_station(const Scene &scene, const Results &results, const Take &take) {
   for (const Frame &frame : results.frames) {
-    if (!frame.end_of_step || frame.step >= scene.steps.size())
+    if (frame.step >= scene.steps.size())
       continue;
-    for (const Station &station : frame.line) {
-      const Pipe &pipe = scene.pipes[station.pipe];
-      const Section &section = scene.sections[pipe.section];
-      if (!pipe.rigid && section.wall > 0. && (!section.is_inelastic() || scene.keeps_elastic))
-        take(frame, station,
-             wall_stress(section_at(scene, station), station.force, station.pressure));
-    }
+    for (const Station &station : frame.line)
+      if (const auto stress = elastic_wall_stress(scene, station))
+        take(frame, station, *stress);
   }
 }
 
@@ -72,10 +68,12 @@ void write_wall_stresses(const Scene &scene, const Results &results, const std::
   for_each_station(
       scene, results, [&](const Frame &frame, const Station &station, const WallStress &stress) {
         any = true;
-        text += csv_field(frame.name) + ',' + csv_field(scene.pipes[station.pipe].name) + ',' +
-                exact_number(station.s / length);
-        for (const double value : {stress.most, stress.least, stress.von_mises, stress.tresca})
-          text += ',' + exact_number(value / stress_unit);
+        text += csv_field(frame.name) + ',' + csv_field(scene.pipes[station.pipe].name) + ',';
+        append_exact_number(station.s / length, text);
+        for (const double value : {stress.most, stress.least, stress.von_mises, stress.tresca}) {
+          text += ',';
+          append_exact_number(value / stress_unit, text);
+        }
         text += '\n';
       });
   if (any)

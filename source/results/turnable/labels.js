@@ -3,12 +3,26 @@ class ModelLabels {
   constructor(width, height) {
     this.width = width;
     this.height = height;
-    this.taken = [];
+    this.buckets = new Map(); // boxes that are taken, by the fields of 64 x 32 pixels that they touch
   }
-  avoid(x, y, radius) { this.taken.push([x - radius, y - radius, x + radius, y + radius]); }
+  bucketsOf(box) {
+    const keys = [];
+    for (let i = Math.floor(box[0] / 64); i <= Math.floor(box[2] / 64); ++i)
+      for (let j = Math.floor(box[1] / 32); j <= Math.floor(box[3] / 32); ++j) keys.push(1e5 * i + j);
+    return keys;
+  }
+  take(box) {
+    for (const key of this.bucketsOf(box)) {
+      const bucket = this.buckets.get(key);
+      if (bucket) bucket.push(box);
+      else this.buckets.set(key, [box]);
+    }
+  }
+  avoid(x, y, radius) { this.take([x - radius, y - radius, x + radius, y + radius]); }
   isFree(box) {
     return box[0] >= 2 && box[1] >= 2 && box[2] <= this.width - 2 && box[3] <= this.height - 2 &&
-      !this.taken.some(other => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3]);
+      !this.bucketsOf(box).some(key => (this.buckets.get(key) || []).some(other =>
+        box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3]));
   }
   /** Left and baseline of a text of some width near a place; null if there is no room. */
   place(wide, x, y) {
@@ -18,7 +32,7 @@ class ModelLabels {
         const left = dx > 0 ? x + far : dx < 0 ? x - far - wide - 4 : x - wide / 2 - 2, middle = y + dy * (far + (dx === 0 ? 6 : 3));
         const box = [left, middle - high / 2, left + wide + 4, middle + high / 2];
         if (!this.isFree(box)) continue;
-        this.taken.push(box);
+        this.take(box);
         return box;
       }
     return null;
@@ -38,7 +52,7 @@ const makeModelOverlay = (canvas, camera) => {
     pen.font = '12px system-ui, sans-serif';
     if (named.length) {
       const labels = new ModelLabels(width, height);
-      for (const [, at] of named) labels.avoid(at.x, at.y, 3);
+      for (const [, at] of named) if (at.seen) labels.avoid(at.x, at.y, 3);
       let written = 0;
       for (const [item, at, colour] of named) {
         const box = at.seen && written < most && labels.place(pen.measureText(item.name).width, at.x, at.y);

@@ -31,10 +31,9 @@ void add_section_forces(const StepEnvelope &envelope, const std::vector<std::siz
   for (unsigned int c = 0; c < 6; ++c) {
     std::vector<double> least(n), least_at(n), largest(n), largest_at(n);
     for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t end =
-          stations.continues(k) ? std::max(places[k + 1], places[k] + 1) : places[k] + 1;
-      std::size_t low = 6 * places[k] + c, high = low;
-      for (std::size_t i = 6 * places[k] + c; i < 6 * end; i += 6) {
+      const auto [begin, end] = stations.stretch(k, places);
+      std::size_t low = 6 * begin + c, high = low;
+      for (std::size_t i = 6 * begin + c; i < 6 * end; i += 6) {
         low = envelope.least[i] < envelope.least[low] ? i : low;
         high = envelope.largest[i] > envelope.largest[high] ? i : high;
       }

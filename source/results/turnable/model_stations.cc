@@ -74,12 +74,16 @@ std::vector<std::size_t> ModelStations::places_in(const Frame &frame) const {
   return places;
 }
 
+std::pair<std::size_t, std::size_t>
+ModelStations::stretch(const std::size_t k, const std::vector<std::size_t> &places) const {
+  return {places[k], continues(k) ? std::max(places[k + 1], places[k] + 1) : places[k] + 1};
+}
+
 std::vector<double> ModelStations::thinned(const std::vector<double> &values,
                                            const std::vector<std::size_t> &places) const {
   std::vector<double> result;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    const std::size_t begin = places[k],
-                      end = continues(k) ? std::max(places[k + 1], begin + 1) : begin + 1;
+    const auto [begin, end] = stretch(k, places);
     double value = values[begin];
     for (std::size_t i = begin + 1; i < end; ++i)
       if (!(std::abs(values[i]) <= std::abs(value)) && std::isfinite(values[i]))

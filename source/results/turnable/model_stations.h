@@ -30,9 +30,13 @@ public:
   std::vector<double> thinned(const std::vector<double> &values,
                               const std::vector<std::size_t> &places) const;
 
-  bool continues(const std::size_t k) const; ///< whether the next one is on the same pipe
+  /// Which of that line's stations one that is kept stands for, the second not among them.
+  std::pair<std::size_t, std::size_t> stretch(const std::size_t k,
+                                              const std::vector<std::size_t> &places) const;
 
 private:
+  bool continues(const std::size_t k) const; ///< whether the next one is on the same pipe
+
   const Frame &first;
   std::vector<std::size_t> kept;
 };
