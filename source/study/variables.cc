@@ -3,6 +3,7 @@
 
 #include "base/number_text.h"
 #include "base/user_error.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,15 +35,6 @@ std::string entry_of(const std::string &path) {
 
 std::string joined(const std::string &heading, const std::string &entry) {
   return heading.empty() ? entry : heading + '/' + entry;
-}
-
-/// The support without the half of a pair that it is.
-std::string part_name(const std::string &support) {
-  for (const char *const half : {".plus", ".minus"})
-    if (const auto at = support.rfind(half);
-        at != std::string::npos && at + std::string(half).size() == support.size())
-      return support.substr(0, at);
-  return support;
 }
 
 /// Entries that say which case this is and what is put out, not what it is like.
@@ -106,7 +98,7 @@ private:
            "the sections one by one, with semicolons between them");
     std::vector<std::string> found;
     for (const FrictionSupport &support : scene.supports) {
-      const std::string one = "Support " + part_name(support.name);
+      const std::string one = "Support " + part_name(support);
       if (has_parameter(support, entry_of(path)) &&
           std::count(found.begin(), found.end(), one) == 0)
         found.push_back(one);
@@ -131,14 +123,14 @@ private:
 
   const FrictionSupport *support_of(const std::string &heading) const {
     for (const FrictionSupport &support : scene.supports)
-      if ("Support " + part_name(support.name) == heading)
+      if ("Support " + part_name(support) == heading)
         return &support;
     return nullptr;
   }
 
   unsigned int n_places(const std::string &heading, const std::string &entry) const {
     const FrictionSupport *const support = support_of(heading);
-    const auto n = support == nullptr ? places.end() : places.find(part_name(support->name));
+    const auto n = support == nullptr ? places.end() : places.find(part_name(*support));
     return n == places.end() || !has_parameter(*support, entry) ? 1 : n->second;
   }
 

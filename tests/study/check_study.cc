@@ -201,6 +201,25 @@ void check_one_by_one(const std::string &file, const Options &settings,
   }
 }
 
+/// A rest may be called as the half of a guide is; its friction varies all the same.
+void check_name_of_a_half() {
+  const program::TemporaryFolder into;
+  const auto renamed = [](std::string text) {
+    for (auto at = text.find("Support slide"); at != std::string::npos;
+         at = text.find("Support slide", at + 1))
+      text.insert(at + 13, ".plus");
+    return text;
+  };
+  const auto text_of = [](const std::string &file) {
+    std::ifstream in(folder + "/" + file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  std::ofstream(into.path / "two_sliders.prm") << renamed(text_of("two_sliders.prm"));
+  std::ofstream(into.path / "sliders.prm") << renamed(text_of("sliders.prm"));
+  check_one_by_one((into.path / "sliders.prm").string(), {},
+                   {{"friction", "Support slide.plus/Friction coefficient"}});
+}
+
 void check_one_by_one() {
   const std::string slide = "Support slide.", f = "/Friction coefficient";
   check_one_by_one(folder + "/sliders.prm",
@@ -215,6 +234,7 @@ void check_one_by_one() {
                    {"Study/Runs = 6", "Vary west/Entry = Load hot/Temperature",
                     "Vary west/From = 80", "Vary west/To = 120"},
                    {{"west", "Load hot/Temperature"}, {"gap", "Support stop/Gap"}});
+  check_name_of_a_half();
 }
 
 /// Runs without an answer are counted and listed with their entries, and the others stand.

@@ -12,6 +12,7 @@
 #include "results/remarks.h"
 #include "results/text.h"
 #include "scene/read_scene.h"
+#include "scene/support_pair.h"
 #include "study/design.h"
 #include "study/study_files.h"
 #include "study/study_report.h"
@@ -79,11 +80,7 @@ void find_what_is_shared(const Variables &variables, StudyCase &of) {
 PlacesOfSupports places_of(const Scene &scene, const Results &results) {
   PlacesOfSupports places;
   for (const FrictionSupport &support : scene.supports) {
-    std::string part = support.name;
-    for (const std::string half : {".plus", ".minus"})
-      if (part.size() > half.size() && part.substr(part.size() - half.size()) == half)
-        part.erase(part.size() - half.size());
-    places[part] = std::count_if(
+    places[part_name(support)] = std::count_if(
         results.supports.begin(), results.supports.end(), [&](const SupportInfo &info) {
           const std::string rest =
               info.name.rfind(support.name, 0) == 0 ? info.name.substr(support.name.size()) : "?";

@@ -10,6 +10,7 @@
 #include "model/line_model.h"
 #include "results/text.h"
 #include "scene/read_scene.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 
@@ -80,11 +81,7 @@ bool set_parameter(const std::string &heading, const std::string &entry, const d
     return false;
   bool found = false;
   for (FrictionSupport &support : supports) {
-    std::string name = "Support " + support.name;
-    for (const std::string half : {".plus", ".minus"})
-      if (support.kind != "rest" && name.size() > half.size() &&
-          name.compare(name.size() - half.size(), half.size(), half) == 0)
-        name.erase(name.size() - half.size());
+    const std::string name = "Support " + part_name(support);
     const bool is_place = heading.rfind(name + '.', 0) == 0;
     if (heading != name && !is_place)
       continue;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/quantity/point_forces.h"
+#include "scene/support_pair.h"
 
 namespace frictionbeam {
 
 bool is_part_of(const SupportInfo &support, const std::string &where) {
   if (support.name == where)
     return true;
-  if (support.kind != "guide" && support.kind != "line stop" && support.kind != "stop")
-    return false;
-  for (const std::string half : {".plus", ".minus"})
-    if (const auto at = support.name.rfind(half); at != std::string::npos)
-      return support.name.substr(0, at) + support.name.substr(at + half.size()) == where;
+  if (is_of_a_pair(support.kind))
+    for (const std::string half : {plus_half, minus_half})
+      if (const auto at = support.name.rfind(half); at != std::string::npos)
+        return support.name.substr(0, at) + support.name.substr(at + half.size()) == where;
   return false;
 }
 

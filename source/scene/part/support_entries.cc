@@ -2,6 +2,7 @@
 #include "scene/part/parts.h"
 
 #include "scene/law_entries.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 
@@ -316,9 +317,9 @@ bool holds_exactly(const ParameterReader &in, const LawDescription &law,
 /// The two halves of a guide or stop, on either side of the pipe.
 void add_pair(FrictionSupport support, Scene &scene) {
   const std::string name = support.name;
-  support.name = name + ".plus";
+  support.name = name + plus_half;
   scene.supports.push_back(support);
-  support.name = name + ".minus";
+  support.name = name + minus_half;
   support.normal.sign = -1.;
   scene.supports.push_back(support);
 }

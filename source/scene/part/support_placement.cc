@@ -2,6 +2,7 @@
 #include "scene/part/parts.h"
 
 #include "scene/law_entries.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 #include <cctype>
@@ -115,7 +116,7 @@ void parse_support_places(ParameterReader &in, const LawLibrary &laws, Scene &sc
     const std::string name = heading.substr(heading.find(' ') + 1);
     bool found = false;
     for (FrictionSupport &support : scene.supports) {
-      if (support.name != name && support.name != name + ".plus" && support.name != name + ".minus")
+      if (part_name(support) != name)
         continue;
       const LawDescription &law = laws.find(support.law);
       if (!found) {

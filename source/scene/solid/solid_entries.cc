@@ -3,6 +3,7 @@
 
 #include "base/user_error.h"
 #include "scene/part/parts.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 
@@ -49,16 +50,6 @@ void parse_solid(const ParameterReader &in, Scene &scene) {
 }
 
 namespace {
-
-/// The section that a support was read from, of which a guide is two halves.
-std::string heading_of(const FrictionSupport &support) {
-  std::string heading = "Support " + support.name;
-  for (const std::string half : {".plus", ".minus"})
-    if (heading.size() > half.size() &&
-        heading.compare(heading.size() - half.size(), half.size(), half) == 0)
-      heading.resize(heading.size() - half.size());
-  return heading;
-}
 
 class SolidCheck {
 public:
@@ -205,7 +196,7 @@ void SolidCheck::check_supports() {
 }
 
 void SolidCheck::check_patch(const FrictionSupport &support) {
-  const std::string heading = heading_of(support);
+  const std::string heading = "Support " + part_name(support);
   const bool is_known = support.kind != "rod" && support.kind != "snubber";
   refuse(!is_known, heading, "Kind", "anchor, rest, guide, stop or friction", "rest");
   refuse(support.law != "coulomb", heading, "Law", "coulomb", "coulomb");
@@ -272,7 +263,7 @@ void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
   const auto wide = std::find_if(scene.supports.begin(), scene.supports.end(),
                                  [](const FrictionSupport &support) { return support.width > 0.; });
   if (wide != scene.supports.end())
-    scene.remarks.push_back(heading_of(*wide) +
+    scene.remarks.push_back("Support " + part_name(*wide) +
                             ": its Width is that of a patch on a solid pipe, and a line does not "
                             "use it.");
   in.enter("Solid");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
 #include "scene/part/quantity/quantity_grammar.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 
@@ -30,13 +31,10 @@ bool is_repeated(const std::string &where, const std::vector<std::string> &suppo
 
 /// Guides, line stops and stops that are a pair of friction elements.
 std::vector<std::string> pairs_of(const std::vector<FrictionSupport> &supports) {
-  const std::string half = ".plus";
   std::vector<std::string> pairs;
   for (const FrictionSupport &support : supports)
-    if (const auto end = support.name.size() - std::min(half.size(), support.name.size());
-        (support.kind == "guide" || support.kind == "line stop" || support.kind == "stop") &&
-        support.name.substr(end) == half)
-      pairs.push_back(support.name.substr(0, end));
+    if (const std::string pair = part_name(support); pair != support.name && !contains(pairs, pair))
+      pairs.push_back(pair);
   return pairs;
 }
 
