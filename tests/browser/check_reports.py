@@ -172,6 +172,7 @@ def check_chart(browser, name, folder):
     s, rows = float(tip[1]), rows_of(folder, "line.csv")
     steps = list(dict.fromkeys(row["step"] for row in rows))
     pipe = rows[0]["pipe"]
+    drawn = 5e-4 * max(abs(float(row["N"]) / 1e3) for row in rows)  # what the drawing resolves, and a little more
     for text in tip[2]:
         if ": " not in text:  # of a single step, which has no name there
             text = steps[-1] + ": " + text
@@ -182,7 +183,7 @@ def check_chart(browser, name, folder):
         near = [n for at, n in line if abs(at - s) <= 0.01 * line[-1][0]]
         near += [max(line, key=lambda one: one[0] if one[0] <= s else -1)[1], min(line, key=lambda one: one[0] if one[0] >= s else 1e9)[1]]
         span = max(n for _, n in line) - min(n for _, n in line) + max(abs(n) for _, n in line)
-        check(min(near) - 0.005 * span <= float(value) <= max(near) + 0.005 * span,
+        check(min(near) - 0.005 * span - drawn <= float(value) <= max(near) + 0.005 * span + drawn,
               f"{name}: N of {step} at s = {s} is {value}, line.csv {near}")
     browser.mouse("mousePressed", x, y, 1)
     browser.mouse("mouseMoved", x + 60, y, 1)

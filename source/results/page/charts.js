@@ -13,7 +13,9 @@ for (const svg of document.querySelectorAll('svg[data-axes]')) {
   let seen = [...full]; // what is in the frame, logarithms on such axes
   const value = (axis, at, of) => of[2 * axis] + (at - box[2 * axis]) / (box[2 * axis + 1] - box[2 * axis]) * (of[2 * axis + 1] - of[2 * axis]);
   const pixel = (axis, at, of) => box[2 * axis] + (at - of[2 * axis]) / (of[2 * axis + 1] - of[2 * axis]) * (box[2 * axis + 1] - box[2 * axis]);
-  const text = (axis, at) => String(Number((logs[axis] ? 10 ** at : at).toPrecision(3)));
+  // Three digits, and none below the drawing's own 0.05 px: what is 0 is shown as 0.
+  const least = [0, 1].map(axis => 10 ** Math.floor(Math.log10(0.05 * Math.abs((full[2 * axis + 1] - full[2 * axis]) / (box[2 * axis + 1] - box[2 * axis])))));
+  const text = (axis, at) => String(Number((logs[axis] ? 10 ** at : Math.round(at / least[axis]) * least[axis]).toPrecision(3)));
 
   // Names: of the drawing's own key, or of the key of colours above the charts; of two dashed ones the least comes first.
   const plainColour = colour => { const probe = document.createElement('i'); probe.style.color = colour; return probe.style.color; };
