@@ -53,7 +53,8 @@ def main():
     missed = {file: [line for line, n in of_file.items() if n == 0] for file, of_file in counts.items()}
     n_missed = sum(len(lines) for lines in missed.values())
     with open(page, "w") as out:
-        out.write("# Coverage\n\nMade by `./test --coverage` (gcov).\n\n"
+        commit = subprocess.run(["git", "-C", root, "log", "-1", "--format=%h"], capture_output=True, text=True).stdout.strip()
+        out.write(f"# Coverage\n\nMade by `./test --coverage` (gcov) of commit {commit}.\n\n"
                   f"Of {total} lines with code, the tests run {total - n_missed} "
                   f"({100. * (total - n_missed) / total:.1f} %). The others, by file:\n\n"
                   "| file | lines | not run | which |\n| --- | --- | --- | --- |\n")
