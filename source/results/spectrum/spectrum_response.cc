@@ -75,12 +75,14 @@ private:
                                Vector::Zero(n_numbers)};
     std::vector<Vector> each(take ? shapes.size() : 0, Vector::Zero(n_numbers));
     Vector missing = Vector::Zero(n_numbers);
-    bool any = false;
-    for (const Spectrum &spectrum : model.scene.spectra)
-      if (spectrum.factor[d] != 0.) {
-        any = true;
+    const auto moves = [&](const Spectrum &spectrum) { return spectrum.factor[d] != 0.; };
+    const std::vector<Spectrum> &spectra = model.scene.spectra;
+    const auto n_moving = std::count_if(spectra.begin(), spectra.end(), moves);
+    const bool any = n_moving > 0;
+    adds_sizes = has_groups && n_moving > 1;
+    for (const Spectrum &spectrum : spectra)
+      if (moves(spectrum))
         add_spectrum(spectrum, d, response, each, missing);
-      }
     for (unsigned int k = 0; any && k < each.size(); ++k)
       take(k + 1, d, with_numbers(zero, each[k]));
     if (any && take && settings.missing_mass)
@@ -108,27 +110,31 @@ private:
         results.excitations.push_back(
             {k + 1, d, spectrum.name, gamma, std::abs(factor) * acceleration, share});
         if (!each.empty())
-          add(whole, shapes[k], each[k]);
+          add_to_shape(whole, shapes[k], each[k]);
       }
-      add(periodic, shapes[spaces[space].first], response.periodic[space]);
+      add(periodic, response.periodic[space]);
     }
     if (settings.missing_mass) {
       const Vector rest = factor * spectrum.at_zero_period() *
                           numbers_of(builder.make(analysis.displaced(analysis.solve(left))));
       rigid += rest;
-      add(rest, rest, missing);
+      add_to_shape(rest, rest, missing);
     }
-    add(rigid, rigid, response.rigid);
+    add(rigid, response.rigid);
   }
 
-  /// Groups are added by sizes; the signs are then those of the mode's shape.
-  void add(const Vector &share, const Vector &shape, Vector &sum) const {
-    if (!has_groups) {
-      sum += share; // keeps its sign, for what needs it
-      return;
-    }
-    const Vector size = combined(settings.groups, sum, share);
-    sum = (shape.array() < 0.).select(-size, size);
+  /// What moves alone keeps its signs, which cqc and the signed double sum multiply from mode to
+  /// mode. Groups are added by sizes, which have none: close modes then act together, whatever the
+  /// sign of their shapes, which is the safe side.
+  void add(const Vector &share, Vector &sum) const {
+    sum = adds_sizes ? combined(settings.groups, sum, share) : Vector(sum + share);
+  }
+
+  /// The same for one mode to be shown: with sizes, in the signs of its shape.
+  void add_to_shape(const Vector &share, const Vector &shape, Vector &sum) const {
+    add(share, sum);
+    if (adds_sizes)
+      sum = (shape.array() < 0.).select(-sum, sum);
   }
 
   Vector modes_first(const std::vector<DirectionResponse> &responses) const {
@@ -164,6 +170,7 @@ private:
   const Eigen::Index n_numbers;
   const std::vector<std::pair<unsigned int, unsigned int>> spaces;
   const bool has_groups;
+  bool adds_sizes = false;         ///< several groups in the direction at hand
   std::vector<Vector> shapes;      ///< numbers of the frames of the modes
   std::vector<double> frequencies; ///< of the eigenspaces
   /// Of each mode, whatever the direction: a spectrum of a record costs its oscillator each time

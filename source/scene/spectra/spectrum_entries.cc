@@ -181,8 +181,11 @@ void declare_response(ParameterReader &in) {
   in.declare_choice("Modes", ModeSum::srss, mode_sums, "How modes are combined.");
   in.declare_choice("Directions", SpectrumSum::srss, spectrum_sums, "How directions are combined.");
   in.declare_choice("First", false, orders, "What is combined first.");
-  in.declare_choice("Groups", SpectrumSum::absolute, spectrum_sums,
-                    "How groups of supports are combined, in each mode and direction.");
+  in.declare_choice(
+      "Groups", SpectrumSum::absolute, spectrum_sums,
+      "How groups of supports are combined, in each mode and direction. What comes of "
+      "several has no signs: cqc and the signed double sum then take those of all "
+      "modes as one.");
   in.declare_choice("Interpolation", Interpolation::logarithmic, spectrum_interpolations,
                     "Of spectra.");
   in.declare_number("Damping", 0.05, "-", positive, 1.,
