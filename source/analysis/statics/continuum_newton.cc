@@ -8,6 +8,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <limits>
 
 namespace frictionbeam {
@@ -92,6 +93,11 @@ ContinuumNewton<dim>::largest(const std::vector<LocalVector> &stress) const {
 }
 
 template <int dim>
+double ContinuumNewton<dim>::or_least(const double largest, const double so_far) {
+  return std::max(largest, contact::least_force * so_far);
+}
+
+template <int dim>
 bool ContinuumNewton<dim>::all(const bool here) const {
   return Utilities::MPI::min(static_cast<unsigned int>(here), body.communicator) > 0;
 }
@@ -122,6 +128,11 @@ ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
     outcome = solve_contacts(u, response, result);
   result.converged = outcome == contact::Outcome::solved;
   result.no_equilibrium = outcome == contact::Outcome::slides_away;
+  if (result.converged) {
+    const auto [force, traction] = largest(response.state.stress);
+    force_so_far = std::max({force_so_far, largest_load, force});
+    traction_so_far = std::max(traction_so_far, traction);
+  }
   if (result.no_equilibrium)
     result.remark =
         "there is no equilibrium: the loads exceed what friction can hold, and the body "
@@ -175,9 +186,10 @@ double ContinuumNewton<dim>::energy_together(const FoundationResponse &response,
 
 template <int dim>
 contact::Check ContinuumNewton<dim>::check(const FoundationResponse &response) const {
-  contact::Check check = contacts.check(displacement, response.state, *committed,
-                                        largest(response.state.stress).second,
-                                        epsilon_of_rounding * largest_displacement);
+  contact::Check check =
+      contacts.check(displacement, response.state, *committed,
+                     or_least(largest(response.state.stress).second, traction_so_far),
+                     epsilon_of_rounding * largest_displacement);
   check.natural_map = Utilities::MPI::max(check.natural_map, body.communicator);
   check.penetration = Utilities::MPI::max(check.penetration, body.communicator);
   check.cone_violation = Utilities::MPI::max(check.cone_violation, body.communicator);
@@ -190,7 +202,8 @@ template <int dim>
 bool ContinuumNewton<dim>::balanced(const ContinuumVector &u, const ContinuumVector &left,
                                     const FoundationResponse &response,
                                     ContinuumNewtonResult &result) const {
-  const double largest_force = std::max(largest_load, largest(response.state.stress).first),
+  const double largest_force = or_least(
+                   std::max(largest_load, largest(response.state.stress).first), force_so_far),
                size = largest_of(left);
   result.residual = largest_force > 0. ? size / largest_force : size;
   // What loads add up to, which does not depend on the mesh, excuses rounding: forces at single

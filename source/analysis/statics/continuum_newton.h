@@ -43,7 +43,7 @@ public:
   void add_forces(const std::vector<LocalVector> &stress, ContinuumVector &forces) const;
 
   /// What it learnt in increments before.
-  void transfer(Archive &archive) { archive(attempts.first_factor); }
+  void transfer(Archive &archive) { archive(attempts.first_factor, force_so_far, traction_so_far); }
 
   /// Newton's method on motions and tractions together.
   contact::Outcome solve_together(const unsigned int most_iterations, ContinuumVector &u,
@@ -59,6 +59,8 @@ public:
   double agreed(const double number) const;
 
 private:
+  /// The larger of a force or traction and what least_force leaves of the largest so far.
+  static double or_least(const double largest, const double so_far);
   contact::Outcome solve_contacts(ContinuumVector &u, FoundationResponse &response,
                                   ContinuumNewtonResult &result);
   /// Evaluate contacts and elastic forces at u.
@@ -103,6 +105,8 @@ private:
   const FoundationState *committed = nullptr;
   LawIncrement increment;
   double largest_load = 0.;
+  // of all increments so far
+  double force_so_far = 0., traction_so_far = 0.; ///< largest of loads and contacts [N, Pa]
   // as last evaluated
   ContinuumVector elastic; ///< stiffness times u
   std::vector<LocalVector> displacement;

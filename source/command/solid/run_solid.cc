@@ -51,6 +51,8 @@ private:
   void read_states();
   void report(const bool converged);
   void add_quantities();
+  /// Stresses of the wall above what its material says that it yields at.
+  void doubt_stresses();
   void write();
 
   const Scene &scene;
@@ -76,6 +78,7 @@ void SolidRun::run() {
   read_states();
   report(converged);
   add_quantities();
+  doubt_stresses();
   write();
 }
 
@@ -127,7 +130,11 @@ void SolidRun::add_quantities() {
     const std::string &step = quantity.step.empty() ? scene.steps.back().name : quantity.step;
     const auto frame = std::find_if(results.frames.begin(), results.frames.end(),
                                     [&](const Frame &one) { return one.name == step; });
-    if (frame == results.frames.end() || results.status != RunStatus::converged)
+    const bool is_reached =
+        std::any_of(results.steps.begin(), results.steps.end(), [&](const StepReport &report) {
+          return report.step == step && report.converged;
+        });
+    if (frame == results.frames.end() || !is_reached)
       results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
     else
       results.quantities.push_back(shown(scene, quantity, collector.evaluate(quantity, *frame)));
@@ -135,15 +142,40 @@ void SolidRun::add_quantities() {
   if (frames.empty()) // the first step was not solved
     return;
   double ovality = 0., mises = 0.;
-  for (const RingState &ring : frames.back().rings) {
-    ovality = std::max(ovality, ring.ovality(2. * wall.outer));
-    mises = std::max({mises, ring.largest_mises(0), ring.largest_mises(1)});
-  }
+  for (const WallFrame &frame : frames)
+    for (const RingState &ring : frame.rings) {
+      ovality = std::max(ovality, ring.ovality(2. * wall.outer));
+      mises = std::max({mises, ring.largest_mises(0), ring.largest_mises(1)});
+    }
   const double Pa = scene.units.factor("Pa");
   results.quantities.push_back({"largest_ovality", "-", "", ovality, {}, {}});
   results.quantities.push_back(
       {"largest_wall_stress", scene.units.name("Pa"), "", mises / Pa, {}, {}});
   results.quantities.back().in_si = Pa;
+}
+
+void SolidRun::doubt_stresses() {
+  double worst = 1.; // of the yield stress
+  std::string text;
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    for (std::size_t r = 0; r < wall.rings.size(); ++r) {
+      const Pipe &pipe = scene.pipes[wall.segments[wall.rings[r].segment].pipe];
+      const Material &material = scene.materials[pipe.material];
+      const RingState &ring = frames[f].rings[r];
+      const double stress = std::max(ring.largest_mises(0), ring.largest_mises(1));
+      if (material.yield_stress <= 0. || stress <= worst * material.yield_stress)
+        continue;
+      worst = stress / material.yield_stress;
+      text = "Pipe " + pipe.name + ", " +
+             rounded_number(wall.rings[r].s / scene.units.factor("m"), 4) + " " +
+             scene.units.name("m") + " along the pipes, step " + results.frames[f].name +
+             ": the equivalent stress of the wall is " +
+             rounded_number(stress / scene.units.factor("Pa"), 3) + " " + scene.units.name("Pa") +
+             ", " + rounded_number(worst, 3) + " times the Yield stress of material " +
+             material.name + ", while the wall is taken for elastic.";
+    }
+  if (!text.empty())
+    results.doubts.push_back(text);
 }
 
 void SolidRun::write() {
