@@ -179,6 +179,19 @@ void check_when(const ParameterReader &in, const Quantity &quantity, const Scene
                 "'");
 }
 
+/// The name of a unit converts nothing.
+void check_unit(const ParameterReader &in, const std::vector<std::string> &pieces,
+                const Quantity &quantity, const Scene &scene) {
+  const auto begins = [&](const std::string &word) {
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [&](const std::string &piece) { return piece.rfind(word + " ", 0) == 0; });
+  };
+  const std::string own = scene.units.name(quantity.kind().unit);
+  if (begins("unit") && !begins("scale") && quantity.unit != own)
+    in.fail(quantity.name, "a unit with the scale that makes it, or the quantity's own: " + own,
+            "'scale 1000; unit mm' of metres", "unit " + quantity.unit);
+}
+
 bool is_of_continuum(const Scene &scene, const std::string &name) {
   if (!scene.continuum)
     return false;
@@ -236,6 +249,7 @@ void parse_quantities(const ParameterReader &in, Scene &scene) {
       check_when(in, quantity, scene);
     }
     parse_attributes(in, pieces, is_reference ? 0 : 1, quantity);
+    check_unit(in, pieces, quantity, scene);
     if (quantity.reference && in.scene_changed() && !entry.is_override) {
       quantity.reference.reset();
       dropped.push_back(quantity.name);

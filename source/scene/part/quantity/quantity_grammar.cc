@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/quantity/quantity_grammar.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace frictionbeam::parts {
 
@@ -113,14 +115,36 @@ void parse_local(const ParameterReader &in, const std::string &axis, Quantity &q
   quantity.along = Quantity::Along::local;
 }
 
+/// An interval of the run from the beginning of a step to its end.
+void take_interval_of_step(const ParameterReader &in, const std::string &text, const Scene &scene,
+                           Quantity &quantity) {
+  double begin = 0.;
+  for (const LoadStep &step : scene.steps) {
+    if (step.finds_limit) // which ends when nobody knows
+      break;
+    if (step.name == quantity.step) {
+      quantity.from = begin;
+      quantity.to = begin + step.duration;
+      quantity.step.clear();
+      return;
+    }
+    begin += step.duration;
+  }
+  in.fail(quantity.name, "an interval, 'from T, to T' [s of the run], or a step that has one",
+          "the times at which the step begins and ends", "'" + text + "'");
+}
+
 } // namespace
 
 void parse_definition(const ParameterReader &in, const std::string &text, const Scene &scene,
                       Quantity &quantity) {
+  std::set<std::string> details;
   for (const std::string &piece : split(text, ',')) {
     const std::vector<std::string> words = split(piece, ' ');
     if (words.empty())
       fail_form(in, quantity.name, text);
+    if (!quantity.what.empty() && !details.insert(words[0]).second)
+      in.fail(quantity.name, "each detail once", "one of them", "'" + words[0] + "' twice");
     if (quantity.what.empty())
       parse_subject(in, words, piece, quantity);
     else if (words.size() == 2 && words[0] == "step") {
@@ -145,9 +169,17 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
   if (quantity.is(Of::directed) && quantity.along == Quantity::Along::none)
     in.fail(quantity.name, quantity.what + " at a point along a direction",
             "'" + quantity.what + " at P1, along 1 1 0'", "'" + text + "'");
-  if (quantity.over != Over::end && (!quantity.step.empty() || quantity.time))
-    in.fail(quantity.name, "an interval, 'from T, to T' [s of the run]",
-            "the times at which the step begins and ends", "'" + text + "'");
+  if (details.count("step") + details.count("time") +
+              std::max(details.count("from"), details.count("to")) >
+          1 ||
+      (quantity.over != Over::end && quantity.time))
+    in.fail(quantity.name, "a step, a time or an interval ('from T, to T', with max, min, ...)",
+            "one of them", "'" + text + "'");
+  if (!(quantity.from < quantity.to))
+    in.fail(quantity.name, "an interval from an earlier time to a later one", "'from 1, to 2'",
+            "'" + text + "'");
+  if (quantity.over != Over::end && !quantity.step.empty())
+    take_interval_of_step(in, text, scene, quantity);
 }
 
 void parse_attributes(const ParameterReader &in, const std::vector<std::string> &pieces,
@@ -156,9 +188,11 @@ void parse_attributes(const ParameterReader &in, const std::vector<std::string> 
     const auto blank = pieces[i].find(' ');
     const std::string key = pieces[i].substr(0, blank),
                       value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
-    if (key == "scale")
+    if (key == "scale") {
       quantity.scale = number_of(in, quantity.name, value);
-    else if (key == "reference")
+      if (quantity.scale == 0.)
+        in.fail(quantity.name, "a scale that is not 0", "'scale 1000; unit mm'", pieces[i]);
+    } else if (key == "reference")
       quantity.reference = number_of(in, quantity.name, value);
     else if (key == "limit") {
       quantity.limit = number_of(in, quantity.name, value);
