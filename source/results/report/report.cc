@@ -195,10 +195,17 @@ void write_report(const Scene &scene, const Results &results, const std::string 
         add("model", "Model", model_section(scene, results, frames, scale));
       add("line", "Line", pictures(scene, results, frames, scale));
     }
-    const ReportCharts charts =
-        make_report_charts(scene, results, few_of(frames, n_curves_at_most));
+    const std::vector<const Frame *> in_charts = few_of(frames, n_curves_at_most);
+    const ReportCharts charts = make_report_charts(scene, results, in_charts);
     if (!charts.section_forces.empty())
-      add("forces", "Section forces", charts.section_forces);
+      add("forces", "Section forces",
+          charts.section_forces +
+              (in_charts.size() == frames.size()
+                   ? ""
+                   : html_note("Curves of " + std::to_string(in_charts.size()) + " of the " +
+                               std::to_string(frames.size()) +
+                               " steps and cases that this page shows: 'Output/Steps' names those "
+                               "to be drawn, line.csv has all.")));
     if (!charts.histories.empty())
       add("histories", "Histories", charts.histories);
     if (const std::string flow = yield_section(scene, results); !flow.empty()) {

@@ -14,24 +14,23 @@ const readModelData = data => {
   }
 
   // Of a transient step, a state that is no shape: at each station the value of larger size, and its instant.
-  const places = {'axial force N': 0, 'torsional moment Mx': 3};
   for (const envelope of data.envelopes) {
-    if (!envelope.least) continue;
-    for (const name of ['least', 'least_at', 'largest', 'largest_at']) envelope[name] = envelope[name].map(numbers);
+    if (!envelope.forces) continue;
+    for (const force of Object.values(envelope.forces)) for (const name in force) force[name] = numbers(force[name]);
     const end = data.steps.find(step => step.kind === 'step' && step.name === envelope.name);
     const state = {name: envelope.name, kind: 'envelope', amplitude: true, moves: new Float32Array(3 * n), size: null, values: [null], at: [null]};
     data.fields.forEach((field, k) => {
-      const c = places[field.name], high = c === undefined ? [] : Array.from(envelope.largest[c], (value, i) => !(Math.abs(envelope.least[c][i]) > Math.abs(value)));
+      const of = envelope.forces[field.key], high = of ? Array.from(of.largest, (value, i) => !(Math.abs(of.least[i]) > Math.abs(value))) : [];
       const choose = (largest, least) => Float32Array.from(high, (is, i) => is ? largest[i] : least[i]);
-      state.values.push(c !== undefined ? choose(envelope.largest[c], envelope.least[c]) : /code/.test(field.name) && end ? end.values[k + 1] : null);
-      state.at.push(c !== undefined ? choose(envelope.largest_at[c], envelope.least_at[c]) : null);
+      state.values.push(of ? choose(of.largest, of.least) : (field.key === 'stress' || field.key === 'utilization') && end ? end.values[k + 1] : null);
+      state.at.push(of ? choose(of.largest_at, of.least_at) : null);
     });
     data.steps.push(state);
   }
 
   const fields = [data.displacement, ...data.fields].map((field, k) => {
     field.known = data.steps.filter(step => step.kind !== 'mode' && step.values[k]);
-    let low = field.name === 'temperature' ? Infinity : 0, high = low === 0 ? 0 : -Infinity;
+    let low = field.key === 'temperature' ? Infinity : 0, high = low === 0 ? 0 : -Infinity;
     for (const step of field.known)
       for (const value of step.values[k]) { if (value < low) low = value; if (value > high) high = value; }
     if (field.signed) { high = Math.max(high, -low); low = -high; }
@@ -39,8 +38,11 @@ const readModelData = data => {
   });
   const shown = (value, digits) => value === null || value === undefined || Number.isNaN(value) ? '\u2013' : String(Number(Number(value).toPrecision(digits)));
   const pipeOf = i => data.pipes.find(pipe => i >= pipe.from && i <= pipe.to);
+  const column = (kind, name) => data.columns[kind].indexOf(name);
+  /** Of a state, a number of a support, restraint or point by its name in the csv file; kind: supports, reactions, points. */
+  const numberOf = (step, kind, k, name) => step[kind][k][column(kind, name)];
   return {
-    n, along, fields, shown, pipeOf,
+    numberOf, n, along, fields, shown, pipeOf,
     place: i => new THREE.Vector3(px[i], py[i], pz[i]),
     where: i => `${pipeOf(i).name}, s = ${shown(data.length.factor * along[i], 4)} ${data.length.unit}`,
     ofKind: kind => data.steps.filter(step => step.kind === kind),

@@ -19,7 +19,7 @@
     return say('This browser draws no WebGL; the drawing below shows the line.');
   }
 
-  const read = readModelData(data), {n, along, fields, place, shown, where, ofKind, escaped} = read, tables = makeModelTables(data, read);
+  const read = readModelData(data), {numberOf, n, along, fields, place, shown, where, ofKind, escaped} = read, tables = makeModelTables(data, read);
 
   const {bands, bandColours} = modelColours;
   const palette = new THREE.DataTexture(new Uint8Array(3 * bands), bands, 1, THREE.RGBFormat);
@@ -130,7 +130,7 @@
     if (items.length) {
       const tints = symbolMesh.geometry.attributes.tint, moved = symbolMesh.geometry.attributes.offset;
       for (const item of items.filter(one => one.type === 'support')) {
-        const status = step.supports ? step.supports[item.k][0] : 'none', apart = status === 'open' ? -0.8 * item.radius : 0;
+        const status = step.supports ? numberOf(step, 'supports', item.k, 'status') : 'none', apart = status === 'open' ? -0.8 * item.radius : 0;
         const rgb = tint(statusColours[status]), z = item.parts[0][1][2].toArray();
         for (let v = item.ranges[0][0]; v < item.ranges[0][1]; ++v)
           for (let d = 0; d < 3; ++d) {
@@ -143,10 +143,11 @@
     if (arrows) { scene.remove(arrows.mesh); arrows.mesh.geometry.dispose(); arrows = null; }
     if (!$('arrows').checked || !step.supports) return;
     const force = item => {
-      const row = item.type === 'support' ? step.supports[item.k] : step.reactions[item.k], f = new THREE.Vector3();
-      if (item.type === 'support')
-        return f.addScaledVector(new THREE.Vector3(...item.n), row[1]).addScaledVector(new THREE.Vector3(...item.t1), row[2]).addScaledVector(new THREE.Vector3(...item.t2), row[3]);
-      return f.set(row[0], row[1], row[2]);
+      const f = new THREE.Vector3();
+      if (item.type !== 'support') return f.set(...['fx', 'fy', 'fz'].map(name => numberOf(step, 'reactions', item.k, name)));
+      for (const [axis, name] of [['n', 'fn'], ['t1', 'ft1'], ['t2', 'ft2']])
+        f.addScaledVector(new THREE.Vector3(...item[axis]), numberOf(step, 'supports', item.k, name));
+      return f;
     };
     const forces = items.map(force), most = Math.max(...forces.map(f => f.length()));
     const all = new symbols.Batch();
@@ -211,7 +212,7 @@
     }
     if (step.supports && step.supports.length) {
       const count = {};
-      for (const row of step.supports) count[row[0]] = (count[row[0]] || 0) + 1;
+      step.supports.forEach((_, k) => { const status = numberOf(step, 'supports', k, 'status'); count[status] = (count[status] || 0) + 1; });
       text += '<div class="statuses">' + Object.keys(count).map(status => `<span style="--c:${statusColours[status]}">${status} ${count[status]}</span>`).join('') + '</div>';
     }
     $('legend').innerHTML = text;

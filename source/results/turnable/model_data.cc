@@ -20,9 +20,15 @@ namespace {
 
 using Json = nlohmann::ordered_json; // numbers that are not finite become null
 
-constexpr std::size_t n_supports_at_most = 1500, n_points_at_most = 400, n_modes_at_most = 12,
-                      n_instants_at_most = 120,
-                      n_numbers_of_instants = 60000; ///< stations times instants, of all steps
+constexpr std::size_t n_supports_at_most = 1500, n_points_at_most = 400, n_modes_at_most = 12;
+
+/// Names of the columns of a state's rows, as in the csv files.
+Json columns_of_states() {
+  return {
+      {"supports", {"status", "fn", "ft1", "ft2", "gap", "slip1", "slip2", "work_friction", "mt"}},
+      {"reactions", {"fx", "fy", "fz", "mx", "my", "mz"}},
+      {"points", {"ux", "uy", "uz", "rx", "ry", "rz"}}};
+}
 
 template <typename Numbers>
 Json rounded_list(const Numbers &numbers, const unsigned int digits) {
@@ -131,9 +137,6 @@ void ModelData::choose_frames(const std::vector<const Frame *> &frames) {
   };
   for (const Frame *frame : frames)
     add(*frame, frame->step < scene.steps.size() ? "step" : "case", frame->name);
-  const std::size_t size = stations.size() + 10 * supports_kept.size();
-  const std::size_t n_transient = std::count_if(
-      scene.steps.begin(), scene.steps.end(), [](const LoadStep &step) { return step.transient; });
   for (std::size_t step = 0; step < scene.steps.size(); ++step) {
     if (!scene.steps[step].transient)
       continue;
@@ -142,10 +145,8 @@ void ModelData::choose_frames(const std::vector<const Frame *> &frames) {
       for (const Frame &frame : *list) // the end of the step comes last
         if (frame.step == step)
           instants.push_back(&frame);
-    const std::size_t n =
-        std::min(n_instants_at_most, n_numbers_of_instants / ((size + 1) * n_transient));
-    if (instants.size() > 1 && n > 1)
-      for (const Frame *frame : few_of(instants, n))
+    if (instants.size() > 1)
+      for (const Frame *frame : instants)
         add(*frame, "instant", frame->name);
   }
   for (std::size_t i = 0; i < std::min(n_modes_at_most, results.modes.size()); ++i)
@@ -275,6 +276,7 @@ Json ModelData::json(const double scale) const {
       {"supports", supports()},
       {"restraints", restraints()},
       {"points", points()},
+      {"columns", columns_of_states()},
       {"envelopes", model_envelopes(scene, results, stations, supports_kept, n_supports_at_most)}};
   json["units"] = Json::object();
   for (const char *unit : {"m", "N", "N m", "J", "rad"})
@@ -297,12 +299,14 @@ Json ModelData::json(const double scale) const {
     return field;
   };
   json["length"] = {{"unit", results.units.name("m")}, {"factor", 1. / results.units.factor("m")}};
-  json["displacement"] = add_unit({{"name", "displacement"}}, "m", motion.value());
+  json["displacement"] =
+      add_unit({{"key", "displacement"}, {"name", "displacement"}}, "m", motion.value());
   Json &fields = json["fields"] = Json::array();
   for (std::size_t f = 0; f < largest.size(); ++f)
-    fields.push_back(
-        add_unit({{"name", model_fields()[f].name}, {"signed", model_fields()[f].is_signed}},
-                 model_fields()[f].si_unit, largest[f].value()));
+    fields.push_back(add_unit({{"key", model_fields()[f].key},
+                               {"name", model_fields()[f].name},
+                               {"signed", model_fields()[f].is_signed}},
+                              model_fields()[f].si_unit, largest[f].value()));
   Json &states = json["steps"] = Json::array();
   for (const Shown &one : shown)
     states.push_back(state(one));

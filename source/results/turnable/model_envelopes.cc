@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/turnable/model_envelopes.h"
+#include "results/frame/kept_instants.h"
 #include "results/turnable/packed_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -26,8 +28,7 @@ void add_section_forces(const StepEnvelope &envelope, const std::vector<std::siz
                         const ModelStations &stations, Json &json) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const std::size_t n = places.size();
-  for (const char *const name : {"least", "least_at", "largest", "largest_at"})
-    json[name] = Json::array();
+  constexpr std::array<const char *, 6> names{{"N", "Vy", "Vz", "Mx", "My", "Mz"}};
   for (unsigned int c = 0; c < 6; ++c) {
     std::vector<double> least(n), least_at(n), largest(n), largest_at(n);
     for (std::size_t k = 0; k < n; ++k) {
@@ -43,10 +44,10 @@ void add_section_forces(const StepEnvelope &envelope, const std::vector<std::siz
       largest[k] = is_known ? envelope.largest[high] : unknown;
       largest_at[k] = is_known ? envelope.largest_at[high] : unknown;
     }
-    json["least"].push_back(packed(least));
-    json["least_at"].push_back(packed(least_at));
-    json["largest"].push_back(packed(largest));
-    json["largest_at"].push_back(packed(largest_at));
+    json["forces"][names[c]] = {{"least", packed(least)},
+                                {"least_at", packed(least_at)},
+                                {"largest", packed(largest)},
+                                {"largest_at", packed(largest_at)}};
   }
 }
 
@@ -61,6 +62,7 @@ Json model_envelopes(const Scene &scene, const Results &results, const ModelStat
     line.line.back().s = place.s;
   }
   const std::vector<std::size_t> places = stations.places_in(line);
+  const MotionBudget budget(scene, stations.size(), supports.size());
   const double N = results.units.factor("N"), m = results.units.factor("m"),
                Nm = results.units.factor("N m");
   Json all = Json::array();
@@ -71,17 +73,20 @@ Json model_envelopes(const Scene &scene, const Results &results, const ModelStat
               {"restraints", Json::array()}};
     for (const std::size_t i : supports) {
       const SupportEnvelope &one = envelope.supports[i];
-      json["supports"].push_back(
-          Json::array({row(one.values[0], N), row(one.friction, N), row(one.values[3], m),
-                       row(one.values[4], m), row(one.values[5], m)}));
+      json["supports"].push_back(Json{{"fn", row(one.values[0], N)},
+                                      {"ft", row(one.friction, N)},
+                                      {"gap", row(one.values[3], m)},
+                                      {"slip1", row(one.values[4], m)},
+                                      {"slip2", row(one.values[5], m)}});
     }
     for (std::size_t i = 0; i < std::min(n_restraints, envelope.restraints.size()); ++i) {
-      Json rows = Json::array();
+      constexpr std::array<const char *, 6> names{{"fx", "fy", "fz", "mx", "my", "mz"}};
+      Json rows = Json::object();
       for (unsigned int c = 0; c < 6; ++c)
-        rows.push_back(row(envelope.restraints[i].values[c], c < 3 ? N : Nm));
+        rows[names[c]] = row(envelope.restraints[i].values[c], c < 3 ? N : Nm);
       json["restraints"].push_back(rows);
     }
-    if (!places.empty())
+    if (!places.empty() && budget.has_envelopes())
       add_section_forces(envelope, places, stations, json);
     all.push_back(json);
   }

@@ -8,9 +8,10 @@
 namespace frictionbeam {
 
 /**
- * The least and the largest of each transient step with their instants: of the six section forces
- * at the stations [N, N m], and of supports (fn, |ft|, gap, slip1, slip2) and restraints (six) as
- * rows least, at, largest, at, in the units of the csv files; null where there is none.
+ * The least and the largest of each transient step with their instants, each by its name: of the
+ * six section forces at the stations [N, N m] where MotionBudget has room for them, and of supports
+ * (ft: the friction force's size) and restraints as rows least, at, largest, at, in the units of
+ * the csv files; null where there is none.
  * @param supports places in Results::supports
  */
 nlohmann::ordered_json model_envelopes(const Scene &scene, const Results &results,

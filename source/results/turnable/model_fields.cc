@@ -118,14 +118,14 @@ bool is_of(const std::string &instance, const std::string &name) {
 
 const std::vector<ModelField> &model_fields() {
   static const std::vector<ModelField> fields{
-      {"axial force N", "N", true, &axial_force},
-      {"shear force", "N", false, &shear_force},
-      {"torsional moment Mx", "N m", true, &torsion},
-      {"bending moment", "N m", false, &bending},
-      {"code stress", "Pa", false, &stress},
-      {"utilization of the code", "%", false, &utilization},
-      {"equivalent stress over yield stress", "%", false, &yield_utilization},
-      {"temperature", "degC", false, &temperature}};
+      {"N", "axial force N", "N", true, &axial_force},
+      {"V", "shear force", "N", false, &shear_force},
+      {"Mx", "torsional moment Mx", "N m", true, &torsion},
+      {"M", "bending moment", "N m", false, &bending},
+      {"stress", "code stress", "Pa", false, &stress},
+      {"utilization", "utilization of the code", "%", false, &utilization},
+      {"yield", "equivalent stress over yield stress", "%", false, &yield_utilization},
+      {"temperature", "temperature", "degC", false, &temperature}};
   return fields;
 }
 

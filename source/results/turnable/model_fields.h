@@ -7,6 +7,7 @@ namespace frictionbeam {
 
 /// Something that the model's pipes can be coloured by, besides their displacement.
 struct ModelField {
+  std::string key;           ///< by which the page knows it
   std::string name, si_unit; ///< unit %: a part of 1
   bool is_signed;
   /// At each station of a frame, nan where it is not known; empty: not known in this frame.

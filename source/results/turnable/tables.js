@@ -1,7 +1,7 @@
 // What is told of a part that was picked: its histories over a transient step, with the value under the cursor, its least and
 // largest values there with their instants, and its numbers over all states.
 const makeModelTables = (data, model) => {
-  const {fields, shown, where, pipeOf, ofKind, escaped} = model, unit = name => data.units[name];
+  const {numberOf, fields, shown, where, pipeOf, ofKind, escaped} = model, unit = name => data.units[name];
   const forces = ['N', 'Vy', 'Vz', 'Mx', 'My', 'Mz'], blue = '#0072b2', red = '#d55e00', green = '#009e73';
   const table = (head, rows, now = -1) => '<div class="scroll"><table><thead><tr>' +
     head.map(h => typeof h === 'string' ? `<th>${h}</th>` : `<th class="r">${h[0]}${h[1] ? ` <small>${h[1]}</small>` : ''}</th>`).join('') + '</tr></thead><tbody>' +
@@ -19,23 +19,26 @@ const makeModelTables = (data, model) => {
     const one = data.envelopes.find(other => other.name === name);
     if (!one) return '';
     if (item.type === 'support')
-      return extremes(name, [['fn', unit('N')], ['|ft|', unit('N')], ['gap', unit('m')], ['slip1', unit('m')], ['slip2', unit('m')]].map((what, k) => [...what, one.supports[item.k][k]]));
+      return extremes(name, ['fn', 'ft', 'gap', 'slip1', 'slip2'].map(key => [key === 'ft' ? '|ft|' : key, unit(key[0] === 'f' ? 'N' : 'm'), one.supports[item.k][key]]));
     if (item.type === 'restraint')
-      return extremes(name, ['fx', 'fy', 'fz', 'mx', 'my', 'mz'].map((what, k) => [what, unit(k < 3 ? 'N' : 'N m'), one.restraints[item.k][k]]));
-    if (item.type !== 'pipe' || !one.least) return '';
-    return extremes(name, forces.map((what, c) => {
-      const field = data.fields[c < 3 ? 0 : 2], i = item.station; // whose unit it is shown in
-      return [what, field.unit, [field.factor * one.least[c][i], one.least_at[c][i], field.factor * one.largest[c][i], one.largest_at[c][i]]];
+      return extremes(name, data.columns.reactions.map(key => [key, unit(key[0] === 'f' ? 'N' : 'N m'), one.restraints[item.k][key]]));
+    if (item.type !== 'pipe') return '';
+    if (!one.forces) return '<p class="note">Least and largest section forces over time are in envelope.csv: there are too many for this page.</p>';
+    return extremes(name, forces.map(key => {
+      const field = data.fields.find(other => other.key === (key[0] === 'M' ? 'Mx' : 'N')), of = one.forces[key], i = item.station; // whose unit it is shown in
+      return [key, field.unit, [field.factor * of.least[i], of.least_at[i], field.factor * of.largest[i], of.largest_at[i]]];
     }));
   }
 
   // Of a support or restraint its forces, of a pipe its section forces, over the instants of a transient step.
   function curvesOf(item, steps, one) {
-    if (item.type === 'support')
-      return [['fn', blue, steps.map(step => step.supports[item.k][1]), one && one.supports[item.k][0]],
-              ['|ft|', red, steps.map(step => Math.hypot(step.supports[item.k][2], step.supports[item.k][3])), one && one.supports[item.k][1]]];
+    const over = (kind, name) => steps.map(step => numberOf(step, kind, item.k, name));
+    if (item.type === 'support') {
+      const ft2 = over('supports', 'ft2'), least = one && one.supports[item.k];
+      return [['fn', blue, over('supports', 'fn'), least && least.fn], ['|ft|', red, over('supports', 'ft1').map((ft1, i) => Math.hypot(ft1, ft2[i])), least && least.ft]];
+    }
     if (item.type === 'restraint')
-      return ['fx', 'fy', 'fz'].map((name, k) => [name, [blue, red, green][k], steps.map(step => step.reactions[item.k][k]), one && one.restraints[item.k][k]]);
+      return ['fx', 'fy', 'fz'].map((key, k) => [key, [blue, red, green][k], over('reactions', key), one && one.restraints[item.k][key]]);
     return [];
   }
   const left = 70, right = 970, top = 15, bottom = 130;
@@ -97,15 +100,16 @@ const makeModelTables = (data, model) => {
     let title = '', head = [], row = null;
     if (item.type === 'support') {
       title = `Support ${item.name}, ${item.kind}`;
-      head = ['status', ...['fn', 'ft1', 'ft2'].map(c => [c, unit('N')]), ...['gap', 'slip1', 'slip2'].map(c => [c, unit('m')]), ['friction work', unit('J')], ['mt', unit('N m')]];
+      const units = {fn: 'N', ft1: 'N', ft2: 'N', work_friction: 'J', mt: 'N m'};
+      head = data.columns.supports.map(key => key === 'status' ? key : [key.replace('work_friction', 'friction work'), unit(units[key] || 'm')]);
       row = step => step.supports[item.k];
     } else if (item.type === 'restraint') {
       title = `${item.kind || 'restraint'} ${item.name}`;
-      head = [...['fx', 'fy', 'fz'].map(c => [c, unit('N')]), ...['mx', 'my', 'mz'].map(c => [c, unit('N m')])];
+      head = data.columns.reactions.map(key => [key, unit(key[0] === 'f' ? 'N' : 'N m')]);
       row = step => step.reactions[item.k];
     } else if (item.type === 'point') {
       title = `Point ${item.name}, ${where(item.station)}`;
-      head = [...['ux', 'uy', 'uz'].map(c => [c, unit('m')]), ...['rx', 'ry', 'rz'].map(c => [c, unit('rad')])];
+      head = data.columns.points.map(key => [key, unit(key[0] === 'u' ? 'm' : 'rad')]);
       row = step => step.points[item.k];
     } else {
       const known = fields.map((field, k) => k).filter(k => fields[k].any);
