@@ -152,7 +152,7 @@ void CondensedParts::Factors::take_dense(const SparseMatrix &matrix) {
 
 void CondensedParts::Factors::take_sparse(SparseMatrix &matrix) {
   constexpr double suspicious = 1e-9; // of the largest entry of the diagonal
-  sparse = std::make_unique<LineFactorization>();
+  sparse = std::make_unique<BlockFactorization>();
   sparse->analyze(matrix);
   const bool is_regular = sparse->factorize(matrix);
   if (!is_regular || sparse->least_pivot() < suspicious * matrix.diagonal().maxCoeff())

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <frictionbeam/contact/condensation.h>
-#include <frictionbeam/contact/line_factorization.h>
 
+#include "block_factorization.h"
 #include "part_cholesky.h"
 
 #include <Eigen/Cholesky>
@@ -29,8 +29,8 @@ public:
     SparseMatrix to_border;    ///< K_ic
     Eigen::MatrixXd influence; ///< K_ii^-1 K_ic
     Eigen::LDLT<Eigen::MatrixXd> dense;
-    std::unique_ptr<LineFactorization> sparse; ///< of a line
-    std::unique_ptr<PartCholesky> cholesky;    ///< of a body with a wide border
+    std::unique_ptr<BlockFactorization> sparse; ///< of a line
+    std::unique_ptr<PartCholesky> cholesky;     ///< of a body with a wide border
     int free = -1; ///< an inner unknown that moves freely, by its place in the part; -1: none
 
     Vector solve(const Vector &forces) const;

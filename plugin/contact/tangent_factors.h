@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <frictionbeam/contact/line_factorization.h>
+#include "block_factorization.h"
 
 #include <Eigen/LU>
 
@@ -19,7 +19,7 @@ public:
 
 private:
   bool is_dense = false;
-  LineFactorization sparse;
+  BlockFactorization sparse;
   Eigen::PartialPivLU<Eigen::MatrixXd> dense;
   Vector scale; ///< that the dense matrix is multiplied by from both sides
 };

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "block_factorization.h"
+
+#include <Eigen/OrderingMethods>
+
+#include <cmath>
+#include <numeric>
+
+namespace frictionbeam::contact {
+
+namespace {
+
+using Pair = Eigen::Array2d;
+
+/// to -= factor from.
+inline void subtract(const Pair &factor, const Pair *const from, Pair *const to, const int n) {
+  for (int i = 0; i < n; ++i)
+    to[i] -= factor * from[i];
+}
+
+/// to -= factor from + other_factor other.
+inline void subtract(const Pair &factor, const Pair *const from, const Pair &other_factor,
+                     const Pair *const other, Pair *const to, const int n) {
+  for (int i = 0; i < n; ++i)
+    to[i] -= factor * from[i] + other_factor * other[i];
+}
+
+} // namespace
+
+void BlockFactorization::analyze(const SparseMatrix &matrix) {
+  const int n = matrix.rows();
+  old_of_new.resize(n);
+  std::iota(old_of_new.begin(), old_of_new.end(), 0);
+  permuted.resize(0, 0);
+  source.clear();
+  std::vector<int> parent, below;
+  fill = find_tree(matrix, parent, below);
+  if (fill > 2 * static_cast<std::size_t>(matrix.nonZeros()))
+    reorder(matrix, parent, below);
+  const SparseMatrix &ordered = source.empty() ? matrix : permuted;
+  find_blocks(parent, below);
+  find_rows(ordered);
+  diagonal.resize(n);
+}
+
+void BlockFactorization::reorder(const SparseMatrix &matrix, std::vector<int> &parent,
+                                 std::vector<int> &below) {
+  const int n = matrix.rows();
+  Eigen::SparseMatrix<double, Eigen::ColMajor, int> pattern = matrix;
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+  Eigen::AMDOrdering<int>()(pattern, permutation);
+  const int *const old_indices = permutation.indices().data();
+  std::vector<int> new_of_old(n);
+  for (int k = 0; k < n; ++k)
+    new_of_old[old_indices[k]] = k;
+  std::vector<Eigen::Triplet<double>> places; // as numbers, which doubles hold exactly
+  places.reserve(matrix.nonZeros());
+  for (int row = 0; row < n; ++row)
+    for (int p = matrix.outerIndexPtr()[row]; p < matrix.outerIndexPtr()[row + 1]; ++p)
+      places.emplace_back(new_of_old[row], new_of_old[matrix.innerIndexPtr()[p]], p);
+  SparseMatrix other(n, n);
+  other.setFromTriplets(places.begin(), places.end());
+  std::vector<int> other_parent, other_below;
+  const std::size_t other_fill = find_tree(other, other_parent, other_below);
+  if (other_fill >= fill)
+    return;
+  fill = other_fill;
+  parent = std::move(other_parent);
+  below = std::move(other_below);
+  old_of_new.assign(old_indices, old_indices + n);
+  permuted = std::move(other);
+  source.assign(permuted.valuePtr(), permuted.valuePtr() + permuted.nonZeros());
+}
+
+std::size_t BlockFactorization::find_tree(const SparseMatrix &matrix, std::vector<int> &parent,
+                                          std::vector<int> &below) {
+  const int n = matrix.rows();
+  std::vector<int> visited(n, -1);
+  parent.assign(n, -1);
+  below.assign(n, 0);
+  for (int k = 0; k < n; ++k) {
+    visited[k] = k;
+    for (int p = matrix.outerIndexPtr()[k]; p < matrix.outerIndexPtr()[k + 1]; ++p)
+      for (int i = matrix.innerIndexPtr()[p]; i < k && visited[i] != k; i = parent[i]) {
+        if (parent[i] == -1)
+          parent[i] = k;
+        ++below[i];
+        visited[i] = k;
+      }
+  }
+  return std::accumulate(below.begin(), below.end(), std::size_t(0));
+}
+
+void BlockFactorization::find_blocks(const std::vector<int> &parent,
+                                     const std::vector<int> &below) {
+  constexpr int least_width = 4; // narrower ones are joined: zeros cost less than their overhead
+  const int n = parent.size();
+  blocks.clear();
+  for (int k = 0; k < n;) {
+    int end = k + 1;
+    while (end < n && parent[end - 1] == end && below[end - 1] == below[end] + 1)
+      ++end;
+    if (k > 0 && parent[k - 1] == k && end - blocks.back().first <= least_width)
+      blocks.back().width = end - blocks.back().first;
+    else
+      blocks.push_back({k, end - k});
+    blocks.back().n_below = below[end - 1];
+    k = end;
+  }
+  block_of.resize(n);
+  std::size_t n_rows = 0, n_values = 0;
+  for (Block &block : blocks) {
+    std::fill_n(block_of.begin() + block.first, block.width, &block - blocks.data());
+    block.rows = n_rows;
+    block.values = n_values;
+    n_rows += block.n_below;
+    n_values += static_cast<std::size_t>(block.width) * block.stride();
+  }
+  rows.resize(n_rows);
+  values.resize(n_values);
+}
+
+void BlockFactorization::find_rows(const SparseMatrix &matrix) {
+  std::vector<int> first_child(blocks.size(), -1), next(blocks.size(), -1),
+      taken(matrix.rows(), -1);
+  for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
+    Block &block = blocks[b];
+    int *const begin = rows.data() + block.rows, *end = begin;
+    const auto take = [&](const int row) {
+      if (row >= block.end() && taken[row] != b) {
+        taken[row] = b;
+        *end++ = row;
+      }
+    };
+    for (int p = matrix.outerIndexPtr()[block.first]; p < matrix.outerIndexPtr()[block.end()]; ++p)
+      take(matrix.innerIndexPtr()[p]);
+    for (int child = first_child[b]; child >= 0; child = next[child])
+      std::for_each_n(rows.begin() + blocks[child].rows, blocks[child].n_below, take);
+    block.in_one_run = true;
+    if (end == begin)
+      continue;
+    std::sort(begin, end);
+    block.in_one_run = end[-1] == block.end() + block.n_below - 1;
+    int &siblings = first_child[block_of[*begin]];
+    next[b] = siblings;
+    siblings = b;
+  }
+}
+
+bool BlockFactorization::factorize(const SparseMatrix &matrix) {
+  if (!source.empty()) {
+    for (std::size_t p = 0; p < source.size(); ++p)
+      permuted.valuePtr()[p] = matrix.valuePtr()[source[p]];
+    return factorize_ordered(permuted);
+  }
+  return factorize_ordered(matrix);
+}
+
+bool BlockFactorization::factorize_ordered(const SparseMatrix &matrix) {
+  Work work(matrix, blocks.size());
+  for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
+    const Block &block = blocks[b];
+    std::iota(work.place.begin() + block.first, work.place.begin() + block.end(), 0);
+    for (int k = 0; k < block.n_below; ++k)
+      work.place[rows[block.rows + k]] = block.width + k;
+    std::fill_n(values.begin() + block.values, block.width * block.stride(), Pair(0., 0.));
+    assemble(block, matrix, work);
+    for (int earlier = work.first[b]; earlier >= 0;) {
+      const int next = work.next[earlier];
+      take_from(block, blocks[earlier], work.done[earlier], work);
+      pass_on(earlier, work);
+      earlier = next;
+    }
+    if (!eliminate(block, work))
+      return false;
+    pass_on(b, work);
+  }
+  return true;
+}
+
+BlockFactorization::Work::Work(const SparseMatrix &matrix, const std::size_t n_blocks)
+    : next_entry(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.rows()),
+      place(matrix.rows()), size(matrix.rows(), 0.), first(n_blocks, -1), next(n_blocks, -1),
+      done(n_blocks, 0) {}
+
+void BlockFactorization::pass_on(const int b, Work &work) const {
+  if (work.done[b] == blocks[b].n_below)
+    return;
+  int &first = work.first[block_of[rows[blocks[b].rows + work.done[b]]]];
+  work.next[b] = first;
+  first = b;
+}
+
+void BlockFactorization::assemble(const Block &block, const SparseMatrix &matrix, Work &work) {
+  const int *const inner = matrix.innerIndexPtr();
+  const double *const entries = matrix.valuePtr();
+  for (int j = block.first; j < block.end(); ++j) {
+    Pair *const row = &values[block.values + (j - block.first) * block.stride()];
+    // Rows before j have had what is before it in its row.
+    for (int p = work.next_entry[j]; p < matrix.outerIndexPtr()[j + 1]; ++p) {
+      const int column = inner[p];
+      Pair &pair = row[work.place[column]];
+      pair[0] = entries[p];
+      if (column > j)
+        pair[1] = entries[work.next_entry[column]++]; // the mirrored entry
+      else
+        work.size[j] = std::abs(entries[p]);
+    }
+  }
+}
+
+void BlockFactorization::take_from(const Block &block, const Block &earlier, int &done,
+                                   Work &work) {
+  const int *const its_rows = rows.data() + earlier.rows;
+  const int n = earlier.n_below, begin = done;
+  const bool in_one_run =
+      work.place[its_rows[n - 1]] - work.place[its_rows[begin]] == n - 1 - begin;
+  for (; done < n && its_rows[done] < block.end(); ++done) {
+    const int place = work.place[its_rows[done]];
+    Pair *const to = &values[block.values + place * block.stride()];
+    double &size = work.size[its_rows[done]];
+    const Pair *from = &values[earlier.values + earlier.width + done];
+    if (in_one_run)
+      subtract_pivots(from, earlier.stride(), earlier.width, to + place, n - done, size);
+    else
+      for (int p = 0; p < earlier.width; ++p, from += earlier.stride()) {
+        const Pair factor = from->reverse();
+        size = std::max(size, std::abs(from->prod()));
+        for (int k = done; k < n; ++k)
+          to[work.place[its_rows[k]]] -= factor * from[k - done];
+      }
+  }
+}
+
+void BlockFactorization::subtract_pivots(const Pair *from, const int stride, const int n_pivots,
+                                         Pair *const to, const int n, double &size) {
+  int p = 0;
+  for (; p + 1 < n_pivots; p += 2, from += 2 * stride) {
+    const Pair *const other = from + stride;
+    size = std::max({size, std::abs((*from)[0] * (*from)[1]), std::abs((*other)[0] * (*other)[1])});
+    subtract(from->reverse(), from, other->reverse(), other, to, n);
+  }
+  if (p < n_pivots) {
+    size = std::max(size, std::abs((*from)[0] * (*from)[1]));
+    subtract(from->reverse(), from, to, n);
+  }
+}
+
+bool BlockFactorization::eliminate(const Block &block, Work &work) {
+  constexpr double vanishing = 1e-15; // of what was subtracted from it
+  const int stride = block.stride();
+  Pair *const begin = &values[block.values];
+  for (int i = 0; i < block.width; ++i) {
+    Pair *const row = begin + i * stride;
+    double &size = work.size[block.first + i];
+    subtract_pivots(begin + i, stride, i, row + i, stride - i, size);
+    const double pivot = row[i][0];
+    if (!(std::abs(pivot) > vanishing * size))
+      return false;
+    diagonal[block.first + i] = pivot;
+    const double inverse = 1. / pivot;
+    for (int k = i + 1; k < stride; ++k)
+      row[k][1] *= inverse;
+  }
+  return true;
+}
+
+Vector BlockFactorization::solve(const Vector &right_hand_side) const {
+  const int n = diagonal.size();
+  Vector x = right_hand_side;
+  if (!source.empty())
+    for (int k = 0; k < n; ++k)
+      x[k] = right_hand_side[old_of_new[k]];
+  std::vector<double> copy; // of what a block couples that is not in one run
+  const auto local = [&](const Block &block) {
+    if (block.in_one_run)
+      return x.data() + block.first;
+    copy.resize(block.stride());
+    std::copy_n(x.data() + block.first, block.width, copy.begin());
+    for (int k = 0; k < block.n_below; ++k)
+      copy[block.width + k] = x[rows[block.rows + k]];
+    return copy.data();
+  };
+  for (const Block &block : blocks) {
+    const int stride = block.stride();
+    double *const at = local(block);
+    const Pair *row = &values[block.values];
+    for (int p = 0; p < block.width; ++p, row += stride)
+      for (int k = p + 1; k < stride; ++k)
+        at[k] -= row[k][1] * at[p];
+    if (!block.in_one_run) {
+      std::copy_n(copy.begin(), block.width, x.data() + block.first);
+      for (int k = 0; k < block.n_below; ++k)
+        x[rows[block.rows + k]] = copy[block.width + k];
+    }
+  }
+  for (auto block = blocks.rbegin(); block != blocks.rend(); ++block) {
+    const int stride = block->stride();
+    double *const at = local(*block);
+    for (int p = block->width - 1; p >= 0; --p) {
+      const Pair *const row = &values[block->values + p * stride];
+      double value = at[p];
+      for (int k = p + 1; k < stride; ++k)
+        value -= row[k][0] * at[k];
+      at[p] = value / diagonal[block->first + p];
+    }
+    if (!block->in_one_run)
+      std::copy_n(copy.begin(), block->width, x.data() + block->first);
+  }
+  if (source.empty())
+    return x;
+  Vector result(n);
+  for (int k = 0; k < n; ++k)
+    result[old_of_new[k]] = x[k];
+  return result;
+}
+
+} // namespace frictionbeam::contact
