@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/algebra/block_cholesky.h"
 #include "analysis/algebra/elastic_system.h"
 #include "base/numbers.h"
 #include "base/user_error.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
 
 namespace frictionbeam {
 
@@ -30,7 +29,6 @@ public:
 
 private:
   using Sparse = Eigen::SparseMatrix<double>;
-  using Factors = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
   using Dense = Eigen::MatrixXd;
 
   /// Unknowns: interior dofs, then those of contacts, in the order of the dofs.
@@ -47,9 +45,8 @@ private:
   int n_interior = 0, n_contact = 0;
   Sparse stiffness; ///< lower triangle
   double mean_diagonal = 0.;
-  Factors factors;
-  Dense condensed;  ///< stiffness of the contacts' unknowns
-  Dense last_block; ///< of the factor L
+  BlockCholesky factors;
+  Dense condensed; ///< stiffness of the contacts' unknowns
 };
 
 template <int dim>
@@ -126,18 +123,12 @@ void CondensedSystem::assemble(const ContinuumBody<dim> &body) {
 }
 
 void CondensedSystem::reorder() {
-  Eigen::AMDOrdering<int>::PermutationType all; // old place by new
-  Eigen::AMDOrdering<int>()(stiffness.selfadjointView<Eigen::Lower>(), all);
-  Eigen::AMDOrdering<int>::PermutationType order(n_interior);
-  for (int i = 0, k = 0; i < all.size(); ++i)
-    if (all.indices()[i] < n_interior)
-      order.indices()[k++] = all.indices()[i];
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(n_interior + n_contact);
-  place.setIdentity();
+  const Eigen::VectorXi order = sparse_order(stiffness, n_contact);
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(order.size());
   const std::vector<types::global_dof_index> old = dof_of;
-  for (int i = 0; i < n_interior; ++i) {
-    place.indices()[order.indices()[i]] = i;
-    dof_of[i] = old[order.indices()[i]];
+  for (int i = 0; i < order.size(); ++i) {
+    place.indices()[order[i]] = i;
+    dof_of[i] = old[order[i]];
     unknown_of[dof_of[i]] = i;
   }
   Sparse ordered(stiffness.rows(), stiffness.cols());
@@ -164,23 +155,18 @@ void CondensedSystem::factorize() {
   mean_diagonal = n > 0 ? diagonals.mean() : 1.;
   for (int i = n_interior; i < n; ++i)
     stiffness.coeffRef(i, i) += largest;
-  factors.compute(stiffness);
+  const bool has_inverse = factors.compute(stiffness, n_contact);
   for (int i = n_interior; i < n; ++i)
     stiffness.coeffRef(i, i) = diagonals[i];
   ++n_factorizations;
-  if (factors.info() != Eigen::Success)
+  if (!has_inverse)
     throw UserError(
         "The body's stiffness has no inverse.\n  read:    a body that what is Held and "
         "Frictional does not hold well enough\n  allowed: a body that cannot move as a "
         "whole, with a Poisson's ratio not too near to 0.5\n  try:     another group in "
         "Held");
-  last_block = Dense::Identity(n_contact, n_contact);
-  const Sparse &L = factors.matrixL().nestedExpression();
-  for (int j = n_interior; j < n; ++j)
-    for (Sparse::InnerIterator entry(L, j); entry; ++entry)
-      if (entry.row() > j)
-        last_block(entry.row() - n_interior, j - n_interior) = entry.value();
-  condensed = last_block * factors.vectorD().tail(n_contact).asDiagonal() * last_block.transpose();
+  const auto last_block = factors.last_block().triangularView<Eigen::Lower>();
+  condensed = last_block * factors.last_block().transpose();
   condensed.diagonal().array() -= largest;
 }
 
@@ -190,9 +176,9 @@ bool CondensedSystem::solve(const std::vector<Block> &blocks, const bool symmetr
   Eigen::VectorXd y(n);
   for (int i = 0; i < n; ++i)
     y[i] = b(dof_of[i]);
-  factors.matrixL().solveInPlace(y);
-  const Eigen::VectorXd right = last_block.triangularView<Eigen::UnitLower>() * y.tail(n_contact);
-  y.head(n_interior).array() /= factors.vectorD().head(n_interior).array();
+  factors.solve_lower(y);
+  const Dense &L = factors.last_block();
+  const Eigen::VectorXd right = L.triangularView<Eigen::Lower>() * y.tail(n_contact);
 
   Dense tangent = condensed;
   for (const Block &block : blocks)
@@ -211,8 +197,8 @@ bool CondensedSystem::solve(const std::vector<Block> &blocks, const bool symmetr
     contact = Eigen::PartialPivLU<Dense>(tangent).solve(right);
   if (!contact.allFinite())
     return false;
-  y.tail(n_contact) = last_block.transpose().triangularView<Eigen::UnitUpper>() * contact;
-  factors.matrixU().solveInPlace(y);
+  y.tail(n_contact) = L.transpose().triangularView<Eigen::Upper>() * contact;
+  factors.solve_upper(y);
   x = 0.;
   for (int i = 0; i < n; ++i)
     x(dof_of[i]) = y[i];
