@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/coarse_factorization.h"
-#include "model/body/cell_stiffness.h"
-
-#include <deal.II/base/quadrature_lib.h>
+#include "model/body/body_cell_matrices.h"
 
 namespace frictionbeam {
 
@@ -13,34 +11,17 @@ CoarseFactorization<dim>::CoarseFactorization(const ContinuumBody<dim> &body,
                                               const DoFHandler<dim> &dof_handler,
                                               const AffineConstraints<double> &constraints)
     : communicator(body.communicator), owned(dof_handler.locally_owned_dofs()) {
-  const auto &fe = dynamic_cast<const FESystem<dim> &>(dof_handler.get_fe());
-  const QGauss<dim> quadrature(fe.degree + 1);
-  FEValues<dim> values(body.mapping, fe, quadrature, update_gradients | update_JxW_values);
-  std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-  using Shares = std::vector<std::pair<types::global_dof_index, double>>; // of a dof, in free ones
-  std::vector<Shares> shares(dofs.size());
   std::vector<Entry> entries;
-  for (const auto &cell : dof_handler.active_cell_iterators()) {
-    if (!cell->is_locally_owned())
-      continue;
-    values.reinit(cell);
-    cell->get_dof_indices(dofs);
-    const LameConstants lame = lame_constants(body.continuum, cell->material_id());
-    const FullMatrix<double> local =
-        cell_stiffness(values, fe, lame.lambda, lame.mu, body.thickness());
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      if (const auto *const masters = constraints.get_constraint_entries(dofs[i])) // none of held
-        shares[i] = *masters;
-      else
-        shares[i] = {{dofs[i], 1.}};
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      for (unsigned int j = 0; j < dofs.size(); ++j)
-        for (const auto &[row, of_row] : shares[i])
-          for (const auto &[column, of_column] : shares[j])
-            if (row >= column)
-              entries.push_back({static_cast<unsigned int>(row), static_cast<unsigned int>(column),
-                                 of_row * of_column * local(i, j)});
-  }
+  assemble_stiffness<dim>(
+      body, dof_handler,
+      [&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
+        add_to_free_dofs(local, dofs, constraints,
+                         [&](const auto row, const auto column, const double value) {
+                           if (row >= column)
+                             entries.push_back({static_cast<unsigned int>(row),
+                                                static_cast<unsigned int>(column), value});
+                         });
+      });
   for (const auto dof : owned)
     if (constraints.is_constrained(dof))
       entries.push_back({static_cast<unsigned int>(dof), static_cast<unsigned int>(dof), 1.});

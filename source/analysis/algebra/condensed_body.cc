@@ -3,6 +3,7 @@
 #include "analysis/algebra/elastic_system.h"
 #include "base/numbers.h"
 #include "base/user_error.h"
+#include "model/body/body_cell_matrices.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -95,27 +96,14 @@ void CondensedSystem::assemble(const ContinuumBody<dim> &body) {
     stiffness = stiffness.nonZeros() == 0 ? part : Sparse(stiffness + part);
     entries.clear();
   };
-  struct Share { // of a dof of the cell in an unknown; a hanging one has several
-    unsigned int local;
-    int unknown;
-    double factor;
-  };
-  std::vector<Share> shares;
-  body.assemble_stiffness(
+  assemble_stiffness<dim>(
+      body, body.dof_handler,
       [&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
-        shares.clear();
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (unknown_of[dofs[i]] >= 0)
-            shares.push_back({i, unknown_of[dofs[i]], 1.});
-          else if (const auto *const masters = body.constraints.get_constraint_entries(dofs[i]))
-            for (const auto &[dof, factor] : *masters)
-              if (unknown_of[dof] >= 0)
-                shares.push_back({i, unknown_of[dof], factor});
-        for (const Share &row : shares)
-          for (const Share &column : shares)
-            if (row.unknown >= column.unknown)
-              entries.emplace_back(row.unknown, column.unknown,
-                                   row.factor * column.factor * local(row.local, column.local));
+        add_to_free_dofs(local, dofs, body.constraints,
+                         [&](const auto row, const auto column, const double value) {
+                           if (unknown_of[row] >= unknown_of[column])
+                             entries.emplace_back(unknown_of[row], unknown_of[column], value);
+                         });
         if (entries.size() > most_entries)
           add_up();
       });

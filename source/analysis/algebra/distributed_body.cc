@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/algebra/elastic_system.h"
+#include "model/body/body_cell_matrices.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -30,7 +31,8 @@ public:
     SparsityTools::distribute_sparsity_pattern(pattern, body.owned, body.communicator,
                                                body.relevant);
     matrix.reinit(body.owned, body.owned, pattern, body.communicator);
-    body.assemble_stiffness(
+    assemble_stiffness<dim>(
+        body, body.dof_handler,
         [&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
           body.constraints.distribute_local_to_global(local, dofs, matrix);
         });

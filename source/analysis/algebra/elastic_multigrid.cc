@@ -79,25 +79,29 @@ ElasticMultigrid<dim>::ElasticMultigrid(const ContinuumBody<dim> &body)
     if (l == 0)
       continue;
     const Level &below = levels[l - 1];
-    level.transfer.reinit({*level.dof_handler, level.constraints},
-                          {*below.dof_handler, below.constraints}, is_finest && has_linear_twin,
+    level.transfer.reinit({*level.dof_handler, *level.constraints},
+                          {*below.dof_handler, *below.constraints}, is_finest && has_linear_twin,
                           body.is_parallel);
   }
   coarsest = std::make_unique<CoarseFactorization<dim>>(body, *levels[0].dof_handler,
-                                                        levels[0].constraints);
+                                                        *levels[0].constraints);
 }
 
 template <int dim>
 void ElasticMultigrid<dim>::set_up(Level &level, const ContinuumBody<dim> &body,
                                    const bool is_finest) {
-  body.constrain(*level.dof_handler, level.constraints);
-  if (is_finest)
+  if (is_finest) {
+    level.constraints = &body.constraints;
     for (const auto &node : body.nodes)
       level.contacts.push_back(node.dofs);
-  else
-    level.contacts = contact_vertices(body, *level.dof_handler, level.constraints);
+  } else {
+    level.own_constraints = std::make_unique<AffineConstraints<double>>();
+    body.constrain(*level.dof_handler, *level.own_constraints);
+    level.constraints = level.own_constraints.get();
+    level.contacts = contact_vertices(body, *level.dof_handler, *level.constraints);
+  }
   level.stiffness =
-      std::make_unique<ElasticOperator<dim, float>>(body, *level.dof_handler, level.constraints);
+      std::make_unique<ElasticOperator<dim, float>>(body, *level.dof_handler, *level.constraints);
   for (auto *const vector : {&level.x, &level.b, &level.residual})
     level.stiffness->reinit(*vector);
   if (&level != &levels[0])
@@ -118,8 +122,8 @@ std::vector<NodeBlock<dim>> ElasticMultigrid<dim>::restricted(const Level &level
     for (std::size_t i = 0; i < result.size(); ++i)
       for (unsigned int a = 0; a < dim; ++a) {
         result[i].dofs = below.contacts[i];
-        const bool is_free = !below.constraints.is_constrained(below.contacts[i][a]) &&
-                             !below.constraints.is_constrained(below.contacts[i][c]);
+        const bool is_free = !below.constraints->is_constrained(below.contacts[i][a]) &&
+                             !below.constraints->is_constrained(below.contacts[i][c]);
         result[i].stiffness(a, c) = is_free ? below.b(below.contacts[i][a]) : 0.;
       }
   }

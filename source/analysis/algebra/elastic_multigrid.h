@@ -13,7 +13,8 @@ struct MultigridLevel {
   std::unique_ptr<const dealii::FESystem<dim>> linear;    ///< none on the finest level
   std::unique_ptr<dealii::DoFHandler<dim>> own_numbering; ///< none on the finest level
   const dealii::DoFHandler<dim> *dof_handler = nullptr;
-  dealii::AffineConstraints<double> constraints;
+  std::unique_ptr<dealii::AffineConstraints<double>> own_constraints; ///< none on the finest level
+  const dealii::AffineConstraints<double> *constraints = nullptr;
   std::vector<std::array<dealii::types::global_dof_index, dim>> contacts; ///< owned, free in part
   std::unique_ptr<ElasticOperator<dim, float>> stiffness;
   std::unique_ptr<ChebyshevSmoother<dim>> smoother;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/algebra/cell_product.h"
 #include "model/body/body.h"
 
 #include <deal.II/matrix_free/fe_evaluation.h>
@@ -20,8 +21,9 @@ struct NodeBlock {
 /**
  * Stiffness of a body of Hooke's law, with contacts' blocks B at nodes, that is never written down:
  * y = K x + B x with K x = sum over cells of int eps(v) : (lambda tr(eps(x)) I + 2 mu eps(x)),
- * integrated cell by cell by sum factorization (M. Kronbichler and K. Kormann, Computers & Fluids
- * 63 (2012) 135-147). Hanging and held dofs are rows of the identity.
+ * a product with one matrix for all cells of a kind (BodyCellMatrices), some at a time; cells of no
+ * kind are integrated one by one by sum factorization (M. Kronbichler and K. Kormann, Computers &
+ * Fluids 63 (2012) 135-147). Hanging and held dofs are rows of the identity.
  */
 template <int dim, typename Number>
 class ElasticOperator {
@@ -33,9 +35,12 @@ public:
                   const dealii::AffineConstraints<double> &constraints);
 
   void reinit(Vector &vector) const { matrix_free.initialize_dof_vector(vector); }
+  /// y = K x + B x
   void vmult(Vector &y, const Vector &x) const;
+  /// y = K x
+  void multiply_without_blocks(Vector &y, const Vector &x) const;
   /// Of K alone; 1 where a dof is hanging or held.
-  void find_diagonal(Vector &diagonal) const;
+  const Vector &diagonal() const { return diagonal_of_cells; }
   /// Zero the entries of hanging and held dofs.
   void set_zero_constrained(Vector &vector) const;
   /// B from now on.
@@ -46,13 +51,27 @@ private:
   using Cells = dealii::MatrixFree<dim, Number>;
   using Evaluation = dealii::FEEvaluation<dim, -1, 0, dim, Number>;
 
+  /// Cells of a kind that wait to be multiplied together, with what they read.
+  struct Waiting {
+    std::vector<unsigned int> batches;
+    unsigned int n_cells = 0;
+    dealii::AlignedVector<Number> x, y;
+  };
+
+  void sort_cells(const ContinuumBody<dim> &body, const dealii::DoFHandler<dim> &dof_handler);
   void apply(const Cells &, Vector &y, const Vector &x,
              const std::pair<unsigned int, unsigned int> &range) const;
-  void apply_on_cell(Evaluation &cell) const;
+  /// Add their products to y, and wait for others.
+  void add_products(const unsigned int kind, Waiting &waiting, Evaluation &cell, Vector &y) const;
+  void integrate_on_cell(Evaluation &cell) const;
 
   Cells matrix_free;
+  std::vector<CellProduct<Number>> products;            ///< by kind of cell
+  std::vector<unsigned int> kinds;                      ///< by batch of cells
+  std::vector<dealii::VectorizedArray<Number>> factors; ///< of the kind's matrix, by batch
   std::vector<dealii::VectorizedArray<Number>> lambda,
       two_mu; ///< by batch of cells, times thickness
+  Vector diagonal_of_cells;
   std::vector<NodeBlock<dim>> blocks;
 };
 

@@ -34,7 +34,11 @@ public:
   /// What it is, for the summary.
   virtual std::string name() const = 0;
 
+  /// What has been counted.
+  void transfer(Archive &archive) { archive(n_factorizations, most_iterations); }
+
   unsigned int n_factorizations = 0;
+  unsigned int most_iterations = 0; ///< of a Krylov method, for one system
 };
 
 /// What Continuum/Linear solver says. Where it leaves it open: multigrid in 3D from 3,000 unknowns

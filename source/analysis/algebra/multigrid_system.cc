@@ -49,16 +49,15 @@ public:
   explicit MultigridSystem(const ContinuumBody<dim> &body)
       : body(body), constraints(body.constraints),
         stiffness(body, body.dof_handler, body.constraints), multigrid(body) {
-    stiffness.find_diagonal(diagonals);
+    diagonals = stiffness.diagonal();
     give_held_dofs_the_mean();
     for (auto *const vector : {&own_x, &own_b})
       stiffness.reinit(*vector);
   }
 
   void multiply(const ContinuumVector &x, ContinuumVector &y) const override {
-    stiffness.set_blocks({});
     own_x.copy_locally_owned_data_from(x);
-    stiffness.vmult(own_b, own_x);
+    stiffness.multiply_without_blocks(own_b, own_x);
     y.copy_locally_owned_data_from(own_b);
   }
   double diagonal(const types::global_dof_index dof) const override { return diagonals(dof); }
@@ -77,11 +76,10 @@ private:
 
   const ContinuumBody<dim> &body;
   const AffineConstraints<double> &constraints;
-  mutable ElasticOperator<dim, double> stiffness;
+  ElasticOperator<dim, double> stiffness;
   ElasticMultigrid<dim> multigrid;
   ContinuumVector diagonals;
   mutable ContinuumVector own_x, own_b; ///< with the operator's own neighbours
-  unsigned int most_iterations = 0;
 };
 
 template <int dim>
@@ -123,6 +121,7 @@ bool MultigridSystem<dim>::solve(const std::vector<Block> &blocks, const bool sy
     positive[i].stiffness =
         definite_part<dim>(positive[i].stiffness, body.nodes[i].frame, symmetric);
   const bool factored = multigrid.take_blocks(positive);
+  ++n_factorizations;
   stiffness.set_blocks(of_contacts);
   x = 0.;
   own_x = 0.;

@@ -18,7 +18,7 @@ template <int dim>
 ChebyshevSmoother<dim>::ChebyshevSmoother(const Operator &stiffness) : stiffness(stiffness) {
   stiffness.reinit(residual);
   stiffness.reinit(direction);
-  stiffness.find_diagonal(inverse);
+  inverse = stiffness.diagonal();
   for (float &entry : inverse)
     entry = 1.f / entry;
   estimate_largest();

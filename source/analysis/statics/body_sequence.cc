@@ -133,7 +133,7 @@ void ContinuumSequence<dim>::transfer(Archive &archive) {
   };
   std::size_t n_ends = step_ends.size();
   archive(position, load_factors, now, committed, foundation, newton, step_reports, n_reported,
-          system->n_factorizations, n_ends);
+          *system, n_ends);
   transfer_own(unknowns);
   if (archive.reads())
     step_ends.reserve(body.continuum.steps.size()); // which the states to come stay in

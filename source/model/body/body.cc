@@ -2,7 +2,6 @@
 #include "model/body/body.h"
 #include "base/numbers.h"
 #include "base/user_error.h"
-#include "model/body/cell_stiffness.h"
 #include "model/body/held_section.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -177,59 +176,6 @@ void ContinuumBody<dim>::reinit(ContinuumVector &vector) const {
     vector.reinit(owned, relevant, communicator);
   else
     vector.reinit(dof_handler.n_dofs());
-}
-
-template <int dim>
-void ContinuumBody<dim>::assemble_stiffness(
-    const std::function<void(const FullMatrix<double> &,
-                             const std::vector<types::global_dof_index> &)> &add) const {
-  // Cells that differ in place and size only have the same matrix, but for a factor in 3D.
-  struct Known {
-    std::vector<Tensor<1, dim>> shape;
-    FullMatrix<double> matrix;
-    double size;
-  };
-  constexpr std::size_t most_known = 8;
-  std::vector<Known> known;
-  const QGauss<dim> quadrature(fe.degree + 1);
-  FEValues<dim> values(mapping, fe, quadrature, update_gradients | update_JxW_values);
-  const auto stiffness_of = [&](const auto &cell) {
-    values.reinit(cell);
-    const LameConstants lame = lame_constants(continuum, cell->material_id());
-    return cell_stiffness(values, fe, lame.lambda, lame.mu, thickness());
-  };
-  std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-  for (const auto &cell : dof_handler.active_cell_iterators()) {
-    if (!cell->is_locally_owned())
-      continue;
-    cell->get_dof_indices(dofs);
-    if (!mesh.manifolds.empty()) { // vertices do not say what a curved cell is
-      add(stiffness_of(cell), dofs);
-      continue;
-    }
-    const double size = cell->vertex(1).distance(cell->vertex(0));
-    std::vector<Tensor<1, dim>> shape;
-    for (const unsigned int v : cell->vertex_indices())
-      shape.push_back((cell->vertex(v) - cell->vertex(0)) / size);
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Known &other) {
-      for (unsigned int v = 0; v < shape.size(); ++v)
-        if ((shape[v] - other.shape[v]).norm() > 1e-12)
-          return false;
-      return true;
-    });
-    if (found == known.end()) {
-      Known cell_matrix{shape, stiffness_of(cell), size};
-      add(cell_matrix.matrix, dofs);
-      if (known.size() < most_known)
-        known.push_back(cell_matrix);
-    } else if (dim == 2)
-      add(found->matrix, dofs);
-    else {
-      FullMatrix<double> scaled = found->matrix;
-      scaled *= size / found->size;
-      add(scaled, dofs);
-    }
-  }
 }
 
 template <int dim>

@@ -90,11 +90,6 @@ public:
   /// With entries of this process's own and room for its neighbours'.
   void reinit(ContinuumVector &vector) const;
 
-  /// Hand each owned cell's stiffness matrix and dofs to @p add.
-  void assemble_stiffness(
-      const std::function<void(const dealii::FullMatrix<double> &,
-                               const std::vector<dealii::types::global_dof_index> &)> &add) const;
-
   /// Forces of the tractions at load factor one, on the unconstrained dofs.
   ContinuumVector traction_forces() const;
 

@@ -11,8 +11,14 @@ FullMatrix<double> cell_stiffness(const FEValues<dim> &values, const FESystem<di
   const unsigned int n = fe.n_dofs_per_cell(), n_nodes = n / dim;
   FullMatrix<double> matrix(n, n);
   std::vector<Tensor<1, dim>> gradient(n_nodes);
+  // FESystem searches its list for each answer.
+  std::vector<unsigned int> index_of(n);
+  for (unsigned int k = 0; k < n; ++k) {
+    const auto [component, node] = fe.system_to_component_index(k);
+    index_of[node * dim + component] = k;
+  }
   const auto index = [&](const unsigned int component, const unsigned int node) {
-    return fe.component_to_system_index(component, node);
+    return index_of[node * dim + component];
   };
   for (const unsigned int q : values.quadrature_point_indices()) {
     const double weight = values.JxW(q) * thickness;
