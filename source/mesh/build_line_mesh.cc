@@ -161,6 +161,10 @@ private:
                         "'. Place the support at named points of the file.");
       result.push_back({pipe.vertices[at], tangents[pipe.vertices[at]], 1.});
     }
+    if (result.empty() && to <= from)
+      throw UserError("Support " + support + ": To stands " +
+                      in_units(scene.units, from - to, "m") + " before From along pipe '" +
+                      placement.pipe + "'. Change the two with each other.");
     if (result.empty())
       throw UserError("Support " + support + ": every " +
                       in_units(scene.units, placement.every, "m") + " gives no place on the " +

@@ -6,9 +6,11 @@
 #include "results/frame/frame_choice.h"
 #include "results/stress/wall_stress.h"
 #include "results/text.h"
+#include "scene/file/parameter_file.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace frictionbeam {
 
@@ -133,6 +135,37 @@ public:
       say(text);
   }
 
+  /// Remarks on what adds up in silence: temperatures, and pressures, of one pipe in one step.
+  void of_sums_of_loads() {
+    for (const auto &[kind, what] :
+         {std::make_pair(Load::Kind::temperature, "rises of temperature"),
+          std::make_pair(Load::Kind::pressure, "pressures")})
+      if (const std::string text = first_sum(kind); !text.empty())
+        results.remarks.push_back(std::string("Step ") + text + ": their " + what + " add up.");
+  }
+
+  /// Remarks on restraints of one point that hold the same: each has the whole of the force.
+  void of_restraints_in_one_place() {
+    if (results.frames.empty())
+      return;
+    std::map<std::size_t, std::size_t> first;
+    const std::size_t n = results.restraints.size() - scene.springs.size(); // those come last
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto [known, is_first] =
+          first.emplace(places.insert(results.restraints[i].position), i);
+      const std::string &name = results.restraints[i].name,
+                        &other = results.restraints[known->second].name;
+      if (!is_first &&
+          std::any_of(results.frames.begin(), results.frames.end(), [&](const Frame &frame) {
+            return frame.reactions[i] != Motion{} &&
+                   frame.reactions[i] == frame.reactions[known->second];
+          }))
+        results.remarks.push_back(other + " and " + name +
+                                  " hold the same motions of one point: each is told the whole "
+                                  "force, which a sum of reactions counts twice.");
+    }
+  }
+
   void of_time_steps() {
     if (scene.time.is_exact() || scene.time.step == 0. || results.modes.empty() ||
         !has_transient_step(scene))
@@ -146,6 +179,20 @@ public:
   }
 
 private:
+  /// "NAME: loads A and B on pipe P", of the first step that has two of a kind; empty if none has.
+  std::string first_sum(const Load::Kind kind) const {
+    for (const LoadStep &step : scene.steps)
+      for (const Pipe &pipe : scene.pipes) {
+        std::vector<std::string> together;
+        for (const auto &[number, factor] : step.loads)
+          if (const Load &load = scene.loads[number];
+              load.kind == kind && factor != 0. && load.is_on(pipe.name))
+            together.push_back(load.name);
+        if (together.size() > 1)
+          return step.name + ", loads " + join(together) + " on pipe " + pipe.name;
+      }
+    return "";
+  }
   void say(const std::string &text) { results.doubts.push_back(text); }
   static void note(std::vector<std::string> &list, const std::string &text) {
     if (std::count(list.begin(), list.end(), text) == 0)
@@ -214,6 +261,8 @@ void add_doubts(const Scene &scene, Results &results) {
   doubts.of_sags();
   doubts.of_yielding();
   doubts.of_time_steps();
+  doubts.of_sums_of_loads();
+  doubts.of_restraints_in_one_place();
 }
 
 } // namespace frictionbeam

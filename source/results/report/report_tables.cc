@@ -70,6 +70,7 @@ std::string left_out(const std::size_t n_shown, const std::size_t n_all, const s
 
 /// Of force times length: work that is smaller is rounding, and shown as zero.
 constexpr double least_work = 1e-4;
+constexpr double rounding_of_work = 1e-8; ///< of all supports together, likewise
 
 std::string support_table(const Results &results, const Frame &frame) {
   AssertDimension(frame.supports.size(), results.supports.size());
@@ -235,11 +236,19 @@ struct StepRows {
       sum_friction += friction_force(state);
       sum_work += state.work_friction;
     }
+    const bool is_step = frame.step < scene.steps.size(); // a case has no contact status, no work
     for (unsigned int s = 0; s < 4; ++s)
-      counts[s].push_back(std::to_string(count[s]));
+      counts[s].push_back(is_step ? std::to_string(count[s]) : dash);
     normal.push_back(sum_normal);
     friction.push_back(sum_friction);
-    work.push_back(sum_work);
+    work.push_back(is_step ? sum_work : std::numeric_limits<double>::quiet_NaN());
+  }
+
+  static double largest(const std::vector<double> &values) {
+    double result = 0.;
+    for (const double value : values)
+      result = std::fmax(result, std::abs(value));
+    return result;
   }
 
   std::string table() const {
@@ -253,7 +262,7 @@ struct StepRows {
         table.right(status_word(statuses[s]), counts[s]);
     return table.numbers("\u03a3 fn", "N", normal)
         .numbers("\u03a3 |ft|", "N", friction)
-        .numbers("work", "J", work)
+        .numbers("work", "J", work, rounding_of_work * largest(normal) * largest(displacement))
         .str();
   }
 };
