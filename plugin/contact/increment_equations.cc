@@ -30,7 +30,7 @@ int place_of(const SparseMatrix &matrix, const int row, const int column) {
 IncrementEquations::IncrementEquations(const Settings &settings, const SiteList &contacts,
                                        const Condensation &line, ProximalSites &proximal)
     : settings(settings), contacts(contacts), S(line.matrix()), proximal(proximal),
-      diagonal(positive_diagonal(S)), line(line), places(contacts.size()),
+      diagonal(positive_diagonal(S)), line(line), places(contacts.size()), stiffness(S.pruned()),
       start_strain(contacts.size()) {
   factors.analyze(S);
   for (int i = 0; i < S.rows(); ++i)
@@ -69,7 +69,8 @@ void IncrementEquations::evaluate(const Vector &x, Response &response) {
   place(x, response);
   displacement_rounding = rounding_of_motion(x);
   proximal.evaluate(*committed, increment, LawTangent::consistent, response);
-  left_by_body = loads - S * x;
+  left_by_body = loads;
+  left_by_body.noalias() -= stiffness * x;
   if (drag > 0.)
     left_by_body -= drag * diagonal.cwiseProduct(x);
 }

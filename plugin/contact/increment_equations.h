@@ -106,6 +106,7 @@ private:
   const Condensation &line;
   std::vector<Places> places;
   std::vector<int> diagonal_places; ///< in the values of S
+  const SparseMatrix stiffness;     ///< S without its zeros, two thirds of a line along the axes
   TangentFactors factors;
   std::optional<ReducedTangent> reduced; ///< of a body
   bool is_reduced = false;               ///< which of the two holds the factors

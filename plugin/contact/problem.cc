@@ -24,14 +24,11 @@ std::string too_much_rounding(const double left, const double largest) {
 Vector unbalanced_forces(const Problem &problem, const Vector &unknowns, const Vector &low) {
   if (problem.unbalanced)
     return problem.unbalanced(unknowns, low);
-  const SparseMatrix &matrix = problem.matrix;
-  const auto exact = [](const Vector &numbers) { return numbers.cast<long double>().eval(); };
-  const auto x = (exact(unknowns) + exact(low)).eval();
   Vector forces(unknowns.size());
-  for (int i = 0; i < matrix.outerSize(); ++i) {
+  for (int i = 0; i < problem.matrix.outerSize(); ++i) {
     long double sum = problem.right_hand_side[i];
-    for (int p = matrix.outerIndexPtr()[i]; p < matrix.outerIndexPtr()[i + 1]; ++p)
-      sum -= matrix.valuePtr()[p] * x[matrix.innerIndexPtr()[p]];
+    for (SparseMatrix::InnerIterator entry(problem.matrix, i); entry; ++entry)
+      sum -= entry.value() * (static_cast<long double>(unknowns[entry.col()]) + low[entry.col()]);
     forces[i] = static_cast<double>(sum);
   }
   return forces;
