@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/algebra/cell_product.h"
+#include "model/body/cell_product.h"
 
 namespace frictionbeam {
 
