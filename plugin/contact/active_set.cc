@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "active_set.h"
+#include <frictionbeam/disc_projection.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace frictionbeam::contact {
 
@@ -21,7 +22,14 @@ ContactStatus branch_by_forces(const Check::Point &point) {
   if (!(point.P > 0.))
     return point.gap <= 0. ? ContactStatus::stick : ContactStatus::open;
   const double limit = near_the_limit * point.friction * point.P;
-  return std::hypot(point.T[0], point.T[1]) < limit ? ContactStatus::stick : ContactStatus::slip;
+  return length_of(point.T[0], point.T[1]) < limit ? ContactStatus::stick : ContactStatus::slip;
+}
+
+/// Its friction, or what it can hold of it: the force that a branch yields to is its guess.
+Eigen::Vector2d within_limit(const Check::Point &point) {
+  const double size = length_of(point.T[0], point.T[1]),
+               limit = point.friction * std::max(0., point.P);
+  return (size > limit ? limit / size : 1.) * Eigen::Vector2d(point.T[0], point.T[1]);
 }
 
 /// Branches of the proximal law that are chosen as long as this lives.
@@ -46,7 +54,8 @@ void ActiveSet::learn(const bool has_led_to_solution) {
 }
 
 void ActiveSet::remember(const std::vector<ContactStatus> &status, const Vector &motion) {
-  kept.status = status;
+  kept.status = settled.empty() ? status : settled; // at its limit a contact may have either
+  settled.clear();
   if (motion.size() > 0)
     kept.motion = motion;
 }
@@ -75,16 +84,41 @@ bool ActiveSet::step(Vector &x, Response &response, Result &result) {
       !equations.solve(equations.forces_left(response), response, result, motion))
     return false;
   x += motion;
-  const double rounding = equations.rounding_of_motion(x);
+  yielded = 0.;
   for (unsigned int i = 0; i < points.size(); ++i) {
     if (!proximal.is_exact(i))
       continue;
-    const Strains moved = equations.strain_of(i, motion);
+    const Strains moved = equations.strain_of(i, motion), before = proximal.centre[i];
     response.state.strain[i] += moved;
     proximal.centre[i] = response.stress[i] + response.tangent[i] * moved;
-    points[i] = equations.point_of(i, proximal.centre[i], rounding, response);
+    yielded = std::max(yielded, equations.contacts[i].largest_force(proximal.centre[i] - before) /
+                                    stiffness_of_branch);
   }
+  look_at_points(equations.rounding_of_motion(x), response);
   return x.allFinite();
+}
+
+void ActiveSet::look_at_points(const double rounding, const Response &response) {
+  constexpr double of_forces = 8. * std::numeric_limits<double>::epsilon();
+  for (unsigned int i = 0; i < points.size(); ++i) {
+    if (!proximal.is_exact(i))
+      continue;
+    Check::Point &point = points[i];
+    point = equations.point_of(i, proximal.centre[i], rounding, response);
+    // Where a contact was held off its branch, forces that bring it there cancel.
+    const double cancelled = response.stress[i].head<3>().lpNorm<Eigen::Infinity>();
+    point.rounding += of_forces * cancelled / point.shear_scale;
+  }
+}
+
+double ActiveSet::excess() const {
+  double largest = 0.;
+  for (unsigned int i = 0; i < points.size(); ++i)
+    if (proximal.is_exact(i))
+      largest = std::max(largest, equations.contacts[i].share() *
+                                      (length_of(points[i].T[0], points[i].T[1]) -
+                                       points[i].friction * std::max(0., points[i].P)));
+  return largest;
 }
 
 bool ActiveSet::is_nearer(const Vector &x, const std::vector<Strains> &centre, Response &response) {
@@ -107,6 +141,7 @@ bool ActiveSet::may_jam() const {
 
 Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
                          Result &result) {
+  begin();
   if (points.size() < fewest_contacts || may_jam())
     return Outcome::stalled;
   if (kept.pause > 0) {
@@ -117,12 +152,44 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
   if (is_first && kept.motion.size() == x.size())
     x = kept.motion; // slip turns friction about as it did
   const bool is_settled = predict(x, response, result);
+  const unsigned int n_iterations = result.iterations;
   proximal.stiffness_factor = factor;
   Outcome outcome = Outcome::stalled;
   if (is_settled || is_nearer(x, centre, response))
-    outcome = newton.solve_together(most_to_finish, x, response, result);
+    outcome =
+        newton.solve_together(most_to_finish, x, response, result, is_settled ? excess() : 0.);
+  if (outcome != Outcome::solved || result.iterations > n_iterations)
+    settled.clear();
   learn(outcome != Outcome::stalled);
+  has_solved = outcome == Outcome::solved;
   if (outcome == Outcome::stalled) { // as if it had not been tried
+    proximal.centre = centre;
+    x.setZero();
+    newton.bar(false);
+  }
+  return outcome;
+}
+
+Outcome ActiveSet::correct(Vector &x, Response &response, Result &result) {
+  if (!has_solved)
+    return Outcome::stalled;
+  has_solved = false;
+  const std::vector<Strains> centre = proximal.centre;
+  const double factor = proximal.stiffness_factor;
+  proximal.stiffness_factor = stiffness_of_branch;
+  bool is_near = false;
+  {
+    const ChosenBranches chosen(proximal, first_branches(response));
+    is_near = step(x, response, result);
+  }
+  proximal.stiffness_factor = factor;
+  const unsigned int n_iterations = result.iterations;
+  Outcome outcome = Outcome::stalled;
+  if (is_near)
+    outcome = newton.solve_together(most_to_finish, x, response, result, excess());
+  if (outcome == Outcome::solved && result.iterations == n_iterations)
+    settled = kept.status;
+  if (outcome == Outcome::stalled) {
     proximal.centre = centre;
     x.setZero();
     newton.bar(false);
@@ -140,12 +207,14 @@ bool ActiveSet::predict(Vector &x, Response &response, Result &result) {
       equations.settings.in_each_iteration();
     if (!step(x, response, result))
       return false;
-    const unsigned int n_changes = front.advance(points, proximal.branch);
-    if (n_changes == 0)
-      return true;
+    const unsigned int n_changes = front.advance(points, proximal.branch, yielded);
+    if (n_changes == 0) {
+      settled = proximal.branch;
+      return step(x, response, result); // what a branch has yielded, it holds now
+    }
     for (unsigned int i = 0; i < points.size(); ++i)
       if (proximal.is_exact(i))
-        proximal.centre[i].segment<2>(1) << points[i].T[0], points[i].T[1];
+        proximal.centre[i].segment<2>(1) = within_limit(points[i]);
     n_in_vain = 2 * n_changes <= least_changes ? 0 : n_in_vain + 1;
     least_changes = std::min(least_changes, n_changes);
   }

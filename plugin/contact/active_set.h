@@ -18,6 +18,12 @@ class ActiveSet {
 public:
   ActiveSet(IncrementEquations &equations, Newton &newton);
 
+  /// An increment, or its contacts once more.
+  void begin() {
+    has_solved = false;
+    settled.clear();
+  }
+
   /**
    * From the centre and no motion, unless a contact may jam or failures in a row have made a pause;
    * x and the centre are as they were if it stalls.
@@ -26,6 +32,12 @@ public:
    */
   Outcome solve(const bool is_first, const double factor, Vector &x, Response &response,
                 Result &result);
+
+  /**
+   * The same for a solution that solve() has found, where little has been left for x to correct:
+   * on its branches, whose factors are there.
+   */
+  Outcome correct(Vector &x, Response &response, Result &result);
 
   /// A solution: where to begin the next time. @p motion without entries: as before.
   void remember(const std::vector<ContactStatus> &status, const Vector &motion);
@@ -42,6 +54,9 @@ private:
   std::vector<ContactStatus> first_branches(const Response &response) const;
   /// One step to x and forces in equilibrium on the branches. @return false if there is none
   bool step(Vector &x, Response &response, Result &result);
+  void look_at_points(const double rounding, const Response &response);
+  /// Of friction beyond the limit of a contact that sticks: after steps that settle, rounding [N].
+  double excess() const;
   /// Whether x and the present centre are nearer to a solution than no motion and @p centre.
   bool is_nearer(const Vector &x, const std::vector<Strains> &centre, Response &response);
   /// Whether a contact has several states by itself. Whole steps lead to any of them, and from the
@@ -54,8 +69,11 @@ private:
   Newton &newton;
   ProximalSites &proximal;
   FrontPrediction front;
-  std::vector<Check::Point> points; ///< of contacts after a step
+  std::vector<Check::Point> points;   ///< of contacts after a step
+  std::vector<ContactStatus> settled; ///< branches that have led to the present solution, if any
+  double yielded = 0.;                ///< largest force that a branch did not hold in that step [N]
   PredictionMemory kept;
+  bool has_solved = false; ///< the present increment, which is not corrected yet
 };
 
 } // namespace frictionbeam::contact

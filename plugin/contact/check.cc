@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/contact/check.h>
+#include <frictionbeam/disc_projection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,17 +24,17 @@ void Check::judge(const Point &point, const double largest) {
   };
   const double normal = beyond(P - std::max(0., P - rho_n * point.gap), rho_n * rounding);
   double moved[2] = {T[0] + rho_t * slip[0], T[1] + rho_t * slip[1]};
-  const double radius = point.friction * P, size = std::hypot(moved[0], moved[1]);
+  const double radius = point.friction * P, size = length_of(moved[0], moved[1]);
   if (size > radius)
     for (double &m : moved)
       m *= radius / size;
-  const double shear = beyond(std::hypot(T[0] - moved[0], T[1] - moved[1]), rho_t * rounding);
-  const double friction_force = std::hypot(T[0], T[1]), path = std::hypot(slip[0], slip[1]);
+  const double shear = beyond(length_of(T[0] - moved[0], T[1] - moved[1]), rho_t * rounding);
+  const double friction_force = length_of(T[0], T[1]), path = length_of(slip[0], slip[1]);
   // Its slip is no scale: rho_T times a slip may be 1e6 times the friction force.
   const double scale =
-      std::max({std::hypot(P, friction_force), std::abs(rho_n * point.gap), 1e-12 * largest});
+      std::max({length_of(P, friction_force), std::abs(rho_n * point.gap), 1e-12 * largest});
   if (scale > 0.)
-    natural_map = std::max(natural_map, std::hypot(normal, shear) / scale);
+    natural_map = std::max(natural_map, length_of(normal, shear) / scale);
   penetration = std::max(penetration, -point.gap);
   cone_violation =
       std::max(cone_violation, (friction_force - radius) / std::max(P, 1e-12 * largest));

@@ -57,7 +57,8 @@ struct Pass {
   /// what rounding takes from them is kept until the increment is judged.
   Vector low = Vector::Zero(unknowns.size());
   double size = 0., largest = 0.; ///< what is left, and the largest force [N]
-  Vector first_forces = {};       ///< to be balanced as the increment begins, without contacts
+  Vector forces = {};             ///< to be balanced at the unknowns, without contacts
+  Vector first_forces = {};       ///< the same as the increment begins
   std::optional<Accepted> accepted = {};
   unsigned int n_releases = 0;
   bool is_corrected = false;
@@ -188,8 +189,14 @@ std::vector<Strains> ExactSolver::Implementation::strains_at(const Pass &now) co
 }
 
 Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, Vector &x) {
-  if (now.accepted)
-    return newton.solve_together(limits.most_to_finish, x, now.response, now.result);
+  if (now.accepted) {
+    Outcome outcome = Outcome::stalled;
+    if (active_set && now.is_corrected)
+      outcome = active_set->correct(x, now.response, now.result);
+    if (outcome == Outcome::stalled)
+      outcome = newton.solve_together(limits.most_to_finish, x, now.response, now.result);
+    return outcome;
+  }
   // Where several solutions are nearly as good, whole steps lead to any of them.
   const bool is_any = now.problem.forces_before == nullptr;
   if (active_set && is_any) {
@@ -204,13 +211,13 @@ Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, 
 bool ExactSolver::Implementation::move(Pass &now) {
   const Problem &problem = now.problem;
   now.result.rounding_bars = false;
-  const Vector forces = unbalanced_forces(problem, now.unknowns, now.low);
   const bool is_first = now.first_forces.size() == 0;
   if (is_first)
-    now.first_forces = forces;
+    now.first_forces = now.forces = unbalanced_forces(problem, now.unknowns, now.low);
   newton.begin();
   equations.begin(
-      forces, std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
+      now.forces,
+      std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
       problem.force_so_far, strains_at(now), largest_of(now.unknowns) + now.imposed.displacement,
       now.committed, problem.increment);
   Vector x = Vector::Zero(system->n_kept());
@@ -222,7 +229,7 @@ bool ExactSolver::Implementation::move(Pass &now) {
   }
   if (active_set)
     active_set->remember(now.response.status, is_first ? x : Vector());
-  const Vector before = now.unknowns, change = now.low + system->expand(x, forces);
+  const Vector before = now.unknowns, change = now.low + system->expand(x, now.forces);
   now.result.back_substitutions += 2; // one to condense the loads, one to expand
   now.unknowns += change;
   now.low = change - (now.unknowns - before);
@@ -231,7 +238,9 @@ bool ExactSolver::Implementation::move(Pass &now) {
 
 bool ExactSolver::Implementation::is_balanced(Pass &now) const {
   const Balance balance(now.problem, sites);
-  const Vector left = balance.left(now.unknowns, now.low, now.response);
+  now.forces = unbalanced_forces(now.problem, now.unknowns, now.low);
+  Vector left = -now.forces;
+  sites.add_forces(now.response, left);
   now.size = left.lpNorm<Eigen::Infinity>();
   now.largest = balance.largest_force(now.response);
   now.result.residual = now.largest > 0. ? now.size / now.largest : now.size;
@@ -272,6 +281,8 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
                                           Response &response) {
   proximal.begin(committed, problem.overrides);
   newton.most_iterations = problem.most_iterations;
+  if (active_set)
+    active_set->begin();
   for (unsigned int i = 0; i < sites.size() && problem.forces_before != nullptr; ++i)
     if (proximal.is_exact(i))
       proximal.centre[i] = (*problem.forces_before)[i];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "front_prediction.h"
+#include <frictionbeam/disc_projection.h>
 
 #include <Eigen/QR>
 
@@ -74,12 +75,12 @@ FrontPrediction::FrontPrediction(const SparseMatrix &S, const SiteList &contacts
 }
 
 unsigned int FrontPrediction::advance(std::vector<Check::Point> &list,
-                                      std::vector<ContactStatus> &branch) {
+                                      std::vector<ContactStatus> &branch, const double uncertain) {
   points = &list;
   before = next = branch;
   open_and_close();
   stop_wrong_slip();
-  pass_excess_on();
+  pass_excess_on(uncertain);
   unsigned int n_changes = 0;
   for (unsigned int i = 0; i < next.size(); ++i)
     n_changes += next[i] != branch[i] ? 1 : 0;
@@ -102,7 +103,7 @@ bool FrontPrediction::slides_wrongly(const unsigned int i) const {
   const Check::Point &point = (*points)[i];
   return before[i] == ContactStatus::slip && next[i] == ContactStatus::slip &&
          point.T[0] * point.slip[0] + point.T[1] * point.slip[1] <
-             -point.rounding * std::hypot(point.T[0], point.T[1]);
+             -point.rounding * length_of(point.T[0], point.T[1]);
 }
 
 void FrontPrediction::stop_wrong_slip() {
@@ -154,8 +155,8 @@ void FrontPrediction::stop_group(const std::vector<unsigned int> &group) {
 
 Eigen::Vector2d FrontPrediction::excess(const unsigned int i) const {
   const Check::Point &point = (*points)[i];
-  const double size = std::hypot(point.T[0], point.T[1]), limit = limit_of(point);
-  if (!(size > (1. + at_the_limit) * limit))
+  const double size = length_of(point.T[0], point.T[1]), limit = limit_of(point);
+  if (!(size > (1. + at_the_limit) * limit + point.shear_scale * point.rounding))
     return {0., 0.};
   return contacts[i].share() * (1. - limit / size) * Eigen::Vector2d(point.T[0], point.T[1]);
 }
@@ -165,7 +166,7 @@ bool FrontPrediction::holds_too_much(const unsigned int i) const {
          !excess(i).isZero(0.);
 }
 
-void FrontPrediction::pass_excess_on() {
+void FrontPrediction::pass_excess_on(const double uncertain) {
   // What slid too far pushes on those beside it.
   std::vector<unsigned int> pushed;
   std::vector<bool> is_pushed(next.size(), false);
@@ -184,7 +185,9 @@ void FrontPrediction::pass_excess_on() {
       sources.emplace_back(-excess(i).norm(), i);
   std::sort(sources.begin(), sources.end());
   for (const auto &[size, i] : sources)
-    if (next[i] == ContactStatus::stick)
+    if (-size <= uncertain)
+      next[i] = ContactStatus::slip;
+    else if (next[i] == ContactStatus::stick)
       pass_on(i);
 }
 

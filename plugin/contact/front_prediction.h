@@ -30,9 +30,11 @@ public:
    * @param points of all contacts in equilibrium on these branches; in: forces, gaps and slips;
    * out: friction as it is passed on
    * @param branch `open`, `stick` or `slip` of exact contacts, `none` of others
+   * @param uncertain excess up to which a contact slips by itself: nothing is passed on [N]
    * @return number of contacts that change theirs
    */
-  unsigned int advance(std::vector<Check::Point> &points, std::vector<ContactStatus> &branch);
+  unsigned int advance(std::vector<Check::Point> &points, std::vector<ContactStatus> &branch,
+                       const double uncertain = 0.);
 
   /// Friction coefficient from which on contact @p i alone has several states, all others held:
   /// K_tt/|K_tn| of its stiffness.
@@ -53,7 +55,7 @@ private:
   void open_and_close();
   void stop_wrong_slip();
   void stop_group(const std::vector<unsigned int> &group);
-  void pass_excess_on();
+  void pass_excess_on(const double uncertain);
   void pass_on(const unsigned int first);
   double spread(const unsigned int from, const Eigen::Vector2d &friction);
   bool holds_too_much(const unsigned int i) const;

@@ -30,18 +30,22 @@ int place_of(const SparseMatrix &matrix, const int row, const int column) {
 IncrementEquations::IncrementEquations(const Settings &settings, const SiteList &contacts,
                                        const Condensation &line, ProximalSites &proximal)
     : settings(settings), contacts(contacts), S(line.matrix()), proximal(proximal),
-      diagonal(positive_diagonal(S)), line(line), places(contacts.size()), stiffness(S.pruned()),
+      diagonal(positive_diagonal(S)), line(line), stiffness(S.pruned()),
       start_strain(contacts.size()) {
   factors.analyze(S);
   for (int i = 0; i < S.rows(); ++i)
     diagonal_places.push_back(place_of(S, i, i));
   tangent = S;
+  first_place.push_back(0);
+  first_value.push_back(0);
   for (unsigned int i = 0; i < contacts.size(); ++i) {
-    for (const int unknown : contacts[i].unknowns)
-      places[i].unknowns.push_back(line.place(unknown));
-    for (const int row : places[i].unknowns)
-      for (const int column : places[i].unknowns)
-        places[i].values.push_back(place_of(S, row, column));
+    for (unsigned int j = 0; j < contacts[i].unknowns.size(); ++j)
+      places.push_back({line.place(contacts[i].unknowns[j]), contacts[i].B.col(j)});
+    first_place.push_back(places.size());
+    for (unsigned int a = first_place[i]; a < places.size(); ++a)
+      for (unsigned int b = first_place[i]; b < places.size(); ++b)
+        value_places.push_back(place_of(S, places[a].unknown, places[b].unknown));
+    first_value.push_back(value_places.size());
   }
   if (factors.is_of_body())
     reduced.emplace(S, contacts, unknowns_of_contacts());
@@ -129,26 +133,33 @@ double IncrementEquations::rounding_of_motion(const Vector &x) const {
 }
 
 std::vector<std::vector<int>> IncrementEquations::unknowns_of_contacts() const {
-  std::vector<std::vector<int>> unknowns;
-  for (const Places &of_contact : places)
-    unknowns.push_back(of_contact.unknowns);
+  std::vector<std::vector<int>> unknowns(contacts.size());
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (unsigned int j = first_place[i]; j < first_place[i + 1]; ++j)
+      unknowns[i].push_back(places[j].unknown);
   return unknowns;
 }
 
 void IncrementEquations::add_block(const unsigned int i, const Block &stiffness) {
-  const auto &B = contacts[i].B;
-  for (Eigen::Index a = 0, v = 0; a < B.cols(); ++a) {
-    const Eigen::RowVector4d row = contacts[i].weight * B.col(a).transpose() * stiffness;
-    for (Eigen::Index b = 0; b < B.cols(); ++b, ++v)
-      tangent.valuePtr()[places[i].values[v]] += row.dot(B.col(b));
+  const int *place = value_places.data() + first_value[i];
+  for (unsigned int a = first_place[i]; a < first_place[i + 1]; ++a) {
+    const Strains row = contacts[i].weight * stiffness.transpose() * places[a].strain;
+    for (unsigned int b = first_place[i]; b < first_place[i + 1]; ++b)
+      tangent.valuePtr()[*place++] += row.dot(places[b].strain);
   }
 }
 
 void IncrementEquations::begin_tangent(const double shift) {
   factored.clear();
   std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
-  for (int i = 0; i < tangent.rows(); ++i)
-    tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+  if (shift != 0.)
+    for (int i = 0; i < tangent.rows(); ++i)
+      tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+}
+
+bool IncrementEquations::factor_tangent() {
+  before.clear();
+  return factors.factorize(tangent);
 }
 
 bool IncrementEquations::factor(const Response &response, Result &result) {
@@ -173,11 +184,19 @@ bool IncrementEquations::factor_all(const Response &response, Result &result) {
     add_block(i, response.tangent[i]);
   double shifted = -drag;
   for (const double shift : {0., 1e-9, 1e-6}) { // there is no pivoting
-    for (int i = 0; i < tangent.rows(); ++i)
-      tangent.valuePtr()[diagonal_places[i]] += (shift - shifted) * diagonal[i];
+    if (shift != shifted)
+      for (int i = 0; i < tangent.rows(); ++i)
+        tangent.valuePtr()[diagonal_places[i]] += (shift - shifted) * diagonal[i];
     shifted = shift;
-    ++result.factorizations;
-    if (factors.factorize(tangent)) {
+    const double *const values = tangent.valuePtr();
+    // Directions without unknowns may have changed alone.
+    const bool is_unchanged = !before.empty() && std::equal(before.begin(), before.end(), values);
+    if (!is_unchanged) {
+      ++result.factorizations;
+      before.clear();
+    }
+    if (is_unchanged || factors.factorize(tangent)) {
+      before.assign(values, values + tangent.nonZeros());
       factored = response.tangent;
       return true;
     }

@@ -53,7 +53,10 @@ public:
   /// Of displacements that x makes [m].
   double rounding_of_motion(const Vector &x) const;
   Strains strain_of(const unsigned int i, const Vector &motion) const {
-    return contacts[i].strain_by_unknowns(motion, places[i].unknowns);
+    Strains strain = Strains::Zero();
+    for (unsigned int j = first_place[i]; j < first_place[i + 1]; ++j)
+      strain += motion[places[j].unknown] * places[j].strain;
+    return strain;
   }
 
   /// Factor S with the contacts' tangents: for a body the directions alone that are free. What is
@@ -65,7 +68,7 @@ public:
   void begin_tangent(const double shift);
   /// Add a contact's stiffness, of its strains, to that.
   void add_block(const unsigned int i, const Block &stiffness);
-  bool factor_tangent() { return factors.factorize(tangent); }
+  bool factor_tangent();
   Vector solve_tangent(const Vector &forces) const { return factors.solve(forces); }
 
   /// The tangents that are factored; restoring them, their factors are made again.
@@ -93,24 +96,30 @@ public:
 
 private:
   void subtract_force(const unsigned int i, const Strains &stress, Vector &forces) const {
-    contacts[i].add_to(forces, stress, -1., places[i].unknowns);
+    const double weight = contacts[i].weight;
+    for (unsigned int j = first_place[i]; j < first_place[i + 1]; ++j)
+      forces[places[j].unknown] -= weight * places[j].strain.dot(stress);
   }
   /// All directions, and a small multiple of the diagonal where that fails.
   bool factor_all(const Response &response, Result &result);
 
-  /// Places of a contact's unknowns in x, and of its block in the values of S.
-  struct Places {
-    std::vector<int> unknowns, values;
+  /// An unknown of a contact: its place in x, and the strains that it makes, a column of B.
+  struct Place {
+    int unknown;
+    Strains strain;
   };
 
   const Condensation &line;
-  std::vector<Places> places;
+  std::vector<Place> places; ///< of all contacts, one after the other, as are those of their blocks
+  std::vector<unsigned int> first_place, first_value;
+  std::vector<int> value_places;    ///< in the values of S
   std::vector<int> diagonal_places; ///< in the values of S
   const SparseMatrix stiffness;     ///< S without its zeros, two thirds of a line along the axes
   TangentFactors factors;
   std::optional<ReducedTangent> reduced; ///< of a body
   bool is_reduced = false;               ///< which of the two holds the factors
   SparseMatrix tangent;
+  std::vector<double> before;  ///< values of the tangent that was factored last
   std::vector<Block> factored; ///< the contacts' tangents that factors hold
 
   // of the increment

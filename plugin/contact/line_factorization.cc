@@ -70,6 +70,9 @@ bool LineFactorization::factorize(const SparseMatrix &matrix) {
   std::vector<std::size_t> end(columns.begin(), columns.end() - 1);
   std::vector<int> visited(n, -1), path(n), reach(n);
   std::vector<double> row_values(n, 0.), column_values(n, 0.);
+  // Unknowns as numbered ask for the mirrors of a row's entries one after the other.
+  const bool is_natural = std::is_sorted(new_of_old.begin(), new_of_old.end());
+  std::vector<int> mirrored(is_natural ? n : 0); // of each row, the next that is asked for
 
   for (int k = 0; k < n; ++k) {
     // Pattern of row k of L: what the entries of the row reach in the tree, in topological order.
@@ -77,8 +80,12 @@ bool LineFactorization::factorize(const SparseMatrix &matrix) {
     visited[k] = k;
     double pivot = 0., size = 0.;
     const int row = old_of_new[k];
+    if (is_natural)
+      mirrored[k] = outer[k];
     for (int p = outer[row]; p < outer[row + 1]; ++p) {
       int i = new_of_old[inner[p]];
+      if (is_natural && i <= k)
+        mirrored[k] = p + 1;
       if (i == k) {
         pivot = values[p];
         continue;
@@ -86,11 +93,11 @@ bool LineFactorization::factorize(const SparseMatrix &matrix) {
       if (i > k)
         continue;
       row_values[i] = values[p];
-      // The mirrored entry: the pattern is symmetric.
-      const int column = inner[p];
-      const int *const found =
-          std::lower_bound(inner + outer[column], inner + outer[column + 1], row);
-      column_values[i] = values[found - inner];
+      const int column = inner[p]; // the pattern is symmetric
+      column_values[i] = values[is_natural ? mirrored[column]++
+                                           : std::lower_bound(inner + outer[column],
+                                                              inner + outer[column + 1], row) -
+                                                 inner];
       int length = 0;
       for (; visited[i] != k; i = parent[i]) {
         path[length++] = i;

@@ -19,6 +19,7 @@ constexpr double most_rounding = 1e-2;
 /// Parts of the tolerances at which nothing is left to gain, and of the merit that a step must
 /// leave for another one to be worth it.
 constexpr double sharp = 1e-4, least_gain = 0.25;
+constexpr double not_looked_at = std::numeric_limits<double>::max();
 
 /// (I - D diag(by centre))^-1, of the tangent D of an exact contact: its normal force depends on
 /// nothing else, its friction and its torsion on this and on themselves, and the centre has no
@@ -176,7 +177,7 @@ void Newton::eliminate_centre(Response &response, std::vector<Strains> &step) co
 }
 
 Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Response &response,
-                               Result &result) {
+                               Result &result, const double nothing_to_gain) {
   std::vector<Strains> step(contacts.size());
   equations.evaluate(x, response);
   double before = equations.energy_together(response);
@@ -207,7 +208,8 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
     const bool last = iteration == most_iterations || stalls == most_stalls;
     const bool is_balanced =
         equations.balanced(equations.forces_left(response), x, response, result);
-    const double natural_map = equations.check(response).natural_map;
+    const double natural_map =
+        is_balanced || last ? equations.check(response).natural_map : not_looked_at;
     const bool holds = is_balanced && natural_map <= (last ? 1. : 0.1) * settings.contact_tolerance;
     if (solved && (before > least_gain * solved->merit || (last && !holds))) {
       if (!holds)
@@ -216,8 +218,8 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
     }
     if (holds && (last || (natural_map <= sharp * settings.contact_tolerance &&
                            equations.force_left <=
-                               std::max(sharp * settings.tolerance * equations.largest_force,
-                                        equations.rounding))))
+                               std::max({sharp * settings.tolerance * equations.largest_force,
+                                         equations.rounding, nothing_to_gain}))))
       return Outcome::solved;
     if (holds)
       solved = {x, proximal.centre, before};

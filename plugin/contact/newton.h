@@ -30,9 +30,10 @@ public:
    * epsilon in the direction of Newton's step and leaves the solution alone. dr is eliminated
    * contact by contact. The line search is on the energy
    * (g - S x - H^T r)^2 / diag S + (R - r)^2 / (c k_d).
+   * @param nothing_to_gain forces that x and the centre leave by rounding and are not worth a step
    */
   Outcome solve_together(const unsigned int most_iterations, Vector &x, Response &response,
-                         Result &result);
+                         Result &result, const double nothing_to_gain = 0.);
 
   /// Whether solve_together() stalled at a solution of the contact laws because of rounding, which
   /// is too large beside the forces to be excused.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <vector>
 
 namespace frictionbeam::contact {
 
@@ -24,12 +25,25 @@ std::string too_much_rounding(const double left, const double largest) {
 Vector unbalanced_forces(const Problem &problem, const Vector &unknowns, const Vector &low) {
   if (problem.unbalanced)
     return problem.unbalanced(unknowns, low);
+  std::vector<long double> whole(unknowns.size());
+  for (int i = 0; i < unknowns.size(); ++i)
+    whole[i] = static_cast<long double>(unknowns[i]) + low[i];
+  const SparseMatrix &matrix = problem.matrix;
+  const int *const outer = matrix.outerIndexPtr(), *const inner = matrix.innerIndexPtr(),
+                   *const filled = matrix.innerNonZeroPtr(); // null in a compressed matrix
+  const double *const values = matrix.valuePtr();
   Vector forces(unknowns.size());
-  for (int i = 0; i < problem.matrix.outerSize(); ++i) {
-    long double sum = problem.right_hand_side[i];
-    for (SparseMatrix::InnerIterator entry(problem.matrix, i); entry; ++entry)
-      sum -= entry.value() * (static_cast<long double>(unknowns[entry.col()]) + low[entry.col()]);
-    forces[i] = static_cast<double>(sum);
+  for (int i = 0; i < matrix.outerSize(); ++i) {
+    long double sum = problem.right_hand_side[i], other = 0.; // which need not wait for each other
+    int p = outer[i];
+    const int end = filled != nullptr ? p + filled[i] : outer[i + 1];
+    for (; p + 1 < end; p += 2) {
+      sum -= values[p] * whole[inner[p]];
+      other += values[p + 1] * whole[inner[p + 1]];
+    }
+    if (p < end)
+      sum -= values[p] * whole[inner[p]];
+    forces[i] = static_cast<double>(sum - other);
   }
   return forces;
 }

@@ -9,11 +9,6 @@ namespace frictionbeam::contact {
 
 namespace {
 
-/// Stiffness of a contact's elastic part and the proximal term in series; an infinite one is rigid.
-double in_series(const double elastic, const double proximal) {
-  return 1. / (1. / elastic + 1. / proximal);
-}
-
 /// Whether the branch is that of slip, and has a direction; @p trial and @p change become those of
 /// the centre where the contact slides against its friction.
 bool slides_on_branch(const ProximalPoint &point, double (&change)[2], double (&trial)[2]) {
@@ -28,21 +23,23 @@ bool slides_on_branch(const ProximalPoint &point, double (&change)[2], double (&
 }
 
 /// Friction force and slip under the compression P, and their derivatives.
-void add_friction(const FrictionThreshold &law, const ProximalPoint &point, const Slip &old,
-                  const double P, ProximalAnswer &answer) {
+void add_friction(const FrictionThreshold &law, const ProximalPoint &point,
+                  const ProximalStiffness &stiffness, const Slip &old, const double P,
+                  ProximalAnswer &answer) {
   const double l = point.length, f = point.friction, radius = f * P;
   const double rigidity[2] = {law.shear_rigidity_y, law.shear_rigidity_z},
                old_slip[2] = {old.y, old.z};
   double *const slip[2] = {&answer.slip.y, &answer.slip.z};
-  double kappa[2], change[2], trial[2]; // by which the trial is off the centre
+  const double kappa[2] = {stiffness.kappa[1], stiffness.kappa[2]};
+  double change[2], trial[2]; // by which the trial is off the centre
   for (int d = 0; d < 2; ++d) {
-    const double stiffness = rigidity[d] / l, centre = point.centre[1 + d];
-    kappa[d] = in_series(stiffness, point.shear_rho);
-    change[d] = kappa[d] * (l * (point.strain[1 + d] - old_slip[d]) - centre / stiffness);
+    const double centre = point.centre[1 + d];
+    change[d] = kappa[d] *
+                (l * (point.strain[1 + d] - old_slip[d]) - centre * stiffness.flexibility[1 + d]);
     trial[d] = centre + change[d];
   }
   answer.slip.slips = point.branch ? slides_on_branch(point, change, trial)
-                                   : std::hypot(trial[0], trial[1]) > radius;
+                                   : length_of(trial[0], trial[1]) > radius;
   if (f == 0.) {
     for (int d = 0; d < 2; ++d)
       *slip[d] = point.strain[1 + d];
@@ -107,8 +104,23 @@ void Slip::write(const FrictionThreshold &law, double *internal) const {
   internal[law.was_slipping] = slips ? 1. : 0.;
 }
 
+ProximalStiffness::ProximalStiffness(const FrictionThreshold &law, const double length,
+                                     const double normal_rho, const double shear_rho) {
+  const double rigidity[3] = {law.axial_rigidity, law.shear_rigidity_y, law.shear_rigidity_z},
+               rho[3] = {normal_rho, shear_rho, shear_rho};
+  for (int d = 0; d < 3; ++d) {
+    flexibility[d] = length / rigidity[d];
+    kappa[d] = 1. / (flexibility[d] + 1. / rho[d]);
+  }
+}
+
 ProximalAnswer proximal_law(const FrictionThreshold &law, const ProximalPoint &point,
                             const Slip &old) {
+  return proximal_law(law, point, {law, point.length, point.normal_rho, point.shear_rho}, old);
+}
+
+ProximalAnswer proximal_law(const FrictionThreshold &law, const ProximalPoint &point,
+                            const ProximalStiffness &stiffness, const Slip &old) {
   ProximalAnswer answer;
   answer.slip = old;
   answer.misfit.head<3>() = -point.centre.head<3>();
@@ -116,10 +128,9 @@ ProximalAnswer proximal_law(const FrictionThreshold &law, const ProximalPoint &p
   if (point.pressure)
     answer.misfit[0] = 0.;
   else {
-    const double stiffness = law.axial_rigidity / point.length,
-                 kappa = in_series(stiffness, point.normal_rho),
+    const double kappa = stiffness.kappa[0],
                  change = kappa * (point.length * point.strain[0] + point.gap -
-                                   point.centre[0] / stiffness);
+                                   point.centre[0] * stiffness.flexibility[0]);
     P = -(point.centre[0] + change);
     // A contact that just touches counts as closed: it may have to carry.
     if (point.branch ? *point.branch == ContactStatus::open : P < 0.) {
@@ -131,7 +142,7 @@ ProximalAnswer proximal_law(const FrictionThreshold &law, const ProximalPoint &p
     answer.tangent(0, 0) = kappa * point.length;
   }
   answer.stress[0] = -P;
-  add_friction(law, point, old, P, answer);
+  add_friction(law, point, stiffness, old, P, answer);
   add_torsion(law, point, old, P, answer);
   return answer;
 }

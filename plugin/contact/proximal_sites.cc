@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "proximal_sites.h"
 
-#include <frictionbeam/contact/proximal_law.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,7 +25,8 @@ double stiffness_along(const Site &contact, const int strain, const Vector &diag
 } // namespace
 
 ProximalSites::ProximalSites(const SiteList &contacts, const Vector &diagonal)
-    : contacts(contacts), scales(contacts.size()), friction(contacts.size(), 0.) {
+    : contacts(contacts), scales(contacts.size()), stiffness(contacts.size()),
+      friction(contacts.size(), 0.) {
   centre.assign(contacts.size(), Strains::Zero());
   misfit = centre;
   double mean = 0.;
@@ -50,11 +49,15 @@ ProximalSites::ProximalSites(const SiteList &contacts, const Vector &diagonal)
                            share;
     if (scale.shear_diagonal == 0.)
       scale.shear_diagonal = scale.normal_diagonal;
+    scale.by_centre.head<3>() << 1. / scale.normal_diagonal, 1. / scale.shear_diagonal,
+        1. / scale.shear_diagonal;
+    scale.by_centre /= contact.length;
   }
 }
 
 void ProximalSites::begin(const State &committed, const Overrides *const overrides) {
   take_all();
+  factor_of_stiffness = 0.; // the host may have changed the laws' numbers
   friction_scale.assign(scales.size(), 1.);
   gap.resize(scales.size());
   for (unsigned int i = 0; i < scales.size(); ++i)
@@ -99,9 +102,21 @@ void ProximalSites::restore(const WarmStart &memory) {
   gap = memory.gap;
 }
 
+void ProximalSites::find_stiffness() {
+  if (factor_of_stiffness == stiffness_factor)
+    return;
+  factor_of_stiffness = stiffness_factor;
+  for (unsigned int i = 0; i < scales.size(); ++i)
+    if (is_exact(i))
+      stiffness[i] = {contacts[i].law.closed_form(), contacts[i].length,
+                      stiffness_factor * scales[i].normal_diagonal,
+                      stiffness_factor * scales[i].shear_diagonal};
+}
+
 void ProximalSites::evaluate(const State &committed, const Increment &increment,
                              const LawTangent tangent, Response &response) {
   contacts.prepare(response);
+  find_stiffness();
   for (unsigned int i = 0; i < scales.size(); ++i) {
     if (is_exact(i))
       evaluate_exact(i, committed, response);
@@ -126,7 +141,7 @@ void ProximalSites::evaluate_exact(const unsigned int i, const State &committed,
                       centre[i]};
   if (!branch.empty())
     point.branch = branch[i];
-  const ProximalAnswer answer = proximal_law(law, point, Slip::read(law, old_state));
+  const ProximalAnswer answer = proximal_law(law, point, stiffness[i], Slip::read(law, old_state));
   response.stress[i] = answer.stress;
   misfit[i] = answer.misfit;
   response.tangent[i] = answer.tangent;
@@ -135,16 +150,6 @@ void ProximalSites::evaluate_exact(const unsigned int i, const State &committed,
   answer.slip.write(law, new_state);
   response.state.touch[i] = answer.status == ContactStatus::open ? strain : committed.touch[i];
   response.state.dissipated[i] = committed.dissipated[i] + contact.weight * answer.dissipated;
-}
-
-Strains ProximalSites::by_centre(const unsigned int i) const {
-  Strains scale = Strains::Zero();
-  if (is_exact(i)) {
-    const double per_force = 1. / (contacts[i].length * stiffness_factor);
-    scale[0] = per_force / scales[i].normal_diagonal;
-    scale[1] = scale[2] = per_force / scales[i].shear_diagonal;
-  }
-  return scale;
 }
 
 bool ProximalSites::gives_utmost(const unsigned int i, const Response &response,

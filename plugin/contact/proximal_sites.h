@@ -2,6 +2,7 @@
 #pragma once
 
 #include <frictionbeam/contact/exact_solver.h>
+#include <frictionbeam/contact/proximal_law.h>
 
 namespace frictionbeam::contact {
 
@@ -43,7 +44,7 @@ public:
                 Response &response);
 
   /// Derivative of the proximal stresses by the centre: the tangent times this diagonal.
-  Strains by_centre(const unsigned int i) const;
+  Strains by_centre(const unsigned int i) const { return scales[i].by_centre / stiffness_factor; }
 
   /// Force, gap and slip of exact contact @p i at a stress and a strain.
   Check::Point point_of(const unsigned int i, const Strains &stress, const Strains &strain,
@@ -73,12 +74,17 @@ public:
 private:
   struct Scale {
     double normal_diagonal = 0., shear_diagonal = 0.; ///< k_d over the share [N/m]
+    Strains by_centre = Strains::Zero();              ///< with c = 1; 0 where it is not exact
   };
 
+  /// For the present c.
+  void find_stiffness();
   void evaluate_exact(const unsigned int i, const State &committed, Response &response);
 
   const SiteList &contacts;
   std::vector<Scale> scales;
+  std::vector<ProximalStiffness> stiffness; ///< of exact contacts, for the c that follows
+  double factor_of_stiffness = 0.;
   std::vector<double> friction;            ///< coefficient in force in this increment
   std::vector<double> friction_scale, gap; ///< of this increment
   std::vector<bool> is_left_out;

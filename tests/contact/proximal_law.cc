@@ -3,6 +3,7 @@
 // force it answers until both are the same, which is the exact contact.
 #include "../check.h"
 #include <frictionbeam/contact/proximal_law.h>
+#include <frictionbeam/disc_projection.h>
 
 #include <cmath>
 #include <limits>
@@ -111,5 +112,11 @@ int main() {
   CHECK_NEAR(contact::proximal_law(patch, turned, {}).stress[3], 0.1, 1e-14);
   CHECK_NEAR(contact::proximal_law(patch, turned, {}).slip.twist, 0.1 - 0.1 / 3., 1e-14);
   check_tangent(patch, turned);
+  // Against friction that does not turn, the force is held to the last bit, and so are the factors.
+  const double trial[2] = {-0.7, 0.}, k[2] = {3., 3.};
+  const DiscProjection on_ray(trial, k, 0.1);
+  CHECK(on_ray.point[0] == -0.1 && on_ray.by_radius[0] == -1. && on_ray.by_trial[0][0] == 0.);
+  CHECK_NEAR(on_ray.by_trial[1][1], 1. / 7., 1e-15);
+
   return check::report();
 }

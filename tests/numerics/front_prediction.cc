@@ -76,6 +76,20 @@ void predict() {
     points[i].slip[0] = branch[i] == ContactStatus::slip ? -1e-3 : 0.;
   CHECK(front.advance(points, branch) == 15);
   CHECK(std::count(branch.begin(), branch.end(), ContactStatus::slip) == 0);
+
+  // All hold what they can, one of them too much by what a branch has yielded: it slips alone.
+  points.assign(n, holds);
+  for (contact::Check::Point &point : points)
+    point.T[0] = 5.;
+  points[7].T[0] += 1e-6;
+  branch.assign(n, ContactStatus::stick);
+  CHECK(front.advance(points, branch, 1e-5) == 1);
+  CHECK(branch[7] == ContactStatus::slip);
+
+  // Too much by rounding of where it is: it stays.
+  points[7].rounding = 1e-11;
+  branch.assign(n, ContactStatus::stick);
+  CHECK(front.advance(points, branch) == 0);
 }
 
 /// Nodes on a floor, coupled by springs along, across and upwards, pressed on it.

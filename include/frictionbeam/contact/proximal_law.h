@@ -31,6 +31,16 @@ struct ProximalPoint {
   std::optional<ContactStatus> branch = {};
 };
 
+/// Of the friction element and of its numerical stiffness, which many answers have in common.
+struct ProximalStiffness {
+  ProximalStiffness() = default;
+  ProximalStiffness(const FrictionThreshold &law, const double length, const double normal_rho,
+                    const double shear_rho);
+
+  double flexibility[3]; ///< of the element alone, along the normal and across; 0 if rigid [m/N]
+  double kappa[3];       ///< of both in series [N/m]
+};
+
 /// What it answers.
 struct ProximalAnswer {
   Strains stress = Strains::Zero(); ///< (-P, T_y, T_z, M) [N, N m]
@@ -62,5 +72,8 @@ struct ProximalAnswer {
  */
 ProximalAnswer proximal_law(const FrictionThreshold &law, const ProximalPoint &point,
                             const Slip &old);
+/// The same; @p stiffness is that of the law, the length and the two rho.
+ProximalAnswer proximal_law(const FrictionThreshold &law, const ProximalPoint &point,
+                            const ProximalStiffness &stiffness, const Slip &old);
 
 } // namespace frictionbeam::contact
