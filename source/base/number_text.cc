@@ -20,7 +20,7 @@ void append_number(std::string &text, const double value, const Format... format
   char buffer[400]; // a double in fixed notation has at most 309 digits before the point
   const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value, format...);
   Assert(result.ec == std::errc(), dealii::ExcInternalError());
-  text.append(buffer, result.ptr);
+  text.append(buffer, result.ptr - buffer);
 }
 
 template <typename... Format>

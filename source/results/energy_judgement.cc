@@ -14,21 +14,22 @@ constexpr double coarse_above = 0.05; ///< large displacements
 
 /// Diagonal of the box about all there is [m].
 double size_of_scene(const Results &results) {
-  std::vector<Point3> places;
+  std::array<Extremes, 3> bounds;
+  const auto add = [&](const Point3 &place) {
+    for (unsigned int d = 0; d < 3; ++d)
+      bounds[d].include(place[d], 0.);
+  };
   for (const PointInfo &point : results.points)
-    places.push_back(point.position);
+    add(point.position);
   for (const SupportInfo &support : results.supports)
-    places.push_back(support.position);
+    add(support.position);
   if (!results.frames.empty())
     for (const Station &station : results.frames.back().line)
-      places.push_back(station.position);
+      add(station.position);
   Vector3 size;
   for (unsigned int d = 0; d < 3; ++d)
-    if (const auto [first, last] =
-            std::minmax_element(places.begin(), places.end(),
-                                [&](const Point3 &a, const Point3 &b) { return a[d] < b[d]; });
-        first != places.end())
-      size[d] = (*last)[d] - (*first)[d];
+    if (bounds[d].is_known())
+      size[d] = bounds[d].largest - bounds[d].least;
   return size.norm();
 }
 } // namespace

@@ -199,7 +199,8 @@ void LinearPart::make_pattern(const Discretization &discretization, const Reduce
       vertices.push_back(mesh.points.at(spring.other));
     couplings.add(unknowns_of(dofs_of_vertices(discretization.vertex_dofs(), vertices), space));
   }
-  K = couplings.matrix(space.n_unknowns());
+  SparseMatrix pattern = couplings.matrix(space.n_unknowns());
+  K.swap(pattern); // assigned, it would be there twice
 }
 
 void LinearPart::add_pipes(const Scene &scene, const Discretization &discretization,

@@ -7,6 +7,8 @@
 #include "results/stress/wall_stress.h"
 #include "results/text.h"
 
+#include <algorithm>
+
 namespace frictionbeam {
 
 namespace {
@@ -21,6 +23,14 @@ void for_each_station(const Scene &scene, const Results &results, const Take &ta
       if (const auto stress = elastic_wall_stress(scene, station))
         take(frame, station, *stress);
   }
+}
+
+bool asks_for_wall_stresses(const Scene &scene) {
+  return !scene.stress.code.empty() ||
+         std::any_of(scene.quantities.begin(), scene.quantities.end(), [](const Quantity &one) {
+           return one.is(QuantityKind::Of::fibre) &&
+                  one.kind().component >= static_cast<unsigned int>(Fibre::most);
+         });
 }
 
 } // namespace
@@ -58,10 +68,30 @@ std::string wall_stress_section(const Scene &scene, const Results &results) {
   return table.str() +
          html_note("Where each step has the largest equivalent stress at its end, of a straight "
                    "elastic wall under section forces and pressure; what bends and tees have more "
-                   "is left to the stress code. wall_stresses.csv has every station.");
+                   "is left to the stress code. wall_stresses.csv has every station "
+                   "where the line is not very long, or the case asks for stresses.");
 }
 
-void write_wall_stresses(const Scene &scene, const Results &results, const std::string &folder) {
+void write_wall_stresses(const Scene &scene, Results &results, const std::string &folder) {
+  constexpr std::size_t most_rows = 100000; // some 10 MB
+  std::size_t n_rows = 0;
+  bool has_walls = false;
+  for (const Frame &frame : results.frames)
+    if (frame.step < scene.steps.size()) {
+      n_rows += frame.line.size();
+      has_walls = has_walls ||
+                  std::any_of(frame.line.begin(), frame.line.end(), [&](const Station &station) {
+                    return elastic_wall_stress(scene, station).has_value();
+                  });
+    }
+  if (n_rows > most_rows && has_walls && !asks_for_wall_stresses(scene)) {
+    results.remarks.push_back(
+        "wall_stresses.csv is left out: " + std::to_string(n_rows) + " stations, where " +
+        std::to_string(most_rows) +
+        " are the most that are written unasked. A stress code, or a quantity of a wall's stress "
+        "such as von_mises, asks for it.");
+    return;
+  }
   const double stress_unit = results.units.factor("Pa"), length = results.units.factor("m");
   std::string text = "step,pipe,s,principal_most,principal_least,von_mises,tresca\n";
   bool any = false;

@@ -14,7 +14,8 @@ namespace frictionbeam {
 std::string wall_stress_section(const Scene &scene, const Results &results);
 
 /// Write wall_stresses.csv, every station of every step, in the units of the results; none if there
-/// are none.
-void write_wall_stresses(const Scene &scene, const Results &results, const std::string &folder);
+/// are no such pipes, and of very long lines, which a remark says then, where the scene has neither
+/// a stress code nor a quantity of a wall's stress.
+void write_wall_stresses(const Scene &scene, Results &results, const std::string &folder);
 
 } // namespace frictionbeam
