@@ -157,7 +157,7 @@ public:
                         &other = results.restraints[known->second].name;
       if (!is_first &&
           std::any_of(results.frames.begin(), results.frames.end(), [&](const Frame &frame) {
-            return frame.reactions[i] != Motion{} &&
+            return i < frame.reactions.size() && frame.reactions[i] != Motion{} &&
                    frame.reactions[i] == frame.reactions[known->second];
           }))
         results.remarks.push_back(other + " and " + name +
