@@ -61,6 +61,15 @@ struct Fibre {
     return end.x;
   }
 
+  /// Where a fibre without creep stands at a guess of dp and tau, which need not be in balance.
+  struct Guess {
+    double shear, by_tau; ///< g, and its derivative at constant dp
+    double more, per_tau; ///< of dp to be in balance, by Newton's method; and by tau
+    double by_dp;         ///< derivative of g
+  };
+  /// @param dp in: the guess, 0: that of tension; out: 0 if it does not yield
+  Guess guess(const Start &start, const double tau, double &dp) const;
+
   /// Without creep: stress by trial and by tau; shear by tau. Shear by trial is -x_by_tau / E.
   struct Tangent {
     double x_by_trial, x_by_tau, g_by_tau;
@@ -201,6 +210,31 @@ inline void Fibre::solve_plastic(const Start &start, const double tau, const dou
   end.x = end.X * end.c + H * start.e;
   end.W = W * of_others;
   end.B = B * of_others;
+}
+
+inline Fibre::Guess Fibre::guess(const Start &start, const double tau, double &dp) const {
+  const double H = material.H;
+  const double X = start.trial - H * start.e, W = tau - H / 3. * start.g,
+               B = hoop - 4. / 3. * H * start.h;
+  const double others = 0.75 * B * B + 3. * W * W, square = X * X + others;
+  double R = material.yield(start.p), slope = material.slope(start.p);
+  if (square <= R * R) {
+    dp = 0.;
+    return {0., 0., 0., 0., 0.};
+  }
+  if (!(dp > 0.))
+    dp = (std::sqrt(square) - R) / (E + H + slope);
+  R = material.yield(start.p + dp);
+  slope = material.slope(start.p + dp);
+  const double of_R = 1. / R, lambda = dp * of_R, lambda_by_dp = (1. - lambda * slope) * of_R;
+  const double of_X = 1. / (1. + (E + H) * lambda), of_others = 1. / (1. + H * lambda);
+  const double X2 = X * X * of_X * of_X, others2 = others * of_others * of_others;
+  const double of_S2 = 1. / (X2 + others2), of_S = std::sqrt(of_S2);
+  const double S_by_lambda = (E + H) * X2 * of_X + H * others2 * of_others; // times -S
+  const double residual_by_dp = (slope + R * S_by_lambda * lambda_by_dp * of_S2) * of_S;
+  const double of_residual = 1. / residual_by_dp, W_now = 3. * W * of_others;
+  return {lambda * W_now, 3. * lambda * of_others, (1. - R * of_S) * of_residual,
+          R * W_now * of_others * of_S2 * of_S * of_residual, W_now * of_others * lambda_by_dp};
 }
 
 inline Fibre::Tangent Fibre::plastic_tangent(const End &end) const {

@@ -42,9 +42,44 @@ struct Ring {
 
 private:
   bool solve_any(const double trial);
+  bool approach(const double trial);
   bool solve_perfect(const double trial);
   void set_perfect(const double Q, const double R, const double more);
 };
+
+/// Newton's method on tau and the dp of all fibres at once, without creep: next to nothing is left
+/// for the nested search, which makes sure of the answer. @return whether it has converged; if not,
+/// tau is as it was
+inline bool Ring::approach(const double trial) {
+  constexpr int most = 12;
+  constexpr double small_change = 1e-8; // whose square is rounding
+  const double first = tau;
+  double more[most_fibres], per_tau[most_fibres];
+  for (int k = 0; k < most; ++k) {
+    double rest = 0., slope = 0.;
+    for (int i = 0; i < n; ++i) {
+      const Fibre::Guess at = fibre.guess(start[i], tau, end[i].dp);
+      rest += at.shear + at.by_dp * at.more;
+      slope += at.by_tau + at.by_dp * at.per_tau;
+      more[i] = at.more;
+      per_tau[i] = at.per_tau;
+    }
+    const double change = (trial - tau / G - rest / n) / (1. / G + slope / n);
+    tau += change;
+    bool is_small = std::abs(change) <= small_change * std::abs(tau);
+    for (int i = 0; i < n; ++i) {
+      const double of_dp = more[i] + per_tau[i] * change;
+      is_small = is_small && std::abs(of_dp) <= small_change * end[i].dp;
+      end[i].dp = std::max(end[i].dp + of_dp, 0.);
+    }
+    if (is_small)
+      return true;
+    if (!std::isfinite(tau))
+      break;
+  }
+  tau = first;
+  return false;
+}
 
 inline bool Ring::solve_any(const double trial) {
   Fibre::Change of_tau;
@@ -82,6 +117,9 @@ inline bool Ring::solve_any(const double trial) {
   if (tau == 0.)
     tau = fibre.material.H > 0. ? elastic
                                 : std::copysign(std::min(std::abs(elastic), least / 2.), elastic);
+  if (fibre.creep == nullptr && !approach(trial))
+    for (int i = 0; i < n; ++i)
+      end[i].dp = 0.;
   bool is_last = false;
   for (int i = 0; i < 200; ++i) {
     const double rest = residual(slope);
