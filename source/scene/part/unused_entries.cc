@@ -111,6 +111,8 @@ void remark_on_support(const ParameterReader &in, const std::string &section, co
   if (scene.solver.is_exact() && number_of(in, "Shear rigidity") == 0.)
     remark_on(in, section, {"Shear rigidity ratio"},
               "without a Shear rigidity: the contact is rigid across its normal", scene);
+  if (in.given("Friction coefficient"))
+    remark_on(in, section, {"Pad"}, "beside a Friction coefficient", scene);
   if (!has_motion && number_of(in, "Restitution") > 0.)
     remark_on(in, section, {"Restitution"}, "without a transient step", scene);
 }
@@ -142,6 +144,9 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
     else if (kind == "Section") {
       if (number_of(in, "Insulation") == 0.)
         remark_on(in, heading, {"Insulation density"}, "without Insulation", scene);
+      else if (number_of(in, "Insulation density") == 0.)
+        scene.remarks.push_back(heading +
+                                ": its Insulation has no weight without an Insulation density.");
       remark_on_creep(in, heading, scene);
     } else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
       remark_on(in, heading, {"Weight step"}, "beside a Cold load: the hanger is not sized", scene);
