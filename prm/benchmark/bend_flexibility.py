@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Flexibility of a bend as a solid wall, beside the beam's rule 1.65/h.
+"""Flexibility of a bend as a solid wall, beside the beam's rule 1.65/h and the theory of thin shells.
 
-    prm/benchmark/bend_flexibility.py build/bin/frictionbeam [--h 0.1 0.5] [--tangents 1 5]
+    prm/benchmark/bend_flexibility.py build/bin/frictionbeam [--h 0.1 0.5] [--tangents 1 5] [--around 24] [--degree 3]
 
 A bend of 90 degrees, R = 0.3 m, mean radius r = 0.1 m, wall t = h r^2/R, between two straight legs of L
 diameters, one end of which is held (its radius is free to breathe); a moment M at the other. The turn of that
 end is M (2 L + k R pi/2)/(E I), from which k is taken: in the plane of the bend. The same moment across the
 plane bends and twists the bend; its turn is M (L/(E I) + L/(G J) + R pi/4 (k/(E I) + 1/(G J))), so that this
-k is that of an element which is as flexible. Prints the table of doc/solid.md; von Karman's first
-approximation is k = (12 h^2 + 10)/(12 h^2 + 1).
+k is that of an element which is as flexible. Without a leg (0), one end of the bend is kept round and the other
+one is free to become oval. Prints the table of doc/solid.md, one row for each h; von Karman's first approximation is
+k = (12 h^2 + 10)/(12 h^2 + 1), and `series` all terms of his series (long_thin_bend).
 """
 import argparse
 import json
@@ -57,7 +58,8 @@ subsection Quantities
 end
 subsection Solid
   set Anchors = breathing
-  set Degree = 2
+  set Degree = {degree}
+  set Most unknowns = 2000000
   set Cells around = {around}
   set First cell = {first!r}
   set Cells per bend = {along}
@@ -69,12 +71,13 @@ end
 """
 
 
-def flexibilities(program, h, tangent, around, along):
+def flexibilities(program, h, tangent, around, along, degree):
     """k in the plane and across it, of a bend with tangents of so many diameters."""
     wall = h * RADIUS**2 / R
     outer, inner = RADIUS + wall / 2, RADIUS - wall / 2
     length = tangent * 2 * outer
     case = CASE.format(diameter=2 * outer, wall=wall, corner=length + R, around=around, along=along,
+                       degree=degree,
                        first=RADIUS / 2,
                        **{name: globals()[name] for name in ("E", "NU", "R", "MOMENT")})
     with tempfile.TemporaryDirectory() as folder:
@@ -92,22 +95,57 @@ def flexibilities(program, h, tangent, around, along):
     return k_in, k_across
 
 
+def long_thin_bend(h, terms=10, points=400):
+    """k of a long bend (no ends) of a thin wall and R >> r, by von Karman's energy with all terms.
+
+    Around the section, with the angle p from the neutral axis, the wall moves by v = sum b_n sin 2n p along the
+    circumference and w = -dv/dp out of it, which does not stretch it. Per strain of plain bending, k = pi/J with
+    the least J = integral (sin p + w sin p + v cos p)^2 + lambda^2/12 (w'' + w)^2 dp, lambda = h/sqrt(1 - nu^2).
+    Its first term is the first approximation with lambda for h, its limit for small h is 1.65/h.
+    """
+    bending = h**2 / (1 - NU**2) / 12
+    matrix = [[0.0] * terms for _ in range(terms)]
+    right = [0.0] * terms
+    for q in range(points):
+        p, weight = 2 * math.pi * q / points, 2 * math.pi / points
+        strain, curvature = [], []
+        for m in range(2, 2 * terms + 1, 2):
+            v, w = math.sin(m * p), -m * math.cos(m * p)
+            strain.append(w * math.sin(p) + v * math.cos(p))
+            curvature.append(w * (1 - m * m))
+        for i in range(terms):
+            right[i] -= weight * math.sin(p) * strain[i]
+            for j in range(terms):
+                matrix[i][j] += weight * (strain[i] * strain[j] + bending * curvature[i] * curvature[j])
+    saved = 0.0  # of J: right^T matrix^-1 right, by elimination
+    for i in range(terms):
+        saved += right[i] ** 2 / matrix[i][i]
+        for j in range(i + 1, terms):
+            factor = matrix[j][i] / matrix[i][i]
+            right[j] -= factor * right[i]
+            for k in range(i, terms):
+                matrix[j][k] -= factor * matrix[i][k]
+    return math.pi / (math.pi - saved)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("--h", type=float, nargs="+", default=[0.05, 0.1, 0.2, 0.5, 1.0])
-    parser.add_argument("--tangents", type=float, nargs="+", default=[0.5, 1, 2, 5])
-    parser.add_argument("--around", type=int, default=32)
+    parser.add_argument("--tangents", type=float, nargs="+", default=[0, 0.5, 1, 2, 5])
+    parser.add_argument("--around", type=int, default=24)
     parser.add_argument("--along", type=int, default=6)
+    parser.add_argument("--degree", type=int, default=3)
     options = parser.parse_args()
     heads = [f"{tangent:g} D" for tangent in options.tangents]
-    print("| h | 1.65/h | von Karman | " + " | ".join(heads) + f" | across, {heads[-1]} |")
-    print("| --- " * (4 + len(heads)) + "|")
+    print("| h | 1.65/h | von Karman | series | " + " | ".join(heads) + f" | across, {heads[-1]} |")
+    print("| --- " * (5 + len(heads)) + "|")
     for h in options.h:
-        both = [flexibilities(options.program, h, tangent, options.around, options.along)
+        both = [flexibilities(options.program, h, tangent, options.around, options.along,
+                              options.degree)
                 for tangent in options.tangents]
         karman = (12 * h * h + 10) / (12 * h * h + 1)
-        cells = [f"{h:g}", f"{1.65 / h:.2f}", f"{karman:.2f}"] + [f"{one[0]:.2f}" for one in both]
+        cells = [f"{h:g}", f"{1.65 / h:.2f}", f"{karman:.2f}", f"{long_thin_bend(h):.2f}"] + [f"{one[0]:.2f}" for one in both]
         print("| " + " | ".join(cells + [f"{both[-1][1]:.2f}"]) + " |", flush=True)
 
 
