@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/body/cell_stiffness.h"
 
+#include <Eigen/Core>
+
 namespace frictionbeam {
 
 using namespace dealii;
@@ -8,37 +10,34 @@ using namespace dealii;
 template <int dim>
 FullMatrix<double> cell_stiffness(const FEValues<dim> &values, const FESystem<dim> &fe,
                                   const double lambda, const double mu, const double thickness) {
-  const unsigned int n = fe.n_dofs_per_cell(), n_nodes = n / dim;
-  FullMatrix<double> matrix(n, n);
-  std::vector<Tensor<1, dim>> gradient(n_nodes);
-  // FESystem searches its list for each answer.
-  std::vector<unsigned int> index_of(n);
-  for (unsigned int k = 0; k < n; ++k) {
-    const auto [component, node] = fe.system_to_component_index(k);
-    index_of[node * dim + component] = k;
-  }
-  const auto index = [&](const unsigned int component, const unsigned int node) {
-    return index_of[node * dim + component];
-  };
-  for (const unsigned int q : values.quadrature_point_indices()) {
-    const double weight = values.JxW(q) * thickness;
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      gradient[i] = values.shape_grad(index(0, i), q);
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      for (unsigned int j = 0; j <= i; ++j) {
-        const Tensor<1, dim> &gi = gradient[i], &gj = gradient[j];
-        const double product = mu * (gi * gj);
-        for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int b = 0; b < dim; ++b)
-            matrix(index(a, i), index(b, j)) +=
-                weight * (lambda * gi[a] * gj[b] + mu * gi[b] * gj[a] + (a == b ? product : 0.));
-      }
-  }
-  for (unsigned int i = 0; i < n_nodes; ++i)
-    for (unsigned int j = 0; j < i; ++j)
+  const unsigned int n = fe.n_dofs_per_cell(), n_nodes = n / dim, n_q = values.n_quadrature_points;
+  std::vector<unsigned int> index(n); // of component a of node i: dim i + a
+  for (unsigned int i = 0; i < n; ++i)
+    index[i] = fe.component_to_system_index(i % dim, i / dim);
+  // The integrals of all products of derivatives, as one product of matrices.
+  Eigen::MatrixXd derivative(n_q, n);
+  Eigen::VectorXd weight(n_q);
+  for (unsigned int q = 0; q < n_q; ++q) {
+    weight[q] = values.JxW(q) * thickness;
+    for (unsigned int i = 0; i < n_nodes; ++i) {
+      const Tensor<1, dim> &gradient = values.shape_grad(index[dim * i], q);
       for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = 0; b < dim; ++b)
-          matrix(index(b, j), index(a, i)) = matrix(index(a, i), index(b, j));
+        derivative(q, dim * i + a) = gradient[a];
+    }
+  }
+  const Eigen::MatrixXd products = derivative.transpose() * (weight.asDiagonal() * derivative);
+  FullMatrix<double> matrix(n, n);
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    for (unsigned int j = 0; j <= i; ++j) {
+      const auto product = products.block<dim, dim>(dim * i, dim * j);
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b) {
+          const double entry =
+              lambda * product(a, b) + mu * product(b, a) + (a == b ? mu * product.trace() : 0.);
+          matrix(index[dim * i + a], index[dim * j + b]) = entry;
+          matrix(index[dim * j + b], index[dim * i + a]) = entry;
+        }
+    }
   return matrix;
 }
 
