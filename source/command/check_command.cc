@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "command/check_command.h"
+#include "command/solid/mixed_walls.h"
 #include "command/solid/run_solid.h"
 
 #include "analysis/sequence/load_sequence.h"
@@ -184,6 +185,8 @@ void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene
             << '\n';
   if (scene.is_solid())
     std::cout << "Wall: " << check_solid(scene, model) << '\n';
+  for (const std::string &text : MixedWalls(scene, model.mesh).in_words())
+    std::cout << text << '\n';
   for (const std::vector<std::string> *const remarks :
        {&scene.doubts, &scene.remarks, &model.mesh.remarks})
     for (const std::string &remark : *remarks)

@@ -8,6 +8,7 @@
 #include "base/user_error.h"
 #include "scene/file/parameter_file.h"
 #include "scene/in_units.h"
+#include "scene/solid/mixed_entries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +80,7 @@ void check_asked_points(const Scene &scene, const LineMesh &mesh) {
   for (const auto &[name, vertex] : mesh.points)
     names.push_back(name);
   for (const AskedPoint &asked : scene.asked_points)
-    if (mesh.points.count(asked.name) == 0) {
+    if (asked.entry != solid_at && mesh.points.count(asked.name) == 0) {
       const std::string like = nearest(asked.name, names);
       throw UserError(asked.entry + "\n  read:    '" + asked.name +
                       "'\n  allowed: a physical point of '" + scene.mesh.file +

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/route_plan.h"
+#include "mesh/solid/solid_stretches.h"
 
 #include "base/user_error.h"
 #include "scene/in_units.h"
+#include "scene/solid/mixed_entries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +65,7 @@ double named_position(const PipePath &path, const std::string &pipe, const std::
 class Breaks {
 public:
   Breaks(const Scene &scene, const std::vector<PipePath> &paths, const PipeJunctions &junctions,
-         const double tolerance)
+         const std::vector<SolidStretch> &solid, const double tolerance)
       : s(paths.size()), tolerance(tolerance) {
     for (unsigned int p = 0; p < paths.size(); ++p) {
       for (const auto &segment : paths[p].segments())
@@ -78,6 +80,8 @@ public:
       add_repeated(scene, paths, restraint.placement);
     for (const auto &[pipe, place] : scene.mesh.hinge_nodes)
       s[pipe].push_back(place);
+    for (const SolidStretch &stretch : solid)
+      s[stretch.pipe].insert(s[stretch.pipe].end(), {stretch.from, stretch.to});
     for (auto &breaks : s) {
       std::sort(breaks.begin(), breaks.end());
       breaks.erase(std::unique(breaks.begin(), breaks.end(),
@@ -128,8 +132,8 @@ int straight_cells(const MeshSettings &settings, const RoutePiece &piece) {
 
 class Divider {
 public:
-  explicit Divider(const Scene &scene)
-      : scene(scene),
+  Divider(const Scene &scene, const std::vector<SolidStretch> &solid)
+      : scene(scene), solid(solid),
         mass_on_chords(scene.kinematics == Kinematics::corotational &&
                        std::any_of(scene.steps.begin(), scene.steps.end(),
                                    [](const LoadStep &step) { return step.transient; })),
@@ -147,7 +151,10 @@ public:
                segment + 1 != paths[p].segments().end())
           ++segment;
         RoutePiece piece{&*segment, begin, end, 0};
-        divide(piece, scene.pipes[p].end_section.has_value());
+        if (is_solid(p, 0.5 * (begin + end)))
+          take_whole(piece);
+        else
+          divide(piece, scene.pipes[p].end_section.has_value());
         result[p].push_back(piece);
       }
     }
@@ -155,6 +162,16 @@ public:
   }
 
 private:
+  bool is_solid(const unsigned int pipe, const double s) const {
+    return std::any_of(solid.begin(), solid.end(), [&](const SolidStretch &stretch) {
+      return stretch.pipe == pipe && stretch.from < s && s < stretch.to;
+    });
+  }
+  /// One cell, whose stiffness is that of a solid: each vertex costs that six solutions.
+  static void take_whole(RoutePiece &piece) {
+    piece.n_cells = 1;
+    piece.is_arc = piece.bends() && piece.length() > smallest_arc * piece.segment->radius;
+  }
   void divide(RoutePiece &piece, const bool is_reducer) const {
     piece.n_cells = straight_cells(scene.mesh, piece);
     if (is_reducer)
@@ -173,6 +190,7 @@ private:
   }
 
   const Scene &scene;
+  const std::vector<SolidStretch> &solid;
   const bool mass_on_chords; ///< of CorotationalCells
   const bool windy;
 };
@@ -194,7 +212,10 @@ double tolerance_of(const Scene &scene, const std::vector<PipePath> &paths) {
 
 RoutePlan::RoutePlan(const Scene &scene)
     : axes(paths_of(scene)), same(tolerance_of(scene, axes)), meetings(scene, axes, same) {
-  all = Divider(scene).pieces(axes, Breaks(scene, axes, meetings, same));
+  std::vector<SolidStretch> solid;
+  if (!solid_places(scene).empty())
+    solid = solid_stretches(scene, axes);
+  all = Divider(scene, solid).pieces(axes, Breaks(scene, axes, meetings, solid, same));
 }
 
 } // namespace frictionbeam

@@ -16,10 +16,12 @@ bool has_transient_step(const Scene &scene) {
 LineModel::LineModel(const Scene &scene, const LawLibrary &laws)
     : LineModel(scene, build_line_mesh(scene), laws) {}
 
-LineModel::LineModel(const Scene &scene, LineMesh line_mesh, const LawLibrary &laws)
+LineModel::LineModel(const Scene &scene, LineMesh line_mesh, const LawLibrary &laws,
+                     std::vector<SolidPart> parts)
     : mesh(std::move(line_mesh)), discretization(scene, mesh, laws),
       space(scene, mesh, discretization), contacts(scene, mesh, discretization, space, laws),
-      linear(scene, mesh, discretization, space, contacts, has_transient_step(scene)),
+      linear(scene, mesh, discretization, space, contacts, has_transient_step(scene),
+             std::move(parts)),
       cells(make_line_cells(scene, mesh, discretization, space, linear)),
       whole{scene, mesh, discretization, space, contacts, linear, *cells} {
   if (!scene.solver.is_exact() && scene.solver.has_tangent() && !has_transient_step(scene) &&

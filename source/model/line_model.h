@@ -14,8 +14,9 @@ class LineModel {
 public:
   /// Meshes the scene's pipes. @throws UserError for what cannot be meshed or assembled
   LineModel(const Scene &scene, const LawLibrary &laws);
-  /// On a mesh of the scene's pipes.
-  LineModel(const Scene &scene, LineMesh mesh, const LawLibrary &laws);
+  /// On a mesh of the scene's pipes. @param parts of them that are solid, in place of their cells
+  LineModel(const Scene &scene, LineMesh mesh, const LawLibrary &laws,
+            std::vector<SolidPart> parts = {});
   LineModel(const LineModel &) = delete; // its parts know each other
   LineModel &operator=(const LineModel &) = delete;
 

@@ -8,7 +8,7 @@ cmake_minimum_required(VERSION 3.18)
 set(floors
   base scene mesh import/pcf import/line import
   model/unknowns model/contact model/line model/cell model/body model
-  analysis/algebra analysis/contact analysis/contact_problem analysis/vibration analysis/increment
+  analysis/algebra analysis/substructure analysis/contact analysis/contact_problem analysis/vibration analysis/increment
   analysis/statics analysis/refinement analysis/time analysis/event analysis/march
   analysis/reduction analysis/sequence
   results accuracy chart study command)

@@ -2,6 +2,7 @@
 #include "command/line/run_line.h"
 #include "command/line/line_run.h"
 #include "command/line/support_remarks.h"
+#include "command/solid/mixed_walls.h"
 
 #include "mesh/build_line_mesh.h"
 #include "model/line_model.h"
@@ -96,12 +97,16 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   results.cost.mesh_seconds = timer.wall_time();
 
   timer.restart();
-  const LineModel line(scene, std::move(mesh), laws);
+  MixedWalls walls(scene, mesh);
+  for (const std::string &text : walls.in_words())
+    results.remarks.push_back(text);
+  const LineModel line(scene, std::move(mesh), laws, walls.superelements());
   for (const std::string &warning : check_mechanisms(line.model()))
     results.remarks.push_back(warning);
   LoadSequence sequence(line.model());
   results.cost.setup_seconds = timer.wall_time();
   solve_sequence(line.model(), sequence, results);
+  walls.report(results);
   results.cost.wall_seconds = wall.wall_time();
   return results;
 }

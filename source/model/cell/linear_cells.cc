@@ -95,12 +95,45 @@ Vector LinearCells::momenta(const Pose &, const Vector &velocity) const {
   return result;
 }
 
+/// Forces on the ends of a cell of a solid part, of which no stiffness of its own is known: what
+/// the sections before it need from outside, and the loads on them, pass through it.
+LineCells::Vector12 LinearCells::ends_in_solid(const SolidPart &part, const PipeCell &of,
+                                               const Pose &pose,
+                                               const std::vector<double> &factors) const {
+  const unsigned int n = part.vertices.size(), k = of.position - part.first_cell;
+  Vector q(6 * n);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int c = 0; c < 6; ++c)
+      q[6 * i + c] = pose.dofs[discretization.vertex_dofs().index(part.vertices[i], c)];
+  Vector outside = part.stiffness * q;
+  for (unsigned int l = 0; l < factors.size(); ++l)
+    outside -= factors[l] * part.forces[l];
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  Vector6 begin = Vector6::Zero(), end = Vector6::Zero();
+  for (unsigned int i = 0; i <= k; ++i) {
+    begin = outside.segment<6>(6 * i) - end;
+    Vector6 on = begin; // and the loads between the two vertices, about the first
+    for (unsigned int l = 0; l < factors.size(); ++l)
+      on += factors[l] * Eigen::Map<const Vector6>(part.cell_loads[l][i].data());
+    const Vector3 way = mesh.vertices[part.vertices[i]] - mesh.vertices[part.vertices[i + 1]];
+    const Eigen::Vector3d arm(way[0], way[1], way[2]), force = on.head<3>();
+    end.head<3>() = -force;
+    end.tail<3>() = -(on.tail<3>() + arm.cross(force));
+  }
+  Vector12 ends;
+  ends.segment<6>(of.reversed ? 6 : 0) = begin;
+  ends.segment<6>(of.reversed ? 0 : 6) = end;
+  return ends;
+}
+
 LineCells::CellState LinearCells::state_of(const unsigned int index, const PipeElement &element,
                                            const Pose &pose,
                                            const std::vector<double> &factors) const {
+  const PipeCell &of = discretization.pipe_cells()[index];
+  if (const SolidPart *const part = linear.solid_part(of))
+    return {ends_in_solid(*part, of, pose, factors), ends_of(index, pose.dofs), {}};
   const auto cell = discretization.pipe_cell(index);
-  const CellLoad load = load_on(discretization.pipe_cells()[index], element.profile(),
-                                cell->vertex(1) - cell->vertex(0), factors);
+  const CellLoad load = load_on(of, element.profile(), cell->vertex(1) - cell->vertex(0), factors);
   const Eigen::Vector3d line_force(load.line_force[0], load.line_force[1], load.line_force[2]);
   const Vector12 u = ends_of(index, pose.dofs);
   CellState state;

@@ -60,6 +60,8 @@ private:
   /// Of all cells, made when first asked for: a line that yields asks again and again.
   const std::vector<Element> &elements() const;
   mutable std::vector<Element> kept_elements;
+  Vector12 ends_in_solid(const SolidPart &part, const PipeCell &of, const Pose &pose,
+                         const std::vector<double> &factors) const;
   /// Motions of a cell's ends, or whatever else belongs to its degrees of freedom.
   Vector12 ends_of(const unsigned int cell, const Vector &dofs) const;
 };

@@ -86,12 +86,30 @@ std::vector<types::global_dof_index> dofs_of_vertices(const VertexDofs &vertex_d
 
 } // namespace
 
+namespace {
+
+/// @throws UserError for what a cell of a solid part cannot have in it
+void check_solid_cell(const Scene &scene, const Discretization &discretization,
+                      const Discretization::Cell &cell) {
+  if (discretization.joints(cell) == nullptr)
+    return;
+  const unsigned int index = discretization.info(cell).index;
+  throw UserError(
+      "Pipe " + scene.pipes[discretization.pipe_cells()[index].pipe].name +
+      ": a joint or tee stands on a stretch of it that is solid.\n  read:    a joint or "
+      "the foot of a branch beside a solid bend\n  allowed: joints of the beams\n  "
+      "try:     fewer Tangents in section Solid, or At with the names of other bends");
+}
+
+} // namespace
+
 LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
                        const Discretization &discretization, const ReducedSpace &space,
-                       const Contacts &contacts, const bool with_mass)
+                       const Contacts &contacts, const bool with_mass, std::vector<SolidPart> parts)
     : load_forces(scene.loads.size(), Vector::Zero(space.n_unknowns())),
       load_inertia(scene.loads.size()), load_drag(scene.loads.size()),
-      imposed_motions(scene.loads.size()), nodal_loads(scene.loads.size()) {
+      imposed_motions(scene.loads.size()), nodal_loads(scene.loads.size()),
+      solid_parts(std::move(parts)) {
   check_pressure(scene);
   find_imposed_motions(scene, mesh, discretization, space, with_mass);
   find_nodal_loads(scene, mesh, discretization, space);
@@ -99,6 +117,7 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
   if (with_mass)
     M = K;
   add_pipes(scene, discretization, space, with_mass);
+  add_solid_parts(discretization, space);
   add_springs(scene, mesh, discretization, space, with_mass);
   if (with_mass) {
     for (const PointMass &mass : scene.masses)
@@ -191,6 +210,9 @@ void LinearPart::make_pattern(const Discretization &discretization, const Reduce
       cell->get_dof_indices(dofs);
       couplings.add(unknowns_of(dofs, space));
     }
+  for (const SolidPart &part : solid_parts)
+    couplings.add(
+        unknowns_of(dofs_of_vertices(discretization.vertex_dofs(), part.vertices), space));
   for (unsigned int i = 0; i < contacts.size(); ++i)
     couplings.add(contacts[i].unknowns);
   for (const Spring &spring : scene.springs) {
@@ -211,6 +233,10 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
     const auto &info = discretization.info(cell);
     if (info.kind != Discretization::CellKind::pipe)
       continue;
+    if (solid_part(discretization.pipe_cells()[info.index]) != nullptr) {
+      check_solid_cell(scene, discretization, cell);
+      continue;
+    }
     const std::string &pipe = scene.pipes[discretization.pipe_cells()[info.index].pipe].name;
     cell->get_dof_indices(dofs);
     element.reinit(cell);
@@ -241,6 +267,25 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
         for (const auto &term : space.terms(dofs[i]))
           load_forces[l][term.unknown] += term.weight * forces[i];
     }
+  }
+}
+
+const SolidPart *LinearPart::solid_part(const PipeCell &cell) const {
+  const auto found =
+      std::find_if(solid_parts.begin(), solid_parts.end(),
+                   [&](const SolidPart &part) { return part.has(cell.pipe, cell.position); });
+  return found == solid_parts.end() ? nullptr : &*found;
+}
+
+void LinearPart::add_solid_parts(const Discretization &discretization, const ReducedSpace &space) {
+  for (const SolidPart &part : solid_parts) {
+    const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), part.vertices);
+    space.add_local(part.stiffness, dofs, K);
+    add_imposed(part.stiffness, dofs, space, load_forces, products.stiffness);
+    for (unsigned int l = 0; l < part.forces.size(); ++l)
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        for (const auto &term : space.terms(dofs[i]))
+          load_forces[l][term.unknown] += term.weight * part.forces[l][i];
   }
 }
 

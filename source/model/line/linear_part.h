@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/contact/contacts.h"
+#include "model/line/solid_part.h"
 
 #include <unordered_map>
 
@@ -13,8 +14,10 @@ namespace frictionbeam {
  */
 class LinearPart {
 public:
+  /// @param parts in place of the cells that they have
   LinearPart(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
-             const ReducedSpace &space, const Contacts &contacts, const bool with_mass);
+             const ReducedSpace &space, const Contacts &contacts, const bool with_mass,
+             std::vector<SolidPart> parts = {});
 
   /// Of the motions b_l that loads impose, by pairs of loads: b_k^T A b_l; without entries if no
   /// load imposes any.
@@ -66,6 +69,8 @@ public:
   double kinetic_by_imposed(const std::vector<double> &rates, const Vector &velocity) const;
   /// Forces and moments that load @p l puts on vertices by itself (point loads, weight of masses).
   const std::map<unsigned int, Motion> &nodal(const unsigned int l) const { return nodal_loads[l]; }
+  /// The solid part that a pipe cell belongs to; null: none.
+  const SolidPart *solid_part(const PipeCell &cell) const;
 
 private:
   void find_imposed_motions(const Scene &scene, const LineMesh &mesh,
@@ -84,6 +89,7 @@ private:
                     const Contacts &contacts, const Scene &scene, const LineMesh &mesh);
   void add_pipes(const Scene &scene, const Discretization &discretization,
                  const ReducedSpace &space, const bool with_mass);
+  void add_solid_parts(const Discretization &discretization, const ReducedSpace &space);
   void add_springs(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
                    const ReducedSpace &space, const bool with_mass);
   void make_damping(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
@@ -98,6 +104,7 @@ private:
       imposed_at;
   Products products;
   std::vector<std::map<unsigned int, Motion>> nodal_loads;
+  std::vector<SolidPart> solid_parts;
 };
 
 /// Force per length and axial strain that a load puts on a cell of @p pipe with @p profile.

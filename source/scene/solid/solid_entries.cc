@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/solid/solid_entries.h"
+#include "scene/solid/mixed_entries.h"
 
 #include "base/user_error.h"
 #include "scene/part/parts.h"
@@ -35,6 +36,7 @@ void declare_solid(ParameterReader &in) {
   in.declare_choice("Anchors", Anchors::held, anchor_kinds, "What they hold of their section.");
   in.declare_count("Most unknowns", 200000, 1,
                    "A wall of more would take very long, and is refused.", 100000000);
+  declare_mixed(in);
 }
 
 void parse_solid(const ParameterReader &in, Scene &scene) {
@@ -47,6 +49,7 @@ void parse_solid(const ParameterReader &in, Scene &scene) {
   solid.longest_cell = in.number("Longest cell");
   solid.anchors = in.choice("Anchors", anchor_kinds);
   solid.most_unknowns = in.count("Most unknowns");
+  parse_mixed(in, scene);
 }
 
 namespace {
@@ -279,9 +282,12 @@ void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
 } // namespace
 
 void check_solid(ParameterReader &in, Scene &scene) {
+  const bool is_mixed = !solid_places(scene).empty();
+  if (is_mixed)
+    check_mixed(in, scene);
   if (scene.is_solid())
     SolidCheck(in, scene).all();
-  else
+  else if (!is_mixed)
     remark_on_solid_entries(in, scene);
 }
 

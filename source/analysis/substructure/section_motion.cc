@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/substructure/section_motion.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <Eigen/LU>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+Vector3 unit(const unsigned int d) {
+  Vector3 result;
+  result[d] = 1.;
+  return result;
+}
+
+/// Tractions of unit forces and moments on a section at @p arm from its middle [1/m2, 1/m3].
+std::array<Vector3, 6> tractions(const PipeWall &wall, const Vector3 &tangent, const Vector3 &arm) {
+  const double A = wall.area(), I = wall.inertia();
+  const Vector3 out = arm / arm.norm(), around = cross_product_3d(tangent, out);
+  std::array<Vector3, 6> result;
+  for (unsigned int d = 0; d < 3; ++d) {
+    const Vector3 e = unit(d);
+    result[d] = (e * tangent) / A * tangent + 2. * (e * around) / A * around;
+    result[3 + d] = e * cross_product_3d(arm, tangent) / I * tangent +
+                    (e * tangent) / (2. * I) * cross_product_3d(tangent, arm);
+  }
+  return result;
+}
+
+} // namespace
+
+SectionMotion::SectionMotion(const PipeWall &wall, const ContinuumBody<3> &body,
+                             const unsigned int ring) {
+  const WallRing &at = wall.rings[ring];
+  const unsigned int layer = ring == 0 ? 0 : ring - 1, face = ring == 0 ? 4 : 5;
+  FEFaceValues<3> values(body.mapping, body.fe, QGauss<2>(body.fe.degree + 2),
+                         update_values | update_quadrature_points | update_JxW_values);
+  std::array<ContinuumVector, 6> raw;
+  for (unsigned int c = 0; c < 6; ++c) {
+    body.reinit(raw[c]);
+    body.reinit(columns[c]);
+  }
+  Eigen::Matrix<double, 6, 6> work = Eigen::Matrix<double, 6, 6>::Zero(); // of tractions, motions
+  std::vector<types::global_dof_index> dofs(body.fe.n_dofs_per_cell());
+  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+    if (wall.layer_of(cell->index()) != layer)
+      continue;
+    values.reinit(cell, face);
+    cell->get_dof_indices(dofs);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      const Vector3 arm = values.quadrature_point(q) - at.centre;
+      const std::array<Vector3, 6> t = tractions(wall, at.tangent, arm);
+      for (unsigned int c = 0; c < 6; ++c) {
+        for (unsigned int k = 0; k < 6; ++k)
+          work(c, k) += values.JxW(q) * t[c] *
+                        (k < 3 ? unit(k) : Vector3(cross_product_3d(unit(k - 3), arm)));
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          raw[c](dofs[i]) += values.JxW(q) * values.shape_value(i, q) *
+                             t[c][body.fe.system_to_component_index(i).first];
+      }
+    }
+  }
+  const Eigen::Matrix<double, 6, 6> share = work.inverse();
+  for (unsigned int c = 0; c < 6; ++c)
+    for (unsigned int k = 0; k < 6; ++k)
+      columns[c].add(share(c, k), raw[k]);
+}
+
+void SectionMotion::add_forces(const Vector6 &forces, ContinuumVector &to) const {
+  for (unsigned int c = 0; c < 6; ++c)
+    to.add(forces[c], columns[c]);
+}
+
+SectionMotion::Vector6 SectionMotion::motion(const ContinuumVector &displacement) const {
+  Vector6 result;
+  for (unsigned int c = 0; c < 6; ++c)
+    result[c] = columns[c] * displacement;
+  return result;
+}
+
+ContinuumVector rigid_displacement(const ContinuumBody<3> &body, const Point3 &about,
+                                   const SectionMotion::Vector6 &motion) {
+  std::map<types::global_dof_index, Point<3>> places;
+  DoFTools::map_dofs_to_support_points(body.mapping, body.dof_handler, places);
+  const Vector3 shift({motion[0], motion[1], motion[2]}), turn({motion[3], motion[4], motion[5]});
+  ContinuumVector result;
+  body.reinit(result);
+  std::vector<types::global_dof_index> dofs(body.fe.n_dofs_per_cell());
+  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      result(dofs[i]) =
+          (shift +
+           cross_product_3d(turn, Vector3(places.at(dofs[i]) -
+                                          about)))[body.fe.system_to_component_index(i).first];
+  }
+  return result;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/substructure/wall_stretch.h"
+
+#include "mesh/solid/wall_layout.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+namespace frictionbeam {
+
+using namespace dealii;
+
+namespace {
+
+/// The wall's materials, and the section that an anchor holds at one of its ends.
+Scene body_scene_of(const Scene &scene, const PipeWall &wall, const SolidStretch &stretch) {
+  ContinuumScene body;
+  body.dimension = 3;
+  const Material &material = scene.materials[scene.pipes.front().material];
+  body.materials.push_back({material.youngs_modulus, material.poissons_ratio});
+  const bool breathes = scene.solid.anchors == SolidSettings::Anchors::breathing;
+  const WallRing &end = stretch.anchored[1] ? wall.rings.back() : wall.rings.front();
+  if (stretch.anchored[0] || stretch.anchored[1])
+    body.sections.push_back({end.centre, end.tangent, wall.outer, breathes});
+  for (const auto &entry : wall.mesh.points) {
+    const unsigned int direction = entry.first.back() - '0';
+    ContinuumHold hold{entry.first, {}};
+    hold.fixed[direction] = true;
+    body.holds.push_back(hold);
+  }
+  Scene result = scene;
+  result.continuum = body;
+  result.continuum_settings.degree = scene.solid.degree;
+  result.continuum_settings.linear_solver = ContinuumSettings::LinearSolver::direct;
+  return result;
+}
+
+/// Name six displacements of points of the first ring that hold the wall as a whole: of four points
+/// those that a pivoting factorization of their rigid motions takes first.
+PipeWall with_held_points(PipeWall wall, const bool is_held) {
+  if (is_held)
+    return wall;
+  const WallRing &ring = wall.rings.front();
+  std::vector<Point3> places;
+  for (unsigned int i = 0; i < 4; ++i)
+    places.push_back(wall.mesh.vertices[i * wall.around / 4]);
+  Eigen::Matrix<double, 6, 12> motions;
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int d = 0; d < 3; ++d) {
+      Vector3 direction;
+      direction[d] = 1.;
+      const Vector3 arm = (places[i] - ring.centre) / wall.outer,
+                    turn = cross_product_3d(arm, direction);
+      for (unsigned int k = 0; k < 3; ++k) {
+        motions(k, 3 * i + d) = direction[k];
+        motions(3 + k, 3 * i + d) = turn[k];
+      }
+    }
+  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, 12>> factors(motions);
+  for (unsigned int i = 0; i < 6; ++i) {
+    const unsigned int column = factors.colsPermutation().indices()[i];
+    wall.mesh
+        .points["held " + std::to_string(column / 3) + " along " + std::to_string(column % 3)] =
+        places[column / 3];
+  }
+  return wall;
+}
+
+} // namespace
+
+WallStretch::WallStretch(const Scene &whole, const LineMesh &line, const SolidStretch &stretch)
+    : stretch(stretch), own(whole, line, stretch),
+      wall(with_held_points(build_pipe_wall(own.scene, own.line), has_held_end())),
+      body_scene(body_scene_of(own.scene, wall, stretch)), body(body_scene, wall.mesh) {
+  body.distribute();
+  loads = std::make_unique<const WallLoads>(own.scene, own.line, wall, body);
+  for (unsigned int i = 0; i < own.vertices.size(); ++i)
+    rings.push_back(wall.ring_at(i));
+  reference = stretch.anchored[0] && !stretch.anchored[1] ? 0 : rings.size() - 1;
+  wall.pipe_start[0] = -stretch.from;
+}
+
+WallStretch::Matrix6 WallStretch::carried(const unsigned int section) const {
+  const Vector3 arm = place(section) - place(reference);
+  Matrix6 result = Matrix6::Identity();
+  for (unsigned int k = 0; k < 3; ++k) {
+    Vector3 axis;
+    axis[k] = 1.;
+    const Vector3 moved = cross_product_3d(axis, arm);
+    for (unsigned int d = 0; d < 3; ++d)
+      result(d, 3 + k) = moved[d];
+  }
+  return result;
+}
+
+/// @param resultant of the forces about the reference, which balances it unless it is held
+ContinuumVector WallStretch::solve(ContinuumVector forces, const Vector6 &resultant) {
+  if (!has_held_end())
+    sections[reference].add_forces(-resultant, forces);
+  ContinuumVector field;
+  body.reinit(field);
+  if (forces.l2_norm() == 0.) // of a load that does not act here
+    return field;
+  system->solve({}, true, forces, field);
+  body.constraints.distribute(field);
+  return field;
+}
+
+Eigen::VectorXd WallStretch::relative(const ContinuumVector &displacement) const {
+  Vector6 base = Vector6::Zero();
+  if (!has_held_end())
+    base = sections[reference].motion(displacement);
+  Eigen::VectorXd result(6 * (sections.size() - 1));
+  for (unsigned int i = 0, row = 0; i < sections.size(); ++i)
+    if (i != reference) {
+      result.segment<6>(row) = sections[i].motion(displacement) - carried(i) * base;
+      row += 6;
+    }
+  return result;
+}
+
+Eigen::MatrixXd WallStretch::relation() const {
+  const unsigned int n = sections.size();
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(6 * (n - 1), 6 * n);
+  for (unsigned int i = 0, row = 0; i < n; ++i)
+    if (i != reference) {
+      G.block<6, 6>(row, 6 * i) = Matrix6::Identity();
+      G.block<6, 6>(row, 6 * reference) = -carried(i);
+      row += 6;
+    }
+  return G;
+}
+
+SolidPart WallStretch::superelement() {
+  for (const unsigned int ring : rings)
+    sections.emplace_back(wall, body, ring);
+  system = make_condensed_system(body);
+  const unsigned int n = sections.size(), n_free = 6 * (n - 1);
+  Eigen::MatrixXd F(n_free, n_free);
+  for (unsigned int i = 0, column = 0; i < n; ++i)
+    for (unsigned int c = 0; c < 6 && i != reference; ++c, ++column) {
+      const Vector6 unit = Vector6::Unit(c);
+      ContinuumVector forces;
+      body.reinit(forces);
+      sections[i].add_forces(unit, forces);
+      of_forces.push_back(solve(std::move(forces), carried(i).transpose() * unit));
+      F.col(column) = relative(of_forces.back());
+    }
+  // Scaled, for forces and moments have their own units.
+  const Eigen::VectorXd scale = F.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled =
+      scale.asDiagonal() * (0.5 * (F + F.transpose())).eval() * scale.asDiagonal();
+  inverse = scale.asDiagonal() *
+            scaled.llt().solve(Eigen::MatrixXd::Identity(n_free, n_free)).eval() *
+            scale.asDiagonal();
+  inverse = (0.5 * (inverse + inverse.transpose())).eval();
+
+  SolidPart part;
+  part.pipe = stretch.pipe;
+  part.first_cell = own.first_cell;
+  part.vertices = own.vertices;
+  const Eigen::MatrixXd G = relation();
+  part.stiffness = G.transpose() * inverse * G;
+  part.cell_loads = cell_loads();
+  std::vector<ContinuumVector> forces = loads->forces();
+  free_motions.resize(n_free, forces.size());
+  for (unsigned int l = 0; l < forces.size(); ++l) {
+    Vector6 resultant = Vector6::Zero(); // about the reference
+    for (unsigned int k = 0; k + 1 < n; ++k)
+      resultant += carried(k).transpose() * Eigen::Map<const Vector6>(part.cell_loads[l][k].data());
+    of_loads.push_back(solve(std::move(forces[l]), resultant));
+    free_motions.col(l) = relative(of_loads.back());
+    Eigen::VectorXd on_sections = G.transpose() * (inverse * free_motions.col(l));
+    on_sections.segment<6>(6 * reference) += resultant;
+    part.forces.push_back(on_sections);
+  }
+  system.reset();
+  return part;
+}
+
+ContinuumVector WallStretch::displacement(const Eigen::VectorXd &motions,
+                                          const std::vector<double> &factors) const {
+  const Eigen::Map<const Eigen::VectorXd> x(factors.data(), factors.size());
+  const Eigen::VectorXd amplitudes = inverse * (relation() * motions - free_motions * x);
+  ContinuumVector field;
+  body.reinit(field);
+  for (unsigned int k = 0; k < of_forces.size(); ++k)
+    field.add(amplitudes[k], of_forces[k]);
+  for (unsigned int l = 0; l < of_loads.size(); ++l)
+    field.add(factors[l], of_loads[l]);
+  Vector6 rigid = motions.segment<6>(6 * reference);
+  if (!has_held_end())
+    rigid -= sections[reference].motion(field);
+  field += rigid_displacement(body, place(reference), rigid);
+  return field;
+}
+
+std::vector<std::vector<Motion>> WallStretch::cell_loads() const {
+  // What is integrated over the metal and over the bore: size times vector, moment about the
+  // origin.
+  struct Integral {
+    double volume = 0.;
+    Vector3 first_moment, normal, turn;
+  };
+  std::vector<Integral> integrals(rings.size() - 1);
+  FEValues<3> values(body.mapping, body.fe, QGauss<3>(body.fe.degree + 1),
+                     update_quadrature_points | update_JxW_values);
+  FEFaceValues<3> on_bore(body.mapping, body.fe, QGauss<2>(body.fe.degree + 2),
+                          update_quadrature_points | update_normal_vectors | update_JxW_values);
+  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+    unsigned int k = 0;
+    while (rings[k + 1] <= wall.layer_of(cell->index()))
+      ++k;
+    Integral &sum = integrals[k];
+    values.reinit(cell);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      sum.volume += values.JxW(q);
+      sum.first_moment += values.JxW(q) * (values.quadrature_point(q) - place(k));
+    }
+    if (cell->index() / wall.around % wall.through > 0)
+      continue;
+    on_bore.reinit(cell, 0);
+    for (const unsigned int q : on_bore.quadrature_point_indices()) {
+      const Vector3 normal = on_bore.JxW(q) * on_bore.normal_vector(q);
+      sum.normal += normal;
+      sum.turn += cross_product_3d(Vector3(on_bore.quadrature_point(q) - place(k)), normal);
+    }
+  }
+  std::vector<std::vector<Motion>> result(own.scene.loads.size());
+  for (unsigned int l = 0; l < result.size(); ++l) {
+    std::vector<double> factors(result.size(), 0.);
+    factors[l] = 1.;
+    const Vector3 weight = loads->volume_force(0, factors);
+    const double p = loads->pressure(factors);
+    for (unsigned int k = 0; k < integrals.size(); ++k) {
+      const WallRing &begin = wall.rings[rings[k]], &end = wall.rings[rings[k + 1]];
+      // Sections have the effective force, less the thrust of the bore.
+      const Vector3 thrust = p * wall.bore_area() * end.tangent,
+                    force = integrals[k].volume * weight - p * integrals[k].normal + thrust -
+                            p * wall.bore_area() * begin.tangent,
+                    moment = cross_product_3d(integrals[k].first_moment, weight) -
+                             p * integrals[k].turn +
+                             cross_product_3d(Vector3(end.centre - begin.centre), thrust);
+      result[l].push_back({{force[0], force[1], force[2], moment[0], moment[1], moment[2]}});
+    }
+  }
+  return result;
+}
+
+} // namespace frictionbeam

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "command/solid/mixed_walls.h"
+
+#include "base/processes.h"
+#include "base/user_error.h"
+#include "results/file/body_vtu.h"
+#include "results/file/output_file.h"
+#include "results/solid/solid_files.h"
+#include "results/text.h"
+#include "scene/in_units.h"
+#include "scene/solid/mixed_entries.h"
+
+#include <algorithm>
+
+namespace frictionbeam {
+
+namespace {
+
+/// Factors of the loads at the end of a step.
+std::vector<double> factors_of(const Scene &scene, const unsigned int step) {
+  std::vector<double> factors(scene.loads.size(), 0.);
+  for (const auto &[load, factor] : scene.steps[step].loads)
+    factors[load] += factor;
+  return factors;
+}
+
+const Station &station_at(const Frame &frame, const unsigned int pipe, const unsigned int vertex,
+                          const bool is_last) {
+  const auto is_it = [&](const Station &one) {
+    return one.pipe == pipe && one.is_node() && one.vertex == vertex;
+  };
+  const auto first = std::find_if(frame.line.begin(), frame.line.end(), is_it);
+  AssertThrow(first != frame.line.end(), dealii::ExcInternalError());
+  return is_last ? *std::find_if(frame.line.rbegin(), frame.line.rend(), is_it) : *first;
+}
+
+/// How far the forces across the end sections of a wall, by its stresses, are from those of the
+/// line: the largest difference of forces and of moments over a diameter, of the largest of these
+/// or of what a strain of 1e-9 would need, below which all is rounding.
+double disagreement(const WallStretch &wall, const SolidPart &part, const Frame &frame,
+                    const std::vector<RingState> &rings, const std::vector<double> &factors) {
+  constexpr double no_strain = 1e-9;
+  const double E = wall.body_scene.continuum->materials.front().youngs_modulus;
+  const double thrust = wall.loads->pressure(factors) * wall.wall.bore_area(),
+               diameter = 2. * wall.wall.outer;
+  double largest = no_strain * E * wall.wall.area() + std::abs(thrust), difference = 0.;
+  for (const bool at_end : {false, true}) {
+    const unsigned int section = at_end ? part.vertices.size() - 1 : 0,
+                       ring = wall.ring_of(section);
+    const Station &station = station_at(frame, part.pipe, part.vertices[section], !at_end);
+    const Motion &cut = rings[ring].cut[at_end ? 0 : 1];
+    const Vector3 force({cut[0], cut[1], cut[2]}), moment({cut[3], cut[4], cut[5]}),
+        x = wall.wall.rings[ring].tangent;
+    const Motion local = {{force * x - thrust, force * station.y, force * station.z, moment * x,
+                           moment * station.y, moment * station.z}};
+    for (unsigned int c = 0; c < 6; ++c) {
+      const double unit = c < 3 ? 1. : diameter;
+      largest = std::max({largest, std::abs(local[c]) / unit, std::abs(station.force[c]) / unit});
+      difference = std::max(difference, std::abs(local[c] - station.force[c]) / unit);
+    }
+  }
+  return difference / largest;
+}
+
+} // namespace
+
+MixedWalls::MixedWalls(const Scene &scene, const LineMesh &mesh) : scene(scene) {
+  if (solid_places(scene).empty())
+    return;
+  if (n_processes() > 1)
+    throw UserError("Walls of pipes are solved by one process.\n  read:    Solid/At under "
+                    "mpirun\n  allowed: one process\n  try:     without mpirun");
+  std::vector<PipePath> paths;
+  for (const Pipe &pipe : scene.pipes)
+    paths.emplace_back(pipe, scene.units);
+  for (const SolidStretch &stretch : solid_stretches(scene, paths))
+    walls.push_back(std::make_unique<WallStretch>(scene, mesh, stretch));
+}
+
+std::vector<SolidPart> MixedWalls::superelements() {
+  std::vector<SolidPart> result;
+  for (const auto &wall : walls)
+    result.push_back(wall->superelement());
+  parts = result;
+  return result;
+}
+
+std::vector<std::string> MixedWalls::in_words() const {
+  std::vector<std::string> result;
+  for (const auto &wall : walls) {
+    const SolidStretch &stretch = wall->stretch;
+    std::string text = "Solid: " + stretch.name + " on pipe " + scene.pipes[stretch.pipe].name +
+                       " from " + in_units(scene.units, stretch.from, "m") + " to " +
+                       in_units(scene.units, stretch.to, "m") + ", " +
+                       std::to_string(wall->wall.n_layers()) + " layers of " +
+                       std::to_string(wall->wall.around * wall->wall.through) +
+                       " cells of degree " + std::to_string(scene.solid.degree) + ", " +
+                       std::to_string(wall->body.dof_handler.n_dofs()) + " unknowns";
+    if (stretch.is_short)
+      text +=
+          "; a bend, an anchor or the pipe's end leaves less straight pipe beside it than asked";
+    if (stretch.anchored[0] && stretch.anchored[1])
+      text += "; of its two anchors the second one holds the section as Solid/Anchors says, the "
+              "first one its mean";
+    result.push_back(text + ".");
+  }
+  return result;
+}
+
+void MixedWalls::report(Results &results) {
+  double ovality = 0., mises = 0., join = 0.;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const WallStretch &wall = *walls[w];
+    const SolidPart &part = parts[w];
+    std::vector<WallFrame> frames;
+    std::vector<ContinuumState> states;
+    for (const Frame &frame : results.frames) {
+      if (!frame.end_of_step || frame.step >= scene.steps.size())
+        continue;
+      Eigen::VectorXd motions(6 * part.vertices.size());
+      for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+        const Station &station = station_at(frame, part.pipe, part.vertices[i], false);
+        for (unsigned int c = 0; c < 6; ++c)
+          motions[6 * i + c] = station.displacement[c];
+      }
+      ContinuumState state;
+      state.step = frame.step;
+      state.increment = frame.increment;
+      state.time = frame.time;
+      state.factors = factors_of(scene, frame.step);
+      state.displacement = wall.displacement(motions, state.factors);
+      frames.push_back({frame.step, wall_state(wall.wall, *wall.loads, wall.body, state)});
+      join = std::max(join, disagreement(wall, part, frame, frames.back().rings, state.factors));
+      states.push_back(std::move(state));
+    }
+    if (frames.empty()) // the first step was not solved
+      return;
+    for (const RingState &ring : frames.back().rings) {
+      ovality = std::max(ovality, ring.ovality(2. * wall.wall.outer));
+      mises = std::max({mises, ring.largest_mises(0), ring.largest_mises(1)});
+    }
+    if (scene.output.directory.empty())
+      continue;
+    const std::string folder = scene.output.directory + "/solid_" + wall.stretch.name;
+    prepare_output_folder(folder);
+    write_wall_csv(wall.own.scene, wall.wall, frames, folder);
+    if (scene.output.vtu)
+      write_body_vtu<3>(
+          wall.body, states, "solid",
+          [&](const ContinuumState &state) {
+            return stress_of_wall(*wall.loads, wall.body, state.factors);
+          },
+          folder);
+    if (scene.output.report)
+      results.sections.push_back({"wall" + std::to_string(w + 1), "Wall of " + wall.stretch.name,
+                                  wall_report(wall.own.scene, wall.wall, frames, folder)});
+  }
+  if (walls.empty())
+    return;
+  const double Pa = scene.units.factor("Pa");
+  results.quantities.push_back({"largest_ovality", "-", "", ovality, {}, {}});
+  results.quantities.push_back(
+      {"largest_wall_stress", scene.units.name("Pa"), "", mises / Pa, {}, {}});
+  results.quantities.back().in_si = Pa;
+  results.certificate.push_back({"solid_join", "-",
+                                 "forces across the ends of solid parts, by their stresses and by "
+                                 "the line, of the largest of them",
+                                 join});
+}
+
+} // namespace frictionbeam

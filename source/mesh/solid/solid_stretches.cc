@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/solid/solid_stretches.h"
+
+#include "base/user_error.h"
+#include "scene/file/parameter_reader.h"
+#include "scene/in_units.h"
+#include "scene/solid/mixed_entries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double same = 1e-3; ///< of the outer radius: two places along a pipe are one
+/// After as many a bend's oval has died out: what a shorter piece leaves of the deflection of
+/// SSLX102 is 1.4 % (1.2 lengths), 0.4 % (1.7), 0.1 % (2.3).
+constexpr double decay_lengths = 2.;
+
+std::set<std::string> names_of(const Scene &scene) {
+  const std::vector<std::string> names = solid_places(scene);
+  return {names.begin(), names.end()};
+}
+
+class StretchLayout {
+public:
+  StretchLayout(const Scene &scene, const std::vector<PipePath> &paths)
+      : scene(scene), paths(paths), asked(names_of(scene)) {}
+
+  std::vector<SolidStretch> all();
+
+private:
+  using Segment = PipePath::Segment;
+
+  void add_bends(const unsigned int pipe);
+  void add_points(const unsigned int pipe);
+  /// From where a bend or anchor or the pipe's beginning is before a stretch to one behind it.
+  std::array<double, 2> room_of(const SolidStretch &stretch) const;
+  /// Take straight pipe on either side, as far as there is.
+  void extend(SolidStretch &stretch) const;
+  /// One stretch for those that meet.
+  void join(std::vector<SolidStretch> &stretches) const;
+  /// Places of the anchors of a pipe along it.
+  std::vector<double> anchors(const unsigned int pipe) const;
+  std::vector<double> places(const unsigned int pipe, const std::string &point) const;
+  double outer(const unsigned int pipe) const {
+    return scene.sections[scene.pipes[pipe].section].outer_radius;
+  }
+  /// r sqrt(r/t), in which ovalization of a straight pipe decays [m].
+  double decay_length(const unsigned int pipe) const {
+    const Section &section = scene.sections[scene.pipes[pipe].section];
+    const double r = section.outer_radius - section.wall / 2.;
+    return r * std::sqrt(r / section.wall);
+  }
+  std::string place_in_words(const unsigned int pipe, const double s) const {
+    return scene.pipes[pipe].name + "_at_" +
+           to_text(std::round(s / scene.units.factor("m") * 1e3) / 1e3);
+  }
+  void check_found() const;
+  /// @throws UserError for a pipe whose wall cannot be a solid
+  void check_pipe(const Pipe &pipe, const double bend_radius) const;
+
+  const Scene &scene;
+  const std::vector<PipePath> &paths;
+  const std::set<std::string> asked;
+  std::set<std::string> found;
+  std::vector<SolidStretch> stretches;
+};
+
+std::vector<double> StretchLayout::places(const unsigned int pipe, const std::string &point) const {
+  for (const PipePath::RoutePlace &place : paths[pipe].route_points())
+    if (place.name == point)
+      return {place.s};
+  for (const NamedPoint &named : scene.points)
+    if (named.name == point)
+      return paths[pipe].all_places(named.position, same * outer(pipe));
+  return {};
+}
+
+std::vector<double> StretchLayout::anchors(const unsigned int pipe) const {
+  std::vector<double> result;
+  for (const Restraint &restraint : scene.restraints)
+    if (std::all_of(restraint.fixed.begin(), restraint.fixed.end(), [](const bool b) { return b; }))
+      for (const std::string &point : restraint.placement.points)
+        for (const double s : places(pipe, point))
+          result.push_back(s);
+  return result;
+}
+
+void StretchLayout::add_bends(const unsigned int pipe) {
+  for (const Segment &segment : paths[pipe].segments()) {
+    if (segment.radius == 0.)
+      continue;
+    SolidStretch stretch;
+    stretch.pipe = pipe;
+    stretch.from = segment.start;
+    stretch.to = segment.start + segment.length;
+    stretch.name = place_in_words(pipe, segment.start + segment.length / 2.);
+    for (const PipePath::RoutePlace &place : paths[pipe].route_points())
+      if (place.s > stretch.from && place.s < stretch.to && !place.name.empty())
+        stretch.name = place.name;
+    bool is_asked = asked.empty() || asked.count(all_bends) > 0;
+    for (const std::string &point : asked) {
+      const std::vector<double> at = places(pipe, point);
+      if (point == stretch.name || std::any_of(at.begin(), at.end(), [&](const double s) {
+            return s > stretch.from && s < stretch.to;
+          })) {
+        found.insert(point);
+        is_asked = true;
+      }
+    }
+    if (is_asked)
+      stretches.push_back(stretch);
+  }
+}
+
+void StretchLayout::add_points(const unsigned int pipe) {
+  for (const std::string &point : asked)
+    for (const double s : found.count(point) == 0 ? places(pipe, point) : std::vector<double>()) {
+      found.insert(point);
+      SolidStretch stretch;
+      stretch.pipe = pipe;
+      stretch.from = stretch.to = s;
+      stretch.name = point;
+      stretches.push_back(stretch);
+    }
+}
+
+std::array<double, 2> StretchLayout::room_of(const SolidStretch &stretch) const {
+  const double tolerance = same * outer(stretch.pipe);
+  double low = 0., high = paths[stretch.pipe].length();
+  for (const Segment &segment : paths[stretch.pipe].segments())
+    if (segment.radius > 0.) {
+      if (segment.start + segment.length <= stretch.from + tolerance)
+        low = std::max(low, segment.start + segment.length);
+      if (segment.start >= stretch.to - tolerance)
+        high = std::min(high, segment.start);
+    }
+  for (const double s : anchors(stretch.pipe)) {
+    if (s <= stretch.from + tolerance)
+      low = std::max(low, s);
+    if (s >= stretch.to - tolerance)
+      high = std::min(high, s);
+  }
+  return {{low, high}};
+}
+
+void StretchLayout::extend(SolidStretch &stretch) const {
+  const auto [low, high] = room_of(stretch);
+  const double tangent = decay_lengths * decay_length(stretch.pipe),
+               tolerance = same * outer(stretch.pipe);
+  // No sliver of a pipe beside it.
+  const double from = stretch.from - tangent, to = stretch.to + tangent;
+  stretch.is_short = from < low - tolerance || to > high + tolerance;
+  stretch.from = from < low + outer(stretch.pipe) / 2. ? low : from;
+  stretch.to = to > high - outer(stretch.pipe) / 2. ? high : to;
+}
+
+void StretchLayout::join(std::vector<SolidStretch> &all) const {
+  std::stable_sort(all.begin(), all.end(), [](const SolidStretch &a, const SolidStretch &b) {
+    return a.pipe != b.pipe ? a.pipe < b.pipe : a.from < b.from;
+  });
+  std::vector<SolidStretch> joined;
+  for (const SolidStretch &stretch : all) {
+    const double tolerance = same * outer(stretch.pipe);
+    const std::vector<double> held = anchors(stretch.pipe);
+    const auto is_anchor = [&](const double s) {
+      return std::any_of(held.begin(), held.end(),
+                         [&](const double at) { return std::abs(at - s) <= tolerance; });
+    };
+    if (!joined.empty() && joined.back().pipe == stretch.pipe &&
+        stretch.from <= joined.back().to + tolerance && !is_anchor(stretch.from)) {
+      joined.back().to = std::max(joined.back().to, stretch.to);
+      joined.back().name += "_" + stretch.name;
+      joined.back().is_short = joined.back().is_short || stretch.is_short;
+    } else
+      joined.push_back(stretch);
+    joined.back().anchored = {is_anchor(joined.back().from), is_anchor(joined.back().to)};
+  }
+  all = joined;
+}
+
+void StretchLayout::check_found() const {
+  for (const std::string &point : asked)
+    if (found.count(point) == 0 && point != all_bends)
+      throw UserError("Solid/At names a point that is on no pipe.\n  read:    '" + point +
+                      "'\n  allowed: points of routes, corners of bends among them, and Points on "
+                      "pipes, or all bends\n  try:     all bends");
+}
+
+void StretchLayout::check_pipe(const Pipe &pipe, const double bend_radius) const {
+  const Section &section = scene.sections[pipe.section];
+  const auto refuse = [&](const bool is_so, const std::string &read, const std::string &allowed) {
+    if (is_so)
+      throw UserError("Pipe " + pipe.name + ": its wall cannot be a solid.\n  read:    " + read +
+                      "\n  allowed: " + allowed +
+                      "\n  try:     Solid/At with the names of other bends alone");
+  };
+  refuse(section.wall == 0., "section '" + section.name + "' by its area and inertia",
+         "an Outer diameter and a Wall");
+  refuse(pipe.end_section.has_value(), "a reducer", "one Section all along");
+  refuse(pipe.rigid, "Rigid = true", "pipes of their own metal");
+  refuse(pipe.total_mass.has_value(), "Mass", "the mass by the Material's density");
+  refuse(bend_radius > 0. && bend_radius <= section.outer_radius,
+         "a bend of " + in_units(scene.units, bend_radius, "m"),
+         "bends of a radius larger than the pipe's own outer radius, so that the wall's inner side "
+         "has room");
+}
+
+std::vector<SolidStretch> StretchLayout::all() {
+  for (unsigned int p = 0; p < paths.size(); ++p)
+    add_bends(p);
+  for (unsigned int p = 0; p < paths.size(); ++p)
+    add_points(p);
+  check_found();
+  if (stretches.empty())
+    throw UserError(
+        "No pipe of the line is solid.\n  read:    all bends in Solid/At, of pipes without "
+        "a bend\n  allowed: pipes with bends, or names of points\n  try:     to leave At "
+        "out");
+  for (const SolidStretch &stretch : stretches)
+    for (const Segment &segment : paths[stretch.pipe].segments())
+      if (segment.start <= stretch.to && segment.start + segment.length >= stretch.from)
+        check_pipe(scene.pipes[stretch.pipe], segment.radius);
+  for (SolidStretch &stretch : stretches)
+    extend(stretch);
+  join(stretches);
+  return stretches;
+}
+
+} // namespace
+
+std::vector<SolidStretch> solid_stretches(const Scene &scene, const std::vector<PipePath> &paths) {
+  return StretchLayout(scene, paths).all();
+}
+
+} // namespace frictionbeam
