@@ -29,11 +29,11 @@ bool has_moved_before(const Scene &scene, const unsigned int step) {
 
 LoadSequence::LoadSequence(const Model &model)
     : model(model), own_statics(make_statics(model)), statics(*own_statics), course(model),
-      declared(model.scene.loads.size(), 0.), cycles(model) {}
+      declared(model.scene.loads.size(), 0.), path(model), cycles(model) {}
 
 LoadSequence::LoadSequence(const Model &model, Statics &statics)
     : model(model), statics(statics), course(model), declared(model.scene.loads.size(), 0.),
-      cycles(model) {}
+      path(model), cycles(model) {}
 
 LoadSequence::~LoadSequence() = default;
 
@@ -110,6 +110,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
       position.from = declared;
       position.start = current.time;
       position.next = 0;
+      path.begin(1. / declared_step.n_increments);
       cycles.step_begins(declared_step, current);
     }
     const Factors target = target_of(declared_step);
@@ -158,7 +159,7 @@ void LoadSequence::transfer(Archive &archive) {
     resolution = std::make_unique<FollowResolution>(model);
   transfer_state(archive);
   std::vector<std::pair<unsigned int, std::string>> ends(kept.begin(), kept.end());
-  archive(position, step_reports, ends, has_moved, has_reduced);
+  archive(position, path, step_reports, ends, has_moved, has_reduced);
   kept = {ends.begin(), ends.end()};
   if (archive.reads() && has_moved)
     march = std::make_unique<TimeMarch>(model, piece_observer);

@@ -5,6 +5,7 @@
 #include "analysis/increment/progress.h"
 #include "analysis/increment/step_report.h"
 #include "analysis/march/time_march.h"
+#include "analysis/sequence/limit_path.h"
 #include "analysis/statics/statics.h"
 
 #include <map>
@@ -75,6 +76,15 @@ private:
   /// Factors of the loads at a step's end, without their histories.
   Factors target_of(const LoadStep &step) const;
   bool run_static(const Factors &target, const Observer &observer);
+  /// Follow the path of equilibria to the largest part of the step's loads.
+  bool run_to_limit(const Observer &observer);
+  /// What becomes of an increment along the path.
+  enum class OnPath { failed, strayed, passed, accepted };
+  OnPath try_on_path(const LimitPath::Trial &trial, const double done);
+  /// Whether the step ends here, at the part that is done; the report says what it is then.
+  bool ends_at_limit(const double done);
+  /// After an increment that cannot be made shorter.
+  bool stops_at_limit(const OnPath last, const double done);
   /// Go to @p end of an increment that the step declares. Histories are followed to their corners,
   /// and on both sides of their jumps.
   bool follow_to(const double end, const bool is_last, const Factors &target);
@@ -86,6 +96,10 @@ private:
   /// An increment that takes no time, to what the loads are after a jump.
   bool advance_to_other_side();
   bool solve_increment(const Factors &factors, const double time);
+  EquilibriumResult solve_statics(const Factors &full, const double time,
+                                  const std::optional<PathLead> &lead, LineState &to);
+  /// Make a solution the present state.
+  void take(LineState to, const Factors &factors, const double time);
   /// After a static increment: its account of energy, its slips, contacts that it tore off.
   void judge_increment(const LineState &before, EnergyAccount account);
   /// Forces that a state before the first static increment, or the motion before it, leaves
@@ -116,6 +130,7 @@ private:
   PieceObserver piece_observer;
   Pause between_increments;
   Position position;
+  LimitPath path;                           ///< of the step, if it looks for its limit
   std::map<unsigned int, std::string> kept; ///< at the ends of steps that others go back to
   bool is_resumed = false, looks_at_uniqueness = true;
   NeedsLine observer_needs_line;

@@ -52,6 +52,9 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
   }
   is_resumed = false;
   measure_forces(course.forces(current.load_factors));
+  // In small displacements the load does not fall, and halving its increments is enough.
+  if (declared_step.finds_limit && model.cells.turns_far() && !run_to_limit(observer))
+    return false;
   for (std::size_t &i = position.next; i < declared_step.n_increments;) {
     ++i;
     const double end = i == declared_step.n_increments
@@ -71,7 +74,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     if (between_increments)
       between_increments();
   }
-  if (statics.is_unstable(current))
+  if (!step_reports.back().limit && statics.is_unstable(current))
     step_reports.back().warning =
         "Step " + declared_step.name +
         ": the equilibrium is unstable, even if every support that is closed held its point: a "
@@ -209,17 +212,27 @@ void LoadSequence::judge_increment(const LineState &before, EnergyAccount accoun
       report.torn_off.push_back(i);
 }
 
-bool LoadSequence::solve_increment(const Factors &factors, const double time) {
-  const Factors full = course.factors_at(time, side);
-  LineState to = current;
-  last_result =
+EquilibriumResult LoadSequence::solve_statics(const Factors &full, const double time,
+                                              const std::optional<PathLead> &lead, LineState &to) {
+  EquilibriumResult result =
       statics.solve(current,
                     {course, time, full, contact::least_force * force_so_far, force_so_far,
-                     iterations_left, model.scene.steps[position.step].finds_limit},
+                     iterations_left, model.scene.steps[position.step].finds_limit, lead},
                     to, response);
-  iterations_left -= std::min(iterations_left, last_result.iterations);
+  iterations_left -= std::min(iterations_left, result.iterations);
+  return result;
+}
+
+bool LoadSequence::solve_increment(const Factors &factors, const double time) {
+  LineState to = current;
+  last_result = solve_statics(course.factors_at(time, side), time, {}, to);
   if (!add_result(last_result, step_reports.back()))
     return false;
+  take(std::move(to), factors, time);
+  return true;
+}
+
+void LoadSequence::take(LineState to, const Factors &factors, const double time) {
   const Vector unbalanced = unbalanced_at_start();
   const LineState before = std::move(current);
   current = std::move(to);
@@ -228,9 +241,8 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time) {
     if (model.contacts[i].law.has_closed_form())
       current.contacts.dissipated[i] =
           before.contacts.dissipated[i] + friction_work(model.contacts[i], i, before, current);
-  measure_forces(course.forces(full));
+  measure_forces(course.forces(current.load_factors));
   judge_increment(before, statics.account(before, current, course, unbalanced));
-  return true;
 }
 
 } // namespace frictionbeam

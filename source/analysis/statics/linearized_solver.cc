@@ -2,6 +2,7 @@
 #include "analysis/statics/linearized_solver.h"
 
 #include "analysis/contact/solver_library.h"
+#include "model/unknowns/line_extent.h"
 #include <frictionbeam/contact/tolerances.h>
 
 #include <algorithm>
@@ -103,6 +104,100 @@ EquilibriumResult LinearizedSolver::solve(EquilibriumProblem &problem,
   return result;
 }
 
+EquilibriumResult LinearizedSolver::solve_led_freely(const SparseMatrix &matrix,
+                                                     const Vector &right_hand_side, Lead &lead,
+                                                     Vector &change) {
+  EquilibriumResult result;
+  result.factorizations = 1;
+  Vector of_loads;
+  if (solve_without_contacts(matrix, right_hand_side, change))
+    of_loads = solve_again(lead.forces);
+  result.converged = of_loads.size() > 0 && of_loads.allFinite() && of_loads[lead.unknown] != 0.;
+  if (result.converged) {
+    lead.more = (lead.change - change[lead.unknown]) / of_loads[lead.unknown];
+    change += lead.more * of_loads;
+  } else
+    result.remark = "the tangent stiffness is singular: something moves freely or buckles";
+  return result;
+}
+
+std::optional<double> LinearizedSolver::find_load(const Overshoot &overshoot, const Lead &lead,
+                                                  const double allowed) {
+  constexpr unsigned int most_tries = 20;
+  constexpr double good_enough = 1e-7; // of the whole way: the next iteration goes on from there
+  double last = 0.;
+  std::optional<double> of_last = overshoot(last), low, high; // sizes too small, and too large
+  double next = of_last ? -*of_last * lead.loads_by_change : 0.;
+  for (unsigned int k = 0; k < most_tries && of_last; ++k) {
+    if (std::abs(*of_last) <= allowed)
+      return last;
+    (*of_last < 0. ? low : high) = last;
+    if (low && high && (next - *low) * (next - *high) >= 0.)
+      next = (*low + *high) / 2.;
+    const std::optional<double> of_next = overshoot(next);
+    if (!of_next) { // further than anything holds
+      next = (last + next) / 2.;
+      continue;
+    }
+    if (std::abs(*of_next) <= good_enough * std::abs(lead.whole) &&
+        std::abs(*of_next) >= 0.5 * std::abs(*of_last))
+      return next; // rounding
+    const double secant = *of_next == *of_last
+                              ? 2. * next - last
+                              : next - *of_next * (next - last) / (*of_next - *of_last);
+    last = next;
+    of_last = of_next;
+    next = secant;
+  }
+  return {};
+}
+
+EquilibriumResult LinearizedSolver::solve_led(EquilibriumProblem &problem, Lead &lead,
+                                              const ContactState &committed, Vector &change,
+                                              ContactResponse &response) {
+  constexpr double unbalanced = 0.1; // of what the residual may be, in the spring
+  SparseMatrix matrix = model.contacts.size() > 0 ? symmetric_part(problem.matrix) : problem.matrix;
+  matrix.coeffRef(lead.unknown, lead.unknown) += lead.stiffness;
+  Vector forces = problem.right_hand_side;
+  forces[lead.unknown] += lead.stiffness * lead.change;
+  change.setZero(forces.size());
+  if (model.contacts.size() == 0) {
+    model.contacts.prepare(response);
+    response.state = committed;
+    return solve_led_freely(matrix, forces, lead, change);
+  }
+  const auto solver =
+      make_equilibrium_solver(model.scene.solver, model.contacts, model.space, matrix, parts.get());
+  EquilibriumProblem linear{
+      {matrix, forces, problem.increment, problem.overrides, problem.largest_force},
+      problem.imposed};
+  linear.force_so_far = problem.force_so_far;
+  std::vector<Contact::Strains> stress = *problem.forces_before;
+  linear.forces_before = &stress;
+  EquilibriumResult result;
+  const auto overshoot = [&](const double more) -> std::optional<double> {
+    linear.right_hand_side = forces + more * lead.forces;
+    const EquilibriumResult one = solver->solve(linear, committed, change, response);
+    const unsigned int factorizations = result.factorizations + one.factorizations;
+    result = one;
+    result.factorizations = factorizations;
+    if (!one.converged)
+      return {};
+    stress = response.stress;
+    return change[lead.unknown] - lead.change;
+  };
+  const double allowed = unbalanced * model.scene.solver.tolerance *
+                         std::max(problem.largest_force, problem.force_so_far) / lead.stiffness;
+  const auto more = find_load(overshoot, lead, allowed);
+  if (more)
+    lead.more = *more;
+  else if (result.converged)
+    result.remark = "no size of the loads moves the line as far as it is led";
+  result.converged = more.has_value();
+  result.no_equilibrium = false;
+  return result;
+}
+
 bool iterate(const unsigned int most, const std::function<EquilibriumResult()> &solve_linearized,
              EquilibriumResult &result) {
   if (result.iterations == most) {
@@ -127,15 +222,6 @@ const Point3 &place_of(const Model &model, const unsigned int vertex) {
 /// Size of a vector that may have no entries: where all is held.
 double largest_of(const Vector &vector) {
   return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.;
-}
-
-/// Largest coordinate of the line at rest [m].
-double extent(const Model &model) {
-  double largest = 0.;
-  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
-    for (unsigned int d = 0; d < 3; ++d)
-      largest = std::max(largest, std::abs(place_of(model, v)[d]));
-  return largest;
 }
 
 } // namespace
@@ -169,7 +255,8 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
                        std::min(rounding, contact::most_excused * std::max(largest, scale))))
     return true;
   // Lengths of chords are differences of places, whose rounding is there without any force.
-  return size <= std::max(most_rounding * std::max(largest, scale), by_metre * extent(model)) &&
+  return size <= std::max(most_rounding * std::max(largest, scale),
+                          by_metre * largest_coordinate(model.discretization)) &&
          size <= measure();
 }
 

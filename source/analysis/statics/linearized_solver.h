@@ -34,6 +34,27 @@ public:
 
   EquilibriumResult solve(EquilibriumProblem &problem, const ContactState &committed,
                           Vector &change, ContactResponse &response);
+  /// An unknown whose change is given, in place of the size of the loads: by a spring of any
+  /// stiffness, without which the matrix may be singular or not definite, and which is left without
+  /// force.
+  struct Lead {
+    int unknown;
+    double change, whole;   ///< of the unknown: now, and in all iterations
+    double stiffness;       ///< of the spring
+    const Vector &forces;   ///< on the unknowns, of one more of the loads
+    double loads_by_change; ///< as expected
+    double more = 0.;       ///< of the loads, what it takes
+  };
+  /**
+   * Solves for the change x and the size m of further loads f: matrix x + forces of the contacts =
+   * right hand side + m f, with x of the lead's unknown given. One matrix, with the spring, serves
+   * all sizes: without contacts x is linear in m, and two solutions are enough (J. L. Batoz, G.
+   * Dhatt, IJNME 14 (1979) 1262-1267, doi:10.1002/nme.1620140811); with contacts it is so piece by
+   * piece, and the root is found by secants.
+   */
+  EquilibriumResult solve_led(EquilibriumProblem &problem, Lead &lead,
+                              const ContactState &committed, Vector &change,
+                              ContactResponse &response);
   /// The matrix's own solution; false if it is singular.
   bool solve_without_contacts(const SparseMatrix &matrix, const Vector &right_hand_side,
                               Vector &change);
@@ -43,6 +64,15 @@ public:
   }
 
 private:
+  /// Of the lead's unknown on a line with contacts, by a method made for the matrix with the
+  /// spring: how much further it goes than it is to, under loads of a size.
+  using Overshoot = std::function<std::optional<double>(const double more)>;
+  /// The size where that is below @p allowed; nothing where none is found.
+  static std::optional<double> find_load(const Overshoot &overshoot, const Lead &lead,
+                                         const double allowed);
+  EquilibriumResult solve_led_freely(const SparseMatrix &matrix, const Vector &right_hand_side,
+                                     Lead &lead, Vector &change);
+
   /// For a matrix, with all that it has factored and remembers.
   struct Method {
     SparseMatrix matrix, symmetric;

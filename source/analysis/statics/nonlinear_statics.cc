@@ -15,24 +15,13 @@ using namespace dealii;
 
 namespace {
 
-constexpr double most_turn = 0.5;              // of a vertex in one iteration [rad]
-constexpr unsigned int most_improvements = 10; // of a mechanism
-constexpr double rounding_of_pivots = 1e-12;   // of the largest stiffness
-
-/// Of a vertex, among changes of all degrees of freedom [rad].
-double largest_turn(const Discretization &discretization, const Vector &dofs) {
-  double turn = 0.;
-  for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v)
-    for (unsigned int c = 3; c < 6; ++c)
-      if (const auto dof = discretization.vertex_dofs().index(v, c);
-          dof != numbers::invalid_dof_index)
-        turn = std::max(turn, std::abs(dofs[dof]));
-  return turn;
-}
+constexpr double most_turn = 0.5;            // of a vertex in one iteration [rad]
+constexpr double rounding_of_pivots = 1e-12; // of the largest stiffness
 
 } // namespace
 
-NonlinearStatics::NonlinearStatics(const Model &model) : model(model), linearized(model) {
+NonlinearStatics::NonlinearStatics(const Model &model)
+    : model(model), linearized(model), motions(model) {
   if (!model.cells.pipe_sections().any() || model.cells.turns_far())
     return;
   const Pose rest = model.cells.at_rest();
@@ -52,13 +41,81 @@ NonlinearStatics::Approach NonlinearStatics::begin(const LineState &from,
       std::max(increment.least_force, balance.largest); // a line may lose all its forces
   const Vector imposed =
       increment.course.imposed(increment.time) - increment.course.imposed(from.time);
-  return {model.cells.moved(pose, imposed),
-          Vector::Zero(from.unknowns.size()),
-          increment.factors,
-          {increment.course.time_of_laws(increment.time), increment.time - from.time},
-          pose,
-          largest_before,
-          balance};
+  Approach at{model.cells.moved(pose, imposed),
+              Vector::Zero(from.unknowns.size()),
+              increment.time,
+              increment.factors,
+              {increment.course.time_of_laws(increment.time), increment.time - from.time},
+              pose,
+              largest_before,
+              balance};
+  if (increment.lead)
+    measure_rates(from, increment, at);
+  return at;
+}
+
+namespace {
+/// Time that an increment which is led is expected to take.
+double expected_span(const LineState &from, const StaticIncrement &increment) {
+  constexpr double least = 1e-3; // of what is left of the step
+  return std::max(increment.time - from.time, least * (increment.lead->end - from.time));
+}
+} // namespace
+
+void NonlinearStatics::measure_rates(const LineState &from, const StaticIncrement &increment,
+                                     Approach &at) const {
+  const PathLead &lead = *increment.lead;
+  const double rest = lead.end - from.time;
+  at.factor_rates.resize(lead.factors.size());
+  for (unsigned int l = 0; l < lead.factors.size(); ++l)
+    at.factor_rates[l] = (lead.factors[l] - from.load_factors[l]) / rest;
+  at.imposed_rate =
+      (increment.course.imposed(lead.end) - increment.course.imposed(from.time)) / rest;
+  const Vector before = at.balance.forces;
+  const double span = expected_span(from, increment);
+  const Pose end = model.cells.moved(at.start, span * at.imposed_rate);
+  std::vector<double> factors = from.load_factors;
+  for (unsigned int l = 0; l < factors.size(); ++l)
+    factors[l] += span * at.factor_rates[l];
+  LineCells::Step step{end, end, end, end.dofs, 0., at.clock, nullptr, &at.start, true};
+  model.cells.evaluate(step, factors, at.balance);
+  at.force_rate = (at.balance.forces - before) / span;
+  at.lead_stiffness = std::abs(at.balance.stiffness.coeff(lead.unknown, lead.unknown));
+}
+
+void NonlinearStatics::load_further(const double more, Approach &at) const {
+  at.time += more;
+  at.clock.time += more;
+  at.clock.length = std::max(at.clock.length + more, 0.);
+  for (unsigned int l = 0; l < at.factors.size(); ++l)
+    at.factors[l] += more * at.factor_rates[l];
+  if (at.imposed_rate.lpNorm<Eigen::Infinity>() > 0.)
+    at.pose = model.cells.moved(at.pose, more * at.imposed_rate);
+}
+
+EquilibriumResult
+NonlinearStatics::solve_at_pose(const LineState &from, const StaticIncrement &increment,
+                                const std::vector<Contact::Strains> &contact_forces, Approach &at,
+                                Vector &change, ContactResponse &response, double &more) {
+  EquilibriumProblem problem{{at.balance.stiffness, at.forces}, at.pose.dofs};
+  problem.increment = {at.clock.time, 0., model.contacts.temperatures(at.factors)};
+  problem.largest_force = at.largest;
+  problem.force_so_far = std::max(increment.force_so_far, at.balance.free);
+  problem.forces_before = &contact_forces;
+  if (!increment.lead)
+    return linearized.solve(problem, from.contacts, change, response);
+  const PathLead &goal = *increment.lead;
+  const double left = goal.motion - at.moved[goal.unknown];
+  LinearizedSolver::Lead lead{static_cast<int>(goal.unknown),
+                              left,
+                              goal.motion,
+                              at.lead_stiffness,
+                              at.force_rate,
+                              expected_span(from, increment) / goal.motion};
+  const EquilibriumResult result =
+      linearized.solve_led(problem, lead, from.contacts, change, response);
+  more = lead.more;
+  return result;
 }
 
 void NonlinearStatics::evaluate(Approach &at, const bool is_trial) const {
@@ -151,8 +208,8 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
-  const bool may_search =
-      model.cells.pipe_sections().any() && !(model.cells.turns_far() && increment.finds_limit);
+  const bool may_search = model.cells.pipe_sections().any() &&
+                          (increment.lead || !(model.cells.turns_far() && increment.finds_limit));
   bool is_searched = false;
   unsigned int steps_in_vain = 0;
   std::vector<Contact::Strains> contact_forces = from.contact_stress;
@@ -173,26 +230,27 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       result.converged = true;
       to.sections.swap(at.balance.sections);
       if (model.cells.pipe_sections().any())
-        last_tangent = at.balance.stiffness;
+        motions.add_solved(at.moved, at.balance.stiffness);
+      to.time = at.time;
       to.unknowns = from.unknowns + at.moved;
-      model.space.expand(at.moved, last_motion);
       set_pose(model, at.pose, to);
       return result;
     }
-    const auto solve_at_pose = [&]() {
-      EquilibriumProblem problem{{at.balance.stiffness, at.forces}, at.pose.dofs};
-      problem.increment = {at.clock.time, 0., model.contacts.temperatures(increment.factors)};
-      problem.largest_force = at.largest;
-      problem.force_so_far = std::max(increment.force_so_far, at.balance.free);
-      problem.forces_before = &contact_forces;
-      return linearized.solve(problem, from.contacts, change, response);
+    double more = 0.;
+    const auto solve_linearized = [&]() {
+      return solve_at_pose(from, increment, contact_forces, at, change, response, more);
     };
-    if (!iterate(model.scene.solver.max_iterations, solve_at_pose, result)) {
+    if (!iterate(model.scene.solver.max_iterations, solve_linearized, result)) {
       remember_failure(at, from, increment);
       return result;
     }
     contact_forces = response.stress;
-    const Vector forces = at.forces, moved = at.moved;
+    Vector forces = at.forces;
+    if (increment.lead) {
+      forces += more * at.force_rate;
+      load_further(more, at);
+    }
+    const Vector moved = at.moved;
     const Pose pose = at.pose;
     judged = move(change, at);
     // Beyond the limit of supports that slip nothing helps: far motions show the mechanism then.
@@ -212,101 +270,28 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   }
 }
 
-std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
-                                                   const std::vector<double> &begin,
-                                                   const std::vector<double> &end) const {
-  if (!model.cells.pipe_sections().any())
-    return {};
-  std::optional<Collapse> best;
-  Vector mechanism;
-  const auto try_motion = [&](const Vector &motion) {
-    if (motion.size() == 0 || !motion.allFinite())
-      return false;
-    const auto found = find_collapse(model, at, motion, begin, end);
-    if (!found || std::isnan(found->bound) || (best && found->bound >= best->bound))
-      return false;
-    best = found;
-    mechanism = motion;
-    return true;
-  };
-  for (const Vector *const motion :
-       {&last_motion, &failed_motion, &softest_at_failure, &softest_before})
-    try_motion(*motion);
-  if (best && model.contacts.size() == 0) { // whose motion contacts would have to allow
-    const Vector gain = loads_on_unknowns(at, end) - loads_on_unknowns(at, begin);
-    for (const double turn : {1e-4, 1e-3, 1e-2})
-      for (unsigned int k = 0;
-           k < most_improvements && try_motion(softer_motion(at, mechanism, turn, end, gain)); ++k)
-        ;
-  }
-  return best;
-}
-
-Vector NonlinearStatics::loads_on_unknowns(const LineState &at,
-                                           const std::vector<double> &factors) const {
-  LineCells::Balance balance;
-  model.cells.evaluate(pose_of(at), factors, balance);
-  return model.space.restrict_forces(balance.loads);
-}
-
-Vector NonlinearStatics::softer_motion(const LineState &at, const Vector &motion, const double turn,
-                                       const std::vector<double> &factors,
-                                       const Vector &forces) const {
-  const double present = largest_turn(model.discretization, motion);
-  if (!(present > 0.))
-    return {};
-  const Pose start = pose_of(at), moved = model.cells.moved(start, turn / present * motion);
-  LineCells::Balance balance;
-  model.cells.evaluate({moved, moved, moved, moved.dofs, 0., {}, nullptr, &start}, factors,
-                       balance);
-  return balance.failed ? Vector() : soft_motion(balance.stiffness, forces);
-}
-
 void NonlinearStatics::remember_failure(const Approach &at, const LineState &from,
                                         const StaticIncrement &increment) {
-  if (!model.cells.pipe_sections().any())
-    return;
-  model.space.expand(at.moved, failed_motion);
-  softest_at_failure.resize(0);
-  softest_before.resize(0);
-  if (model.contacts.size() > 0 || at.forces.size() == 0)
-    return; // whose motion contacts would have to allow
-  softest_at_failure = soft_motion(at.balance.stiffness, at.forces);
-  if (last_tangent.rows() == at.forces.size())
-    softest_before = soft_motion(last_tangent, increment.course.forces(increment.factors) -
-                                                   increment.course.forces(from.load_factors));
+  if (model.cells.pipe_sections().any())
+    motions.add_failure(at.moved, at.balance.stiffness, at.forces,
+                        increment.course.forces(increment.factors) -
+                            increment.course.forces(from.load_factors));
 }
 
-Vector NonlinearStatics::soft_motion(SparseMatrix tangent, const Vector &forces) const {
-  constexpr double shift = 1e-8; // of the stiffness: below what is elastic, above a mechanism's
-  for (int i = 0; i < tangent.rows(); ++i)
-    tangent.coeffRef(i, i) += shift * std::abs(tangent.coeff(i, i));
-  Vector motion, dofs;
-  LinearizedSolver shifted(model);
-  if (shifted.solve_without_contacts(tangent, forces, motion))
-    model.space.expand(motion, dofs);
-  return dofs;
-}
-
-void NonlinearStatics::transfer(Archive &archive) {
-  linearized.transfer(archive);
-  int n = last_tangent.rows();
-  std::vector<int> outer(last_tangent.outerIndexPtr(),
-                         last_tangent.outerIndexPtr() + (n > 0 ? n + 1 : 0)),
-      inner(last_tangent.innerIndexPtr(),
-            last_tangent.innerIndexPtr() + (n > 0 ? last_tangent.nonZeros() : 0));
-  std::vector<double> values(last_tangent.valuePtr(), last_tangent.valuePtr() + inner.size());
-  archive(last_motion, failed_motion, softest_at_failure, softest_before, n, outer, inner, values);
-  if (archive.reads())
-    last_tangent = n > 0 ? SparseMatrix(Eigen::Map<const SparseMatrix>(
-                               n, n, values.size(), outer.data(), inner.data(), values.data()))
-                         : SparseMatrix();
-}
+void NonlinearStatics::transfer(Archive &archive) { archive(linearized, motions); }
 
 Vector NonlinearStatics::forces_on_contacts(const LineState &state, const LoadCourse &) const {
   LineCells::Balance balance;
   model.cells.evaluate(pose_of(state), state.load_factors, balance);
   return balance.forces + model.contacts.platen_forces();
+}
+
+std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
+                                                   const std::vector<double> &begin,
+                                                   const std::vector<double> &end) const {
+  if (!model.cells.pipe_sections().any())
+    return {};
+  return motions.collapse(at, begin, end);
 }
 
 bool NonlinearStatics::is_unstable(const LineState &state) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/statics/last_motions.h"
 #include "analysis/statics/linearized_solver.h"
 #include "analysis/statics/statics.h"
 
@@ -39,7 +40,8 @@ public:
   struct Approach {
     Pose pose;
     Vector moved; ///< unknowns since the increment began
-    const std::vector<double> &factors;
+    double time;  ///< at its end [s]
+    std::vector<double> factors;
     PipeSections::Clock clock;
     Pose start;
     double largest_before;       ///< force on the unknowns as the increment begins
@@ -47,11 +49,25 @@ public:
     bool is_answered = false;    ///< by the sections, at one pose of the increment
     double largest = 0.;         ///< likewise
     Vector forces;               ///< left at the pose, but for the contacts
+    /// Of an increment that is led, by time: factors of the loads, what they impose on all degrees
+    /// of freedom, and forces on the unknowns.
+    std::vector<double> factor_rates = {};
+    Vector imposed_rate = {}, force_rate = {};
+    double lead_stiffness = 0.; ///< of the unknown that is led, as if all were elastic
   };
 
 private:
   Approach begin(const LineState &from, const StaticIncrement &increment);
+  /// What loads do by time to an increment that is led.
+  void measure_rates(const LineState &from, const StaticIncrement &increment, Approach &at) const;
   void evaluate(Approach &at, const bool is_trial) const;
+  /// Solve the line linearized at the pose. @p more: of the time, what an increment that is led
+  /// takes more or less of.
+  EquilibriumResult solve_at_pose(const LineState &from, const StaticIncrement &increment,
+                                  const std::vector<Contact::Strains> &contact_forces, Approach &at,
+                                  Vector &change, ContactResponse &response, double &more);
+  /// Change loads, and what they impose, by time.
+  void load_further(const double more, Approach &at) const;
   /// Whether the contacts' forces at this pose balance the line's; how well goes into the result.
   bool is_solved(Approach &at, const ContactResponse &response, EquilibriumResult &result) const;
   /// Whether the increment is short enough for creep; if not, the result's remark says so.
@@ -72,19 +88,9 @@ private:
   /// Keep what an increment that fails has come to, for collapse().
   void remember_failure(const Approach &at, const LineState &from,
                         const StaticIncrement &increment);
-  /// Of a line whose sections flow as they do where a motion from a state turns a vertex so far:
-  /// it knows hinges that form on the way; empty where they have no answer.
-  Vector softer_motion(const LineState &at, const Vector &motion, const double turn,
-                       const std::vector<double> &factors, const Vector &forces) const;
-  Vector loads_on_unknowns(const LineState &at, const std::vector<double> &factors) const;
-  /// By forces, of a line that is a little stiffer than a mechanism; empty where there is none.
-  Vector soft_motion(SparseMatrix tangent, const Vector &forces) const;
 
-  /// Of all degrees of freedom, without what was imposed: of the last increment that was solved, of
-  /// the last that was not, where its tangent is softest, and where that of the state before is.
-  Vector last_motion, failed_motion, softest_at_failure, softest_before;
-  SparseMatrix last_tangent; ///< of the last increment that was solved
-  bool too_long = false;     ///< the last increment, for creep
+  LastMotions motions;
+  bool too_long = false; ///< the last increment, for creep
 };
 
 } // namespace frictionbeam

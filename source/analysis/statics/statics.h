@@ -8,8 +8,17 @@
 #include <frictionbeam/contact/exact_solver.h>
 
 #include <memory>
+#include <optional>
 
 namespace frictionbeam {
+
+/// How the end of an increment is told where not the loads, but the motion is given.
+struct PathLead {
+  unsigned int unknown;               ///< that is led
+  double motion;                      ///< by so much
+  double end;                         ///< of the step [s], to which the loads' factors go evenly
+  const std::vector<double> &factors; ///< then
+};
 
 /// A static increment, as it begins.
 struct StaticIncrement {
@@ -20,6 +29,8 @@ struct StaticIncrement {
   double force_so_far = 0.;           ///< largest of the sequence [N]
   unsigned int most_iterations = 0;
   bool finds_limit = false; ///< of the poses near by, where others far away would carry more
+  /// If given, time and factors are a guess only, and the state's time is part of the solution.
+  std::optional<PathLead> lead = {};
 };
 
 /// Solves static increments of a line with its contacts.

@@ -84,11 +84,27 @@ void check_elastic(ParameterReader &in, const Scene &scene) {
   in.enter("Mesh");
   if (scene.mesh.refine_hinges)
     in.fail("Refine hinges", "pipes whose section yields", "'Law = fibre_pipe' in its Section");
-  for (const LoadStep &step : scene.steps)
-    if (step.finds_limit) {
-      in.enter("Step " + step.name);
-      in.fail("Find", "limit with pipes whose section yields", "'Law = fibre_pipe' in its Section");
-    }
+}
+
+/// A limit is a part of loads that grow evenly, on lines that may have one.
+void check_limits(ParameterReader &in, const Scene &scene) {
+  const bool may_have_one = scene.kinematics == Kinematics::corotational ||
+                            std::any_of(scene.pipes.begin(), scene.pipes.end(),
+                                        [&](const Pipe &pipe) { return yields(scene, pipe); });
+  for (const LoadStep &step : scene.steps) {
+    if (!step.finds_limit)
+      continue;
+    in.enter("Step " + step.name);
+    if (!may_have_one)
+      in.fail("Find",
+              "limit with pipes whose section yields, or in large displacements, where elastic "
+              "lines snap and buckle",
+              "'Law = fibre_pipe' in its Section, or 'Kinematics = corotational'");
+    for (const auto &[load, factor] : step.loads)
+      if (scene.loads[load].history.is_given())
+        in.fail("Find", "limit with loads that grow evenly",
+                "'" + scene.loads[load].name + "' without its History, or Find = nothing");
+  }
 }
 
 /// A reducer has one law, and a rigid pipe none.
@@ -144,6 +160,7 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
   for (const std::string &point : scene.output.sections)
     check_point(in, "Sections", point, scene);
   check_laws_of_pipes(in, scene);
+  check_limits(in, scene);
   const auto found = std::find_if(scene.pipes.begin(), scene.pipes.end(),
                                   [&](const Pipe &pipe) { return yields(scene, pipe); });
   if (found == scene.pipes.end())

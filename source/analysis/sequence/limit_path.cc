@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/sequence/limit_path.h"
+
+#include "model/cell/line_cells.h"
+#include "model/mechanism.h"
+#include "model/unknowns/line_extent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+constexpr double arm = 0.1;         // of the line's extent, by which rotations are motions
+constexpr double small_step = 1e-3; // of the extent, within which nothing snaps to another branch
+constexpr double large_step = 0.05; // of the extent, in large displacements
+constexpr double most_deviation = 0.3;           // of the expected gain
+constexpr double of_loads = 0.01;                // which the expected gain may be off by besides
+constexpr double soft = 0.01, flat = 1e-6;       // of the first slope
+constexpr double no_gain = 1e-6;                 // of the loads, in an increment
+constexpr unsigned int most_soft_halvings = 2;   // where next to nothing is gained any more
+constexpr unsigned int most_first_halvings = 40; // loads of any size may be declared
+constexpr unsigned int several = 3;
+constexpr double growth = 2.; // of the motion from one increment to the next
+} // namespace
+
+LimitPath::LimitPath(const Model &model)
+    : model(model), weights(Vector::Ones(model.space.n_unknowns())),
+      extent(line_extent(model.discretization)) {
+  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
+    for (unsigned int c = 3; c < 6; ++c)
+      if (const auto dof = model.discretization.vertex_dofs().index(v, c);
+          dof != dealii::numbers::invalid_dof_index)
+        for (const auto &term : model.space.terms(dof))
+          if (term.weight == 1.)
+            weights[term.unknown] = arm * extent;
+}
+
+double LimitPath::measure(const Vector &of) const {
+  return of.size() > 0 ? of.cwiseProduct(weights).lpNorm<Eigen::Infinity>() : 0.;
+}
+
+void LimitPath::begin(const double most_part) {
+  motion.resize(0);
+  gain = size = first_slope = 0.;
+  n_flat = n_halved = n_passed = 0;
+  first = most = most_part;
+}
+
+LimitPath::Trial LimitPath::next(const double done) const {
+  if (measure(motion) == 0.)
+    return {std::min(done + first, 1.), {}};
+  const double part = done + slope() * size;
+  if (part >= 1.)
+    return {1., {}, 0., (1. - done) / slope()};
+  Eigen::Index unknown;
+  motion.cwiseProduct(weights).cwiseAbs().maxCoeff(&unknown);
+  return {part, static_cast<unsigned int>(unknown),
+          std::copysign(size / weights[unknown], motion[unknown]), size};
+}
+
+bool LimitPath::strays(const Trial &trial, const Vector &moved, const double done,
+                       const double part) const {
+  const double length = measure(moved);
+  if (length <= small_step * extent)
+    return false;
+  if (!trial.unknown)
+    return trial.size == 0. || std::abs(length - trial.size) > most_deviation * trial.size;
+  return std::abs(part - trial.part) >
+         most_deviation * std::abs(trial.part - done) + of_loads * std::abs(part);
+}
+
+void LimitPath::cut(const Trial &trial) {
+  if (trial.size > 0.)
+    size = trial.size / 2.;
+  else
+    first /= 2.;
+}
+
+bool LimitPath::halve(const Trial &trial, const bool passed) {
+  cut(trial);
+  unsigned int &count = passed ? n_passed : n_halved;
+  return ++count <= (measure(motion) == 0. ? most_first_halvings : model.scene.solver.max_halvings);
+}
+
+void LimitPath::add(const Vector &moved, const double gained, const double done) {
+  n_halved = 0;
+  const double length = measure(moved);
+  if (length == 0.)
+    return;
+  if (first_slope == 0.)
+    first_slope = gained / length;
+  n_flat = gained < flat * first_slope * length && gained < no_gain * done ? n_flat + 1 : 0;
+  motion = moved;
+  gain = gained;
+  size = n_passed > 0 ? length : growth * length;
+  if (gained > 0.)
+    size = std::min(size, most * length / gained);
+  if (model.cells.turns_far())
+    size = std::min(size, large_step * extent);
+}
+
+bool LimitPath::is_soft() const {
+  return measure(motion) > 0. && gain < soft * first_slope * measure(motion);
+}
+
+bool LimitPath::is_flat() const { return n_flat >= several; }
+
+std::string LimitPath::place_of_most_motion() const {
+  Vector dofs;
+  model.space.expand(motion, dofs);
+  std::pair<unsigned int, unsigned int> place; // cell and its end
+  double largest = -1.;
+  for (unsigned int i = 0; i < model.discretization.pipe_cells().size(); ++i)
+    for (unsigned int end = 0; end < 2; ++end) {
+      const unsigned int vertex = model.discretization.pipe_cell(i)->vertex_index(end);
+      double square = 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+        square += std::pow(dofs[model.discretization.vertex_dofs().index(vertex, d)], 2);
+      if (square > largest) {
+        largest = square;
+        place = {i, end};
+      }
+    }
+  return place_in_words(model, place.first, place.second);
+}
+
+void LimitPath::transfer(Archive &archive) {
+  archive(motion, gain, size, first, most, first_slope, n_flat, n_halved, n_passed);
+}
+
+} // namespace frictionbeam

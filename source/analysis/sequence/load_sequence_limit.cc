@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/increment/report_result.h"
+#include "analysis/sequence/load_sequence.h"
+#include "base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frictionbeam {
+
+namespace {
+constexpr unsigned int most_tries = 3000;               // of increments in a step
+constexpr unsigned int most_iterations_on_path = 50000; // of an increment
+constexpr double rounding_of_load = 1e-9;               // below which a load has not fallen
+constexpr double widest_limit_on_path = 1.1; // bound over what was carried, to be called a limit
+/// By which the bound is above what is carried, where a mechanism is complete.
+constexpr double complete = 1e-4;
+} // namespace
+
+bool LoadSequence::run_to_limit(const Observer &observer) {
+  const LoadStep &step = model.scene.steps[position.step];
+  const unsigned int n = step.n_increments;
+  StepReport &report = step_reports.back();
+  const auto part_done = [&]() { return (current.time - position.start) / step.duration; };
+  for (unsigned int k = 0; position.next < n; ++k) {
+    if (k == most_tries) {
+      report.remark = "no limit in " + std::to_string(most_tries) +
+                      " increments: " + rounded_number(part_done(), 6) +
+                      " of this step's loads is carried, and the line goes on moving";
+      return false;
+    }
+    const double done = part_done();
+    const LimitPath::Trial trial = path.next(done);
+    const Vector before = current.unknowns;
+    const OnPath now = try_on_path(trial, done);
+    bool ends = false;
+    if (now == OnPath::accepted) {
+      path.add(current.unknowns - before, part_done() - done, part_done());
+      ends = ends_at_limit(part_done());
+    } else {
+      ++report.halvings;
+      if (now == OnPath::strayed)
+        path.halve_again(trial);
+      else if (!path.halve(trial, now == OnPath::passed)) {
+        if (!stops_at_limit(now, done))
+          return false;
+        ends = true;
+      }
+    }
+    const std::size_t last = position.next;
+    position.next = ends || part_done() >= 1.
+                        ? n
+                        : std::min<std::size_t>(n - 1, n * part_done() * (1. + rounding_of_load));
+    if (ends)
+      current.time = position.start + step.duration; // where the next step's time begins
+    if (position.next > last)
+      observer({position.step, static_cast<unsigned int>(position.next), n}, current);
+    if (between_increments)
+      between_increments();
+  }
+  return true;
+}
+
+LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, const double done) {
+  const double duration = model.scene.steps[position.step].duration,
+               end = position.start + duration, time = position.start + trial.part * duration;
+  StepReport &report = step_reports.back();
+  const Factors at_end = course.factors_at(end, side);
+  LineState to = current;
+  std::optional<PathLead> lead;
+  if (trial.unknown)
+    lead.emplace(PathLead{*trial.unknown, trial.motion, end, at_end});
+  iterations_left = most_iterations_on_path;
+  const double at_time = trial.part < 1. ? time : end;
+  last_result = solve_statics(course.factors_at(at_time, side), at_time, lead, to);
+  const std::string remark = report.remark;
+  if (!add_result(last_result, report)) {
+    report.no_equilibrium = false;
+    return OnPath::failed;
+  }
+  if (!lead)
+    to.time = at_time;
+  const double part = (to.time - position.start) / duration;
+  if (part > 1.)
+    return OnPath::strayed; // the next one is expected to end with all loads, or half as far
+  if (path.is_passed() ? part < done : part < done - rounding_of_load * std::abs(done))
+    return OnPath::passed;
+  if (model.cells.turns_far()) {
+    if (path.strays(trial, to.unknowns - current.unknowns, done, part))
+      return OnPath::strayed;
+    to.load_factors = course.factors_at(to.time, side);
+    if (statics.is_unstable(to))
+      return OnPath::passed;
+  }
+  to.time = std::max(to.time, current.time); // equal but for rounding
+  take(to, course.declared(to.time), to.time);
+  ++report.increments;
+  if (each_increment)
+    each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
+                   current);
+  return OnPath::accepted;
+}
+
+bool LoadSequence::ends_at_limit(const double done) {
+  if (!path.is_soft())
+    return false;
+  const double duration = model.scene.steps[position.step].duration;
+  const auto collapse = statics.collapse(current, course.factors_at(position.start, side),
+                                         course.factors_at(position.start + duration, side));
+  const double bound = collapse ? collapse->bound : std::numeric_limits<double>::infinity();
+  if (!(bound <= done * (1. + complete)) && !path.is_flat())
+    return false;
+  StepReport &report = step_reports.back();
+  report.limit = {done, bound,
+                  collapse ? collapse->mechanism
+                           : "it moves without more load, most at " + path.place_of_most_motion()};
+  report.remark.clear();
+  return true;
+}
+
+bool LoadSequence::stops_at_limit(const OnPath last, const double done) {
+  StepReport &report = step_reports.back();
+  const double duration = model.scene.steps[position.step].duration;
+  const auto collapse = statics.collapse(current, course.factors_at(position.start, side),
+                                         course.factors_at(position.start + duration, side));
+  const double bound = collapse ? collapse->bound : std::numeric_limits<double>::infinity();
+  if (last == OnPath::passed) {
+    report.limit = {done, bound,
+                    "beyond it the line carries less, or is unstable; it moves most at " +
+                        path.place_of_most_motion()};
+    if (collapse)
+      report.limit->mechanism += "; " + collapse->mechanism;
+  } else if (bound <= widest_limit_on_path * done)
+    report.limit = {done, bound, collapse->mechanism};
+  else {
+    report.remark = "stopped at time " + rounded_number(current.time, 6) + ": " +
+                    last_result.remark + ", also after halving the increment " +
+                    std::to_string(model.scene.solver.max_halvings) + " times; " +
+                    rounded_number(done, 6) + " of the way of this step's loads was carried" +
+                    (collapse ? "; " + collapse->mechanism : "");
+    return false;
+  }
+  report.remark.clear();
+  return true;
+}
+
+} // namespace frictionbeam
