@@ -2,7 +2,6 @@
 #include "analysis/increment/energy_account.h"
 
 #include "model/line_pose.h"
-#include "model/unknowns/line_extent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -179,14 +178,12 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
 
 namespace {
 
-/// Work that rounding of the cells' forces, K |u| in its last bits, does on a motion [J]. In large
-/// displacements strains come from lengths of chords, which are differences of places.
+/// Work that rounding of the cells' forces, K |u| in its last bits, does on a motion [J].
 double work_of_rounding(const Model &model, const LineState &after, const Vector &motion) {
   if (motion.size() == 0)
     return 0.;
   constexpr double last_bits = 8. * std::numeric_limits<double>::epsilon();
-  const double moved = after.unknowns.lpNorm<Eigen::Infinity>() +
-                       (model.cells.turns_far() ? largest_coordinate(model.discretization) : 0.);
+  const double moved = after.unknowns.lpNorm<Eigen::Infinity>();
   return last_bits * moved *
          Vector(model.linear.stiffness().diagonal()).cwiseAbs().dot(motion.cwiseAbs());
 }

@@ -52,8 +52,10 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
   }
   is_resumed = false;
   measure_forces(course.forces(current.load_factors));
-  // In small displacements the load does not fall, and halving its increments is enough.
-  if (declared_step.finds_limit && model.cells.turns_far() && !run_to_limit(observer))
+  // Where elastic lines snap or buckle the load falls beyond the limit; of lines that yield,
+  // halving its increments finds what is carried, and the mechanism's bound proves it.
+  const bool follows_path = declared_step.finds_limit && !model.cells.pipe_sections().any();
+  if (follows_path && !run_to_limit(observer))
     return false;
   for (std::size_t &i = position.next; i < declared_step.n_increments;) {
     ++i;

@@ -88,21 +88,20 @@ void check_elastic(ParameterReader &in, const Scene &scene) {
 
 /// A limit is a part of loads that grow evenly, on lines that may have one.
 void check_limits(ParameterReader &in, const Scene &scene) {
-  const bool may_have_one = scene.kinematics == Kinematics::corotational ||
-                            std::any_of(scene.pipes.begin(), scene.pipes.end(),
-                                        [&](const Pipe &pipe) { return yields(scene, pipe); });
+  const bool may_yield = std::any_of(scene.pipes.begin(), scene.pipes.end(),
+                                     [&](const Pipe &pipe) { return yields(scene, pipe); });
   for (const LoadStep &step : scene.steps) {
     if (!step.finds_limit)
       continue;
     in.enter("Step " + step.name);
-    if (!may_have_one)
+    if (!may_yield && scene.kinematics != Kinematics::corotational)
       in.fail("Find",
               "limit with pipes whose section yields, or in large displacements, where elastic "
               "lines snap and buckle",
               "'Law = fibre_pipe' in its Section, or 'Kinematics = corotational'");
     for (const auto &[load, factor] : step.loads)
-      if (scene.loads[load].history.is_given())
-        in.fail("Find", "limit with loads that grow evenly",
+      if (!may_yield && scene.loads[load].history.is_given())
+        in.fail("Find", "limit of elastic pipes with loads that grow evenly",
                 "'" + scene.loads[load].name + "' without its History, or Find = nothing");
   }
 }

@@ -246,10 +246,12 @@ namespace {
 constexpr Word<bool> searches[] = {
     {"nothing", false, "the step ends with all of its loads"},
     {"limit", true,
-     "with the largest part of them that is carried by pipes which yield or, with Kinematics = "
-     "corotational, snap or buckle: its increments are motions along the path of equilibria, each "
-     "with no more of the loads than 'Increments' says; near the limit they are halved up to 'Max "
-     "halvings' times. Quantities limit_factor and limit_bound say what it is"}};
+     "with the largest part of them that is carried: by pipes which yield, to 'Max halvings' of an "
+     "increment; with Kinematics = corotational by elastic pipes as well, which snap or buckle: "
+     "their "
+     "increments are motions along the path of equilibria, halved as often near the limit. "
+     "Quantities "
+     "limit_factor and limit_bound say what it is"}};
 }
 
 void declare_step(ParameterReader &in) {
