@@ -79,7 +79,6 @@ public:
   /// takes it off.
   void set_drag(const double factor);
   double drag_factor() const { return drag; }
-  bool is_in_motion() const { return increment.length > 0.; }
   /// Whether the contacts are all coupled.
   bool is_of_body() const { return factors.is_of_body(); }
   std::vector<std::vector<int>> unknowns_of_contacts() const;
