@@ -155,7 +155,10 @@ void CondensedSystem::factorize() {
         "Held");
   const auto last_block = factors.last_block().triangularView<Eigen::Lower>();
   condensed = last_block * factors.last_block().transpose();
-  condensed.diagonal().array() -= largest;
+  // A body that only its contacts hold would rise or fall by the sign of what rounding has left,
+  // while they are open.
+  constexpr double above_rounding = 1e-13;
+  condensed.diagonal().array() -= (1. - above_rounding) * largest;
 }
 
 bool CondensedSystem::solve(const std::vector<Block> &blocks, const bool symmetric,
