@@ -1,32 +1,44 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/sequence/limit_path.h"
 
-#include "model/cell/line_cells.h"
 #include "model/mechanism.h"
-#include "model/unknowns/line_extent.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
 namespace {
 constexpr double arm = 0.1;         // of the line's extent, by which rotations are motions
 constexpr double small_step = 1e-3; // of the extent, within which nothing snaps to another branch
-constexpr double large_step = 0.05; // of the extent, in large displacements
+constexpr double large_step = 0.05; // of the extent
 constexpr double most_deviation = 0.3;           // of the expected gain
 constexpr double of_loads = 0.01;                // which the expected gain may be off by besides
-constexpr double soft = 0.01, flat = 1e-6;       // of the first slope
+constexpr double flat = 1e-6;                    // of the first slope
 constexpr double no_gain = 1e-6;                 // of the loads, in an increment
-constexpr unsigned int most_soft_halvings = 2;   // where next to nothing is gained any more
 constexpr unsigned int most_first_halvings = 40; // loads of any size may be declared
 constexpr unsigned int several = 3;
 constexpr double growth = 2.; // of the motion from one increment to the next
+
+/// Longest edge of the box along the axes that holds the line at rest [m].
+double extent_of(const Discretization &discretization) {
+  double longest = 0.;
+  for (unsigned int d = 0; d < 3; ++d) {
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v) {
+      low = std::min(low, discretization.vertices()[v][d]);
+      high = std::max(high, discretization.vertices()[v][d]);
+    }
+    longest = std::max(longest, high - low);
+  }
+  return longest;
+}
 } // namespace
 
 LimitPath::LimitPath(const Model &model)
     : model(model), weights(Vector::Ones(model.space.n_unknowns())),
-      extent(line_extent(model.discretization)) {
+      extent(extent_of(model.discretization)) {
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int c = 3; c < 6; ++c)
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);
@@ -96,12 +108,7 @@ void LimitPath::add(const Vector &moved, const double gained, const double done)
   size = n_passed > 0 ? length : growth * length;
   if (gained > 0.)
     size = std::min(size, most * length / gained);
-  if (model.cells.turns_far())
-    size = std::min(size, large_step * extent);
-}
-
-bool LimitPath::is_soft() const {
-  return measure(motion) > 0. && gain < soft * first_slope * measure(motion);
+  size = std::min(size, large_step * extent);
 }
 
 bool LimitPath::is_flat() const { return n_flat >= several; }

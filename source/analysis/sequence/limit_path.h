@@ -16,7 +16,7 @@ namespace frictionbeam {
  * The unknown that has moved most in the last increment is taken for the path's parameter, and the
  * load is what comes out (W. C. Rheinboldt, J. V. Burkardt, ACM TOMS 9 (1983) 215-235,
  * doi:10.1145/357456.357460): its arc length in the largest norm. So it goes on over points where
- * the load is stationary, and through mechanisms at constant load. Motions are measured by
+ * the load is stationary. Motions are measured by
  * translations [m]; rotations count with a tenth of the line's extent.
  */
 class LimitPath {
@@ -44,8 +44,6 @@ public:
   /// An increment is accepted. @param gain part of the loads in it @param done at its end
   void add(const Vector &motion, const double gain, const double done);
 
-  /// Whether the line yields more than at first, so that a mechanism may be near.
-  bool is_soft() const;
   /// Whether it goes on and on and the loads do not grow.
   bool is_flat() const;
   bool is_passed() const { return n_passed > 0; }

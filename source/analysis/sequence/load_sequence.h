@@ -76,15 +76,16 @@ private:
   /// Factors of the loads at a step's end, without their histories.
   Factors target_of(const LoadStep &step) const;
   bool run_static(const Factors &target, const Observer &observer);
-  /// Follow the path of equilibria to the largest part of the step's loads.
+  /// Of an elastic line in large displacements: follow the path of equilibria to the largest part
+  /// of the step's loads.
   bool run_to_limit(const Observer &observer);
   /// What becomes of an increment along the path.
   enum class OnPath { failed, strayed, passed, accepted };
   OnPath try_on_path(const LimitPath::Trial &trial, const double done);
-  /// Whether the step ends here, at the part that is done; the report says what it is then.
-  bool ends_at_limit(const double done);
-  /// After an increment that cannot be made shorter.
-  bool stops_at_limit(const OnPath last, const double done);
+  /// The step ends at the present state, which is its limit.
+  void end_at_limit(const std::string &why);
+  /// After an increment that has no solution and cannot be made shorter.
+  void fail_on_path();
   /// Go to @p end of an increment that the step declares. Histories are followed to their corners,
   /// and on both sides of their jumps.
   bool follow_to(const double end, const bool is_last, const Factors &target);

@@ -13,9 +13,6 @@ namespace {
 constexpr unsigned int most_tries = 3000;               // of increments in a step
 constexpr unsigned int most_iterations_on_path = 50000; // of an increment
 constexpr double rounding_of_load = 1e-9;               // below which a load has not fallen
-constexpr double widest_limit_on_path = 1.1; // bound over what was carried, to be called a limit
-/// By which the bound is above what is carried, where a mechanism is complete.
-constexpr double complete = 1e-4;
 } // namespace
 
 bool LoadSequence::run_to_limit(const Observer &observer) {
@@ -37,14 +34,19 @@ bool LoadSequence::run_to_limit(const Observer &observer) {
     bool ends = false;
     if (now == OnPath::accepted) {
       path.add(current.unknowns - before, part_done() - done, part_done());
-      ends = ends_at_limit(part_done());
+      ends = path.is_flat();
+      if (ends)
+        end_at_limit("it moves without more load, most at ");
     } else {
       ++report.halvings;
       if (now == OnPath::strayed)
         path.halve_again(trial);
       else if (!path.halve(trial, now == OnPath::passed)) {
-        if (!stops_at_limit(now, done))
+        if (now != OnPath::passed) {
+          fail_on_path();
           return false;
+        }
+        end_at_limit("beyond it the line carries less, or is unstable; it moves most at ");
         ends = true;
       }
     }
@@ -86,13 +88,11 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
     return OnPath::strayed; // the next one is expected to end with all loads, or half as far
   if (path.is_passed() ? part < done : part < done - rounding_of_load * std::abs(done))
     return OnPath::passed;
-  if (model.cells.turns_far()) {
-    if (path.strays(trial, to.unknowns - current.unknowns, done, part))
-      return OnPath::strayed;
-    to.load_factors = course.factors_at(to.time, side);
-    if (statics.is_unstable(to))
-      return OnPath::passed;
-  }
+  if (path.strays(trial, to.unknowns - current.unknowns, done, part))
+    return OnPath::strayed;
+  to.load_factors = course.factors_at(to.time, side);
+  if (statics.is_unstable(to))
+    return OnPath::passed;
   to.time = std::max(to.time, current.time); // equal but for rounding
   take(to, course.declared(to.time), to.time);
   ++report.increments;
@@ -102,47 +102,19 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
   return OnPath::accepted;
 }
 
-bool LoadSequence::ends_at_limit(const double done) {
-  if (!path.is_soft())
-    return false;
-  const double duration = model.scene.steps[position.step].duration;
-  const auto collapse = statics.collapse(current, course.factors_at(position.start, side),
-                                         course.factors_at(position.start + duration, side));
-  const double bound = collapse ? collapse->bound : std::numeric_limits<double>::infinity();
-  if (!(bound <= done * (1. + complete)) && !path.is_flat())
-    return false;
+void LoadSequence::end_at_limit(const std::string &why) {
   StepReport &report = step_reports.back();
-  report.limit = {done, bound,
-                  collapse ? collapse->mechanism
-                           : "it moves without more load, most at " + path.place_of_most_motion()};
+  report.limit = {(current.time - position.start) / model.scene.steps[position.step].duration,
+                  std::numeric_limits<double>::infinity(), why + path.place_of_most_motion()};
   report.remark.clear();
-  return true;
 }
 
-bool LoadSequence::stops_at_limit(const OnPath last, const double done) {
-  StepReport &report = step_reports.back();
-  const double duration = model.scene.steps[position.step].duration;
-  const auto collapse = statics.collapse(current, course.factors_at(position.start, side),
-                                         course.factors_at(position.start + duration, side));
-  const double bound = collapse ? collapse->bound : std::numeric_limits<double>::infinity();
-  if (last == OnPath::passed) {
-    report.limit = {done, bound,
-                    "beyond it the line carries less, or is unstable; it moves most at " +
-                        path.place_of_most_motion()};
-    if (collapse)
-      report.limit->mechanism += "; " + collapse->mechanism;
-  } else if (bound <= widest_limit_on_path * done)
-    report.limit = {done, bound, collapse->mechanism};
-  else {
-    report.remark = "stopped at time " + rounded_number(current.time, 6) + ": " +
-                    last_result.remark + ", also after halving the increment " +
-                    std::to_string(model.scene.solver.max_halvings) + " times; " +
-                    rounded_number(done, 6) + " of the way of this step's loads was carried" +
-                    (collapse ? "; " + collapse->mechanism : "");
-    return false;
-  }
-  report.remark.clear();
-  return true;
+void LoadSequence::fail_on_path() {
+  const double done = (current.time - position.start) / model.scene.steps[position.step].duration;
+  step_reports.back().remark =
+      "stopped at time " + rounded_number(current.time, 6) + ": " + last_result.remark +
+      ", also after halving the increment " + std::to_string(model.scene.solver.max_halvings) +
+      " times; " + rounded_number(done, 6) + " of the way of this step's loads was carried";
 }
 
 } // namespace frictionbeam

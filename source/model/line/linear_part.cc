@@ -98,7 +98,7 @@ void check_solid_cell(const Scene &scene, const Discretization &discretization,
       "Pipe " + scene.pipes[discretization.pipe_cells()[index].pipe].name +
       ": a joint or tee stands on a stretch of it that is solid.\n  read:    a joint or "
       "the foot of a branch beside a solid bend\n  allowed: joints of the beams\n  "
-      "try:     fewer Tangents in section Solid, or At with the names of other bends");
+      "try:     At in section Solid with the names of other bends");
 }
 
 } // namespace
