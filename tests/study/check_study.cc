@@ -201,7 +201,7 @@ void check_one_by_one(const std::string &file, const Options &settings,
   }
 }
 
-/// A rest may be called as the half of a guide is; its friction varies all the same.
+/// A rest may be called as the half of a guide is; its places vary all the same.
 void check_name_of_a_half() {
   const program::TemporaryFolder into;
   const auto renamed = [](std::string text) {
@@ -216,8 +216,11 @@ void check_name_of_a_half() {
   };
   std::ofstream(into.path / "two_sliders.prm") << renamed(text_of("two_sliders.prm"));
   std::ofstream(into.path / "sliders.prm") << renamed(text_of("sliders.prm"));
-  check_one_by_one((into.path / "sliders.prm").string(), {},
-                   {{"friction", "Support slide.plus/Friction coefficient"}});
+  const std::string slide = "Support slide.plus.", f = "/Friction coefficient";
+  check_one_by_one((into.path / "sliders.prm").string(),
+                   independent + Options{"Study/Method = latin hypercube", "Study/Runs = 20",
+                                         "Vary friction/Entry = Support *" + f},
+                   {{slide + "1" + f, slide + "1" + f}, {slide + "2" + f, slide + "2" + f}});
 }
 
 void check_one_by_one() {
