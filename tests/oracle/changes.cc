@@ -148,8 +148,10 @@ bool reverse_routes(Scene &scene) {
           pipe.route.back().name != joint.at)
         return false; // it stands after its point
   for (const Support &support : scene.supports)
-    if (!support.pipe.empty())
-      return false; // its places are counted along the pipe
+    if (!support.pipe.empty() ||
+        (scene.modes > 0 && support.rotations != Support::Rotations::none &&
+         (support.kind == "guide" || support.kind == "line stop")))
+      return false; // its places, and which of two idle halves holds in modes, follow the route
   for (const Tee &tee : scene.tees)
     if ((tee.code || tee.in_plane > 0.) && tee.at[0] == 'P')
       return false; // at a corner of the run: its plane is that of one leg

@@ -75,21 +75,20 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
     if (!move_to(times[instant], observe))
       return false;
   }
+  course->set_rates(*state, LoadCourse::Side::before); // for a step that follows
   report->remark = integrator->remark();
   report->warning = integrator->warning();
   return true;
 }
 
 void TimeMarch::set_rates_before() {
-  state->load_rates.clear();
   const auto last = step_before(model.scene, step_number);
   if (!last)
-    return; // nothing is known before a run
-  const LoadStep &before = model.scene.steps[*last];
-  course->set_rates(*state, LoadCourse::Side::before);
-  for (unsigned int l = 0; l < state->load_rates.size(); ++l)
-    if (!before.transient || !acts(before, l))
-      state->load_rates[l] = 0.;
+    state->load_rates.clear(); // nothing is known before a run
+  else if (!model.scene.steps[*last].transient) {
+    course->set_rates(*state);
+    std::fill(state->load_rates.begin(), state->load_rates.end(), 0.);
+  }
 }
 
 bool TimeMarch::move_to(const double time, const std::function<void()> &after_each) {

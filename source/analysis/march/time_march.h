@@ -53,8 +53,8 @@ public:
 private:
   /// Go to @p time in time steps no longer than the one at present, which may change on the way.
   bool move_to(const double time, const std::function<void()> &after_each);
-  /// Rates at which loads move points when the step begins: 0 out of a static step and of loads
-  /// that did not act before; empty when the run begins, before which nothing is known.
+  /// Rates at which loads move points when the step begins: those with which a transient step
+  /// before it ended, 0 out of a static one; empty when the run begins: nothing is known before.
   void set_rates_before();
   /// Whether a time step [s] has been halved as often as it may be.
   bool is_shortest(const double step) const;
