@@ -85,6 +85,9 @@ Verdict RelationJudge::judge(const Scene &scene, const std::uint64_t seed) {
     return skip("increments were cut");
   if (relation.prepare == &unload && yields_at_last(first))
     return skip("it yields the other way");
+  if (first.kind == Outcome::Kind::stopped && second.kind == Outcome::Kind::stopped &&
+      !related->mapping.steps.empty())
+    return skip("neither converges, in steps that are not the same");
   if (first.kind != second.kind) {
     verdict.kind = Verdict::Kind::wrong;
     verdict.worst = 1.;
