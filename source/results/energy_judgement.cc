@@ -10,7 +10,8 @@ namespace frictionbeam {
 
 namespace {
 constexpr double remark_above = 1e-6, failed_above = 1e-2, gained_above = 1e-3;
-constexpr double coarse_above = 0.05; ///< large displacements
+constexpr double failed_above_at_contacts = 0.1; ///< where contacts that give way may gain some
+constexpr double coarse_above = 0.05;            ///< large displacements
 
 /// Diagonal of the box about all there is [m].
 double size_of_scene(const Results &results) {
@@ -71,7 +72,7 @@ void remark_on_gains(Results &results) {
     const StepEnvelope *const envelope = results.envelope_of(i);
     if (!envelope || !moves(*envelope, size))
       continue;
-    const double gained = -(step.energy.left_over() + step.energy.impact + step.energy.gaps);
+    const double gained = step.energy.gained();
     // Where nothing moves, rounding is large beside the energy in motion.
     if (!(step.energy.at_hand >
           1e-9 * std::max(step.energy.stored, std::abs(step.energy.external))) ||
@@ -79,8 +80,8 @@ void remark_on_gains(Results &results) {
       continue;
     const std::string share = rounded_number(100. * gained / step.energy.at_hand, 2) +
                               " % of the largest energy in motion";
-    if (results.supports.empty() && gained > failed_above * step.energy.at_hand) {
-      // No contact can have done it, and nothing else may.
+    const double failed = results.supports.empty() ? failed_above : failed_above_at_contacts;
+    if (gained > failed * step.energy.at_hand) {
       step.remark += (step.remark.empty() ? "" : "; ") + ("the integrator has gained " + share);
       step.converged = false;
       if (results.status == RunStatus::converged)

@@ -30,6 +30,8 @@ struct EnergyAccount {
 
   /// Work that went nowhere: external less all the others [J].
   double left_over() const;
+  /// What a time step came by of itself: less is left over than impacts and gaps account for.
+  double gained() const { return -(left_over() + impact + gaps); }
   /// |left_over| / turnover, in dynamics / at_hand.
   double imbalance() const;
   EnergyAccount &operator+=(const EnergyAccount &other);
