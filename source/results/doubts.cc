@@ -35,6 +35,17 @@ double size_of(const std::vector<Station> &line) {
   return low.distance(high);
 }
 
+/// But for rounding.
+bool are_alike(const Motion &a, const Motion &b) {
+  constexpr double rounding = 1e-9;
+  double largest = 0., difference = 0.;
+  for (std::size_t c = 0; c < a.size(); ++c) {
+    largest = std::max({largest, std::abs(a[c]), std::abs(b[c])});
+    difference = std::max(difference, std::abs(a[c] - b[c]));
+  }
+  return difference <= rounding * largest;
+}
+
 /// Ends of static steps.
 std::vector<const Frame *> static_ends(const Scene &scene, const Results &results) {
   std::vector<const Frame *> frames;
@@ -144,7 +155,7 @@ public:
         results.remarks.push_back(std::string("Step ") + text + ": their " + what + " add up.");
   }
 
-  /// Remarks on restraints of one point that hold the same: each has the whole of the force.
+  /// Remarks on restraints of one point that hold the same: each has an even part of the force.
   void of_restraints_in_one_place() {
     if (results.frames.empty())
       return;
@@ -158,11 +169,11 @@ public:
       if (!is_first &&
           std::any_of(results.frames.begin(), results.frames.end(), [&](const Frame &frame) {
             return i < frame.reactions.size() && frame.reactions[i] != Motion{} &&
-                   frame.reactions[i] == frame.reactions[known->second];
+                   are_alike(frame.reactions[i], frame.reactions[known->second]);
           }))
         results.remarks.push_back(other + " and " + name +
-                                  " hold the same motions of one point: each is told the whole "
-                                  "force, which a sum of reactions counts twice.");
+                                  " hold the same motions of one point: nothing says what either "
+                                  "has of the force there, and each is told an even part.");
     }
   }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/frame_builder.h"
+
+#include "model/unknowns/restraint_forces.h"
 #include "results/frame/section_forces.h"
 
 namespace frictionbeam {
@@ -65,20 +67,8 @@ std::vector<Motion> FrameBuilder::reactions(const LineState &state) {
 }
 
 std::vector<Motion> FrameBuilder::reactions_of_vertices(const LineState &state) const {
-  std::vector<Motion> result;
-  // Restraints that share a point each report what acts in their own directions.
-  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
-    for (const Site &site : model.mesh.restraints[i]) {
-      Motion reaction{};
-      for (const Tensor<1, 6> &held : held_directions(model.scene.restraints[i], site)) {
-        double force = 0.;
-        for (unsigned int c = 0; c < 6; ++c)
-          force += held[c] * vertex_forces[site.vertex][c];
-        for (unsigned int c = 0; c < 6; ++c)
-          reaction[c] += force * held[c];
-      }
-      result.push_back(reaction);
-    }
+  std::vector<Motion> result = restraint_forces(
+      model.scene, model.mesh, [&](const unsigned int vertex) { return vertex_forces[vertex]; });
   for (const Spring &spring : model.scene.springs)
     result.push_back(spring_force(state, spring));
   return result;
