@@ -236,6 +236,9 @@ Results run_both(const Scene &scene, const LawLibrary &laws) {
     else if (scene.is_solid() && this_process() == 0) {
       both.sections.push_back({"forces", "Forces along the pipes and of supports",
                                line_and_solid(scene, line, results)});
+      std::copy_if(results.sections.begin(), results.sections.end(),
+                   std::back_inserter(both.sections),
+                   [](const auto &section) { return section.id == "wall"; });
       write_line_and_solid(scene, line, results, scene.output.directory);
     }
   }

@@ -15,6 +15,9 @@ namespace {
 
 constexpr double most_energy_left =
     0.01; ///< of the account of energy, a share of what it turns over
+/// Of what supports and loads of a solid, or a line and its solid parts, hand to each other, a
+/// share of the largest force: some forty times what the verification's have.
+constexpr double most_force_lost = 1e-4;
 constexpr std::size_t most_named = 3;
 
 /// All of one check that was judged; what of it is told is chosen at the end.
@@ -84,6 +87,15 @@ OneCheck energy(const Scene &scene, const Results &results) {
   for (const Check &one : results.certificate)
     if (one.name == "energy" && std::isfinite(one.value))
       check.judge("what the account leaves over", "", one.value, most_energy_left);
+  return check;
+}
+
+/// Forces that are there twice in a model with solids.
+OneCheck balance(const Results &results) {
+  OneCheck check("force balance", "solver", "-");
+  for (const Check &one : results.certificate)
+    if (one.name == "support_balance" || one.name == "solid_join")
+      check.judge(one.name, "", one.value, most_force_lost);
   return check;
 }
 
@@ -180,7 +192,7 @@ OneCheck capacity(const Scene &scene, const Results &results) {
 /// Quantities of which something is asked and that the run did not come to.
 void add_not_reached(const Scene &scene, const Results &results,
                      const std::optional<double> Quantity::*const asked, OneCheck &check) {
-  if (scene.model != ModelKind::line) // bodies have quantities of their own
+  if (scene.model != ModelKind::line && !scene.is_solid()) // bodies have quantities of their own
     return;
   for (const Quantity &quantity : scene.quantities)
     if (quantity.*asked &&
@@ -220,6 +232,7 @@ std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
     told.push_back({"accuracy", "all quantities", "", results.accuracy->estimate,
                     results.accuracy->demanded, "-", results.accuracy->reached, "accuracy"});
   energy(scene, results).tell(told);
+  balance(results).tell(told);
   stress(results).tell(told);
   nozzles(results).tell(told);
   hangers(results).tell(told);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/body_sequence.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 
 namespace frictionbeam {
@@ -29,10 +31,19 @@ std::vector<FoundationPoint> foundation_points(const ContinuumBody<dim> &body,
     point.weight = node.weight;
     for (unsigned int a = 0; a < dim; ++a) {
       double k = 0.;
-      for (unsigned int d = 0; d < dim; ++d)
-        k += node.frame[a][d] * node.frame[a][d] * system.diagonal(node.dofs[d]);
-      (a == 0 ? point.normal_diagonal : point.shear_diagonal) = k / node.weight;
+      bool is_held = false;
+      for (unsigned int d = 0; d < dim; ++d) {
+        k += node.frame[a][d] * node.frame[a][d] * system.diagonal(node.dofs[d]) / node.weight;
+        is_held = is_held || (std::abs(node.frame[a][d]) > no_direction &&
+                              body.constraints.is_constrained(node.dofs[d]));
+      }
+      if (a == 0)
+        point.normal_diagonal = k;
+      else if (!is_held) // the stiffer of the two tangents
+        point.shear_diagonal = std::max(point.shear_diagonal, k);
     }
+    if (point.shear_diagonal == 0.) // which slides nowhere
+      point.shear_diagonal = point.normal_diagonal;
     points.push_back(point);
   }
   return points;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "command/solid/mixed_walls.h"
+#include "command/solid/wall_scene.h"
 
 #include "base/processes.h"
 #include "base/user_error.h"
@@ -36,14 +37,13 @@ const Station &station_at(const Frame &frame, const unsigned int pipe, const uns
 
 /// How far the forces across the end sections of a wall, by its stresses, are from those of the
 /// line: the largest difference of forces and of moments over a diameter, of the largest of these
-/// or of what a strain of 1e-9 would need, below which all is rounding.
+/// or of rounding.
 double disagreement(const WallStretch &wall, const SolidPart &part, const Frame &frame,
                     const std::vector<RingState> &rings, const std::vector<double> &factors) {
-  constexpr double no_strain = 1e-9;
-  const double E = wall.body_scene.continuum->materials.front().youngs_modulus;
   const double thrust = wall.loads->pressure(factors) * wall.wall.bore_area(),
                diameter = 2. * wall.wall.outer;
-  double largest = no_strain * E * wall.wall.area() + std::abs(thrust), difference = 0.;
+  double largest = force_of_rounding(wall.body_scene, wall.wall) + std::abs(thrust),
+         difference = 0.;
   for (const bool at_end : {false, true}) {
     const unsigned int section = at_end ? part.vertices.size() - 1 : 0,
                        ring = wall.ring_of(section);
@@ -135,10 +135,11 @@ void MixedWalls::report(Results &results) {
     }
     if (frames.empty()) // the first step was not solved
       return;
-    for (const RingState &ring : frames.back().rings) {
-      ovality = std::max(ovality, ring.ovality(2. * wall.wall.outer));
-      mises = std::max({mises, ring.largest_mises(0), ring.largest_mises(1)});
-    }
+    for (const WallFrame &frame : frames)
+      for (const RingState &ring : frame.rings) {
+        ovality = std::max(ovality, ring.ovality(2. * wall.wall.outer));
+        mises = std::max({mises, ring.largest_mises(0), ring.largest_mises(1)});
+      }
     if (scene.output.directory.empty())
       continue;
     const std::string folder = scene.output.directory + "/solid_" + wall.stretch.name;
@@ -151,9 +152,18 @@ void MixedWalls::report(Results &results) {
             return stress_of_wall(*wall.loads, wall.body, state.factors);
           },
           folder);
-    if (scene.output.report)
-      results.sections.push_back({"wall" + std::to_string(w + 1), "Wall of " + wall.stretch.name,
-                                  wall_report(wall.own.scene, wall.wall, frames, folder)});
+    if (!scene.output.report)
+      continue;
+    RingNames names;
+    for (const PointInfo &point : results.points)
+      if (const auto at = std::find(part.vertices.begin(), part.vertices.end(), point.vertex);
+          at != part.vertices.end()) {
+        std::string &all = names[wall.ring_of(at - part.vertices.begin())];
+        all += (all.empty() ? "" : ", ") + point.name;
+      }
+    const std::string id = "wall" + std::to_string(w + 1);
+    results.sections.push_back({id, "Wall of " + wall.stretch.name,
+                                wall_report(wall.own.scene, wall.wall, frames, names, id, folder)});
   }
   if (walls.empty())
     return;

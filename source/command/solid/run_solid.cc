@@ -7,6 +7,7 @@
 #include "base/user_error.h"
 #include "mesh/solid/wall_layout.h"
 #include "model/line_model.h"
+#include "model/mechanism.h"
 #include "results/file/body_vtu.h"
 #include "results/file/csv_writer.h"
 #include "results/quantity/collector.h"
@@ -34,7 +35,11 @@ public:
         body_scene(scene_of_wall(scene, line.model(), wall)), body(body_scene, wall.mesh),
         loads(scene, line.model().mesh, wall, body), collector(line.model(), results, {}) {
     results.cost.mesh_seconds = wall_clock.wall_time();
+    results.remarks = line.model().mesh.remarks;
+    for (const std::string &warning : check_mechanisms(line.model()))
+      results.remarks.push_back(warning);
     body.distribute();
+    tie_sections(tied_sections(scene, line.model(), wall), body);
     check_patches(scene, wall, body);
     std::vector<ContinuumVector> forces = loads.forces();
     if (forces.empty()) {
@@ -90,15 +95,15 @@ void SolidRun::read_states() {
     results.frames.push_back(solid_frame(scene, line.model(), wall, loads, body,
                                          sequence->contacts(), state, frame.rings));
     support_imbalance =
-        std::max(support_imbalance, imbalance_of_supports(loads.resultant(state.factors),
-                                                          line.model(), results.frames.back()));
+        std::max(support_imbalance,
+                 imbalance_of_supports(loads.resultant(state.factors), results.supports,
+                                       results.frames.back(), force_of_rounding(body_scene, wall)));
     frames.push_back(std::move(frame));
   }
 }
 
 void SolidRun::report(const bool converged) {
   results.units = scene.units;
-  results.remarks = line.model().mesh.remarks;
   results.steps = sequence->reports();
   results.status = converged                                   ? RunStatus::converged
                    : sequence->reports().back().no_equilibrium ? RunStatus::no_equilibrium
@@ -196,9 +201,15 @@ void SolidRun::write() {
   }
   csv.finish();
   write_wall_csv(scene, wall, frames, folder);
-  if (scene.output.report)
-    results.sections.push_back(
-        {"wall", "Wall of the pipes", wall_report(scene, wall, frames, folder)});
+  if (!scene.output.report)
+    return;
+  RingNames names;
+  for (const auto &[name, vertex] : line.model().mesh.points) {
+    std::string &all = names[wall.ring_at(vertex)];
+    all += (all.empty() ? "" : ", ") + name;
+  }
+  results.sections.push_back(
+      {"wall", "Wall of the pipes", wall_report(scene, wall, frames, names, "wall", folder)});
 }
 
 } // namespace
@@ -220,6 +231,7 @@ std::string check_solid(const Scene &scene, const Model &line) {
   const Scene body_scene = scene_of_wall(scene, line, wall);
   ContinuumBody<3> body(body_scene, wall.mesh);
   body.distribute();
+  tie_sections(tied_sections(scene, line, wall), body);
   check_patches(scene, wall, body);
   return std::to_string(wall.n_layers()) + " layers of " +
          std::to_string(wall.around * wall.through) + " cells of degree " +

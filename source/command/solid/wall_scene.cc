@@ -3,6 +3,7 @@
 
 #include "base/processes.h"
 #include "base/user_error.h"
+#include "results/support_force.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +35,27 @@ ContinuumContact contact_on(const Scene &scene, const Model &line, const PipeWal
                                  ring.centre,
                                  ring.tangent,
                                  patch.outward,
-                                 std::cos(patch_half_arc * (1. + 1e-6))};
+                                 patch.is_collar ? -2. : std::cos(patch_half_arc * (1. + 1e-6))};
   return contact;
+}
+
+std::vector<Motion> held_motions(const Restraint &restraint, const Site &site) {
+  std::vector<Motion> held;
+  for (const Tensor<1, 6> &direction : held_directions(restraint, site)) {
+    held.emplace_back();
+    for (unsigned int c = 0; c < 6; ++c)
+      held.back()[c] = direction[c];
+  }
+  return held;
+}
+
+/// Call with the ring and the directions of each place that is held.
+template <typename Call>
+void for_each_restraint(const Scene &scene, const Model &line, const PipeWall &wall,
+                        const Call &call) {
+  for (std::size_t i = 0; i < scene.restraints.size(); ++i)
+    for (const Site &site : line.mesh.restraints[i])
+      call(wall.rings[wall.ring_at(site.vertex)], held_motions(scene.restraints[i], site));
 }
 
 ContinuumStep as_step_of_body(const LoadStep &step, const std::size_t n_loads) {
@@ -57,12 +77,11 @@ Scene scene_of_wall(const Scene &scene, const Model &line, const PipeWall &wall)
     const Material &material = scene.materials[pipe.material];
     body.materials.push_back({material.youngs_modulus, material.poissons_ratio});
   }
-  for (const auto &sites : line.mesh.restraints)
-    for (const Site &site : sites) {
-      const WallRing &ring = wall.rings[wall.ring_at(site.vertex)];
+  for_each_restraint(scene, line, wall, [&](const WallRing &ring, const std::vector<Motion> &held) {
+    if (held.size() == 6)
       body.sections.push_back({ring.centre, ring.tangent, wall.outer,
                                scene.solid.anchors == SolidSettings::Anchors::breathing});
-    }
+  });
   for (const WallPatch &patch : wall.patches)
     body.contacts.push_back(contact_on(scene, line, wall, patch));
   for (const LoadStep &step : scene.steps)
@@ -72,6 +91,16 @@ Scene scene_of_wall(const Scene &scene, const Model &line, const PipeWall &wall)
   result.continuum_settings.degree = scene.solid.degree;
   result.continuum_settings.linear_solver = ContinuumSettings::LinearSolver::direct; // thin cells
   return result;
+}
+
+std::vector<TiedSection> tied_sections(const Scene &scene, const Model &line,
+                                       const PipeWall &wall) {
+  std::vector<TiedSection> sections;
+  for_each_restraint(scene, line, wall, [&](const WallRing &ring, const std::vector<Motion> &held) {
+    if (held.size() < 6)
+      sections.push_back({ring.centre, ring.tangent, wall.outer, held});
+  });
+  return sections;
 }
 
 void check_can_be_solid(const Scene &scene) {
@@ -104,20 +133,23 @@ void check_patches(const Scene &scene, const PipeWall &wall, const ContinuumBody
           "Cells around = 16 in section Solid, or more");
 }
 
-double imbalance_of_supports(const Vector3 &load, const Model &line, const Frame &frame) {
+double force_of_rounding(const Scene &body_scene, const PipeWall &wall) {
+  constexpr double no_strain = 1e-9;
+  return no_strain * body_scene.continuum->materials.front().youngs_modulus * wall.area();
+}
+
+double imbalance_of_supports(const Vector3 &load, const std::vector<SupportInfo> &supports,
+                             const Frame &frame, const double rounding) {
   Vector3 sum = load;
-  double largest = load.norm();
+  double largest = std::max(rounding, load.norm());
   const auto add = [&](const Vector3 &force) {
     sum += force;
     largest = std::max(largest, force.norm());
   };
   for (const Motion &held : frame.reactions)
     add(Vector3({held[0], held[1], held[2]}));
-  for (unsigned int i = 0; i < frame.supports.size(); ++i) {
-    const LocalAxes &axes = line.contacts[i].axes;
-    const SupportState &state = frame.supports[i];
-    add(-state.fn * axes.x + state.ft1 * axes.z + state.ft2 * axes.y);
-  }
+  for (unsigned int i = 0; i < frame.supports.size(); ++i)
+    add(force_in_space(supports[i], frame.supports[i]));
   return largest > 0. ? sum.norm() / largest : 0.;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/solid/pipe_wall.h"
-#include "model/body/body.h"
+#include "model/body/tied_section.h"
 #include "model/line_model.h"
 #include "results/results.h"
 
@@ -12,14 +12,23 @@ namespace frictionbeam {
 /// stand beside PipeWall::patches.
 Scene scene_of_wall(const Scene &scene, const Model &line, const PipeWall &wall);
 
+/// Where what is no anchor holds the wall.
+std::vector<TiedSection> tied_sections(const Scene &scene, const Model &line, const PipeWall &wall);
+
 /// @throws UserError where nothing holds the pipes, and for what is not done
 void check_can_be_solid(const Scene &scene);
 
 /// @throws UserError for a patch without a node
 void check_patches(const Scene &scene, const PipeWall &wall, const ContinuumBody<3> &body);
 
+/// What a strain of 1e-9 needs of the wall, below which all forces are rounding [N].
+/// @param body_scene of the wall
+double force_of_rounding(const Scene &body_scene, const PipeWall &wall);
+
 /// Sum of the loads and of the forces of anchors and supports, of the largest of these.
 /// @param load resultant of all loads [N]
-double imbalance_of_supports(const Vector3 &load, const Model &line, const Frame &frame);
+/// @param rounding force that the largest is not below [N]
+double imbalance_of_supports(const Vector3 &load, const std::vector<SupportInfo> &supports,
+                             const Frame &frame, const double rounding);
 
 } // namespace frictionbeam

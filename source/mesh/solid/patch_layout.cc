@@ -13,6 +13,8 @@ using namespace dealii;
 
 namespace {
 
+constexpr double square_enough = 1e-3; ///< of two unit vectors: else a patch presses askew
+
 class PatchLayout {
 public:
   PatchLayout(const Scene &scene, const LineMesh &line, const PipeWall &wall)
@@ -28,7 +30,8 @@ private:
   Run run_of(const WallSegment &segment) const;
   void check_on_run(const WallPatch &patch, const double s) const;
   void check_anchors(const WallPatch &patch) const;
-  Vector3 outward(const FrictionSupport &support, const Vector3 &tangent) const;
+  /// Where round the pipe the patch is; of a collar, where along it as well.
+  void lay_across(const Vector3 &normal, const double s, WallPatch &patch) const;
   bool is_straight(const unsigned int segment) const {
     return wall.segments[segment].path.radius == 0.;
   }
@@ -76,6 +79,9 @@ void PatchLayout::check_on_run(const WallPatch &patch, const double s) const {
 void PatchLayout::check_anchors(const WallPatch &patch) const {
   for (unsigned int i = 0; i < scene.restraints.size(); ++i)
     for (const Site &site : line.restraints[i]) {
+      const auto &fixed = scene.restraints[i].fixed;
+      if (std::count(fixed.begin(), fixed.end(), true) < 6)
+        continue; // the section moves in itself
       const double s = wall.s_of(line, site.vertex);
       if (s > patch.from - rounding && s < patch.to + rounding)
         throw UserError("Support " + scene.supports[patch.support].name +
@@ -88,31 +94,35 @@ void PatchLayout::check_anchors(const WallPatch &patch) const {
     }
 }
 
-Vector3 PatchLayout::outward(const FrictionSupport &support, const Vector3 &tangent) const {
-  Vector3 normal = support.normal.vector;
-  if (support.normal.kind == Direction::Kind::across)
-    normal = LocalAxes(tangent).y;
-  else if (support.normal.kind == Direction::Kind::along)
-    normal = tangent;
-  normal *= support.normal.sign;
-  constexpr double square_enough = 1e-3; // else it would press along the pipe as well
+void PatchLayout::lay_across(const Vector3 &normal, const double s, WallPatch &patch) const {
+  const WallSegment &segment = wall.segment_at(s);
+  const Vector3 &tangent = segment.path.first_tangent;
   const double along = normal * tangent;
+  patch.is_collar = std::abs(along) > 1. - square_enough;
+  if (patch.is_collar) {
+    // What pushes it forward stands before a collar, what pushes it back behind another one.
+    const double third = (patch.to - patch.from) / 3.;
+    (along > 0. ? patch.from : patch.to) = s + (along > 0. ? 0.5 : -0.5) * third;
+    patch.outward = segment.a;
+    return;
+  }
   if (std::abs(along) > square_enough)
-    throw UserError("Support " + support.name +
-                    ": it pushes along the pipe.\n  read:    a Normal " +
-                    std::string(std::abs(along) > 0.999 ? "along" : "that is not square to") +
-                    " the pipe\n  allowed: normals across the pipe with Model = solid\n  try:     "
-                    "an anchor, or Model = line");
+    throw UserError("Support " + scene.supports[patch.support].name +
+                    ": it pushes askew on the pipe.\n  read:    a Normal that is neither along the "
+                    "pipe nor square to it\n  allowed: normals along or across the pipe with Model "
+                    "= solid; any of a guide or stop without gap and friction\n  try:     Normal = "
+                    "along or across, or Model = line");
   const Vector3 across = normal - along * tangent;
-  return -across / across.norm();
+  patch.outward = -across / across.norm();
 }
 
 WallPatch PatchLayout::patch(const unsigned int support, const unsigned int site) const {
   const FrictionSupport &of = scene.supports[support];
+  const Site &at = line.supports[support][site];
   WallPatch patch;
   patch.support = support;
   patch.site = site;
-  patch.vertex = line.supports[support][site].vertex;
+  patch.vertex = at.vertex;
   patch.part = "support " + of.name +
                (line.supports[support].size() > 1 ? "." + std::to_string(site + 1) : "");
   const double width = of.width > 0. ? of.width : 2. * wall.outer,
@@ -121,7 +131,10 @@ WallPatch PatchLayout::patch(const unsigned int support, const unsigned int site
   patch.to = s + width / 2.;
   check_on_run(patch, s);
   check_anchors(patch);
-  patch.outward = outward(of, wall.segment_at(s).path.first_tangent);
+  Vector3 normal = of.normal.vector;
+  if (of.normal.kind != Direction::Kind::global)
+    normal = of.normal.kind == Direction::Kind::along ? at.tangent : LocalAxes(at.tangent).y;
+  lay_across(of.normal.sign * normal, s, patch);
   return patch;
 }
 

@@ -8,10 +8,12 @@ namespace frictionbeam {
 /**
  * Where the scene's supports are pressed against the wall: over Support/Width along the axis, one
  * outer diameter unless it is given, and 30 degrees of the circumference around the direction that
- * the support pushes from.
+ * the support pushes from. What pushes along the pipe has a collar all round it, the third of that
+ * width that is furthest in the direction of the push: between the two collars of a line stop there
+ * is room for what stops them.
  * @param wall whose segments are there, but no rings and cells yet
  * @throws UserError for patches that leave the pipe, do not lie on one straight run, cover an
- * anchor, or push along the pipe
+ * anchor, or push askew
  */
 std::vector<WallPatch> lay_patches(const Scene &scene, const LineMesh &line, const PipeWall &wall);
 

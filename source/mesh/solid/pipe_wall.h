@@ -26,7 +26,10 @@ struct WallPatch {
   unsigned int support = 0;  ///< in Scene::supports
   unsigned int site = 0;     ///< among the places of that support
   double from = 0., to = 0.; ///< along the chain [m]
+  bool is_collar = false;    ///< all round the pipe, of a support that pushes along it
   Vector3 outward;           ///< unit, across the pipe, from its axis to the middle of the patch
+
+  bool covers(const double s) const { return s >= from && s <= to; }
 };
 
 /**
@@ -58,7 +61,10 @@ struct PipeWall {
   unsigned int pipe_of_layer(const unsigned int layer) const {
     return segments[layer_segment[layer]].pipe;
   }
-  double length() const { return segments.back().start + segments.back().path.length; } ///< [m]
+  /// Of the segments that are there [m].
+  double length() const {
+    return segments.empty() ? 0. : segments.back().start + segments.back().path.length;
+  }
   /// The first segment that ends behind a place along the chain, or the last one.
   const WallSegment &segment_at(const double s) const;
   /// Along the chain [m]. @throws UserError for a vertex that is on no pipe

@@ -5,6 +5,7 @@
 #include "scene/file/parameter_reader.h"
 #include "scene/in_units.h"
 #include "scene/solid/mixed_entries.h"
+#include "scene/solid/wall_refusal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,22 +192,11 @@ void StretchLayout::check_found() const {
 }
 
 void StretchLayout::check_pipe(const Pipe &pipe, const double bend_radius) const {
-  const Section &section = scene.sections[pipe.section];
-  const auto refuse = [&](const bool is_so, const std::string &read, const std::string &allowed) {
-    if (is_so)
-      throw UserError("Pipe " + pipe.name + ": its wall cannot be a solid.\n  read:    " + read +
-                      "\n  allowed: " + allowed +
-                      "\n  try:     Solid/At with the names of other bends alone");
-  };
-  refuse(section.wall == 0., "section '" + section.name + "' by its area and inertia",
-         "an Outer diameter and a Wall");
-  refuse(pipe.end_section.has_value(), "a reducer", "one Section all along");
-  refuse(pipe.rigid, "Rigid = true", "pipes of their own metal");
-  refuse(pipe.total_mass.has_value(), "Mass", "the mass by the Material's density");
-  refuse(bend_radius > 0. && bend_radius <= section.outer_radius,
-         "a bend of " + in_units(scene.units, bend_radius, "m"),
-         "bends of a radius larger than the pipe's own outer radius, so that the wall's inner side "
-         "has room");
+  if (const auto refusal = wall_refusal(scene, pipe, bend_radius))
+    throw UserError(
+        "Pipe " + pipe.name + ": its wall cannot be a solid.\n  read:    " + refusal->read +
+        "\n  allowed: " + refusal->allowed + " with Solid/At\n  try:     " + refusal->hint +
+        ", or Solid/At with the names of other bends alone");
 }
 
 std::vector<SolidStretch> StretchLayout::all() {

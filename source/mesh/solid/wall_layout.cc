@@ -52,7 +52,7 @@ private:
   const Scene &scene;
   const LineMesh &line;
   PipeWall wall;
-  double length = 0., first = 0., longest = 0.;
+  double first = 0., longest = 0.; ///< cells
   std::vector<Place> places;
 };
 
@@ -71,7 +71,7 @@ void WallLayout::add_segment(const PipePath::Segment &path, const unsigned int p
   WallSegment segment;
   segment.path = path;
   segment.pipe = pipe;
-  segment.start = length;
+  segment.start = wall.length();
   if (wall.segments.empty()) {
     const LocalAxes axes(path.first_tangent);
     segment.a = axes.y;
@@ -88,7 +88,6 @@ void WallLayout::add_segment(const PipePath::Segment &path, const unsigned int p
     segment.a = before.carried(before.a, before.path.length);
     segment.b = before.carried(before.b, before.path.length);
   }
-  length += path.length;
   wall.segments.push_back(segment);
 }
 
@@ -141,7 +140,7 @@ void WallLayout::chain_pipes() {
   wall.pipe_start.assign(n, 0.);
   unsigned int n_passed = 0;
   for (int p = first_pipe; p >= 0; p = after[p], ++n_passed) {
-    wall.pipe_start[p] = length;
+    wall.pipe_start[p] = wall.length();
     for (const PipePath::Segment &path : paths[p].segments())
       add_segment(path, p);
   }
@@ -206,6 +205,7 @@ void WallLayout::check_apart(const Place &a, const Place &b) const {
 }
 
 void WallLayout::place_rings() {
+  const double length = wall.length();
   for (const WallSegment &segment : wall.segments)
     ask_for_ring(segment.start);
   ask_for_ring(length);
@@ -323,10 +323,11 @@ void WallLayout::name_faces() {
       const WallRing &ring = wall.rings[k];
       for (unsigned int p = 0; p < wall.patches.size(); ++p) {
         const WallPatch &patch = wall.patches[p];
-        if (middle < patch.from || middle > patch.to)
+        if (!patch.covers(middle))
           continue;
         const double cosine = patch.outward * (std::cos(angle) * ring.a + std::sin(angle) * ring.b);
-        if (std::acos(std::clamp(cosine, -1., 1.)) > patch_half_arc + numbers::PI / n)
+        if (!patch.is_collar &&
+            std::acos(std::clamp(cosine, -1., 1.)) > patch_half_arc + numbers::PI / n)
           continue;
         if (owner[outside] >= 0)
           throw UserError(

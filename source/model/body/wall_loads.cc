@@ -11,7 +11,9 @@ using namespace dealii;
 
 WallLoads::WallLoads(const Scene &scene, const LineMesh &line, const PipeWall &wall,
                      const ContinuumBody<3> &body)
-    : scene(scene), wall(wall), body(body), at_rings(scene.loads.size()) {
+    : scene(scene), wall(wall), body(body), at_rings(scene.loads.size()),
+      volume(scene.pipes.size(), 0.) {
+  measure();
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     const Load &load = scene.loads[l];
     if (load.kind == Load::Kind::force)
@@ -149,8 +151,7 @@ void add_over_faces(const ContinuumBody<3> &body, const FaceOf &face_of, const T
 
 void WallLoads::add_pressure(const double p, ContinuumVector &forces) const {
   add_over_faces(
-      body,
-      [&](const unsigned int cell) { return cell / wall.around % wall.through == 0 ? 0 : -1; },
+      body, [&](const unsigned int cell) { return is_at_bore(cell) ? 0 : -1; },
       [&](const Point3 &, const Vector3 &normal) { return -p * normal; }, forces);
 }
 
@@ -173,26 +174,30 @@ void WallLoads::add_section(const unsigned int ring, const Motion &load,
       forces);
 }
 
-Vector3 WallLoads::resultant(const std::vector<double> &factors) const {
-  const double p = pressure(factors);
+void WallLoads::measure() {
   FEValues<3> values(body.mapping, body.fe, QGauss<3>(body.fe.degree + 1), update_JxW_values);
   FEFaceValues<3> on_bore(body.mapping, body.fe, QGauss<2>(body.fe.degree + 2),
                           update_normal_vectors | update_JxW_values);
-  Vector3 sum;
-  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+  for (const auto &cell : body.triangulation->active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
     values.reinit(cell);
-    const Vector3 force = volume_force(cell->material_id(), factors);
     for (const unsigned int q : values.quadrature_point_indices())
-      sum += values.JxW(q) * force;
-    if (p == 0. || cell->index() / wall.around % wall.through > 0)
+      volume[cell->material_id()] += values.JxW(q);
+    if (!is_at_bore(cell->index()))
       continue;
     on_bore.reinit(cell, 0);
     for (const unsigned int q : on_bore.quadrature_point_indices())
-      sum -= on_bore.JxW(q) * p * on_bore.normal_vector(q);
+      bore += on_bore.JxW(q) * on_bore.normal_vector(q);
   }
-  sum = Utilities::MPI::sum(sum, body.communicator);
+  Utilities::MPI::sum(volume, body.communicator, volume);
+  bore = Utilities::MPI::sum(bore, body.communicator);
+}
+
+Vector3 WallLoads::resultant(const std::vector<double> &factors) const {
+  Vector3 sum = -pressure(factors) * bore;
+  for (unsigned int pipe = 0; pipe < volume.size(); ++pipe)
+    sum += volume[pipe] * volume_force(pipe, factors);
   for (std::size_t l = 0; l < scene.loads.size(); ++l)
     for (const auto &[ring, load] : at_rings[l])
       for (unsigned int d = 0; d < 3; ++d)

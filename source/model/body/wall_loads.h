@@ -26,7 +26,7 @@ public:
   double free_strain(const unsigned int pipe, const std::vector<double> &factors) const;
   double pressure(const std::vector<double> &factors) const; ///< [Pa]
   Vector3 volume_force(const unsigned int pipe, const std::vector<double> &factors) const;
-  /// All forces together, integrated over the mesh [N].
+  /// All forces together [N].
   Vector3 resultant(const std::vector<double> &factors) const;
   /// Force [N] and moment [N m] on the section at a ring, thrust included.
   Motion section_load(const unsigned int ring, const std::vector<double> &factors) const;
@@ -38,6 +38,8 @@ public:
   stress(const LameConstants &lame, const dealii::Tensor<2, 3> &gradient, const double free_strain);
 
 private:
+  void measure();
+  bool is_at_bore(const unsigned int cell) const { return cell / wall.around % wall.through == 0; }
   void add_volume(const std::vector<double> &factors, ContinuumVector &forces) const;
   void add_pressure(const double p, ContinuumVector &forces) const;
   void add_section(const unsigned int ring, const Motion &load, ContinuumVector &forces) const;
@@ -46,6 +48,9 @@ private:
   const PipeWall &wall;
   const ContinuumBody<3> &body;
   std::vector<std::vector<std::pair<unsigned int, Motion>>> at_rings; ///< by load: ring, force
+  // of the mesh, for resultants
+  std::vector<double> volume; ///< of each pipe's metal [m3]
+  Vector3 bore;               ///< integral of the normal out of the wall over the bore [m2]
 };
 
 } // namespace frictionbeam

@@ -4,6 +4,7 @@
 #include "results/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam {
 
@@ -52,23 +53,37 @@ std::string side_by_side(const Results &both, const std::string &other) {
     if (std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   }
+  const auto find = [&](const std::string &model, const std::string &name) {
+    const auto found = std::find_if(
+        both.quantities.begin(), both.quantities.end(),
+        [&](const QuantityResult &quantity) { return quantity.name == model + "/" + name; });
+    return found == both.quantities.end() ? nullptr : &*found;
+  };
   const auto column = [&](const std::string &model) {
     std::vector<std::string> cells;
     for (const std::string &name : names) {
-      std::string cell = "\u2013";
-      for (const QuantityResult &quantity : both.quantities)
-        if (quantity.name == model + "/" + name)
-          cell = rounded_number(quantity.value, 6) + " " + quantity.unit;
-      cells.push_back(cell);
+      const QuantityResult *const one = find(model, name);
+      cells.push_back(one == nullptr ? dash : rounded_number(one->value, 6) + " " + one->unit);
     }
     return cells;
   };
+  std::vector<std::string> difference;
+  for (const std::string &name : names) {
+    const QuantityResult *const line = find("line", name), *const solid = find(other, name);
+    const double size = line == nullptr || solid == nullptr || line->unit != solid->unit
+                            ? 0.
+                            : std::max(std::abs(line->value), std::abs(solid->value));
+    difference.push_back(
+        size > 0. ? rounded_number(100. * (solid->value - line->value) / size, 2) + " %" : dash);
+  }
   return HtmlTable()
              .text("Quantity", names)
              .right("Line", column("line"))
              .right(other == "solid" ? "Solid" : "Continuum", column(other))
+             .right("Difference", difference)
              .str() +
-         html_note("The folders line and " + other + " have the report of each.");
+         html_note("Differences relative to the larger one. The folders line and " + other +
+                   " have the report of each.");
 }
 
 } // namespace frictionbeam

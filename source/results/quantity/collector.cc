@@ -100,9 +100,8 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
 }
 
 double Collector::along_direction(const Quantity &quantity, const LineState &state) {
-  const auto which = static_cast<Directed>(quantity.kind().component);
   const auto vector = [&]() -> Motion {
-    switch (which) {
+    switch (static_cast<Directed>(quantity.kind().component)) {
     case Directed::displacement:
     case Directed::rotation:
       return builder.motion(state, quantity.where);
@@ -120,16 +119,39 @@ double Collector::along_direction(const Quantity &quantity, const LineState &sta
       return section_force_in_space(station_at(model, quantity, current_frame(state)));
     }
   };
-  const Axes axes = quantity.along == Quantity::Along::local
-                        ? local_axes_of(station_at(model, quantity, current_frame(state)))
-                        : global_axes();
   const Motion value = vector();
-  const unsigned int first = quantity.kind().component % 2 * 3; // of a vector, or of what turns
-  double sum = 0.;
-  for (unsigned int d = 0; d < 3; ++d)
-    for (unsigned int e = 0; e < 3; ++e)
-      sum += quantity.direction[d] * axes[d][e] * value[first + e];
-  return sum;
+  return along(quantity,
+               quantity.along == Quantity::Along::local
+                   ? local_axes_of(station_at(model, quantity, current_frame(state)))
+                   : global_axes(),
+               value);
+}
+
+double Collector::along_direction(const Quantity &quantity, const Frame &made) const {
+  const auto vector = [&]() -> Motion {
+    switch (static_cast<Directed>(quantity.kind().component)) {
+    case Directed::displacement:
+    case Directed::rotation:
+      return station_at(model, quantity, made).displacement;
+    case Directed::force:
+    case Directed::moment: {
+      Motion force;
+      for (unsigned int c = 0; c < 6; ++c)
+        force[c] = force_at(quantity, made, c);
+      return force;
+    }
+    case Directed::section_force:
+    case Directed::section_moment:
+      return section_force_in_space(station_at(model, quantity, made));
+    default: // velocities, of which a frame knows nothing
+      return {};
+    }
+  };
+  return along(quantity,
+               quantity.along == Quantity::Along::local
+                   ? local_axes_of(station_at(model, quantity, made))
+                   : global_axes(),
+               vector());
 }
 
 double Collector::of_supports(const Quantity &quantity, const Frame &made) const {
@@ -199,6 +221,8 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
       return section_force(quantity, made, kind.component);
     case Of::holder:
       return force_at(quantity, made, kind.component);
+    case Of::directed:
+      return along_direction(quantity, made);
     case Of::supports:
       return of_supports(quantity, made);
     case Of::support:

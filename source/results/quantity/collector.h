@@ -81,6 +81,7 @@ private:
   double section_force(const Quantity &quantity, const Frame &made,
                        const unsigned int component) const;
   double along_direction(const Quantity &quantity, const LineState &state);
+  double along_direction(const Quantity &quantity, const Frame &made) const;
   double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
   double force_at(const Quantity &quantity, const Frame &made, const unsigned int component) const;
   double of_supports(const Quantity &quantity, const Frame &made) const;

@@ -12,6 +12,15 @@ Axes local_axes_of(const Station &station) {
   return {{dealii::cross_product_3d(station.y, station.z), station.y, station.z}};
 }
 
+double along(const Quantity &quantity, const Axes &axes, const Motion &value) {
+  const unsigned int first = quantity.kind().component % 2 * 3; // of a vector, or of what turns
+  double sum = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int e = 0; e < 3; ++e)
+      sum += quantity.direction[d] * axes[d][e] * value[first + e];
+  return sum;
+}
+
 Motion section_force_in_space(const Station &station) {
   const Vector3 &y = station.y_now, &z = station.z_now, x = dealii::cross_product_3d(y, z);
   const Motion &force = station.force;

@@ -12,6 +12,9 @@ Axes local_axes_of(const Station &station);
 /// Force and moment in global axes on the face that looks forward along the route [N, N m].
 Motion section_force_in_space(const Station &station);
 
+/// A vector's part in the direction of a quantity, which is given in some axes.
+double along(const Quantity &quantity, const Axes &axes, const Motion &value);
+
 /// Moments about the normal n of a bend's or tee's plane and about n x t, t the tangent: in the
 /// plane and out of it [N m]. n of a bend is its first tangent x inward, of a tee the run's tangent
 /// x the branch's.

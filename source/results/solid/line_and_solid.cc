@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 namespace frictionbeam {
 
@@ -17,7 +18,7 @@ namespace {
 /// Of the largest force or moment of either model: what is smaller is rounding, and shown as zero.
 constexpr double rounding = 1e-8;
 
-/// One number of one holder, by either model.
+/// One number of a holder or a section, by either model.
 struct Compared {
   std::string what, component, unit; ///< unit: SI
   double line = 0., solid = 0.;
@@ -48,9 +49,60 @@ std::vector<Compared> compare_holders(const Results &results, const Frame &line,
   return rows;
 }
 
-std::string holder_table(const Scene &scene, const Results &results, const Frame &line,
-                         const Frame &solid) {
-  const std::vector<Compared> rows = compare_holders(results, line, solid);
+/// Whether a point is so near to a support that a patch of its width, which takes up the section's
+/// forces bit by bit, may lie there.
+bool is_on_patch(const Scene &scene, const Results &results, const Point3 &point) {
+  double half = 0.;
+  for (const FrictionSupport &support : scene.supports)
+    half = std::max(half, support.width / 2.);
+  for (const Pipe &pipe : scene.pipes)
+    half = std::max(half, scene.sections[pipe.section].outer_radius);
+  return std::any_of(
+      results.supports.begin(), results.supports.end(),
+      [&](const SupportInfo &support) { return support.position.distance(point) <= half; });
+}
+
+/// Forces of the sections at named points, on either side of those where they jump.
+std::vector<Compared> compare_sections(const Scene &scene, const Results &results,
+                                       const Frame &line, const Frame &solid) {
+  const auto at = [](const Frame &frame, const unsigned int pipe, const unsigned int vertex) {
+    std::vector<const Station *> found;
+    for (const Station &one : frame.line)
+      if (one.pipe == pipe && one.is_node() && one.vertex == vertex)
+        found.push_back(&one);
+    return found;
+  };
+  constexpr std::array<const char *, 6> components = {{"N", "Vy", "Vz", "Mx", "My", "Mz"}};
+  std::set<std::pair<unsigned int, unsigned int>> done; // pipe and vertex, of several names
+  std::vector<Compared> rows;
+  for (const Station &station : solid.line) { // along the pipes
+    if (!station.is_node() || !done.insert({station.pipe, station.vertex}).second)
+      continue;
+    const auto point =
+        std::find_if(results.points.begin(), results.points.end(),
+                     [&](const PointInfo &one) { return one.vertex == station.vertex; });
+    const auto a = at(line, station.pipe, station.vertex),
+               b = at(solid, station.pipe, station.vertex);
+    if (point == results.points.end() || a.empty() || is_on_patch(scene, results, point->position))
+      continue;
+    const bool two = std::max(a.size(), b.size()) > 1;
+    for (const bool behind : {false, true}) {
+      if (behind && !two)
+        continue;
+      const Station &of_line = behind ? *a.back() : *a.front(),
+                    &of_solid = behind ? *b.back() : *b.front();
+      for (unsigned int c = 0; c < 6; ++c)
+        rows.push_back({point->name + (!two     ? ""
+                                       : behind ? ", after"
+                                                : ", before"),
+                        components[c], c < 3 ? "N" : "N m", of_line.force[c], of_solid.force[c]});
+    }
+  }
+  return rows;
+}
+
+std::string table_of(const Scene &scene, const std::vector<Compared> &rows,
+                     const std::string &heading) {
   double force = 0., moment = 0.;
   for (const Compared &row : rows)
     (row.unit == "N" ? force : moment) =
@@ -69,13 +121,12 @@ std::string holder_table(const Scene &scene, const Results &results, const Frame
                                       : dash);
   }
   return HtmlTable()
-             .text("Support", what)
-             .text("", component)
-             .right("Line", a)
-             .right("Solid", b)
-             .right("Difference", difference)
-             .str() +
-         html_note("Differences relative to the largest force, or moment, of either model.");
+      .text(heading, what)
+      .text("", component)
+      .right("Line", a)
+      .right("Solid", b)
+      .right("Difference", difference)
+      .str();
 }
 
 /// A number along the pipes by either model. @param least what is smaller is drawn as zero
@@ -135,7 +186,12 @@ std::string step_panel(const Scene &scene, const Results &results, const Frame &
   plots.push_back(both_plot(
       scene, line, solid, "torsion" + of_moment,
       [&](const Station &at) { return at.force[3] / Nm; }, no_moment));
-  return holder_table(scene, results, line, solid) +
+  return table_of(scene, compare_holders(results, line, solid), "Support") +
+         table_of(scene, compare_sections(scene, results, line, solid), "Section at") +
+         html_note(
+             "Differences relative to the largest force, or moment, of either model in the "
+             "table. Section forces in the local axes of the pipe; none at supports with a patch, "
+             "within which a solid's change.") +
          html_of_plots(plots, "both" + std::to_string(line.step));
 }
 
@@ -160,7 +216,10 @@ void write_line_and_solid(const Scene &scene, const Results &line, const Results
     const Frame *const a = end_of(line, step.name), *const b = end_of(solid, step.name);
     if (a == nullptr || b == nullptr)
       continue;
-    for (const Compared &row : compare_holders(line, *a, *b))
+    std::vector<Compared> rows = compare_holders(line, *a, *b);
+    for (const Compared &row : compare_sections(scene, line, *a, *b))
+      rows.push_back(row);
+    for (const Compared &row : rows)
       file.stream() << csv_field(row.what) << ',' << csv_field(step.name) << ',' << row.component
                     << ',' << exact_number(row.line / scene.units.factor(row.unit)) << ','
                     << exact_number(row.solid / scene.units.factor(row.unit)) << '\n';

@@ -5,6 +5,7 @@
 
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,14 @@ std::unique_ptr<dealii::DataPostprocessor<3>> stress_of_wall(const WallLoads &lo
                                                              const ContinuumBody<3> &body,
                                                              const std::vector<double> &factors);
 
-/// Charts along the chain of pipes, and the wall coloured by its stress, as HTML; the picture is
-/// `solid.svg` in the folder as well.
+/// Names of points, by the wall's ring there.
+using RingNames = std::map<unsigned int, std::string>;
+
+/// The wall coloured by its stress, tables of the shape of its sections, and charts along the chain
+/// of pipes, as HTML; the picture is `solid.svg` in the folder as well, and cut open
+/// `solid_open.svg`. @param id of the section on its page
 std::string wall_report(const Scene &scene, const PipeWall &wall,
-                        const std::vector<WallFrame> &frames, const std::string &folder);
+                        const std::vector<WallFrame> &frames, const RingNames &names,
+                        const std::string &id, const std::string &folder);
 
 } // namespace frictionbeam

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/solid/solid_frame.h"
 
+#include "model/unknowns/restraint_forces.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -138,16 +140,14 @@ Frame solid_frame(const Scene &scene, const Model &line, const PipeWall &wall,
   std::vector<bool> jumps(rings.size(), false);
   for (unsigned int r = 0; r < rings.size(); ++r)
     jumps[r] = loads.is_loaded(r) ||
-               std::any_of(wall.patches.begin(), wall.patches.end(), [&](const WallPatch &patch) {
-                 return wall.rings[r].s >= patch.from && wall.rings[r].s <= patch.to;
-               });
+               std::any_of(wall.patches.begin(), wall.patches.end(),
+                           [&](const WallPatch &patch) { return patch.covers(wall.rings[r].s); });
   Frame frame;
-  for (const auto &sites : line.mesh.restraints)
-    for (const Site &site : sites) {
-      const unsigned int ring = wall.ring_at(site.vertex);
-      jumps[ring] = true;
-      frame.reactions.push_back(rings[ring].held);
-    }
+  frame.reactions = restraint_forces(scene, line.mesh, [&](const unsigned int vertex) {
+    const unsigned int ring = wall.ring_at(vertex);
+    jumps[ring] = true;
+    return rings[ring].held;
+  });
   const double thrust = loads.pressure(state.factors) * wall.bore_area();
   frame.line = FrameOfWall(scene, wall, rings, thrust).stations(jumps);
   for (unsigned int i = 0; i < line.contacts.size(); ++i) {

@@ -32,68 +32,101 @@ std::string stress_colour(const double part) {
   return text;
 }
 
-/// The outside of the wall, and its inside where that is seen at an end, as facets.
+/// The wall's surface as facets: its outside and its ends, or, cut open, what is seen of the half
+/// that is turned away from the viewer.
 class WallPicture {
 public:
-  WallPicture(const Scene &scene, const PipeWall &wall, const WallFrame &frame)
-      : scene(scene), wall(wall), frame(frame) {}
-  std::string draw() const;
+  /// @param cut_open leave out the half of the wall that looks at the viewer
+  WallPicture(const Scene &scene, const PipeWall &wall, const WallFrame &frame, const bool cut_open)
+      : scene(scene), wall(wall), frame(frame), cut_open(cut_open) {
+    for (unsigned int r = 0; r < wall.rings.size(); ++r) {
+      for (unsigned int i = 0; i < n_points; ++i)
+        view.include(place({r, i, 1}));
+      largest =
+          std::max({largest, frame.rings[r].largest_mises(0), frame.rings[r].largest_mises(1)});
+    }
+    view.fit(margin, above, width - 2. * margin, 560.);
+  }
+  std::string draw();
 
 private:
-  Point3 corner(const unsigned int ring, const unsigned int point, const unsigned int side) const {
+  struct Corner {
+    unsigned int ring, point, side; ///< side: inside, outside
+  };
+  struct Facet {
+    double nearness; ///< to the viewer
+    std::string polygon;
+  };
+
+  Vector3 radius(const unsigned int ring, const unsigned int point) const {
     const double angle = 2. * numbers::PI * point / n_points;
     const WallRing &at = wall.rings[ring];
-    return at.centre + (side == 0 ? wall.inner : wall.outer) *
-                           (std::cos(angle) * at.a + std::sin(angle) * at.b);
+    return std::cos(angle) * at.a + std::sin(angle) * at.b;
   }
+  Point3 place(const Corner &corner) const {
+    return wall.rings[corner.ring].centre +
+           (corner.side == 0 ? wall.inner : wall.outer) * radius(corner.ring, corner.point);
+  }
+  /// Whether the strip of cells from a point to the next is there.
+  bool is_there(const unsigned int ring, const unsigned int point) const {
+    return !cut_open || radius(ring, point) * to_viewer <= 0.;
+  }
+  /// @param always or only if its corners turn to the left as the viewer sees them
+  void add(const std::array<Corner, 4> &corners, const bool always);
 
+  static constexpr double width = 760., margin = 20., above = 44., key_height = 60.;
+  const Vector3 to_viewer = Vector3({1., -1., 1.}) / std::sqrt(3.);
   const Scene &scene;
   const PipeWall &wall;
   const WallFrame &frame;
+  const bool cut_open;
   const unsigned int n_points = 2 * wall.around;
+  IsometricView view;
+  double largest = 0.; ///< stress [Pa]
+  std::vector<Facet> facets;
 };
 
-std::string WallPicture::draw() const {
-  constexpr double width = 760., margin = 20., above = 44., key_height = 60.;
-  const Vector3 to_viewer = Vector3({1., -1., 1.}) / std::sqrt(3.);
-  IsometricView view;
-  double largest = 0.;
-  for (unsigned int r = 0; r < wall.rings.size(); ++r) {
-    for (unsigned int i = 0; i < n_points; ++i)
-      view.include(corner(r, i, 1));
-    largest = std::max({largest, frame.rings[r].largest_mises(0), frame.rings[r].largest_mises(1)});
+void WallPicture::add(const std::array<Corner, 4> &corners, const bool always) {
+  const Vector3 out = cross_product_3d(place(corners[2]) - place(corners[0]),
+                                       place(corners[3]) - place(corners[1]));
+  if (!always && out * to_viewer <= 0.)
+    return;
+  double nearness = 0., stress = 0.;
+  std::string points;
+  for (const Corner &corner : corners) {
+    const Point3 at = place(corner);
+    const Pixel pixel = view.place(at);
+    points += rounded_number(pixel.x, 5) + ',' + rounded_number(pixel.y, 5) + ' ';
+    nearness += 0.25 * (Vector3(at) * to_viewer);
+    stress += 0.25 * frame.rings[corner.ring].stress[corner.side][corner.point].mises();
   }
-  view.fit(margin, above, width - 2. * margin, 560.);
-  std::vector<std::pair<double, std::string>> facets; // by their nearness
-  for (unsigned int r = 0; r + 1 < wall.rings.size(); ++r)
-    for (unsigned int i = 0; i < n_points; ++i)
-      for (unsigned int side = 0; side < 2; ++side) {
-        const unsigned int next = (i + 1) % n_points;
-        const std::array<Point3, 4> corners = {{corner(r, i, side), corner(r, next, side),
-                                                corner(r + 1, next, side), corner(r + 1, i, side)}};
-        const Vector3 out = (side == 1 ? 1. : -1.) *
-                            cross_product_3d(corners[2] - corners[0], corners[3] - corners[1]);
-        double middle = 0., stress = 0.;
-        std::string points;
-        for (const Point3 &point : corners) {
-          const Pixel pixel = view.place(point);
-          points += rounded_number(pixel.x, 5) + ',' + rounded_number(pixel.y, 5) + ' ';
-          middle += 0.25 * (Vector3(point) * to_viewer);
-        }
-        for (const unsigned int ring : {r, r + 1})
-          for (const unsigned int point : {i, next})
-            stress += 0.25 * frame.rings[ring].stress[side][point].mises();
-        if (out * to_viewer <= 0.)
-          continue;
-        const std::string colour = stress_colour(largest > 0. ? stress / largest : 0.);
-        facets.emplace_back(middle, "<polygon points=\"" + points + "\" fill=\"" + colour +
-                                        "\" stroke=\"" + colour + "\" stroke-width=\"0.4\"/>\n");
+  const std::string colour = stress_colour(largest > 0. ? stress / largest : 0.);
+  facets.push_back({nearness, "<polygon points=\"" + points + "\" fill=\"" + colour +
+                                  "\" stroke=\"" + colour + "\" stroke-width=\"0.4\"/>\n"});
+}
+
+std::string WallPicture::draw() {
+  const unsigned int n = wall.n_layers();
+  for (unsigned int i = 0; i < n_points; ++i) {
+    const unsigned int next = (i + 1) % n_points;
+    for (unsigned int r = 0; r < n; ++r) {
+      if (is_there(r, i)) {
+        add({{{r, i, 1}, {r, next, 1}, {r + 1, next, 1}, {r + 1, i, 1}}}, false);
+        add({{{r, i, 0}, {r + 1, i, 0}, {r + 1, next, 0}, {r, next, 0}}}, false);
       }
+      if (is_there(r, i) != is_there(r, next)) // the cut
+        add({{{r, next, 0}, {r, next, 1}, {r + 1, next, 1}, {r + 1, next, 0}}}, true);
+    }
+    if (is_there(0, i))
+      add({{{0, i, 0}, {0, next, 0}, {0, next, 1}, {0, i, 1}}}, false);
+    if (is_there(n, i))
+      add({{{n, i, 0}, {n, i, 1}, {n, next, 1}, {n, next, 0}}}, false);
+  }
   std::stable_sort(facets.begin(), facets.end(),
-                   [](const auto &a, const auto &b) { return a.first < b.first; });
+                   [](const Facet &a, const Facet &b) { return a.nearness < b.nearness; });
   std::string content;
-  for (const auto &facet : facets)
-    content += facet.second;
+  for (const Facet &facet : facets)
+    content += facet.polygon;
   const double bottom = above + view.height() + 24.;
   const DisplayUnit unit = display_unit(scene.units, "Pa", largest);
   for (unsigned int i = 0; i < 64; ++i)
@@ -128,10 +161,60 @@ Plot ring_plot(const Scene &scene, const PipeWall &wall, const std::vector<WallF
   return plot;
 }
 
+/// How sections have lost their shape and what stress they have, at the end of a step.
+std::string shape_table(const Scene &scene, const PipeWall &wall, const WallFrame &frame,
+                        const RingNames &names) {
+  const double diameter = 2. * wall.outer;
+  std::vector<std::pair<unsigned int, std::string>> rows(names.begin(), names.end());
+  const auto by_ovality = [&](const RingState &a, const RingState &b) {
+    return a.ovality(diameter) < b.ovality(diameter);
+  };
+  rows.emplace_back(std::max_element(frame.rings.begin(), frame.rings.end(), by_ovality) -
+                        frame.rings.begin(),
+                    "where it is most oval");
+  std::vector<std::string> what, ovality;
+  std::vector<double> s, mode2, mode3, widening, inside, outside;
+  for (const auto &[at, name] : rows) {
+    const RingState &ring = frame.rings[at];
+    what.push_back(name);
+    s.push_back(wall.rings[at].s);
+    ovality.push_back(rounded_number(100. * ring.ovality(diameter), 3) + " %");
+    mode2.push_back(std::hypot(ring.mode2[0], ring.mode2[1]));
+    mode3.push_back(std::hypot(ring.mode3[0], ring.mode3[1]));
+    widening.push_back(ring.widening);
+    inside.push_back(ring.largest_mises(0));
+    outside.push_back(ring.largest_mises(1));
+  }
+  return HtmlTable(scene.units)
+      .text("Section", what)
+      .numbers("s along the pipes", "m", s)
+      .right("Ovality", ovality)
+      .numbers("Mode 2", "m", mode2)
+      .numbers("Mode 3", "m", mode3)
+      .numbers("Widening", "m", widening)
+      .numbers("von Mises, inside", "Pa", inside)
+      .numbers("outside", "Pa", outside)
+      .str();
+}
+
+std::string shape_tables(const Scene &scene, const PipeWall &wall,
+                         const std::vector<WallFrame> &frames, const RingNames &names,
+                         const std::string &id) {
+  constexpr std::size_t most = 8; // steps
+  std::vector<std::pair<std::string, std::string>> panels;
+  for (std::size_t f = frames.size() > most ? frames.size() - most : 0; f < frames.size(); ++f)
+    panels.emplace_back(scene.steps[frames[f].step].name,
+                        shape_table(scene, wall, frames[f], names));
+  return html_tabs(id + "shape", panels) +
+         html_note("Ovality is (D_max - D_min)/D; modes 2 and 3 are the amplitudes of the radius, "
+                   "widening its mean. A beam's sections keep their shape.");
+}
+
 } // namespace
 
 std::string wall_report(const Scene &scene, const PipeWall &wall,
-                        const std::vector<WallFrame> &frames, const std::string &folder) {
+                        const std::vector<WallFrame> &frames, const RingNames &names,
+                        const std::string &id, const std::string &folder) {
   const double Pa = scene.units.factor("Pa"), m = scene.units.factor("m");
   const std::string stress = " [" + scene.units.name("Pa") + "]";
   std::vector<Plot> plots;
@@ -144,9 +227,12 @@ std::string wall_report(const Scene &scene, const PipeWall &wall,
         ring_plot(scene, wall, frames,
                   std::string("von Mises, ") + (side == 0 ? "inside" : "outside") + stress,
                   [&](const RingState &ring) { return ring.largest_mises(side) / Pa; }));
-  const std::string picture = WallPicture(scene, wall, frames.back()).draw();
-  write_file(folder + "/solid.svg", picture);
-  return picture + html_of_plots(plots, "wall") +
+  const std::string closed = WallPicture(scene, wall, frames.back(), false).draw(),
+                    open = WallPicture(scene, wall, frames.back(), true).draw();
+  write_file(folder + "/solid.svg", closed);
+  write_file(folder + "/solid_open.svg", open);
+  return html_tabs(id + "view", {{"cut open", open}, {"outside", closed}}) +
+         shape_tables(scene, wall, frames, names, id) + html_of_plots(plots, id) +
          html_note("Largest of each ring. solid.csv and wall.csv have the numbers, solid.pvd the "
                    "field for ParaView.");
 }

@@ -77,6 +77,8 @@ private:
   void read_motion(const typename DoFHandler<3>::active_cell_iterator &cell);
   void read_stress(const typename DoFHandler<3>::active_cell_iterator &cell);
   void add_up();
+  /// Of the contacts at the nodes of a ring, which the layers beside it need.
+  Motion contact_force(const unsigned int ring) const;
   /// Call for each number of the rings.
   template <typename Call>
   void each_number(const Call &call);
@@ -234,6 +236,26 @@ void WallReading::add_up() {
   each_number([&](double &number) { number = numbers[next++]; });
 }
 
+Motion WallReading::contact_force(const unsigned int ring) const {
+  const WallRing &at = wall.rings[ring];
+  Motion sum{};
+  for (unsigned int i = 0; i < body.nodes.size(); ++i) {
+    const ContinuumContactNode<3> &node = body.nodes[i];
+    const Vector3 arm = node.position - at.centre;
+    constexpr double on_ring = 1e-6, of_radius = 1.01;
+    if (std::abs(arm * at.tangent) > on_ring * wall.outer || arm.norm() > of_radius * wall.outer)
+      continue;
+    Vector3 force;
+    for (unsigned int a = 0; a < 3; ++a)
+      force += node.weight * state.contacts.stress[i][a] * node.frame[a];
+    add_force(force, arm, sum);
+  }
+  if (body.is_parallel)
+    Utilities::MPI::sum(ArrayView<const double>(sum.data(), sum.size()), body.communicator,
+                        ArrayView<double>(sum.data(), sum.size()));
+  return sum;
+}
+
 std::vector<RingState> WallReading::read() {
   for (const auto &cell : body.dof_handler.active_cell_iterators())
     if (cell->is_locally_owned()) {
@@ -252,9 +274,9 @@ std::vector<RingState> WallReading::read() {
                                      &point.axial_radial, &point.hoop_radial})
           *number /= counts[r][side][i];
       }
-    const Motion load = loads.section_load(r, state.factors);
+    const Motion load = loads.section_load(r, state.factors), contact = contact_force(r);
     for (unsigned int c = 0; c < 6; ++c)
-      ring.held[c] = ring.cut[0][c] - ring.cut[1][c] - load[c];
+      ring.held[c] = ring.cut[0][c] - ring.cut[1][c] - load[c] - contact[c];
   }
   return rings;
 }

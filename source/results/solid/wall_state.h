@@ -24,7 +24,7 @@ struct RingState {
   /// Force and moment about the middle on the section of the wall [N, N m], global axes: of what is
   /// behind it on what is before; at the ring as the layer before, or behind, has them.
   std::array<Motion, 2> cut{};
-  /// Force and moment of what holds the section there [N, N m].
+  /// Force and moment of what holds the section there, contacts left out [N, N m].
   Motion held{};
   double widening = 0.; ///< mean of the radial displacement [m]
   /// Of the radial displacement a2 cos 2p + b2 sin 2p, and a3, b3; angles from the ring's a to b.

@@ -2,6 +2,7 @@
 #include "results/table/model_tables.h"
 
 #include "results/file/csv_writer.h"
+#include "results/support_force.h"
 #include "results/text.h"
 
 namespace frictionbeam {
@@ -223,8 +224,7 @@ void add_restraint_forces(const Results &results, const Frame &frame, UnitTable 
       for (unsigned int c = 0; c < 6; ++c)
         table.word("");
     else
-      table.vector(state.fn * info.normal + state.ft1 * info.t1 + state.ft2 * info.t2)
-          .vector(state.mt * info.normal);
+      table.vector(force_in_space(info, state)).vector(state.mt * info.normal);
   }
   for (unsigned int i = 0; i < frame.reactions.size(); ++i) {
     begin_row(results.restraints[i].name, results.restraints[i].kind);

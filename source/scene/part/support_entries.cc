@@ -248,11 +248,15 @@ void parse_ground(const ParameterReader &in, Scene &scene, FrictionSupport &supp
 /// A stiffness is a rigidity over a length, and one metre is a strange length in other units.
 void remark_on_length(const ParameterReader &in, const LawDescription &law,
                       const FrictionSupport &support, Scene &scene) {
+  const std::string rigid = "rigidity"; // the last word, which a Shear rigidity ratio has not
   bool has_stiffness = false;
-  for (int i = 0; i < law.n_parameters; ++i)
-    has_stiffness = has_stiffness ||
-                    (std::string(law.parameters[i].name).find("rigidity") != std::string::npos &&
-                     support.parameters[i] > 0.);
+  for (int i = 0; i < law.n_parameters; ++i) {
+    const std::string parameter = law.parameters[i].name;
+    const auto at = parameter.rfind(rigid);
+    has_stiffness =
+        has_stiffness || (at != std::string::npos && at + rigid.size() == parameter.size() &&
+                          support.parameters[i] > 0.);
+  }
   if (has_stiffness && !in.given("Length") && in.text("Ground").empty() && !scene.units.is_si())
     scene.remarks.push_back("Support " + support.name + ": its Length is not given and is 1 m, " +
                             to_text(1. / scene.units.factor("m")) + " " + scene.units.name("m") +

@@ -4,6 +4,7 @@
 
 #include "base/user_error.h"
 #include "scene/part/parts.h"
+#include "scene/solid/wall_refusal.h"
 #include "scene/support_pair.h"
 
 #include <algorithm>
@@ -163,37 +164,23 @@ void SolidCheck::check_pipes() {
   for (const Pipe &pipe : scene.pipes) {
     const Section &section = scene.sections[pipe.section];
     const std::string heading = "Pipe " + pipe.name;
-    refuse(pipe.end_section.has_value(), heading, "End section", "no reducer",
-           "one Section all along");
-    refuse(pipe.rigid, heading, "Rigid", "false", "false");
-    refuse(pipe.total_mass.has_value(), heading, "Mass", "the mass by its density",
-           "the Material's density");
+    double tightest = 0.; // bend
+    for (const RoutePoint &point : pipe.route)
+      if (point.bend_radius > 0.)
+        tightest = tightest > 0. ? std::min(tightest, point.bend_radius) : point.bend_radius;
+    if (const auto refusal = wall_refusal(scene, pipe, tightest))
+      refuse(true, refusal->section, refusal->entry, refusal->allowed, refusal->hint);
     refuse(section.is_inelastic(), "Section " + section.name, "Law", "elastic_section",
            "elastic_section");
-    refuse(section.wall == 0., "Section " + section.name, "Wall", "an outer diameter and a wall",
-           "Outer diameter and Wall");
     refuse(section.outer_radius != first.outer_radius || section.wall != first.wall, heading,
            "Section", "the diameter and wall of the pipes before", "one Section for all pipes");
-    for (const RoutePoint &point : pipe.route)
-      refuse(point.bend_radius > 0. && point.bend_radius <= section.outer_radius, heading, "Route",
-             "bends of a radius larger than the pipe's own outer radius, so that the wall's inner "
-             "side has room,",
-             "a larger radius for the bend of " + to_text(point.bend_radius) + " m");
   }
 }
 
 void SolidCheck::check_supports() {
-  for (const Restraint &restraint : scene.restraints) {
-    const std::string heading = "Support " + restraint.name;
-    const bool all = std::all_of(restraint.fixed.begin(), restraint.fixed.end(),
-                                 [](const bool held) { return held; });
-    refuse(!restraint.translations.empty(), heading, "Gap",
-           "a guide or stop with a Gap, for heat and pressure widen the wall, which one without "
-           "would squeeze,",
-           "a Gap larger than the pipe's widening");
-    refuse(!all, heading, "Fixed", "all six motions", "Kind = anchor");
-    refuse(restraint.placement.continuous, heading, "Continuous", "false", "an anchor At a point");
-  }
+  for (const Restraint &restraint : scene.restraints)
+    refuse(restraint.placement.continuous, "Support " + restraint.name, "Continuous", "false",
+           "supports At points");
   for (const FrictionSupport &support : scene.supports)
     check_patch(support);
 }
@@ -214,14 +201,6 @@ void SolidCheck::check_patch(const FrictionSupport &support) {
   refuse(support.ground_moves(), heading, "Ground motion", "ground that stands still",
          "removing the entry");
   refuse(support.placement.continuous, heading, "Continuous", "false", "supports Every so often");
-  const bool is_pair = support.kind == "guide" || support.kind == "stop";
-  if (!is_pair)
-    return;
-  in.enter(heading);
-  refuse(!in.given("Gap") || in.number("Gap") == 0., heading, "Gap",
-         "a Gap, for heat and pressure widen the wall, which a guide or stop without one would "
-         "squeeze,",
-         "a Gap larger than the pipe's widening");
 }
 
 void SolidCheck::check_loads() {
@@ -250,14 +229,46 @@ void SolidCheck::check_steps() {
 }
 
 void SolidCheck::check_quantities() {
+  constexpr unsigned int n_numbers_of_patch = 7; // of a support: fn, ft1, ft2, gap, slips, work
   using Of = QuantityKind::Of;
   for (const Quantity &quantity : scene.quantities) {
-    const Of of = quantity.kind().of;
-    const bool known = (of == Of::motion || of == Of::section || of == Of::holder) &&
-                       quantity.over == Quantity::Over::end && !quantity.time;
+    const QuantityKind &kind = quantity.kind();
+    const bool is_of_patch = kind.of == Of::support && kind.component < n_numbers_of_patch,
+               is_rate = kind.of == Of::directed &&
+                         (kind.component == static_cast<unsigned int>(Directed::velocity) ||
+                          kind.component == static_cast<unsigned int>(Directed::spin));
+    const bool known =
+        (kind.of == Of::motion || kind.of == Of::section || kind.of == Of::holder ||
+         (kind.of == Of::directed && !is_rate) || is_of_patch || kind.of == Of::supports) &&
+        quantity.over == Quantity::Over::end && !quantity.time;
     refuse(!known, "Quantities", quantity.name,
-           "motions, section forces and forces of what holds, at the ends of steps,",
+           "motions, section forces, forces of what holds, and fn, ft1, ft2, gap, slip1, slip2 and "
+           "work of supports, at the ends of steps,",
            "'uz at <point>'");
+  }
+}
+
+/// Two patches that face each other without a gap are a vice, and a collar has an area.
+void remark_on_pairs(ParameterReader &in, Scene &scene) {
+  const bool widens = std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load &load) {
+    return load.kind == Load::Kind::temperature || load.kind == Load::Kind::pressure;
+  });
+  for (const FrictionSupport &support : scene.supports) {
+    const bool is_half = (support.kind == "guide" || support.kind == "stop") &&
+                         support.normal.sign > 0.; // the other half says no more
+    if (!is_half)
+      continue;
+    if (support.normal.kind == Direction::Kind::along)
+      scene.remarks.push_back("Support " + part_name(support) +
+                              ": the collar of a solid pipe holds the rotation of its section as "
+                              "well while it is pressed, which a beam's stop does not.");
+    if (!widens || support.normal.kind == Direction::Kind::along)
+      continue;
+    in.enter("Support " + part_name(support));
+    if (in.number("Gap") == 0.)
+      scene.remarks.push_back("Support " + part_name(support) +
+                              ": it has no Gap, so that its two patches squeeze the wall, which "
+                              "heat and pressure widen; a beam knows nothing of that.");
   }
 }
 
@@ -285,9 +296,10 @@ void check_solid(ParameterReader &in, Scene &scene) {
   const bool is_mixed = !solid_places(scene).empty();
   if (is_mixed)
     check_mixed(in, scene);
-  if (scene.is_solid())
+  if (scene.is_solid()) {
     SolidCheck(in, scene).all();
-  else if (!is_mixed)
+    remark_on_pairs(in, scene);
+  } else if (!is_mixed)
     remark_on_solid_entries(in, scene);
 }
 
