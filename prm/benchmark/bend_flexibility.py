@@ -3,12 +3,13 @@
 """Flexibility of a bend as a solid wall, beside the beam's rule 1.65/h and the theory of thin shells.
 
     prm/benchmark/bend_flexibility.py build/bin/frictionbeam [--h 0.1 0.5] [--tangents 1 5] [--around 24] [--degree 3]
+                                      [--radius 3] [--angle 90]
 
-A bend of 90 degrees, R = 0.3 m, mean radius r = 0.1 m, wall t = h r^2/R, between two straight legs of L
+A bend of an angle a, R = 3 r unless given, mean radius r = 0.1 m, wall t = h r^2/R, between two straight legs of L
 diameters, one end of which is held (its radius is free to breathe); a moment M at the other. The turn of that
-end is M (2 L + k R pi/2)/(E I), from which k is taken: in the plane of the bend. The same moment across the
-plane bends and twists the bend; its turn is M (L/(E I) + L/(G J) + R pi/4 (k/(E I) + 1/(G J))), so that this
-k is that of an element which is as flexible. Without a leg (0), one end of the bend is kept round and the other
+end is M (2 L + k R a)/(E I), from which k is taken: in the plane of the bend. The same moment about the held leg
+bends and twists the bend; the turn about it is M (L (1 + cos^2 a)/(G J) + L sin^2 a/(E I) + R (b k/(E I) + (a - b)/(G J)))
+with b = a/2 - sin(2 a)/4, so that this k is that of an element which is as flexible. Without a leg (0), one end of the bend is kept round and the other
 one is free to become oval. Prints the table of doc/solid.md, one row for each h; von Karman's first approximation is
 k = (12 h^2 + 10)/(12 h^2 + 1), and `series` all terms of his series (long_thin_bend).
 """
@@ -19,7 +20,7 @@ import pathlib
 import subprocess
 import tempfile
 
-R, RADIUS, E, NU, MOMENT = 0.3, 0.1, 2e11, 0.3, 1e3
+RADIUS, E, NU, MOMENT = 0.1, 2e11, 0.3, 1e3
 
 CASE = """
 set Model = solid
@@ -32,7 +33,7 @@ subsection Section pipe
   set Wall = {wall!r}
 end
 subsection Pipe bend
-  set Route = A 0 0 0; {corner!r} 0 0 bend {R}; B {corner!r} {corner!r} 0
+  set Route = A 0 0 0; {corner!r} 0 0 bend {R}; B {end_x!r} {end_y!r} 0
 end
 subsection Support anchor
   set Kind = anchor
@@ -71,15 +72,17 @@ end
 """
 
 
-def flexibilities(program, h, tangent, around, along, degree):
+def flexibilities(program, h, tangent, around, along, degree, R, angle):
     """k in the plane and across it, of a bend with tangents of so many diameters."""
     wall = h * RADIUS**2 / R
     outer, inner = RADIUS + wall / 2, RADIUS - wall / 2
     length = tangent * 2 * outer
-    case = CASE.format(diameter=2 * outer, wall=wall, corner=length + R, around=around, along=along,
-                       degree=degree,
+    corner = length + R * math.tan(angle / 2)
+    case = CASE.format(diameter=2 * outer, wall=wall, corner=corner, around=around, along=along,
+                       end_x=corner * (1 + math.cos(angle)), end_y=corner * math.sin(angle),
+                       degree=degree, R=R,
                        first=RADIUS / 2,
-                       **{name: globals()[name] for name in ("E", "NU", "R", "MOMENT")})
+                       **{name: globals()[name] for name in ("E", "NU", "MOMENT")})
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "bend.prm"
         file.write_text(case)
@@ -88,10 +91,11 @@ def flexibilities(program, h, tangent, around, along, degree):
     turn = {one["name"]: abs(one["value"]) for one in summary["quantities"]}
     bending = E * math.pi / 4 * (outer**4 - inner**4)
     twisting = bending / (1 + NU)
-    k_in = (turn["turn_in"] * bending / MOMENT - 2 * length) / (R * math.pi / 2)
-    # The moment along x twists the leg of the anchor and bends that of the load.
-    legs = length / bending + length / twisting
-    k_across = ((turn["turn_across"] / MOMENT - legs) / (R * math.pi / 4) - 1 / twisting) * bending
+    k_in = (turn["turn_in"] * bending / MOMENT - 2 * length) / (R * angle)
+    # The moment along x twists the leg of the anchor, and bends and twists that of the load.
+    legs = length * ((1 + math.cos(angle) ** 2) / twisting + math.sin(angle) ** 2 / bending)
+    bent = angle / 2 - math.sin(2 * angle) / 4
+    k_across = ((turn["turn_across"] / MOMENT - legs) / R - (angle - bent) / twisting) * bending / bent
     return k_in, k_across
 
 
@@ -136,13 +140,15 @@ def main():
     parser.add_argument("--around", type=int, default=24)
     parser.add_argument("--along", type=int, default=6)
     parser.add_argument("--degree", type=int, default=3)
+    parser.add_argument("--radius", type=float, default=3.0, help="R/r")
+    parser.add_argument("--angle", type=float, default=90.0, help="degrees")
     options = parser.parse_args()
     heads = [f"{tangent:g} D" for tangent in options.tangents]
     print("| h | 1.65/h | von Karman | series | " + " | ".join(heads) + f" | across, {heads[-1]} |")
     print("| --- " * (5 + len(heads)) + "|")
     for h in options.h:
         both = [flexibilities(options.program, h, tangent, options.around, options.along,
-                              options.degree)
+                              options.degree, options.radius * RADIUS, math.radians(options.angle))
                 for tangent in options.tangents]
         karman = (12 * h * h + 10) / (12 * h * h + 1)
         cells = [f"{h:g}", f"{1.65 / h:.2f}", f"{karman:.2f}", f"{long_thin_bend(h):.2f}"] + [f"{one[0]:.2f}" for one in both]
