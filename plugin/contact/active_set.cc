@@ -11,6 +11,8 @@ namespace {
 
 /// Of what a branch holds, beside the body's stiffness: c of the proximal law.
 constexpr double stiffness_of_branch = 1e6;
+/// The same of the step that comes before all others where no front is sought.
+constexpr double stiffness_of_approach = 3e-2;
 /// Steps in all, and in a row without half as many changes as ever before.
 constexpr unsigned int most_predictions = 20, most_steps_in_vain = 2;
 constexpr unsigned int fewest_contacts = 100; ///< that a front is worth being sought among
@@ -142,12 +144,14 @@ bool ActiveSet::may_jam() const {
 Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
                          Result &result) {
   begin();
-  if (points.size() < fewest_contacts || may_jam())
+  if (may_jam())
     return Outcome::stalled;
   if (kept.pause > 0) {
     --kept.pause;
     return Outcome::stalled;
   }
+  if (points.size() < fewest_contacts)
+    return solve_few(is_first, factor, x, response, result);
   const std::vector<Strains> centre = proximal.centre;
   if (is_first && kept.motion.size() == x.size())
     x = kept.motion; // slip turns friction about as it did
@@ -163,6 +167,33 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
   learn(outcome != Outcome::stalled);
   has_solved = outcome == Outcome::solved;
   if (outcome == Outcome::stalled) { // as if it had not been tried
+    proximal.centre = centre;
+    x.setZero();
+    newton.bar(false);
+  }
+  return outcome;
+}
+
+Outcome ActiveSet::solve_few(const bool is_first, const double factor, Vector &x,
+                             Response &response, Result &result) {
+  // In motion states hardly change from step to step, and factors are kept.
+  const auto is_pressed = [](const Strains &stress) { return stress[0] != 0.; };
+  if (equations.is_in_motion() ||
+      std::none_of(proximal.centre.begin(), proximal.centre.end(), is_pressed))
+    return Outcome::stalled;
+  const std::vector<Strains> centre = proximal.centre;
+  if (is_first && kept.motion.size() == x.size())
+    x = kept.motion;
+  proximal.stiffness_factor = stiffness_of_approach;
+  Outcome outcome = Outcome::stalled;
+  if (newton.approach(x, response, result)) {
+    proximal.stiffness_factor = factor;
+    outcome = newton.solve_together(most_to_finish, x, response, result);
+  }
+  if (outcome == Outcome::solved && !equations.is_held(response, result))
+    outcome = Outcome::stalled;
+  learn(outcome != Outcome::stalled);
+  if (outcome == Outcome::stalled) {
     proximal.centre = centre;
     x.setZero();
     newton.bar(false);

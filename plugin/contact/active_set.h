@@ -49,6 +49,12 @@ public:
   void restore(const WarmStart &memory) { kept = memory.prediction; }
 
 private:
+  /**
+   * Without a front, from the motion and around the forces of the increment before: one step on
+   * soft proximal contacts, most of which keep their states, from where solve_together() goes on.
+   */
+  Outcome solve_few(const bool is_first, const double factor, Vector &x, Response &response,
+                    Result &result);
   /// To forces and x at which the branches stay as they are. @return whether they do
   bool predict(Vector &x, Response &response, Result &result);
   std::vector<ContactStatus> first_branches(const Response &response) const;

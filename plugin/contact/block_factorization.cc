@@ -158,6 +158,7 @@ bool BlockFactorization::factorize(const SparseMatrix &matrix) {
 
 bool BlockFactorization::factorize_ordered(const SparseMatrix &matrix) {
   Work work(matrix, blocks.size());
+  share = 1.;
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
     const Block &block = blocks[b];
     std::iota(work.place.begin() + block.first, work.place.begin() + block.end(), 0);
@@ -258,6 +259,7 @@ bool BlockFactorization::eliminate(const Block &block, Work &work) {
     if (!(std::abs(pivot) > vanishing * size))
       return false;
     diagonal[block.first + i] = pivot;
+    share = std::min(share, std::abs(pivot) / size);
     const double inverse = 1. / pivot;
     for (int k = i + 1; k < stride; ++k)
       row[k][1] *= inverse;

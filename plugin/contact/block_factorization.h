@@ -33,6 +33,9 @@ public:
   /// definite.
   double least_pivot() const { return *std::min_element(diagonal.begin(), diagonal.end()); }
 
+  /// Least part of what a pivot is a sum of that is left of it: near rounding, something is free.
+  double least_share() const { return share; }
+
   /// Of L below its diagonal.
   std::size_t n_nonzeros() const { return fill; }
 
@@ -89,6 +92,7 @@ private:
   SparseMatrix permuted;   ///< where minimum degree is taken
   std::vector<int> source; ///< of its values among the matrix's; empty where it is not taken
   std::size_t fill = 0;
+  double share = 1.; ///< of pivots, the least that is left
   std::vector<Block> blocks;
   std::vector<int> block_of;    ///< of each column
   std::vector<int> rows;        ///< below the blocks, in ascending order

@@ -178,7 +178,9 @@ bool IncrementEquations::factor(const Response &response, Result &result) {
 }
 
 bool IncrementEquations::factor_all(const Response &response, Result &result) {
+  constexpr double hardly_any = 1e-12; // left of a pivot
   is_reduced = false;
+  status_of_factors = response.status;
   begin_tangent(0.);
   for (unsigned int i = 0; i < contacts.size(); ++i)
     add_block(i, response.tangent[i]);
@@ -197,11 +199,16 @@ bool IncrementEquations::factor_all(const Response &response, Result &result) {
     }
     if (is_unchanged || factors.factorize(tangent)) {
       before.assign(values, values + tangent.nonZeros());
+      is_singular = shift > 0. || factors.least_share() < hardly_any;
       factored = response.tangent;
       return true;
     }
   }
   return false;
+}
+
+bool IncrementEquations::is_held(const Response &response, Result &result) {
+  return (response.status == status_of_factors || factor_all(response, result)) && !is_singular;
 }
 
 bool IncrementEquations::solve(const Vector &forces, const Response &response, Result &result,

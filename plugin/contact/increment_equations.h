@@ -64,6 +64,9 @@ public:
   bool factor(const Response &response, Result &result);
   /// With what factor() has left; where the reduced factors do not do, with all.
   bool solve(const Vector &forces, const Response &response, Result &result, Vector &direction);
+  /// Whether a line cannot move without forces in the states of contact of a response: if it can, a
+  /// pose is one of many, and where it was begun from shows in it.
+  bool is_held(const Response &response, Result &result);
   /// S and a multiple of its diagonal, without the contacts, for factor_tangent().
   void begin_tangent(const double shift);
   /// Add a contact's stiffness, of its strains, to that.
@@ -79,6 +82,7 @@ public:
   /// takes it off.
   void set_drag(const double factor);
   double drag_factor() const { return drag; }
+  bool is_in_motion() const { return increment.length > 0.; }
   /// Whether the contacts are all coupled.
   bool is_of_body() const { return factors.is_of_body(); }
   std::vector<std::vector<int>> unknowns_of_contacts() const;
@@ -121,6 +125,8 @@ private:
   SparseMatrix tangent;
   std::vector<double> before;  ///< values of the tangent that was factored last
   std::vector<Block> factored; ///< the contacts' tangents that factors hold
+  std::vector<ContactStatus> status_of_factors;
+  bool is_singular = false; ///< without the small multiple of the diagonal that has been factored
 
   // of the increment
   Vector left_by_body; ///< g - S x without the contacts' forces, at the last x evaluated

@@ -131,9 +131,34 @@ bool Newton::loads_do(const double work, const Vector &motion) const {
   return equations.loads.dot(motion) >= (1. - rounding_of_work) * work;
 }
 
+bool Newton::step_around_centre(Vector &x, Vector &forces, Response &response, Result &result) {
+  Vector direction;
+  ++result.iterations;
+  if (!equations.factor(response, result) || !equations.solve(forces, response, result, direction))
+    return false;
+  const Vector start = x;
+  const auto go = [&](const double length) {
+    x = start + length * direction;
+    equations.evaluate(x, response);
+    forces = equations.forces_left(response);
+    return equations.energy(forces);
+  };
+  search_by_halving(go, equations.energy(forces), 0.0625);
+  return true;
+}
+
+bool Newton::approach(Vector &x, Response &response, Result &result) {
+  equations.evaluate(x, response);
+  Vector forces = equations.forces_left(response);
+  if (response.failed || !step_around_centre(x, forces, response, result) || response.failed)
+    return false;
+  take_forces_as_centre(response);
+  return true;
+}
+
 Outcome Newton::solve_proximal(Vector &x, Response &response, Result &result) {
   equations.evaluate(x, response);
-  Vector forces = equations.forces_left(response), direction;
+  Vector forces = equations.forces_left(response);
   for (unsigned int iteration = 0;; ++iteration) {
     if (settings.in_each_iteration)
       settings.in_each_iteration();
@@ -143,21 +168,10 @@ Outcome Newton::solve_proximal(Vector &x, Response &response, Result &result) {
     }
     if (equations.balanced(forces, x, response, result))
       return Outcome::solved;
-    ++result.iterations;
-    const bool regular = iteration < most_proximal && equations.factor(response, result) &&
-                         equations.solve(forces, response, result, direction);
-    if (!regular) {
+    if (iteration == most_proximal || !step_around_centre(x, forces, response, result)) {
       result.remark = "no convergence in " + std::to_string(most_proximal) + " iterations";
       return slides_away(x, response) ? Outcome::slides_away : Outcome::stalled;
     }
-    const Vector start = x;
-    const auto go = [&](const double length) {
-      x = start + length * direction;
-      equations.evaluate(x, response);
-      forces = equations.forces_left(response);
-      return equations.energy(forces);
-    };
-    search_by_halving(go, equations.energy(forces), 0.0625);
   }
 }
 

@@ -22,6 +22,9 @@ public:
   /// Newton's method on the contacts around a fixed centre, with a line search.
   Outcome solve_proximal(Vector &x, Response &response, Result &result);
 
+  /// One step of that, whose forces are then the centre. @return whether there is one
+  bool approach(Vector &x, Response &response, Result &result);
+
   /**
    * Newton's method on motions and contact forces together, for the exact contact: the centre takes
    * part as an unknown. With r the forces, D the proximal tangent and C = D diag(by centre), the
@@ -62,6 +65,8 @@ public:
   unsigned int most_iterations = 0;                           ///< of the present problem
 
 private:
+  /// A step of solve_proximal(); @p forces are those left. @return false if a pivot vanishes
+  bool step_around_centre(Vector &x, Vector &forces, Response &response, Result &result);
   /// Add to the stresses and their tangents what the centre as an unknown makes of them, and to
   /// @p step what the centre moves by itself (doc/theory.md).
   void eliminate_centre(Response &response, std::vector<Strains> &step) const;

@@ -15,6 +15,8 @@ public:
   bool is_of_body() const { return is_dense; }
   /// @return false if a pivot vanishes: no factors then.
   bool factorize(const SparseMatrix &matrix);
+  /// Of a line: least part that is left of a pivot.
+  double least_share() const { return sparse.least_share(); }
   Vector solve(const Vector &right_hand_side) const;
 
 private:
