@@ -45,11 +45,13 @@ FollowResolution::FollowResolution(const Model &model)
 }
 
 void FollowResolution::add_displacement(const LineState &state, Resolution &resolution) const {
-  for (std::size_t i = 0; i < translations.size(); i += 3)
-    resolution.largest_displacement =
-        std::max(resolution.largest_displacement,
-                 std::hypot(state.dofs[translations[i]], state.dofs[translations[i + 1]],
-                            state.dofs[translations[i + 2]]));
+  double largest = 0.; // squared
+  for (std::size_t i = 0; i < translations.size(); i += 3) {
+    const double x = state.dofs[translations[i]], y = state.dofs[translations[i + 1]],
+                 z = state.dofs[translations[i + 2]];
+    largest = std::max(largest, x * x + y * y + z * z);
+  }
+  resolution.largest_displacement = std::max(resolution.largest_displacement, std::sqrt(largest));
   const LineCells::Unbent cells = model.cells.unbent(pose_of(state));
   resolution.unbent = std::max(resolution.unbent, cells.length);
   resolution.largest_displacement = std::max(resolution.largest_displacement, cells.bow);

@@ -145,8 +145,7 @@ Vector AlphaScheme::left_over(const Step &step, const ContactResponse &response)
   Vector left = step.residual, of_contacts = Vector::Zero(left.size());
   model.contacts.add_forces(response, of_contacts);
   left -= of_contacts;
-  if (p.impulses &&
-      contacts.impulses().size() > 0) // of which the response has the mean over the step
+  if (p.impulses) // of which the response has the mean over the step
     left += (ratio / p.gamma - 1.) / step.h * contacts.impulses();
   return left;
 }

@@ -50,11 +50,13 @@ AlphaScheme::AlphaScheme(const Model &model, const Parameters &parameters)
 }
 
 Vector AlphaScheme::contact_forces(const LineState &state) const {
-  if (p.impulses)
-    return contacts.elastic_forces(state);
+  Vector forces = Vector::Zero(state.unknowns.size());
+  if (p.impulses) {
+    contacts.take_elastic_forces(state, -1., forces);
+    return forces;
+  }
   ContactResponse response;
   response.stress = state.contact_stress;
-  Vector forces = Vector::Zero(state.unknowns.size());
   model.contacts.add_forces(response, forces);
   return forces;
 }
@@ -151,12 +153,14 @@ double AlphaScheme::size_of(const Step &step, const LineState &from) const {
 }
 
 Vector AlphaScheme::unbalanced(Step &step, const Vector &unknowns, const Vector &low) {
-  const SparseMatrix &M = model.linear.mass(), &C = model.linear.damping();
+  const SparseMatrix &C = model.linear.damping();
   const double h = step.h;
   step.moved = (unknowns - step.motion) / (p.beta * h * h);
   if (low.size() > 0)
     step.moved += low / (p.beta * h * h);
-  Vector left = step.forces - stiff(unknowns) - M * Vector(ratio * step.moved + step.rest);
+  Vector inertia;
+  multiply(model.linear.mass(), ratio * step.moved + step.rest, inertia);
+  Vector left = step.forces - stiff(unknowns) - inertia;
   if (C.nonZeros() > 0)
     left -= C * Vector(step.velocity + p.gamma * h * step.moved);
   return left;

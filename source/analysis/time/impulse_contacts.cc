@@ -54,11 +54,24 @@ Contact::Strains ImpulseContacts::part(const unsigned int i, const Contact::Stra
   return result;
 }
 
-Vector ImpulseContacts::forces(const LineState &state, const bool rigid) const {
+void ImpulseContacts::take_elastic_forces(const LineState &state, const double factor,
+                                          Vector &forces) const {
+  for (unsigned int i = 0; i < kinds.size(); ++i)
+    model.contacts[i].add_to(forces, part(i, state.contact_stress[i], false), -factor);
+}
+
+Vector ImpulseContacts::rigid_forces(const LineState &state) const {
   Vector forces = Vector::Zero(model.space.n_unknowns());
   for (unsigned int i = 0; i < kinds.size(); ++i)
-    model.contacts[i].add_to(forces, part(i, state.contact_stress[i], rigid));
+    model.contacts[i].add_to(forces, part(i, state.contact_stress[i], true));
   return forces;
+}
+
+Vector ImpulseContacts::impulses() const {
+  Vector result = Vector::Zero(model.space.n_unknowns());
+  for (unsigned int i = 0; i < rigid_impulse.size(); ++i)
+    model.contacts[i].add_to(result, rigid_impulse[i]);
+  return result;
 }
 
 void ImpulseContacts::set_ground_rates(const EquilibriumProblem &problem, const LineState &from,
@@ -161,14 +174,14 @@ EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const Line
 
 void ImpulseContacts::take_impulses(const LineState &from, const double share, const double step,
                                     ContactResponse &response) {
-  rigid_impulses = Vector::Zero(from.unknowns.size());
+  rigid_impulse.resize(kinds.size());
   contact_work.assign(kinds.size(), {Contact::Strains::Zero(), Contact::Strains::Zero()});
   for (unsigned int i = 0; i < kinds.size(); ++i) {
     const Contact &contact = model.contacts[i];
     const Kind &kind = kinds[i];
     const Contact::Strains rigid = share * part(i, response.stress[i], true),
                            elastic = part(i, response.stress[i], false);
-    contact.add_to(rigid_impulses, rigid, -step);
+    rigid_impulse[i] = -step * rigid;
     response.stress[i] = rigid + elastic;
     contact_work[i].mean_stress = rigid + (elastic + part(i, from.contact_stress[i], false)) / 2.;
     if (kind.is_exact)

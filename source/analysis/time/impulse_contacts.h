@@ -54,11 +54,12 @@ public:
   }
 
   /// Impulses of the rigid parts, H^T P, on the unknowns, of the last solution.
-  const Vector &impulses() const { return rigid_impulses; }
-  /// Forces on the unknowns of the elastic parts at a state, or of the rigid ones (the line's side
-  /// of the equation of motion).
-  Vector elastic_forces(const LineState &state) const { return forces(state, false); }
-  Vector rigid_forces(const LineState &state) const { return forces(state, true); }
+  Vector impulses() const;
+  /// Take forces of the elastic parts at a state (the line's side of the equation of motion), times
+  /// @p factor, from forces on the unknowns.
+  void take_elastic_forces(const LineState &state, const double factor, Vector &forces) const;
+  /// Forces of the rigid parts on the unknowns, likewise.
+  Vector rigid_forces(const LineState &state) const;
   /// Mean forces of the last step, for the energy account.
   const std::vector<ContactWork> &work() const { return contact_work; }
   /// Add the energy, wear and impulse of the step to the contacts' histories.
@@ -84,7 +85,6 @@ private:
   /// Have contacts that slip against the direction of the step before, which have been at rest in
   /// between, overcome static friction first. @return whether there are any that did not
   bool test_reversals(const LineState &from, const Vector &imposed, const Vector &unknowns);
-  Vector forces(const LineState &state, const bool rigid) const;
   /// Part of the stress that comes from rigid or from elastic parts.
   Contact::Strains part(const unsigned int i, const Contact::Strains &stress,
                         const bool rigid) const;
@@ -96,7 +96,7 @@ private:
   std::vector<Contact::Strains> ground_rate, ground_rate_before;
   contact::Overrides overrides;
   ContactState shifted;
-  Vector rigid_impulses;
+  std::vector<Contact::Strains> rigid_impulse; ///< of each contact, of the last solution
   std::vector<ContactWork> contact_work;
 };
 

@@ -69,8 +69,8 @@ MoreauJean::Step MoreauJean::begin(const LineState &from, const LoadCourse &load
   step.stiff_before = stiff(from.unknowns);
   step.momentum_before = momentum(from.velocity);
   const double part = (1. - theta) / theta;
-  step.known =
-      step.forces + part * (step.forces_before - step.stiff_before - contacts.elastic_forces(from));
+  step.known = step.forces + part * (step.forces_before - step.stiff_before);
+  contacts.take_elastic_forces(from, part, step.known);
   return step;
 }
 
@@ -127,7 +127,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
     return report;
 
   arrive(model, loads, time, last_factors, problem.imposed, to);
-  to.velocity = step.velocity_after;
+  to.velocity.swap(step.velocity_after);
   to.acceleration = (to.velocity - from.velocity) / step.h;
   to.auxiliary = to.acceleration;
   commit_contacts(response, from, to);

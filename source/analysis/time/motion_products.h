@@ -8,6 +8,10 @@
 
 namespace frictionbeam {
 
+/// matrix vector. The columns of a row of a line's matrices are mostly one run of neighbours, which
+/// is gone through two entries at a time, and its indices need not be read.
+void multiply(const SparseMatrix &matrix, const Vector &vector, Vector &product);
+
 /// The product of one matrix with a vector that may be asked for again: with the vectors of the
 /// last two it is at hand.
 class KeptProduct {
@@ -22,7 +26,7 @@ public:
       }
     newest = 1 - newest;
     vectors[newest] = vector;
-    products[newest].noalias() = matrix * vector;
+    multiply(matrix, vector, products[newest]);
     return products[newest];
   }
 

@@ -51,8 +51,8 @@ void NonlinearMotion::evaluate(const LineState &state, const Matrix matrix, Step
   const Vector inertia =
       line.mass() * (4. * (1. + lost) / (h * h) * step.moved - 4. / h * state.velocity) +
       2. / h * step.imposed_impulse;
-  step.residual = 2. * (step.balance.forces + model.contacts.platen_forces()) - inertia -
-                  contacts.elastic_forces(state);
+  step.residual = 2. * (step.balance.forces + model.contacts.platen_forces()) - inertia;
+  contacts.take_elastic_forces(state, 1., step.residual);
   if (wants_matrix)
     step.matrix = step.balance.stiffness + 4. * (1. + lost) / (h * h) * line.mass();
   line.add_rotary(step.from, step.to, step.change, step.velocity, h, step.residual,

@@ -214,9 +214,11 @@ void ReducedSpace::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
 void ReducedSpace::expand(const Vector &unknowns, Vector &dofs) const {
   dofs.resize(n_dofs());
   for (unsigned int dof = 0; dof < n_dofs(); ++dof) {
-    double value = 0.;
-    for (const Term &term : terms(dof))
-      value += term.weight * unknowns[term.unknown];
+    const Term *const first = terms_of_all.data() + start[dof], *const last = terms_of_all.data() +
+                                                                              start[dof + 1];
+    double value = first == last ? 0. : first->weight * unknowns[first->unknown];
+    for (const Term *term = first + 1; term < last; ++term)
+      value += term->weight * unknowns[term->unknown];
     dofs[dof] = value;
   }
 }

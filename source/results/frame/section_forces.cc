@@ -145,9 +145,9 @@ void SectionForces::find_accelerations(const LineState &state) {
     accelerations.resize(0);
     return;
   }
-  accelerations.resize(state.dofs.size());
-  for (Eigen::Index i = 0; i < accelerations.size(); ++i)
-    accelerations[i] = damped_acceleration(model, state, i);
+  accelerations = model.cells.velocities(state.acceleration, state.load_accelerations);
+  if (const double alpha = model.scene.time.mass_damping; alpha != 0.)
+    accelerations += alpha * model.cells.velocities(state.velocity, state.load_rates);
 }
 
 const double *SectionForces::forces_of(const Kind &kind, const CellCourse &start) {
