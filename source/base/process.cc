@@ -96,6 +96,8 @@ ProcessResult run_process(const std::vector<std::string> &words, const std::stri
   }
   result.seconds = passed();
   result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  const auto seconds_of = [](const timeval &time) { return time.tv_sec + 1e-6 * time.tv_usec; };
+  result.processor_seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   result.peak_memory_mb = usage.ru_maxrss / 1024.;
   result.output = output.text();
   return result;

@@ -36,7 +36,8 @@ struct ChartList {
   std::vector<std::string> reference_run; ///< settings of the run that gives the references
   bool has_reference_run = false;
   double floor = 0.01;
-  bool whole_process = false; ///< time from start to end of the process
+  /// Of a run: mesh, set-up and solution; from start to end of the process; of the processor.
+  enum class Time { solution, process, processor } time = Time::solution;
   unsigned int n_runs = 3;
   double time_limit = 60.; ///< [s]
   std::vector<Curve> curves;

@@ -66,7 +66,9 @@ void add_curve(const ChartList &list, const std::vector<Measurement> &measuremen
 Plot make_plot(const ChartList &list, const std::vector<Measurement> &measurements) {
   Plot plot;
   plot.title = list.title;
-  plot.x_label = list.whole_process ? "time of the whole process [s]" : "time to solution [s]";
+  plot.x_label = list.time == ChartList::Time::solution  ? "time to solution [s]"
+                 : list.time == ChartList::Time::process ? "time of the whole process [s]"
+                                                         : "processor time of the process [s]";
   plot.y_label = "largest error of the quantities";
   plot.log_x = plot.log_y = true;
   plot.x_format = "%g";

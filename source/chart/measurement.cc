@@ -82,10 +82,12 @@ Run run_case(const ChartList &list, const std::string &case_file,
   Run run;
   run.problem = problem_of(process, list.time_limit);
   run.timed_out = process.timed_out;
-  run.seconds = run.process_seconds = process.seconds;
+  run.process_seconds = process.seconds;
+  run.seconds =
+      list.time == ChartList::Time::processor ? process.processor_seconds : process.seconds;
   run.peak_memory_mb = process.peak_memory_mb;
   if (run.problem.empty())
-    read_summary(folder.path, list.whole_process, run);
+    read_summary(folder.path, list.time != ChartList::Time::solution, run);
   return run;
 }
 
@@ -99,7 +101,9 @@ Run run_command(const ChartList &list, std::string command,
   Run run;
   run.problem = problem_of(process, list.time_limit);
   run.timed_out = process.timed_out;
-  run.seconds = run.process_seconds = process.seconds;
+  run.process_seconds = process.seconds;
+  run.seconds =
+      list.time == ChartList::Time::processor ? process.processor_seconds : process.seconds;
   run.peak_memory_mb = process.peak_memory_mb;
   std::istringstream lines(process.output);
   for (std::string line; std::getline(lines, line);) {
@@ -113,7 +117,7 @@ Run run_command(const ChartList &list, std::string command,
     if (name == "error")
       run.error = value;
     else if (name == "seconds")
-      run.seconds = list.whole_process ? run.seconds : value;
+      run.seconds = list.time == ChartList::Time::solution ? value : run.seconds;
     else if (name == "unknowns")
       run.unknowns = static_cast<std::size_t>(value);
     else
