@@ -177,7 +177,8 @@ void add_remarks(const HowWellKnown &known, Results &results) {
       "Take more Increments in the steps, or ask for an Accuracy.");
   add(known.time_step, "the time step", "Take a shorter Time/Step, or ask for an Accuracy.");
   add(known.cells, "the length of the cells",
-      "Take shorter cells (Mesh/Cell length, Cells per bend), or ask for an Accuracy.");
+      "Take shorter cells (Mesh/Cell length, Cells per bend; Degree and Cells around of section "
+      "Solid), or ask for an Accuracy.");
 }
 
 } // namespace frictionbeam

@@ -5,6 +5,7 @@
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/reduction/transient_reduction.h"
 #include "model/cell/line_cells.h"
+#include "scene/steps/step_factors.h"
 #include "scene/steps/step_tree.h"
 
 #include "analysis/increment/time_step.h"
@@ -38,10 +39,7 @@ LoadSequence::LoadSequence(const Model &model, Statics &statics)
 LoadSequence::~LoadSequence() = default;
 
 LoadSequence::Factors LoadSequence::target_of(const LoadStep &step) const {
-  Factors target(model.scene.loads.size(), 0.);
-  for (const auto &[load, factor] : step.loads)
-    target[load] += factor;
-  return target;
+  return declared_factors(step, model.scene.loads.size());
 }
 
 std::string LoadSequence::integrator_name() const {
@@ -127,6 +125,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
     if (!step_reports.back().converged)
       return false;
     step_reports.back().cycle = cycles.step_ends(declared_step, current);
+    factors_at_ends.push_back(current.load_factors);
     if (model.scene.solver.is_exact())
       step_reports.back().undetermined_forces =
           contacts_with_undetermined_forces(model.contacts, current);
@@ -159,7 +158,7 @@ void LoadSequence::transfer(Archive &archive) {
     resolution = std::make_unique<FollowResolution>(model);
   transfer_state(archive);
   std::vector<std::pair<unsigned int, std::string>> ends(kept.begin(), kept.end());
-  archive(position, path, step_reports, ends, has_moved, has_reduced);
+  archive(position, path, step_reports, ends, factors_at_ends, has_moved, has_reduced);
   kept = {ends.begin(), ends.end()};
   if (archive.reads() && has_moved)
     march = std::make_unique<TimeMarch>(model, piece_observer);

@@ -57,6 +57,11 @@ public:
   std::string integrator_name() const;
   const std::vector<StepReport> &reports() const { return step_reports; }
 
+  /// Factors of the scene's loads at the end of a step that it has reached, with their histories.
+  const std::vector<double> &factors_at_end(const unsigned int step) const {
+    return factors_at_ends.at(step);
+  }
+
 private:
   using Factors = std::vector<double>;
   /// How far the sequence is.
@@ -133,6 +138,7 @@ private:
   Position position;
   LimitPath path;                           ///< of the step, if it looks for its limit
   std::map<unsigned int, std::string> kept; ///< at the ends of steps that others go back to
+  std::vector<Factors> factors_at_ends;     ///< of the loads, with their histories, by step
   bool is_resumed = false, looks_at_uniqueness = true;
   NeedsLine observer_needs_line;
   std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for

@@ -106,7 +106,7 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   LoadSequence sequence(line.model());
   results.cost.setup_seconds = timer.wall_time();
   solve_sequence(line.model(), sequence, results);
-  walls.report(results);
+  walls.report(sequence, results);
   results.cost.wall_seconds = wall.wall_time();
   return results;
 }

@@ -4,9 +4,11 @@
 
 #include "base/processes.h"
 #include "base/user_error.h"
+#include "mesh/solid/wall_cells.h"
 #include "results/file/body_vtu.h"
 #include "results/file/output_file.h"
 #include "results/solid/solid_files.h"
+#include "results/solid/wall_doubts.h"
 #include "results/text.h"
 #include "scene/in_units.h"
 #include "scene/solid/mixed_entries.h"
@@ -16,14 +18,6 @@
 namespace frictionbeam {
 
 namespace {
-
-/// Factors of the loads at the end of a step.
-std::vector<double> factors_of(const Scene &scene, const unsigned int step) {
-  std::vector<double> factors(scene.loads.size(), 0.);
-  for (const auto &[load, factor] : scene.steps[step].loads)
-    factors[load] += factor;
-  return factors;
-}
 
 const Station &station_at(const Frame &frame, const unsigned int pipe, const unsigned int vertex,
                           const bool is_last) {
@@ -107,7 +101,24 @@ std::vector<std::string> MixedWalls::in_words() const {
   return result;
 }
 
-void MixedWalls::report(Results &results) {
+void MixedWalls::add_to(KnownError &cells) const {
+  for (const auto &wall : walls) {
+    const Section &section = wall->own.scene.sections[wall->own.scene.pipes.front().section];
+    const std::optional<double> error = flexibility_error(
+        scene.solid.degree, scene.solid.cells_around, section.outer_radius / section.wall - 0.5);
+    if (!error) {
+      cells = {{}, "cells of degree 1 lock"};
+      return;
+    }
+    if (cells.error && *error > *cells.error)
+      cells = {error, std::to_string(scene.solid.cells_around) + " cells of degree " +
+                          std::to_string(scene.solid.degree) + " around the wall of " +
+                          wall->stretch.name};
+  }
+}
+
+void MixedWalls::report(const LoadSequence &sequence, Results &results) {
+  add_to(results.known.cells);
   double ovality = 0., mises = 0., join = 0.;
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const WallStretch &wall = *walls[w];
@@ -115,7 +126,8 @@ void MixedWalls::report(Results &results) {
     std::vector<WallFrame> frames;
     std::vector<ContinuumState> states;
     for (const Frame &frame : results.frames) {
-      if (!frame.end_of_step || frame.step >= scene.steps.size())
+      if (!frame.end_of_step || frame.step >= results.steps.size() ||
+          !results.steps[frame.step].converged)
         continue;
       Eigen::VectorXd motions(6 * part.vertices.size());
       for (std::size_t i = 0; i < part.vertices.size(); ++i) {
@@ -127,7 +139,7 @@ void MixedWalls::report(Results &results) {
       state.step = frame.step;
       state.increment = frame.increment;
       state.time = frame.time;
-      state.factors = factors_of(scene, frame.step);
+      state.factors = sequence.factors_at_end(frame.step);
       state.displacement = wall.displacement(motions, state.factors);
       frames.push_back({frame.step, wall_state(wall.wall, *wall.loads, wall.body, state)});
       join = std::max(join, disagreement(wall, part, frame, frames.back().rings, state.factors));
@@ -135,6 +147,9 @@ void MixedWalls::report(Results &results) {
     }
     if (frames.empty()) // the first step was not solved
       return;
+    if (const std::string text = doubt_of_stresses(wall.own.scene, wall.wall, frames);
+        !text.empty())
+      results.doubts.push_back(text);
     for (const WallFrame &frame : frames)
       for (const RingState &ring : frame.rings) {
         ovality = std::max(ovality, ring.ovality(2. * wall.wall.outer));

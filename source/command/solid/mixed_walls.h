@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/sequence/load_sequence.h"
 #include "analysis/substructure/wall_stretch.h"
 #include "results/results.h"
 
@@ -17,11 +18,14 @@ public:
   std::vector<SolidPart> superelements();
   /// Displacement, stress and ovality of the walls at the ends of the steps that the line has
   /// reached, into folders of their own and into the report; with the largest of them.
-  void report(Results &results);
+  void report(const LoadSequence &sequence, Results &results);
   /// Which bends are solid and how large their walls are, a line each.
   std::vector<std::string> in_words() const;
 
 private:
+  /// Make the error that cells leave that of the walls, if it is larger.
+  void add_to(KnownError &cells) const;
+
   const Scene &scene;
   std::vector<std::unique_ptr<WallStretch>> walls;
   std::vector<SolidPart> parts; ///< beside them, without their matrices

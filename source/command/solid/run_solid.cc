@@ -14,6 +14,7 @@
 #include "results/quantity/shown_quantity.h"
 #include "results/solid/solid_files.h"
 #include "results/solid/solid_frame.h"
+#include "results/solid/wall_doubts.h"
 #include "results/text.h"
 
 #include <deal.II/base/timer.h>
@@ -160,25 +161,7 @@ void SolidRun::add_quantities() {
 }
 
 void SolidRun::doubt_stresses() {
-  double worst = 1.; // of the yield stress
-  std::string text;
-  for (std::size_t f = 0; f < frames.size(); ++f)
-    for (std::size_t r = 0; r < wall.rings.size(); ++r) {
-      const Pipe &pipe = scene.pipes[wall.segments[wall.rings[r].segment].pipe];
-      const Material &material = scene.materials[pipe.material];
-      const RingState &ring = frames[f].rings[r];
-      const double stress = std::max(ring.largest_mises(0), ring.largest_mises(1));
-      if (material.yield_stress <= 0. || stress <= worst * material.yield_stress)
-        continue;
-      worst = stress / material.yield_stress;
-      text = "Pipe " + pipe.name + ", " +
-             rounded_number(wall.rings[r].s / scene.units.factor("m"), 4) + " " +
-             scene.units.name("m") + " along the pipes, step " + results.frames[f].name +
-             ": the equivalent stress of the wall is " +
-             rounded_number(stress / scene.units.factor("Pa"), 3) + " " + scene.units.name("Pa") +
-             ", " + rounded_number(worst, 3) + " times the Yield stress of material " +
-             material.name + ", while the wall is taken for elastic.";
-    }
+  const std::string text = doubt_of_stresses(scene, wall, frames);
   if (!text.empty())
     results.doubts.push_back(text);
 }

@@ -4,6 +4,7 @@
 #include "base/processes.h"
 #include "base/user_error.h"
 #include "results/support_force.h"
+#include "scene/steps/step_factors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,9 +63,7 @@ ContinuumStep as_step_of_body(const LoadStep &step, const std::size_t n_loads) {
   ContinuumStep result;
   result.name = step.name;
   result.n_increments = step.n_increments;
-  result.factors.assign(std::max<std::size_t>(1, n_loads), 0.);
-  for (const auto &[load, factor] : step.loads)
-    result.factors[load] += factor;
+  result.factors = declared_factors(step, std::max<std::size_t>(1, n_loads));
   return result;
 }
 

@@ -21,7 +21,16 @@ namespace frictionbeam {
 
 namespace {
 using Of = QuantityKind::Of;
+
+[[noreturn]] void refuse_place(const Quantity &quantity) {
+  throw UserError("Quantity " + quantity.name +
+                  ": there is no point, restraint, spring or "
+                  "support called '" +
+                  quantity.where +
+                  "'. A repeated support's names are numbered: name.1, name.2, ...");
 }
+
+} // namespace
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
     : model(model), results(results), sink(std::move(sink)),
@@ -53,11 +62,7 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
     return *force;
   const auto point = model.mesh.points.find(quantity.where);
   if (point == model.mesh.points.end())
-    throw UserError("Quantity " + quantity.name +
-                    ": there is no point, restraint, spring or "
-                    "support called '" +
-                    quantity.where +
-                    "'. A repeated support's names are numbered: name.1, name.2, ...");
+    refuse_place(quantity);
   return force_at_point(model, builder, results, point->first, state, component);
 }
 
@@ -197,17 +202,25 @@ double Collector::section_force(const Quantity &quantity, const Frame &made,
 
 double Collector::force_at(const Quantity &quantity, const Frame &made,
                            const unsigned int component) const {
-  double value = 0.;
   const auto point = model.mesh.points.find(quantity.where);
+  const bool is_point = point != model.mesh.points.end();
+  double value = 0.;
+  bool found = is_point;
   for (unsigned int i = 0; i < results.restraints.size(); ++i)
     if (results.restraints[i].name == quantity.where ||
-        (point != model.mesh.points.end() &&
-         results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.))
+        (is_point &&
+         results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.)) {
       value += made.reactions[i][component];
+      found = true;
+    }
   for (unsigned int i = 0; i < results.supports.size(); ++i)
     if (is_part_of(results.supports[i], quantity.where) ||
-        (point != model.mesh.points.end() && model.contacts[i].vertices[0] == point->second))
+        (is_point && model.contacts[i].vertices[0] == point->second)) {
       value += builder.support_force(made.supports[i], i)[component];
+      found = true;
+    }
+  if (!found)
+    refuse_place(quantity);
   return value;
 }
 

@@ -32,6 +32,8 @@ void parse_mixed(const ParameterReader &in, Scene &scene) {
   if (scene.model == ModelKind::solid || scene.model == ModelKind::continuum)
     in.fail("At", "no At with Model = " + std::string(row_of(model_kinds, scene.model).word),
             "Model = line, whose pipes are solid there");
+  if (scene.model == ModelKind::automatic)
+    in.fail("At", "no At with Model = auto, which chooses what is solid", "Model = line");
 }
 
 void check_mixed(ParameterReader &in, const Scene &scene) {
@@ -57,11 +59,9 @@ void check_mixed(ParameterReader &in, const Scene &scene) {
     refuse(section.is_inelastic() && !pipe.rigid, "Section " + section.name, "Law",
            "elastic_section", "elastic_section");
   }
-  for (const Load &load : scene.loads) {
+  for (const Load &load : scene.loads)
     refuse(load.kind == Load::Kind::wind, "Load " + load.name, "Kind", "all kinds but wind",
            "a line force");
-    refuse(load.history.is_given(), "Load " + load.name, "History", "none", "factors of the steps");
-  }
   for (const LoadStep &step : scene.steps) {
     refuse(step.transient, "Step " + step.name, "Analysis", "static", "static");
     refuse(step.finds_limit, "Step " + step.name, "Find", "no limit load", "removing the entry");

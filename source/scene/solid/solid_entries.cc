@@ -299,7 +299,7 @@ void check_solid(ParameterReader &in, Scene &scene) {
   if (scene.is_solid()) {
     SolidCheck(in, scene).all();
     remark_on_pairs(in, scene);
-  } else if (!is_mixed)
+  } else if (!is_mixed && scene.model != ModelKind::automatic)
     remark_on_solid_entries(in, scene);
 }
 

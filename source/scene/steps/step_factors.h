@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "scene/scene.h"
+
+namespace frictionbeam {
+
+/// Factors of a scene's loads at the end of a step, as it declares them: the sum of what it names,
+/// without the loads' histories.
+std::vector<double> declared_factors(const LoadStep &step, const std::size_t n_loads);
+
+} // namespace frictionbeam
