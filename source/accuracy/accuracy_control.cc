@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/accuracy_control.h"
 
+#include "accuracy/account_remarks.h"
 #include "accuracy/convergence.h"
 #include "accuracy/difference.h"
+#include "accuracy/pipe_model.h"
 #include "accuracy/refinable.h"
 #include "accuracy/resolution.h"
 
 #include "base/processes.h"
+#include "base/user_error.h"
 #include "results/file/csv_writer.h"
 #include "results/file/vtu_writer.h"
 #include "results/text.h"
@@ -16,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace frictionbeam {
 
@@ -35,22 +37,6 @@ struct Trial {
   Results results;
 };
 
-/// Quantities that only the model has that is not solved.
-std::vector<std::string> only_of_the_other(const Scene &scene, const ModelKind model) {
-  std::set<std::string> of_line, of_continuum;
-  for (const Quantity &quantity : scene.quantities)
-    of_line.insert(quantity.name);
-  if (scene.continuum)
-    for (const ContinuumQuantity &quantity : scene.continuum->quantities)
-      of_continuum.insert(quantity.name);
-  const bool is_line = model == ModelKind::line;
-  std::vector<std::string> names;
-  for (const std::string &name : is_line ? of_continuum : of_line)
-    if ((is_line ? of_line : of_continuum).count(name) == 0)
-      names.push_back(name + ": the " + (is_line ? "line" : "continuum") + " does not have it");
-  return names;
-}
-
 class AccuracyControl {
 public:
   AccuracyControl(const RunOptions &options, Scene as_read, const ReadScene &read,
@@ -64,15 +50,20 @@ public:
   SolvedScene run();
 
 private:
-  /// What was chosen, how well the quantities are known and what is not, in words.
-  void add_remarks(const bool model_was_chosen, Results &results) const;
   /// The line, if what it leaves out is estimated to be small enough, with its settings.
   ModelKind choose_model();
+  /// The line, with a solid in place of bends that beams do not answer for.
+  ModelKind choose_bends();
   Results run_line();
+  /// The line with the settings that it needs, and these bends as solids.
+  /// @param line as it is without them
+  Results solve_solid_bends(Results line);
   /// Its own refinement stops where the quantities change by no more than is demanded.
   Results run_continuum();
   Trial solve_at(const std::size_t what, const unsigned int level);
   Results solve_with(const std::vector<std::string> &settings);
+  /// The scene at hand. @param what it is, in words
+  Results solve_scene(const std::string &what);
   /// Refine one thing until its part of the error is estimated below @p tolerance, the others being
   /// as fine as they are.
   Trial refine(const std::size_t what, const double tolerance);
@@ -81,7 +72,6 @@ private:
   Trial refine_together(const std::array<std::size_t, 2> &both, const double tolerance);
   /// Sum of what the parts are estimated to contribute, without one of them.
   double estimate_without(const std::size_t what) const;
-  std::string describe(const std::vector<std::string> &settings) const;
 
   const ReadScene &read;
   const SolveScene &solve;
@@ -101,20 +91,18 @@ private:
   std::string missed;            ///< the event, if the last level may still have missed it
   bool coarsest_will_do = false; ///< of what was refined last: finer ones change next to nothing
   double model_error = 0.;
+  accuracy::PipeModel pipes;
   std::map<std::string, Results> solved; ///< runs that may be asked for again
   AccuracyAccount account;
   Cost cost; ///< of all runs
 };
 
-std::string AccuracyControl::describe(const std::vector<std::string> &settings) const {
-  std::string text;
-  for (const std::string &setting : settings)
-    text += (text.empty() ? "" : "; ") + setting;
-  return text;
-}
-
 Results AccuracyControl::solve_with(const std::vector<std::string> &settings) {
   scene = read(settings);
+  return solve_scene(accuracy::settings_in_words(settings));
+}
+
+Results AccuracyControl::solve_scene(const std::string &what) {
   scene.model = model;
   if (this_process() == 0)
     remove_frames(scene.output.directory); // of coarser levels
@@ -127,7 +115,7 @@ Results AccuracyControl::solve_with(const std::vector<std::string> &settings) {
   cost.back_substitutions += results.cost.back_substitutions;
   cost.steps += results.cost.steps;
   account.runs.push_back(
-      {describe(settings),
+      {what,
        results.cost.mesh_seconds + results.cost.setup_seconds + results.cost.solve_seconds,
        {},
        results.status == RunStatus::converged});
@@ -140,7 +128,7 @@ Trial AccuracyControl::solve_at(const std::size_t what, const unsigned int level
   for (std::size_t i = 0; i < list.size(); ++i)
     for (const std::string &setting : list[i].settings(levels[i]))
       settings.push_back(setting);
-  const std::string name = describe(settings);
+  const std::string name = accuracy::settings_in_words(settings);
   if (const auto found = solved.find(name); found != solved.end())
     return {level, found->second};
   Trial trial{level, solve_with(settings)};
@@ -260,11 +248,8 @@ ModelKind AccuracyControl::choose_model() {
     account.model_reason = "the scene has no line";
     return ModelKind::continuum;
   }
-  if (!scene.continuum) {
-    account.model_reason =
-        "the scene has no continuum, and what beams leave out of it is not estimated";
-    return ModelKind::line;
-  }
+  if (!scene.continuum)
+    return choose_bends();
   model = ModelKind::line;
   const accuracy::LineForms forms = accuracy::line_forms(scene, file);
   const Results less = solve_with(forms.without_last_correction), best = solve_with(forms.best);
@@ -283,6 +268,26 @@ ModelKind AccuracyControl::choose_model() {
   model_error = change.value;
   chosen = {"Slab/Poisson squeeze = true", "Slab/Shear lag = 3"};
   return ModelKind::line;
+}
+
+ModelKind AccuracyControl::choose_bends() {
+  model = ModelKind::line;
+  if (const std::string why = accuracy::why_not_mixed(scene); !why.empty()) {
+    account.model_reason = "what beams leave out of bends is not estimated where " + why;
+    return model;
+  }
+  pipes = accuracy::choose_pipe_model(
+      accuracy::with_arcs(scene), {demanded, most_of_model, early_share},
+      [this](const Scene &one, const std::string &what) {
+        scene = one;
+        return solve_scene(what);
+      },
+      [this](const std::vector<std::string> &settings) { return solve_with(settings); });
+  account.model_reason = pipes.reason;
+  account.line_error = pipes.line_error;
+  account.left_out = pipes.left_out;
+  model_error = pipes.error;
+  return model;
 }
 
 Results AccuracyControl::run_line() {
@@ -314,6 +319,25 @@ Results AccuracyControl::run_line() {
   return results;
 }
 
+Results AccuracyControl::solve_solid_bends(Results line) {
+  std::vector<std::string> settings = chosen;
+  settings.insert(settings.end(), pipes.solid.begin(), pipes.solid.end());
+  const Scene as_line = scene;
+  try {
+    Results results = solve_with(settings);
+    chosen = settings;
+    account.model = "line with solid bends";
+    return results;
+  } catch (const UserError &error) { // what only the walls' own scene shows
+    scene = as_line;
+    account.reached = false;
+    account.estimate += pipes.line_error - model_error;
+    pipes.judged.push_back(
+        std::string("Solid bends are needed, which this scene does not allow: ") + error.what());
+    return line;
+  }
+}
+
 Results AccuracyControl::run_continuum() {
   chosen = accuracy::continuum_settings(scene, demanded);
   Results results = solve_with(chosen);
@@ -323,32 +347,6 @@ Results AccuracyControl::run_continuum() {
       account.estimate = check.value;
   account.reached = results.status == RunStatus::converged;
   return results;
-}
-
-void AccuracyControl::add_remarks(const bool model_was_chosen, Results &results) const {
-  if (!missed.empty())
-    results.remarks.push_back("Accuracy: " + missed +
-                              " is nearer than the time step can tell, and was not seen.");
-  results.remarks.push_back(
-      account.reached
-          ? "Accuracy: the quantities are estimated to be known to " +
-                rounded_number(account.estimate, 2) + ", " + rounded_number(demanded, 2) +
-                " is demanded; chosen: " +
-                (chosen.empty() ? "nothing, since there is nothing to choose" : describe(chosen)) +
-                "."
-          : "Accuracy: " + rounded_number(demanded, 2) +
-                " is not reached; the estimate, which shall be below that by a factor of " +
-                rounded_number(margin, 2) + ", is " + rounded_number(account.estimate, 2) +
-                " with " + describe(chosen) + ".");
-  if (model_was_chosen)
-    results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +
-                              account.model_reason +
-                              (account.line_error ? " (what the line leaves out is estimated as " +
-                                                        rounded_number(*account.line_error, 2) + ")"
-                                                  : "") +
-                              ".");
-  if (!account.left_out.empty())
-    results.remarks.push_back("Accuracy, left out: " + describe(account.left_out) + ".");
 }
 
 SolvedScene AccuracyControl::run() {
@@ -365,9 +363,12 @@ SolvedScene AccuracyControl::run() {
     account.model = row_of(model_kinds, model).word;
     if (model == ModelKind::continuum && this_process() == 0)
       remove_line_tables(scene.output.directory); // of the line that was tried
-    account.left_out = only_of_the_other(scene, model);
+    for (const std::string &one : accuracy::left_out_by(model, scene))
+      account.left_out.push_back(one);
   }
   Results results = model == ModelKind::continuum ? run_continuum() : run_line();
+  if (!pipes.solid.empty() && account.reached)
+    results = solve_solid_bends(std::move(results));
   account.chosen = chosen;
   for (const QuantityResult &quantity : results.quantities)
     if (quantity.of_impact)
@@ -380,7 +381,7 @@ SolvedScene AccuracyControl::run() {
   results.cost.contacts = last.contacts;
   if (!account.reached && results.status == RunStatus::converged)
     results.status = RunStatus::failed;
-  add_remarks(choose, results);
+  accuracy::add_remarks({account, margin, choose, missed, pipes.judged}, results);
   results.accuracy = account;
   return {std::move(scene), std::move(results)};
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace frictionbeam::accuracy {
 
@@ -119,6 +120,21 @@ std::vector<std::string> left_out(const Scene &scene) {
   for (const Quantity &quantity : scene.quantities)
     if (quantity.kind().measure == Measure::count)
       names.push_back(quantity.name + ": a number of supports has no relative error");
+  return names;
+}
+
+std::vector<std::string> left_out_by(const ModelKind model, const Scene &scene) {
+  std::set<std::string> of_line, of_continuum;
+  for (const Quantity &quantity : scene.quantities)
+    of_line.insert(quantity.name);
+  if (scene.continuum)
+    for (const ContinuumQuantity &quantity : scene.continuum->quantities)
+      of_continuum.insert(quantity.name);
+  const bool is_line = model != ModelKind::continuum;
+  std::vector<std::string> names;
+  for (const std::string &name : is_line ? of_continuum : of_line)
+    if ((is_line ? of_line : of_continuum).count(name) == 0)
+      names.push_back(name + ": the " + (is_line ? "line" : "continuum") + " does not have it");
   return names;
 }
 

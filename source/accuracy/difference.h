@@ -28,4 +28,7 @@ Difference largest(const std::vector<Difference> &differences);
 /// Names of the quantities that do not count, and why, for the user.
 std::vector<std::string> left_out(const Scene &scene);
 
+/// Quantities that only the model has that is not solved.
+std::vector<std::string> left_out_by(const ModelKind model, const Scene &scene);
+
 } // namespace frictionbeam::accuracy

@@ -31,6 +31,7 @@ public:
       : scene(scene), paths(paths), asked(names_of(scene)) {}
 
   std::vector<SolidStretch> all();
+  std::vector<SolidStretch> rooms();
 
 private:
   using Segment = PipePath::Segment;
@@ -199,6 +200,17 @@ void StretchLayout::check_pipe(const Pipe &pipe, const double bend_radius) const
         ", or Solid/At with the names of other bends alone");
 }
 
+std::vector<SolidStretch> StretchLayout::rooms() {
+  for (unsigned int p = 0; p < paths.size(); ++p)
+    add_bends(p);
+  for (SolidStretch &bend : stretches) {
+    const std::array<double, 2> room = room_of(bend);
+    bend.from = room[0];
+    bend.to = room[1];
+  }
+  return stretches;
+}
+
 std::vector<SolidStretch> StretchLayout::all() {
   for (unsigned int p = 0; p < paths.size(); ++p)
     add_bends(p);
@@ -221,6 +233,10 @@ std::vector<SolidStretch> StretchLayout::all() {
 }
 
 } // namespace
+
+std::vector<SolidStretch> rooms_of_bends(const Scene &scene, const std::vector<PipePath> &paths) {
+  return StretchLayout(scene, paths).rooms();
+}
 
 std::vector<SolidStretch> solid_stretches(const Scene &scene, const std::vector<PipePath> &paths) {
   return StretchLayout(scene, paths).all();

@@ -24,4 +24,8 @@ struct SolidStretch {
  */
 std::vector<SolidStretch> solid_stretches(const Scene &scene, const std::vector<PipePath> &paths);
 
+/// Each bend of the scene by itself, from where a bend or anchor or the pipe's beginning is before
+/// it to where one is behind it.
+std::vector<SolidStretch> rooms_of_bends(const Scene &scene, const std::vector<PipePath> &paths);
+
 } // namespace frictionbeam

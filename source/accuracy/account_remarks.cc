@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "accuracy/account_remarks.h"
+
+#include "results/text.h"
+
+namespace frictionbeam::accuracy {
+
+std::string settings_in_words(const std::vector<std::string> &settings) {
+  std::string text;
+  for (const std::string &setting : settings)
+    text += (text.empty() ? "" : "; ") + setting;
+  return text;
+}
+
+void add_remarks(const AccountInWords &of, Results &results) {
+  const AccuracyAccount &account = of.account;
+  const std::vector<std::string> &chosen = account.chosen;
+  if (!of.missed.empty())
+    results.remarks.push_back("Accuracy: " + of.missed +
+                              " is nearer than the time step can tell, and was not seen.");
+  results.remarks.push_back(
+      account.reached
+          ? "Accuracy: the quantities are estimated to be known to " +
+                rounded_number(account.estimate, 2) + ", " + rounded_number(account.demanded, 2) +
+                " is demanded; chosen: " +
+                (chosen.empty() ? "nothing, since there is nothing to choose"
+                                : settings_in_words(chosen)) +
+                "."
+          : "Accuracy: " + rounded_number(account.demanded, 2) +
+                " is not reached; the estimate, which shall be below that by a factor of " +
+                rounded_number(of.margin, 2) + ", is " + rounded_number(account.estimate, 2) +
+                " with " + settings_in_words(chosen) + ".");
+  if (of.model_was_chosen)
+    results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +
+                              account.model_reason +
+                              (account.line_error ? " (what the line leaves out is estimated as " +
+                                                        rounded_number(*account.line_error, 2) + ")"
+                                                  : "") +
+                              ".");
+  for (const std::string &part : of.judged)
+    results.remarks.push_back(part);
+  if (!account.left_out.empty())
+    results.remarks.push_back("Accuracy, left out: " + settings_in_words(account.left_out) + ".");
+}
+
+} // namespace frictionbeam::accuracy

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "results/results.h"
+
+#include <functional>
+
+namespace frictionbeam::accuracy {
+
+/// A bend as the beams have it, and as its wall would be.
+struct BendModel {
+  unsigned int pipe = 0, number = 0; ///< in Scene::pipes, of its bends
+  std::string name;                  ///< as Solid/At has it
+  double h = 0.;                     ///< t R/r^2
+  double r_over_t = 0.;
+  double tangent = 0.; ///< the shorter straight pipe beside it, up to a bend or anchor [diameters]
+  /// Flexibility over that of a straight pipe: by the pipe's rule, and by moments in the bend's
+  /// plane and across it of a solid wall (ratios_of_walls(); von Karman's excess over one scaled
+  /// for h > 1).
+  double by_rule = 1., in_plane = 1., across = 1.;
+};
+
+struct BendModels {
+  std::vector<BendModel> judged;
+  std::vector<std::string> unknown; ///< bends that no solid can stand for, and why
+};
+
+/// The bends of a scene's routes.
+BendModels bend_models(const Scene &scene);
+
+/// Which bends of a line beams answer for.
+struct ModelOfPipes {
+  double change = 0.;   ///< of a quantity, all bends being as flexible as their walls
+  double left = 0.;     ///< what those that stay beams contribute
+  double per_part = 0.; ///< change of a quantity by the part that a solid's flexibility is off
+  double r_over_t = 0.; ///< largest of the bends that do not stay beams
+  std::vector<std::string> solid; ///< these, as Solid/At has them
+  std::string reason;
+  std::vector<std::string> in_words; ///< a line for each bend
+};
+
+/// Solves a scene as beams. @param what it is, in words
+using SolveAs = std::function<Results(const Scene &, const std::string &what)>;
+
+/**
+ * Solve the line with bends as flexible as their walls, by moments in their plane and across it:
+ * all of them and, where that changes a quantity by more than @p tolerance, each alone. Those that
+ * change most are to be solid, as few as leave no more than that by the others together.
+ * @param beams the line with bends by their pipes' rules, as arcs
+ */
+ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const double tolerance,
+                            const SolveAs &solve);
+
+/// The scene with bends as arcs.
+Scene with_arcs(Scene scene);
+
+/// Why a scene cannot have solid parts; empty: it can.
+std::string why_not_mixed(const Scene &scene);
+
+} // namespace frictionbeam::accuracy
