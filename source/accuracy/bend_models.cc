@@ -232,7 +232,8 @@ ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const doub
     }
     if (answer.in_words.size() < most_in_words)
       answer.in_words.push_back(in_words(*one.bend) +
-                                (needs_solids ? "; that alone changes " + one.change.name + " by " +
+                                (needs_solids ? "; the bends of its pipe being so change " +
+                                                    one.change.name + " by " +
                                                     rounded_number(one.change.value, 2)
                                               : "") +
                                 (one.is_solid ? ": a solid is needed." : ": beams answer for it."));

@@ -44,8 +44,9 @@ using SolveAs = std::function<Results(const Scene &, const std::string &what)>;
 
 /**
  * Solve the line with bends as flexible as their walls, by moments in their plane and across it:
- * all of them and, where that changes a quantity by more than @p tolerance, each alone. Those that
- * change most are to be solid, as few as leave no more than that by the others together.
+ * all of them and, where that changes a quantity by more than @p tolerance, each, with all bends of
+ * its pipe, which has one flexibility. Those that change most are to be solid, as few as leave no
+ * more than that by the others together.
  * @param beams the line with bends by their pipes' rules, as arcs
  */
 ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const double tolerance,

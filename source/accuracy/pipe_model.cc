@@ -31,8 +31,9 @@ void judge_supports(const Scene &scene, const Results &beams, const double most,
   const bool known = elastic.status == RunStatus::converged,
              is_small = known && model.error + change.value <= most;
   const std::string changes =
-      known ? "changes " + change.name + " by " + rounded_number(change.value, 2)
-            : "leaves no equilibrium";
+      !known               ? "leaves no equilibrium"
+      : change.value == 0. ? "changes no quantity"
+                           : "changes " + change.name + " by " + rounded_number(change.value, 2);
   model.judged.push_back("Supports: the wall of the pipe that gives way under them, as about " +
                          settings_in_words(supports.settings) + " has it, " + changes +
                          (is_small

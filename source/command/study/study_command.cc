@@ -12,6 +12,7 @@
 #include "results/remarks.h"
 #include "results/text.h"
 #include "scene/read_scene.h"
+#include "scene/solid/mixed_entries.h"
 #include "scene/support_pair.h"
 #include "study/design.h"
 #include "study/study_files.h"
@@ -38,6 +39,9 @@ void check_scene(const Scene &scene) {
   if (scene.study.variations.empty())
     refuse("no section 'Vary <name>'", "at least one, with an Entry and its Values or Distribution",
            "prm/example/study_rack.prm, which includes a case and says what varies in it");
+  if (!solid_places(scene).empty())
+    refuse("At in section Solid", "lines without solid parts, which the runs would leave out",
+           "removing At, and the Bend flexibility that the solid bend has");
   if (scene.model != ModelKind::line)
     refuse("Model = " + std::string(row_of(model_kinds, scene.model).word), "Model = line",
            "--set \"Model = line\"");
