@@ -178,12 +178,23 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
 
 namespace {
 
-/// Work that rounding of the cells' forces, K |u| in its last bits, does on a motion [J].
+/// Of the line at rest [m].
+double largest_coordinate(const Discretization &discretization) {
+  double largest = 0.;
+  for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v)
+    for (unsigned int d = 0; d < 3; ++d)
+      largest = std::max(largest, std::abs(discretization.vertices()[v][d]));
+  return largest;
+}
+
+/// Work that rounding of the cells' forces, K |u| in its last bits, does on a motion [J]; in large
+/// displacements K |x|, for their chords are differences of places x.
 double work_of_rounding(const Model &model, const LineState &after, const Vector &motion) {
   if (motion.size() == 0)
     return 0.;
   constexpr double last_bits = 8. * std::numeric_limits<double>::epsilon();
-  const double moved = after.unknowns.lpNorm<Eigen::Infinity>();
+  const double moved = after.unknowns.lpNorm<Eigen::Infinity>() +
+                       (model.cells.turns_far() ? largest_coordinate(model.discretization) : 0.);
   return last_bits * moved *
          Vector(model.linear.stiffness().diagonal()).cwiseAbs().dot(motion.cwiseAbs());
 }

@@ -78,8 +78,14 @@ void LinearCells::answer(const unsigned int index, const Step &step,
 double LinearCells::stored_in(const unsigned int cell, const Pose &pose) const {
   if (sections.has(cell))
     return sections.stored_in(cell, *pose.sections);
+  // By the second end's motion seen from the first: a rigid cell that moves far as a whole would
+  // store the rounding of K u.
+  const Element &element = elements()[cell];
   const Vector12 u = ends_of(cell, pose.dofs);
-  return u.dot(elements()[cell].stiffness * u) / 2.;
+  Eigen::Matrix<double, 6, 1> seen = u.tail<6>() - u.head<6>();
+  const Eigen::Vector3d chord(element.chord[0], element.chord[1], element.chord[2]);
+  seen.head<3>() -= u.segment<3>(3).cross(chord);
+  return seen.dot(element.stiffness.bottomRightCorner<6, 6>() * seen) / 2.;
 }
 
 Vector LinearCells::momenta(const Pose &, const Vector &velocity) const {
