@@ -274,6 +274,8 @@ double largest_difference(const Answer &original, const Mapping &mapping, const 
   }
   Scales largest_so_far = {};
   for (const auto &[from, to] : pairs) {
+    if (from >= original.steps.size() && to >= changed.steps.size())
+      continue; // neither got there
     if (from >= original.steps.size() || to >= changed.steps.size()) {
       note(1., "number of steps", Vec::Constant(changed.steps.size()),
            Vec::Constant(original.steps.size()));
