@@ -19,7 +19,9 @@ constexpr double flat = 1e-6;                    // of the first slope
 constexpr double no_gain = 1e-6;                 // of the loads, in an increment
 constexpr unsigned int most_first_halvings = 40; // loads of any size may be declared
 constexpr unsigned int several = 3;
-constexpr double growth = 2.; // of the motion from one increment to the next
+constexpr double soft = 1e-2;       // of the first slope
+constexpr double most_growth = 10.; // of a motion over what is expected, where hinges form
+constexpr double growth = 2.;       // of the motion from one increment to the next
 
 /// Longest edge of the box along the axes that holds the line at rest [m].
 double extent_of(const Discretization &discretization) {
@@ -52,11 +54,12 @@ double LimitPath::measure(const Vector &of) const {
   return of.size() > 0 ? of.cwiseProduct(weights).lpNorm<Eigen::Infinity>() : 0.;
 }
 
-void LimitPath::begin(const double most_part) {
+void LimitPath::begin(const double most_part, const bool led_by_work) {
   motion.resize(0);
   gain = size = first_slope = 0.;
-  n_flat = n_halved = n_passed = 0;
+  n_flat = n_halved = n_passed = n_soft = n_cuts = n_steady = 0;
   first = most = most_part;
+  by_work = led_by_work;
 }
 
 LimitPath::Trial LimitPath::next(const double done) const {
@@ -67,8 +70,10 @@ LimitPath::Trial LimitPath::next(const double done) const {
     return {1., {}, 0., (1. - done) / slope()};
   Eigen::Index unknown;
   motion.cwiseProduct(weights).cwiseAbs().maxCoeff(&unknown);
-  return {part, static_cast<unsigned int>(unknown),
-          std::copysign(size / weights[unknown], motion[unknown]), size};
+  const unsigned int leading = unknown;
+  if (by_work)
+    return {part, leading, size / measure(motion), size, &motion};
+  return {part, leading, std::copysign(size / weights[unknown], motion[unknown]), size};
 }
 
 bool LimitPath::strays(const Trial &trial, const Vector &moved, const double done,
@@ -76,6 +81,8 @@ bool LimitPath::strays(const Trial &trial, const Vector &moved, const double don
   const double length = measure(moved);
   if (length <= small_step * extent)
     return false;
+  if (by_work) // hinges that form change the slope, on a path that has no branches nearby
+    return trial.size > 0. && length > most_growth * trial.size;
   if (!trial.unknown)
     return trial.size == 0. || std::abs(length - trial.size) > most_deviation * trial.size;
   return std::abs(part - trial.part) >
@@ -91,6 +98,8 @@ void LimitPath::cut(const Trial &trial) {
 
 bool LimitPath::halve(const Trial &trial, const bool passed) {
   cut(trial);
+  n_cuts += passed ? 0 : 1;
+  n_steady = several;
   unsigned int &count = passed ? n_passed : n_halved;
   return ++count <= (measure(motion) == 0. ? most_first_halvings : model.scene.solver.max_halvings);
 }
@@ -103,9 +112,11 @@ void LimitPath::add(const Vector &moved, const double gained, const double done)
   if (first_slope == 0.)
     first_slope = gained / length;
   n_flat = gained < flat * first_slope * length && gained < no_gain * done ? n_flat + 1 : 0;
+  n_soft = gained < soft * first_slope * length ? n_soft + 1 : 0;
   motion = moved;
   gain = gained;
-  size = n_passed > 0 ? length : growth * length;
+  size = n_passed > 0 || n_steady > 0 ? length : growth * length;
+  n_steady -= std::min(n_steady, 1u);
   if (gained > 0.)
     size = std::min(size, most * length / gained);
   size = std::min(size, large_step * extent);
@@ -133,7 +144,8 @@ std::string LimitPath::place_of_most_motion() const {
 }
 
 void LimitPath::transfer(Archive &archive) {
-  archive(motion, gain, size, first, most, first_slope, n_flat, n_halved, n_passed);
+  archive(motion, gain, size, first, most, first_slope, n_flat, n_halved, n_passed, n_soft, n_cuts,
+          n_steady, by_work);
 }
 
 } // namespace frictionbeam

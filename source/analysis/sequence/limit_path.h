@@ -29,9 +29,11 @@ public:
     std::optional<unsigned int> unknown; ///< that is led; none: the loads are given
     double motion = 0.;                  ///< of the unknown
     double size = 0.;                    ///< of the motion, as expected; 0: not known
+    const Vector *before = nullptr;      ///< with an unknown: PathLead::before
   };
   /// @param most of the loads in one increment
-  void begin(const double most);
+  /// @param by_work whether increments are led by the loads' work, not by an unknown
+  void begin(const double most, const bool by_work);
   Trial next(const double done) const;
 
   /// Whether a solution in large displacements is further from what was expected than one increment
@@ -46,6 +48,11 @@ public:
 
   /// Whether it goes on and on and the loads do not grow.
   bool is_flat() const;
+  /// Number of increments, the last ones, in which they have hardly grown.
+  unsigned int n_soft_increments() const { return n_soft; }
+  /// Whether it has been halved, in all, more often than lines that collapse ask for.
+  bool is_lost() const { return n_cuts > most_cuts; }
+  void lose() { n_cuts = most_cuts + 1; }
   bool is_passed() const { return n_passed > 0; }
   /// Where the line has moved most in the last increment, in plain words.
   std::string place_of_most_motion() const;
@@ -55,6 +62,7 @@ private:
   double measure(const Vector &motion) const;
   void cut(const Trial &trial);
   double slope() const { return gain / measure(motion); }
+  static constexpr unsigned int most_cuts = 20;
 
   const Model &model;
   Vector weights;               ///< of the unknowns' motions [m]
@@ -65,6 +73,8 @@ private:
   double first = 1., most = 1.; ///< parts of the loads in an increment
   double first_slope = 0.;      ///< gain by motion [1/m]
   unsigned int n_flat = 0, n_halved = 0, n_passed = 0; ///< the first two in a row
+  unsigned int n_soft = 0, n_cuts = 0, n_steady = 0;   ///< in a row, in all, to come at one size
+  bool by_work = false;
 };
 
 } // namespace frictionbeam

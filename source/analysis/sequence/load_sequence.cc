@@ -108,7 +108,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
       position.from = declared;
       position.start = current.time;
       position.next = 0;
-      path.begin(1. / declared_step.n_increments);
+      path.begin(1. / declared_step.n_increments, model.cells.pipe_sections().any());
       cycles.step_begins(declared_step, current);
     }
     const Factors target = target_of(declared_step);

@@ -81,9 +81,16 @@ private:
   /// Factors of the loads at a step's end, without their histories.
   Factors target_of(const LoadStep &step) const;
   bool run_static(const Factors &target, const Observer &observer);
-  /// Of an elastic line in large displacements: follow the path of equilibria to the largest part
-  /// of the step's loads.
+  /// Whether the present step's limit is on a path that run_to_limit() may follow.
+  bool has_path() const;
+  /// Follow the path of equilibria to the largest part of the step's loads.
+  /// @return whether it is found; of pipes that yield halves of increments may find it yet
   bool run_to_limit(const Observer &observer);
+  static constexpr double open_by_proof = 1e-6; ///< between a limit and its bound
+  /// Of pipes that yield: the least bound of their last motions, by parts of the step's loads.
+  std::optional<LimitLoad> bound_of_yield() const;
+  /// End the step if pipes that yield carry no more, but for what the bound's proof leaves open.
+  bool end_at_collapse();
   /// What becomes of an increment along the path.
   enum class OnPath { failed, strayed, passed, accepted };
   OnPath try_on_path(const LimitPath::Trial &trial, const double done);

@@ -12,15 +12,37 @@ namespace frictionbeam {
 namespace {
 constexpr unsigned int most_tries = 3000;               // of increments in a step
 constexpr unsigned int most_iterations_on_path = 50000; // of an increment
-constexpr double rounding_of_load = 1e-9;               // below which a load has not fallen
+constexpr unsigned int most_increments_of_yield = 300;  // of lines for which halving is left
+constexpr unsigned int of_mechanism = 6;                // increments of a mechanism
+constexpr double on_the_way = 1e-2; // between a limit and its bound where the mechanism goes on
+constexpr double rounding_of_load = 1e-9; // below which a load has not fallen
 } // namespace
+
+bool LoadSequence::has_path() const {
+  if (!model.cells.pipe_sections().any())
+    return true;
+  const LoadStep &step = model.scene.steps[position.step];
+  const double end = position.start + step.duration;
+  const bool grows_evenly =
+      std::none_of(step.loads.begin(), step.loads.end(), [&](const auto &load) {
+        return model.scene.loads[load.first].history.is_given();
+      });
+  const Vector imposed = course.imposed(end) - course.imposed(position.start);
+  return model.contacts.size() == 0 && grows_evenly &&
+         (imposed.size() == 0 || imposed.lpNorm<Eigen::Infinity>() == 0.);
+}
 
 bool LoadSequence::run_to_limit(const Observer &observer) {
   const LoadStep &step = model.scene.steps[position.step];
   const unsigned int n = step.n_increments;
   StepReport &report = step_reports.back();
+  const bool may_yield = model.cells.pipe_sections().any();
   const auto part_done = [&]() { return (current.time - position.start) / step.duration; };
   for (unsigned int k = 0; position.next < n; ++k) {
+    if (may_yield && (path.is_lost() || report.increments >= most_increments_of_yield)) {
+      report.remark.clear();
+      return false;
+    }
     if (k == most_tries) {
       report.remark = "no limit in " + std::to_string(most_tries) +
                       " increments: " + rounded_number(part_done(), 6) +
@@ -34,14 +56,18 @@ bool LoadSequence::run_to_limit(const Observer &observer) {
     bool ends = false;
     if (now == OnPath::accepted) {
       path.add(current.unknowns - before, part_done() - done, part_done());
-      ends = path.is_flat();
-      if (ends)
+      ends = may_yield ? end_at_collapse() : path.is_flat();
+      if (ends && !may_yield)
         end_at_limit("it moves without more load, most at ");
     } else {
       ++report.halvings;
       if (now == OnPath::strayed)
         path.halve_again(trial);
       else if (!path.halve(trial, now == OnPath::passed)) {
+        if (now != OnPath::passed && may_yield) {
+          path.lose();
+          continue;
+        }
         if (now != OnPath::passed) {
           fail_on_path();
           return false;
@@ -64,6 +90,30 @@ bool LoadSequence::run_to_limit(const Observer &observer) {
   return true;
 }
 
+std::optional<LimitLoad> LoadSequence::bound_of_yield() const {
+  const double duration = model.scene.steps[position.step].duration;
+  const auto collapse = statics.collapse(current, course.factors_at(position.start, side),
+                                         course.factors_at(position.start + duration, side));
+  if (!collapse)
+    return {};
+  return LimitLoad{(current.time - position.start) / duration, collapse->bound,
+                   collapse->mechanism};
+}
+
+bool LoadSequence::end_at_collapse() {
+  const unsigned int n = path.n_soft_increments();
+  const bool is_asked = n == 1 || n == of_mechanism / 2 || n >= of_mechanism; // it costs much
+  if (!is_asked)
+    return false;
+  const auto limit = bound_of_yield();
+  const double open = n < of_mechanism ? open_by_proof : on_the_way;
+  if (!limit || !(limit->bound <= (1. + open) * limit->reached))
+    return false;
+  step_reports.back().limit = limit;
+  step_reports.back().remark.clear();
+  return true;
+}
+
 LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, const double done) {
   const double duration = model.scene.steps[position.step].duration,
                end = position.start + duration, time = position.start + trial.part * duration;
@@ -72,7 +122,7 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
   LineState to = current;
   std::optional<PathLead> lead;
   if (trial.unknown)
-    lead.emplace(PathLead{*trial.unknown, trial.motion, end, at_end});
+    lead.emplace(PathLead{*trial.unknown, trial.motion, end, at_end, trial.before});
   iterations_left = most_iterations_on_path;
   const double at_time = trial.part < 1. ? time : end;
   last_result = solve_statics(course.factors_at(at_time, side), at_time, lead, to);
@@ -106,6 +156,10 @@ void LoadSequence::end_at_limit(const std::string &why) {
   StepReport &report = step_reports.back();
   report.limit = {(current.time - position.start) / model.scene.steps[position.step].duration,
                   std::numeric_limits<double>::infinity(), why + path.place_of_most_motion()};
+  if (const auto limit = bound_of_yield()) {
+    report.limit->bound = limit->bound;
+    report.limit->mechanism += "; " + limit->mechanism;
+  }
   report.remark.clear();
 }
 

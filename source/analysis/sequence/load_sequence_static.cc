@@ -52,10 +52,9 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
   }
   is_resumed = false;
   measure_forces(course.forces(current.load_factors));
-  // Where elastic lines snap or buckle the load falls beyond the limit; of lines that yield,
-  // halving its increments finds what is carried, and the mechanism's bound proves it.
-  const bool follows_path = declared_step.finds_limit && !model.cells.pipe_sections().any();
-  if (follows_path && !run_to_limit(observer))
+  // Of lines that yield, halving the increments finds what is carried if the path is lost.
+  if (declared_step.finds_limit && has_path() && !run_to_limit(observer) &&
+      !model.cells.pipe_sections().any())
     return false;
   for (std::size_t &i = position.next; i < declared_step.n_increments;) {
     ++i;
@@ -141,6 +140,12 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
                        std::to_string(most_halvings) + " halvings in all";
     return false;
   }
+  const bool finds_limit = model.scene.steps[position.step].finds_limit;
+  const auto limit = finds_limit ? bound_of_yield() : std::optional<LimitLoad>();
+  if (limit && limit->bound <= (1. + open_by_proof) * limit->reached) {
+    judge_collapse(report);
+    return false;
+  }
   if (halvings >= model.scene.solver.max_halvings &&
       (!statics.wants_shorter() || halvings == most_halvings_of_creep)) {
     report.remark = "stopped at time " + rounded_number(start, 6) + ": " + report.remark +
@@ -159,24 +164,22 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
 
 void LoadSequence::judge_collapse(StepReport &report) const {
   constexpr double share_of_elastic = 1e-3; // which the bound leaves out
-  const double duration = model.scene.steps[position.step].duration;
-  const auto collapse = statics.collapse(current, course.factors_at(position.start, side),
-                                         course.factors_at(position.start + duration, side));
-  if (!collapse)
+  const auto limit = bound_of_yield();
+  if (!limit)
     return;
-  report.limit = {(current.time - position.start) / duration, collapse->bound, collapse->mechanism};
-  const std::string reached = rounded_number(report.limit->reached, 6);
-  if (collapse->bound * (1. + share_of_elastic) < 1.) {
+  report.limit = limit;
+  const std::string reached = rounded_number(limit->reached, 6);
+  if (limit->bound * (1. + share_of_elastic) < 1.) {
     report.no_equilibrium = true;
     report.remark =
         "the pipes yield: " + reached + " of the way of this step's loads was carried, " +
-        rounded_number(collapse->bound, 6) +
+        rounded_number(limit->bound, 6) +
         " is the most that any state of stress carries (rigid-plastic bound of the last "
         "motion); " +
-        collapse->mechanism;
+        limit->mechanism;
   } else
     report.remark +=
-        "; " + reached + " of the way of this step's loads was carried; " + collapse->mechanism;
+        "; " + reached + " of the way of this step's loads was carried; " + limit->mechanism;
 }
 
 void LoadSequence::measure_forces(const Vector &loads) {

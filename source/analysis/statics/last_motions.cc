@@ -12,6 +12,19 @@ using namespace dealii;
 
 namespace {
 constexpr unsigned int most_improvements = 10; // of a mechanism
+constexpr double open_by_proof = 1e-6;         // between what is carried and its bound
+
+/// Part of the way of the loads, which grow evenly, that a state has come.
+double reached(const LineState &at, const std::vector<double> &begin,
+               const std::vector<double> &end) {
+  double part = 0., largest = 0.;
+  for (unsigned int l = 0; l < end.size(); ++l)
+    if (const double way = end[l] - begin[l]; std::abs(way) > largest) {
+      largest = std::abs(way);
+      part = (at.load_factors[l] - begin[l]) / way;
+    }
+  return part;
+}
 } // namespace
 
 /// Of a vertex, among changes of all degrees of freedom [rad].
@@ -56,8 +69,10 @@ std::optional<Collapse> LastMotions::collapse(const LineState &at, const std::ve
     mechanism = motion;
     return true;
   };
+  const double proved = (1. + open_by_proof) * reached(at, begin, end);
   for (const Vector *const motion : {&solved, &failed, &softest_at_failure, &softest_before})
-    try_motion(*motion);
+    if (try_motion(*motion) && best->bound <= proved)
+      return best;
   if (best && model.contacts.size() == 0) { // whose motion contacts would have to allow
     const Vector gain = loads_on_unknowns(at, end) - loads_on_unknowns(at, begin);
     for (const double turn : {1e-4, 1e-3, 1e-2})

@@ -112,12 +112,32 @@ EquilibriumResult LinearizedSolver::solve_led_freely(const SparseMatrix &matrix,
   if (solve_without_contacts(matrix, right_hand_side, change))
     of_loads = solve_again(lead.forces);
   result.converged = of_loads.size() > 0 && of_loads.allFinite() && of_loads[lead.unknown] != 0.;
-  if (result.converged) {
+  if (result.converged && lead.by_work)
+    result.converged = solve_by_work(lead, of_loads, change);
+  else if (result.converged) {
     lead.more = (lead.change - change[lead.unknown]) / of_loads[lead.unknown];
     change += lead.more * of_loads;
-  } else
+  }
+  if (!result.converged)
     result.remark = "the tangent stiffness is singular: something moves freely or buckles";
   return result;
+}
+
+bool LinearizedSolver::solve_by_work(Lead &lead, const Vector &of_loads, Vector &change) const {
+  Vector held = Vector::Zero(change.size());
+  held[lead.unknown] = lead.stiffness;
+  const Vector of_spring = solve_again(held);
+  // The spring is taken off by a force on its unknown that goes with the unknown's own change.
+  Eigen::Matrix2d matrix;
+  matrix << of_loads[lead.unknown], of_spring[lead.unknown] - 1., lead.forces.dot(of_loads),
+      lead.forces.dot(of_spring);
+  const Eigen::Vector2d sizes = matrix.fullPivLu().solve(
+      Eigen::Vector2d(-change[lead.unknown], lead.change - lead.forces.dot(change)));
+  if (!sizes.allFinite())
+    return false;
+  lead.more = sizes[0];
+  change += sizes[0] * of_loads + sizes[1] * of_spring;
+  return true;
 }
 
 std::optional<double> LinearizedSolver::find_load(const Overshoot &overshoot, const Lead &lead,
@@ -158,7 +178,8 @@ EquilibriumResult LinearizedSolver::solve_led(EquilibriumProblem &problem, Lead 
   SparseMatrix matrix = model.contacts.size() > 0 ? symmetric_part(problem.matrix) : problem.matrix;
   matrix.coeffRef(lead.unknown, lead.unknown) += lead.stiffness;
   Vector forces = problem.right_hand_side;
-  forces[lead.unknown] += lead.stiffness * lead.change;
+  if (!lead.by_work)
+    forces[lead.unknown] += lead.stiffness * lead.change;
   change.setZero(forces.size());
   if (model.contacts.size() == 0) {
     model.contacts.prepare(response);

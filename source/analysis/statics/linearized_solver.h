@@ -43,6 +43,7 @@ public:
     double stiffness;       ///< of the spring
     const Vector &forces;   ///< on the unknowns, of one more of the loads
     double loads_by_change; ///< as expected
+    bool by_work = false;   ///< changes are those of f . x, not of the unknown; without contacts
     double more = 0.;       ///< of the loads, what it takes
   };
   /**
@@ -51,6 +52,9 @@ public:
    * all sizes: without contacts x is linear in m, and two solutions are enough (J. L. Batoz, G.
    * Dhatt, IJNME 14 (1979) 1262-1267, doi:10.1002/nme.1620140811); with contacts it is so piece by
    * piece, and the root is found by secants.
+   *
+   * Led by the work f . x, pipes that yield make a convex potential least under a linear condition,
+   * whose multiplier m is: it has a solution up to collapse and beyond.
    */
   EquilibriumResult solve_led(EquilibriumProblem &problem, Lead &lead,
                               const ContactState &committed, Vector &change,
@@ -70,6 +74,8 @@ private:
   /// The size where that is below @p allowed; nothing where none is found.
   static std::optional<double> find_load(const Overshoot &overshoot, const Lead &lead,
                                          const double allowed);
+  /// Of factors of the matrix with the spring. @return false where there is no solution
+  bool solve_by_work(Lead &lead, const Vector &of_loads, Vector &change) const;
   EquilibriumResult solve_led_freely(const SparseMatrix &matrix, const Vector &right_hand_side,
                                      Lead &lead, Vector &change);
 

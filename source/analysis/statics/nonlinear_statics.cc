@@ -81,6 +81,7 @@ void NonlinearStatics::measure_rates(const LineState &from, const StaticIncremen
   model.cells.evaluate(step, factors, at.balance);
   at.force_rate = (at.balance.forces - before) / span;
   at.lead_stiffness = std::abs(at.balance.stiffness.coeff(lead.unknown, lead.unknown));
+  at.goal = lead.before != nullptr ? lead.motion * at.force_rate.dot(*lead.before) : lead.motion;
 }
 
 void NonlinearStatics::load_further(const double more, Approach &at) const {
@@ -105,13 +106,11 @@ NonlinearStatics::solve_at_pose(const LineState &from, const StaticIncrement &in
   if (!increment.lead)
     return linearized.solve(problem, from.contacts, change, response);
   const PathLead &goal = *increment.lead;
-  const double left = goal.motion - at.moved[goal.unknown];
-  LinearizedSolver::Lead lead{static_cast<int>(goal.unknown),
-                              left,
-                              goal.motion,
-                              at.lead_stiffness,
-                              at.force_rate,
-                              expected_span(from, increment) / goal.motion};
+  const bool by_work = goal.before != nullptr;
+  const double left = at.goal - (by_work ? at.force_rate.dot(at.moved) : at.moved[goal.unknown]);
+  LinearizedSolver::Lead lead{
+      static_cast<int>(goal.unknown),           left,   at.goal, at.lead_stiffness, at.force_rate,
+      expected_span(from, increment) / at.goal, by_work};
   const EquilibriumResult result =
       linearized.solve_led(problem, lead, from.contacts, change, response);
   more = lead.more;
@@ -208,8 +207,8 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
-  const bool may_search =
-      model.cells.pipe_sections().any() && !(model.cells.turns_far() && increment.finds_limit);
+  const bool may_search = model.cells.pipe_sections().any() &&
+                          !(model.cells.turns_far() && increment.finds_limit && !increment.lead);
   bool is_searched = false;
   unsigned int steps_in_vain = 0;
   std::vector<Contact::Strains> contact_forces = from.contact_stress;

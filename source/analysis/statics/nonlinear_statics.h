@@ -54,6 +54,7 @@ public:
     std::vector<double> factor_rates = {};
     Vector imposed_rate = {}, force_rate = {};
     double lead_stiffness = 0.; ///< of the unknown that is led, as if all were elastic
+    double goal = 0.;           ///< what it is led by: the unknown's motion, or work on force_rate
   };
 
 private:

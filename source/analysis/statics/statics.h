@@ -18,6 +18,9 @@ struct PathLead {
   double motion;                      ///< by so much
   double end;                         ///< of the step [s], to which the loads' factors go evenly
   const std::vector<double> &factors; ///< then
+  /// If given, the work of the loads is led, to `motion` times what they do on these motions of the
+  /// unknowns, and the unknown only holds the line on the way.
+  const Vector *before = nullptr;
 };
 
 /// A static increment, as it begins.

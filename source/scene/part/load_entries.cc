@@ -246,11 +246,10 @@ namespace {
 constexpr Word<bool> searches[] = {
     {"nothing", false, "the step ends with all of its loads"},
     {"limit", true,
-     "with the largest part of them that is carried: by pipes which yield, to 'Max halvings' of an "
-     "increment; with Kinematics = corotational by elastic pipes as well, which snap or buckle: "
-     "their "
-     "increments are motions along the path of equilibria, halved as often near the limit. "
-     "Quantities "
+     "with the largest part of them that is carried by pipes which yield or, with Kinematics = "
+     "corotational, by elastic ones that snap or buckle. Increments are motions along the path of "
+     "equilibria, halved up to 'Max halvings' times near the limit; of pipes that yield with "
+     "contacts or with a History, they are parts of the loads, halved as often. Quantities "
      "limit_factor and limit_bound say what it is"}};
 }
 
