@@ -257,6 +257,7 @@ double largest_of(const Vector &vector) {
 
 Pose with_other_digits(const Model &model, const Pose &pose) {
   constexpr double digits = 4. * std::numeric_limits<double>::epsilon();
+  const bool turns_far = model.cells.turns_far(); // else places do not come into it
   Vector nudge = Vector::Zero(pose.dofs.size());
   std::minstd_rand random; // always the same sequence
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
@@ -264,7 +265,9 @@ Pose with_other_digits(const Model &model, const Pose &pose) {
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);
           dof != numbers::invalid_dof_index)
         nudge[dof] = (random() % 2 == 0 ? digits : -digits) *
-                     (c < 3 ? place_of(model, v)[c] + pose.dofs[dof] : 1.);
+                     (!turns_far ? pose.dofs[dof]
+                      : c < 3    ? place_of(model, v)[c] + pose.dofs[dof]
+                                 : 1.);
   return model.cells.moved(pose, nudge);
 }
 
