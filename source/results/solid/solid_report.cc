@@ -117,6 +117,9 @@ std::string WallPicture::draw() {
       if (is_there(r, i) != is_there(r, next)) // the cut
         add({{{r, next, 0}, {r, next, 1}, {r + 1, next, 1}, {r + 1, next, 0}}}, true);
     }
+    for (unsigned int r = 1; r < n; ++r)
+      if (is_there(r - 1, i) != is_there(r, i)) // where the cut goes from one strip to the next
+        add({{{r, i, 0}, {r, i, 1}, {r, next, 1}, {r, next, 0}}}, true);
     if (is_there(0, i))
       add({{{0, i, 0}, {0, next, 0}, {0, next, 1}, {0, i, 1}}}, false);
     if (is_there(n, i))

@@ -254,9 +254,8 @@ void remark_on_pairs(ParameterReader &in, Scene &scene) {
     return load.kind == Load::Kind::temperature || load.kind == Load::Kind::pressure;
   });
   for (const FrictionSupport &support : scene.supports) {
-    const bool is_half = (support.kind == "guide" || support.kind == "stop") &&
-                         support.normal.sign > 0.; // the other half says no more
-    if (!is_half)
+    const bool is_half = is_of_a_pair(support.kind) && support.normal.sign > 0.;
+    if (!is_half) // or the other half, which says no more
       continue;
     if (support.normal.kind == Direction::Kind::along)
       scene.remarks.push_back("Support " + part_name(support) +
