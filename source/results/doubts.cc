@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace frictionbeam {
@@ -94,19 +95,10 @@ public:
 
   void of_sags() {
     std::vector<std::string> spans;
-    for (const Frame *const frame : ends) {
-      find_what_holds(*frame);
-      for (std::size_t begin = 0; begin < frame->line.size();) {
-        std::size_t end = begin + 1;
-        while (end < frame->line.size() && frame->line[end].pipe == frame->line[begin].pipe &&
-               !is_held(frame->line[end]))
-          ++end;
-        if (end < frame->line.size() && frame->line[end].pipe == frame->line[begin].pipe &&
-            is_held(frame->line[begin]) && sags(*frame, begin, end))
-          note(spans, span_in_words(*frame, begin, end));
-        begin = end;
-      }
-    }
+    for_each_span([&](const Frame &frame, const std::size_t begin, const std::size_t end) {
+      if (sags(frame, begin, end))
+        note(spans, span_in_words(frame, begin, end));
+    });
     if (spans.empty())
       return;
     std::string text;
@@ -115,6 +107,45 @@ public:
     if (spans.size() > most_spans)
       text += " and " + std::to_string(spans.size() - most_spans) + " more";
     say("Sag above a hundredth of the span: " + text + ".");
+  }
+
+  /// A remark on the straight span that is furthest beyond its Euler load pi^2 EI/L^2, L from one
+  /// place that is held to the next: along all of it the pipe is pressed by more.
+  void of_buckling() {
+    const auto &free = scene.free_motions;
+    if (scene.kinematics != Kinematics::linear || !(free[3] || free[4] || free[5]))
+      return; // or nothing bends
+    constexpr double clearly = 1.05, rounding = 1e-6;
+    double worst = clearly;
+    std::string text;
+    for_each_span([&](const Frame &frame, const std::size_t begin, const std::size_t end) {
+      const double length_of_span = straight_length(frame, begin, end);
+      if (length_of_span == 0.)
+        return;
+      double compression = std::numeric_limits<double>::infinity(), stiffness = 0.; // EI [N m2]
+      for (std::size_t i = begin; i <= end; ++i) {
+        const Station &station = frame.line[i];
+        const Material &material = scene.materials[scene.pipes[station.pipe].material];
+        compression = std::min(compression, -station.force[0]);
+        stiffness =
+            std::max(stiffness, material.youngs_modulus * section_at(scene, station).inertia);
+      }
+      const double euler = stiffness * std::pow(dealii::numbers::PI / length_of_span, 2);
+      if (euler == 0. || !(compression > (1. + rounding) * worst * euler))
+        return;
+      worst = compression / euler;
+      const auto force = [&](const double newtons) {
+        return rounded_number(newtons / scene.units.factor("N"), 3) + " " + scene.units.name("N");
+      };
+      text = span_in_words(frame, begin, end) + " is pressed by " + force(compression) + ", " +
+             rounded_number(worst, 3) + " times its Euler load of " + force(euler) +
+             " with ends that turn, while small displacements know no buckling. Look at expansion, "
+             "guides and spans, or take Kinematics = corotational.";
+    });
+    if (text.empty())
+      return;
+    text[0] = 'P'; // of a sentence that begins with "pipe"
+    results.remarks.push_back(text);
   }
 
   /// Of pipes that answer elastically, nominal stresses of their walls at the ends of steps.
@@ -232,6 +263,31 @@ private:
     const std::size_t place = places.insert(station.position);
     return place < holds.size() && holds[place];
   }
+  /// Call use(frame, begin, end) for each stretch of a pipe from one station that is held to the
+  /// next, at the ends of static steps.
+  template <typename Use>
+  void for_each_span(const Use &use) {
+    for (const Frame *const frame : ends) {
+      find_what_holds(*frame);
+      const std::vector<Station> &line = frame->line;
+      for (std::size_t begin = 0; begin < line.size();) {
+        std::size_t end = begin + 1;
+        while (end < line.size() && line[end].pipe == line[begin].pipe && !is_held(line[end]))
+          ++end;
+        if (end < line.size() && line[end].pipe == line[begin].pipe && is_held(line[begin]))
+          use(*frame, begin, end);
+        begin = end;
+      }
+    }
+  }
+  /// 0 of one that is not straight [m].
+  static double straight_length(const Frame &frame, const std::size_t begin,
+                                const std::size_t end) {
+    constexpr double straight = 1e-6;
+    const Station &first = frame.line[begin], &last = frame.line[end];
+    const double chord = first.position.distance(last.position);
+    return last.s - first.s <= (1. + straight) * chord ? chord : 0.;
+  }
   /// Between two that are held, below the straight line from one to the other.
   static bool sags(const Frame &frame, const std::size_t begin, const std::size_t end) {
     const Station &first = frame.line[begin], &last = frame.line[end];
@@ -270,6 +326,7 @@ void add_doubts(const Scene &scene, Results &results) {
   doubts.of_displacements();
   doubts.of_open_supports();
   doubts.of_sags();
+  doubts.of_buckling();
   doubts.of_yielding();
   doubts.of_time_steps();
   doubts.of_sums_of_loads();

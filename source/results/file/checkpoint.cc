@@ -173,10 +173,19 @@ bool Checkpoint::is_due() const {
 void Checkpoint::write(const Archive &archive) {
   Hash hash;
   hash.add_numbers(archive.bytes());
-  std::string content = archive.bytes(), sum = hash.text();
-  Archive file;
-  file(identity, content, sum);
-  replace_file(path, first_words + std::to_string(checkpoint_layout) + '\n' + file.bytes());
+  // As an archive of the identity, the content and the sum is, but with one copy of the content,
+  // which of long lines is most of what the program holds.
+  const std::string &content = archive.bytes();
+  std::string sum = hash.text();
+  std::size_t size = content.size();
+  Archive before, behind;
+  before(identity, size);
+  behind(sum);
+  std::string text = first_words + std::to_string(checkpoint_layout) + '\n' + before.bytes();
+  text.reserve(text.size() + size + behind.bytes().size());
+  text += content;
+  text += behind.bytes();
+  replace_file(path, text);
   last = std::chrono::steady_clock::now();
 }
 

@@ -21,16 +21,7 @@ namespace frictionbeam {
 
 namespace {
 using Of = QuantityKind::Of;
-
-[[noreturn]] void refuse_place(const Quantity &quantity) {
-  throw UserError("Quantity " + quantity.name +
-                  ": there is no point, restraint, spring or "
-                  "support called '" +
-                  quantity.where +
-                  "'. A repeated support's names are numbered: name.1, name.2, ...");
 }
-
-} // namespace
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
     : model(model), results(results), sink(std::move(sink)),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/quantity/point_forces.h"
+#include "base/user_error.h"
 #include "scene/support_pair.h"
 
 namespace frictionbeam {
@@ -37,6 +38,14 @@ double force_at_point(const Model &model, const FrameBuilder &builder, const Res
       if (model.contacts[i].vertices[side] == vertex)
         force += builder.support_force(i, state.contact_stress[i], side)[component];
   return force;
+}
+
+void refuse_place(const Quantity &quantity) {
+  throw UserError("Quantity " + quantity.name +
+                  ": there is no point, restraint, spring or "
+                  "support called '" +
+                  quantity.where +
+                  "'. A repeated support's names are numbered: name.1, name.2, ...");
 }
 
 } // namespace frictionbeam

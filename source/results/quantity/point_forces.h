@@ -24,4 +24,8 @@ double force_at_point(const Model &model, const FrameBuilder &builder, const Res
                       const std::string &point, const LineState &state,
                       const unsigned int component);
 
+/// Of a place that is none that forces act at.
+/// @throws UserError
+[[noreturn]] void refuse_place(const Quantity &quantity);
+
 } // namespace frictionbeam
