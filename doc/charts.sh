@@ -5,7 +5,7 @@
 set -e
 here=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
 "$here/run" --version >/dev/null
-charts="slab slab_line long_bar long_bar_zones oscillator bouncing_bar shaken_line rack hovgaard cantilever_plastic rack_plastic solid_bend"
+charts="slab slab_line long_bar long_bar_zones oscillator bouncing_bar shaken_line rack hovgaard cantilever_plastic rack_plastic solid_bend solid_loop"
 for name in ${*:-$charts}; do
   [ -f "$here/prm/chart/$name.prm" ] || continue
   "$here/build/bin/frictionbeam" chart "$here/prm/chart/$name.prm" --output-directory "$here/doc/charts"

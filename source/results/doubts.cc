@@ -110,17 +110,22 @@ public:
   }
 
   /// A remark on the straight span that is furthest beyond its Euler load pi^2 EI/L^2, L from one
-  /// place that is held to the next: along all of it the pipe is pressed by more.
+  /// place that is held to the next: along all of it the pipe is pressed by more. With large
+  /// displacements it buckles where a cell ends within the span.
   void of_buckling() {
     const auto &free = scene.free_motions;
-    if (scene.kinematics != Kinematics::linear || !(free[3] || free[4] || free[5]))
-      return; // or nothing bends
+    if (!(free[3] || free[4] || free[5]))
+      return; // nothing bends
+    const bool turns_far = scene.kinematics == Kinematics::corotational;
     constexpr double clearly = 1.05, rounding = 1e-6;
     double worst = clearly;
     std::string text;
     for_each_span([&](const Frame &frame, const std::size_t begin, const std::size_t end) {
+      const auto first = frame.line.begin() + begin, last = frame.line.begin() + end;
       const double length_of_span = straight_length(frame, begin, end);
-      if (length_of_span == 0.)
+      if (length_of_span == 0. ||
+          (turns_far &&
+           std::any_of(first + 1, last, [](const Station &one) { return one.is_node(); })))
         return;
       double compression = std::numeric_limits<double>::infinity(), stiffness = 0.; // EI [N m2]
       for (std::size_t i = begin; i <= end; ++i) {
@@ -139,8 +144,10 @@ public:
       };
       text = span_in_words(frame, begin, end) + " is pressed by " + force(compression) + ", " +
              rounded_number(worst, 3) + " times its Euler load of " + force(euler) +
-             " with ends that turn, while small displacements know no buckling. Look at expansion, "
-             "guides and spans, or take Kinematics = corotational.";
+             " with ends that turn, while " +
+             (turns_far ? "a single cell knows no buckling. Take a shorter Mesh/Cell length."
+                        : "small displacements know no buckling. Look at expansion, guides and "
+                          "spans, or take Kinematics = corotational.");
     });
     if (text.empty())
       return;
