@@ -21,6 +21,8 @@ bool FramesOfStep::takes(const Frame &frame) {
                        " instants of output " + std::to_string(n_written) +
                        " are written for ParaView. Output/VTU frames = 0 writes all, Time/Output "
                        "interval makes fewer of everything.");
+  if (frame.end_of_step)
+    n_seen = n_written = 0;
   return is_taken;
 }
 

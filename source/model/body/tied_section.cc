@@ -118,12 +118,17 @@ void tie_section(const ContinuumBody<3> &body, const TiedSection &section,
   SectionMotions motions(body.mapping, body.dof_handler, section);
   std::vector<SectionMotions::Row> &rows = motions.rows;
   std::vector<types::global_dof_index> pivots(rows.size(), numbers::invalid_dof_index);
-  for (SectionMotions::Row &row : rows)
-    put_in_constraints(constraints, row);
-  for (std::size_t h = 0; h < rows.size(); ++h) { // Gauss and Jordan's elimination
-    double largest = 0., free = 0.;
-    for (const auto &[dof, share] : rows[h]) {
+  std::vector<double> sizes; // with which what is left of a row is compared
+  for (SectionMotions::Row &row : rows) {
+    double largest = 0.;
+    for (const auto &[dof, share] : row)
       largest = std::max(largest, std::abs(share));
+    sizes.push_back(largest);
+    put_in_constraints(constraints, row);
+  }
+  for (std::size_t h = 0; h < rows.size(); ++h) { // Gauss and Jordan's elimination
+    double free = 0.;
+    for (const auto &[dof, share] : rows[h]) {
       if (motions.inner.count(dof) == 0 ||
           std::abs(share) <= (1. + 1e-9) * free) // of equal ones the first, whatever rounding says
         continue;
@@ -131,7 +136,7 @@ void tie_section(const ContinuumBody<3> &body, const TiedSection &section,
       pivots[h] = dof;
     }
     constexpr double held_already = 1e-6;
-    if (free <= held_already * largest) {
+    if (free <= held_already * sizes[h]) {
       rows[h].clear();
       pivots[h] = numbers::invalid_dof_index;
       continue;

@@ -48,8 +48,8 @@ Station FrameOfWall::station(const unsigned int ring, const unsigned int layer) 
     station.vertex = *at.vertex;
   station.displacement = rings[ring].displacement;
   const LocalAxes axes(at.tangent);
-  station.y = axes.y;
-  station.z = axes.z;
+  station.y = station.y_now = axes.y;
+  station.z = station.z_now = axes.z;
   double length = 0.;
   for (const WallSegment &other : wall.segments)
     if (other.pipe == station.pipe)
