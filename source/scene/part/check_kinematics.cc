@@ -6,6 +6,14 @@
 
 namespace frictionbeam::parts {
 
+namespace {
+/// Model = auto of pipes solves them as beams where it is asked for what solids do not know.
+bool is_of_beams(const Scene &scene) {
+  return scene.model == ModelKind::line ||
+         (scene.model == ModelKind::automatic && !scene.continuum);
+}
+} // namespace
+
 void check_kinematics(const ParameterReader &in, const Scene &scene) {
   if (scene.kinematics == Kinematics::linear)
     return;
@@ -16,7 +24,7 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
   const auto any = [](const auto &parts, const auto &is) {
     return std::any_of(parts.begin(), parts.end(), is);
   };
-  refuse(scene.model != ModelKind::line, "Model = continuum", "Model = line");
+  refuse(!is_of_beams(scene), "Model = continuum", "Model = line");
   refuse(!scene.solver.has_tangent(), "Method = elastic",
          "Method = exact or newton in section Solver");
   refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");
@@ -171,7 +179,7 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
     if (is_there)
       in.fail("Law", "elastic_section with " + what, hint, section.law + " with " + what);
   };
-  refuse(scene.model != ModelKind::line, "Model = continuum", "Model = line");
+  refuse(!is_of_beams(scene), "Model = continuum", "Model = line");
   refuse(!scene.solver.has_tangent(), "Method = elastic",
          "Method = exact or newton in section Solver");
   refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");
