@@ -2,6 +2,7 @@
 #include "analysis/increment/energy_account.h"
 
 #include "model/line_pose.h"
+#include "model/unknowns/line_extent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,15 +178,6 @@ EnergyAccount account_increment(const Model &model, const LineState &before, con
 }
 
 namespace {
-
-/// Of the line at rest [m].
-double largest_coordinate(const Discretization &discretization) {
-  double largest = 0.;
-  for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v)
-    for (unsigned int d = 0; d < 3; ++d)
-      largest = std::max(largest, std::abs(discretization.vertices()[v][d]));
-  return largest;
-}
 
 /// Work that rounding of the cells' forces, K |u| in its last bits, does on a motion [J]; in large
 /// displacements K |x|, for their chords are differences of places x.

@@ -2,10 +2,10 @@
 #include "analysis/sequence/limit_path.h"
 
 #include "model/mechanism.h"
+#include "model/unknowns/line_extent.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace frictionbeam {
 
@@ -23,24 +23,11 @@ constexpr double soft = 1e-2;       // of the first slope
 constexpr double most_growth = 10.; // of a motion over what is expected, where hinges form
 constexpr double growth = 2.;       // of the motion from one increment to the next
 
-/// Longest edge of the box along the axes that holds the line at rest [m].
-double extent_of(const Discretization &discretization) {
-  double longest = 0.;
-  for (unsigned int d = 0; d < 3; ++d) {
-    double low = std::numeric_limits<double>::max(), high = -low;
-    for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v) {
-      low = std::min(low, discretization.vertices()[v][d]);
-      high = std::max(high, discretization.vertices()[v][d]);
-    }
-    longest = std::max(longest, high - low);
-  }
-  return longest;
-}
 } // namespace
 
 LimitPath::LimitPath(const Model &model)
     : model(model), weights(Vector::Ones(model.space.n_unknowns())),
-      extent(extent_of(model.discretization)) {
+      extent(line_extent(model.discretization)) {
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int c = 3; c < 6; ++c)
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);

@@ -2,6 +2,7 @@
 #include "analysis/statics/linearized_solver.h"
 
 #include "analysis/contact/solver_library.h"
+#include "model/unknowns/line_extent.h"
 #include <frictionbeam/contact/tolerances.h>
 
 #include <algorithm>
@@ -239,15 +240,6 @@ const Point3 &place_of(const Model &model, const unsigned int vertex) {
   return model.discretization.vertices()[vertex];
 }
 
-/// Largest coordinate of the line at rest [m].
-double extent(const Model &model) {
-  double largest = 0.;
-  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
-    for (unsigned int d = 0; d < 3; ++d)
-      largest = std::max(largest, std::abs(place_of(model, v)[d]));
-  return largest;
-}
-
 /// Size of a vector that may have no entries: where all is held.
 double largest_of(const Vector &vector) {
   return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.;
@@ -287,7 +279,8 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
                        std::min(rounding, contact::most_excused * std::max(largest, scale))))
     return true;
   // Lengths of chords are differences of places, whose rounding is there without any force.
-  return size <= std::max(most_rounding * std::max(largest, scale), by_metre * extent(model)) &&
+  return size <= std::max(most_rounding * std::max(largest, scale),
+                          by_metre * largest_coordinate(model.discretization)) &&
          size <= measure();
 }
 
