@@ -81,12 +81,13 @@ private:
   /// Factors of the loads at a step's end, without their histories.
   Factors target_of(const LoadStep &step) const;
   bool run_static(const Factors &target, const Observer &observer);
+  /// How much of the present step's way is done, its loads growing evenly.
+  double part_done() const;
   /// Whether the present step's limit is on a path that run_to_limit() may follow.
   bool has_path() const;
   /// Follow the path of equilibria to the largest part of the step's loads.
   /// @return whether it is found; of pipes that yield halves of increments may find it yet
   bool run_to_limit(const Observer &observer);
-  static constexpr double open_by_proof = 1e-6; ///< between a limit and its bound
   /// Of pipes that yield: the least bound of their last motions, by parts of the step's loads.
   std::optional<LimitLoad> bound_of_yield() const;
   /// End the step if pipes that yield carry no more, but for what the bound's proof leaves open.

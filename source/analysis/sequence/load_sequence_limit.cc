@@ -18,6 +18,10 @@ constexpr double on_the_way = 1e-2; // between a limit and its bound where the m
 constexpr double rounding_of_load = 1e-9; // below which a load has not fallen
 } // namespace
 
+double LoadSequence::part_done() const {
+  return (current.time - position.start) / model.scene.steps[position.step].duration;
+}
+
 bool LoadSequence::has_path() const {
   if (!model.cells.pipe_sections().any())
     return true;
@@ -37,7 +41,6 @@ bool LoadSequence::run_to_limit(const Observer &observer) {
   const unsigned int n = step.n_increments;
   StepReport &report = step_reports.back();
   const bool may_yield = model.cells.pipe_sections().any();
-  const auto part_done = [&]() { return (current.time - position.start) / step.duration; };
   for (unsigned int k = 0; position.next < n; ++k) {
     if (may_yield && (path.is_lost() || report.increments >= most_increments_of_yield)) {
       report.remark.clear();
@@ -96,8 +99,7 @@ std::optional<LimitLoad> LoadSequence::bound_of_yield() const {
                                          course.factors_at(position.start + duration, side));
   if (!collapse)
     return {};
-  return LimitLoad{(current.time - position.start) / duration, collapse->bound,
-                   collapse->mechanism};
+  return LimitLoad{part_done(), collapse->bound, collapse->mechanism};
 }
 
 bool LoadSequence::end_at_collapse() {
@@ -154,8 +156,8 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
 
 void LoadSequence::end_at_limit(const std::string &why) {
   StepReport &report = step_reports.back();
-  report.limit = {(current.time - position.start) / model.scene.steps[position.step].duration,
-                  std::numeric_limits<double>::infinity(), why + path.place_of_most_motion()};
+  report.limit = {part_done(), std::numeric_limits<double>::infinity(),
+                  why + path.place_of_most_motion()};
   if (const auto limit = bound_of_yield()) {
     report.limit->bound = limit->bound;
     report.limit->mechanism += "; " + limit->mechanism;
@@ -164,11 +166,10 @@ void LoadSequence::end_at_limit(const std::string &why) {
 }
 
 void LoadSequence::fail_on_path() {
-  const double done = (current.time - position.start) / model.scene.steps[position.step].duration;
   step_reports.back().remark =
       "stopped at time " + rounded_number(current.time, 6) + ": " + last_result.remark +
       ", also after halving the increment " + std::to_string(model.scene.solver.max_halvings) +
-      " times; " + rounded_number(done, 6) + " of the way of this step's loads was carried";
+      " times; " + rounded_number(part_done(), 6) + " of the way of this step's loads was carried";
 }
 
 } // namespace frictionbeam

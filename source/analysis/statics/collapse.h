@@ -9,6 +9,9 @@
 
 namespace frictionbeam {
 
+/// What may stay open between the loads that are carried and their bound, and it is proved.
+constexpr double open_by_proof = 1e-6;
+
 /// How a line whose pipes yield gives way under loads that go from one state to another.
 struct Collapse {
   /// No more than this part of the way is carried by any state of stress (upper bound theorem), or

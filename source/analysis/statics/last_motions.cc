@@ -12,7 +12,6 @@ using namespace dealii;
 
 namespace {
 constexpr unsigned int most_improvements = 10; // of a mechanism
-constexpr double open_by_proof = 1e-6;         // between what is carried and its bound
 
 /// Part of the way of the loads, which grow evenly, that a state has come.
 double reached(const LineState &at, const std::vector<double> &begin,
