@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/bend_flexibility_table.h"
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +11,7 @@ namespace frictionbeam::accuracy {
 
 namespace {
 
-constexpr double right_angle = 1.57079632679489662;
+constexpr double right_angle = dealii::numbers::PI_2;
 constexpr std::array<double, 4> h_measured = {0.1, 0.2, 0.5, 1.};
 constexpr std::array<double, 3> radii = {3., 6., 10.};
 constexpr std::array<double, 2> tangents = {1., 4.};

@@ -7,6 +7,7 @@
 #include "mesh/solid/solid_stretches.h"
 #include "model/unknowns/discretization.h"
 #include "results/text.h"
+#include "scene/solid/wall_refusal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ double error(const BendModel &bend, const Flexibility by) {
 class Variants {
 public:
   Variants(const Scene &scene, const Results &beams, const SolveAs &solve)
-      : scene(with_arcs(scene)), beams(beams), solve(solve) {}
+      : scene(scene), beams(beams), solve(solve) {}
 
   /// What walls change in the quantities.
   Difference change(const std::vector<const BendModel *> &walls, const Flexibility by,
@@ -94,7 +95,7 @@ public:
   }
 
 private:
-  Scene scene;
+  const Scene &scene;
   const Results &beams;
   const SolveAs &solve;
 };
@@ -143,24 +144,17 @@ BendModels bend_models(const Scene &scene) {
   BendModels result;
   std::size_t next = 0; // the rooms are in the order of the bends
   for (unsigned int p = 0; p < paths.size(); ++p) {
-    const Pipe &pipe = scene.pipes[p];
-    const Section &section = scene.sections[pipe.section];
-    unsigned int number = 0;
+    Pipe shape = scene.pipes[p];
+    shape.total_mass.reset(); // which no bend's flexibility knows of
     for (const PipePath::Segment &bend : paths[p].segments()) {
       if (bend.radius == 0.)
         continue;
       const SolidStretch &room = rooms[next++];
-      const std::string why = section.wall == 0.                    ? "its section has no wall"
-                              : pipe.rigid                          ? "its pipe is rigid"
-                              : pipe.end_section                    ? "its pipe is a reducer"
-                              : bend.radius <= section.outer_radius ? "its wall has no room inside"
-                                                                    : "";
-      if (why.empty()) {
+      if (const auto refusal = wall_refusal(scene, shape, bend.radius))
+        result.unknown.push_back("Bend " + room.name + " is not judged: no solid is made of " +
+                                 refusal->read + ".");
+      else
         result.judged.push_back(model_of(scene, room, bend));
-        result.judged.back().number = number;
-      } else
-        result.unknown.push_back("Bend " + room.name + " is not judged: " + why + ".");
-      ++number;
     }
   }
   return result;

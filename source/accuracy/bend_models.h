@@ -9,9 +9,9 @@ namespace frictionbeam::accuracy {
 
 /// A bend as the beams have it, and as its wall would be.
 struct BendModel {
-  unsigned int pipe = 0, number = 0; ///< in Scene::pipes, of its bends
-  std::string name;                  ///< as Solid/At has it
-  double h = 0.;                     ///< t R/r^2
+  unsigned int pipe = 0; ///< in Scene::pipes
+  std::string name;      ///< as Solid/At has it
+  double h = 0.;         ///< t R/r^2
   double r_over_t = 0.;
   double tangent = 0.; ///< the shorter straight pipe beside it, up to a bend or anchor [diameters]
   /// Flexibility over that of a straight pipe: by the pipe's rule, and by moments in the bend's
@@ -47,7 +47,7 @@ using SolveAs = std::function<Results(const Scene &, const std::string &what)>;
  * all of them and, where that changes a quantity by more than @p tolerance, each, with all bends of
  * its pipe, which has one flexibility. Those that change most are to be solid, as few as leave no
  * more than that by the others together.
- * @param beams the line with bends by their pipes' rules, as arcs
+ * @param scene with bends as arcs @param beams its answer, with bends by their pipes' rules
  */
 ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const double tolerance,
                             const SolveAs &solve);

@@ -7,6 +7,7 @@
 #include "accuracy/support_models.h"
 #include "mesh/solid/wall_cells.h"
 #include "results/text.h"
+#include "scene/file/parameter_file.h"
 
 namespace frictionbeam::accuracy {
 
@@ -74,10 +75,7 @@ PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const
     const unsigned int n_around = cells_around_for(part, bends.r_over_t);
     model.error += bends.per_part *
                    (left_of_oval + *flexibility_error(degree_of_walls, n_around, bends.r_over_t));
-    std::string at;
-    for (const std::string &bend : bends.solid)
-      at += (at.empty() ? "" : ", ") + bend;
-    model.solid = {"Model = line", "Solid/At = " + at,
+    model.solid = {"Model = line", "Solid/At = " + join(bends.solid),
                    "Solid/Degree = " + std::to_string(degree_of_walls),
                    "Solid/Cells around = " + std::to_string(n_around),
                    "Solid/Cells per bend = " + std::to_string(cells_along_walls)};

@@ -3,7 +3,6 @@
 
 #include "mesh/pipe_path.h"
 #include "results/text.h"
-#include "scene/file/parameter_reader.h"
 #include "scene/support_pair.h"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/solid/wall_cells.h"
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,7 @@ struct ErrorOfCells {
   double factor, power;
 };
 constexpr ErrorOfCells of_degree_2{0.044, 1.6}, of_degree_3{0.001, 1.9};
-constexpr double two_pi = 6.28318530717958648;
+constexpr double two_pi = 2. * dealii::numbers::PI;
 constexpr unsigned int fewest_cells = 8, most_cells = 200; // of Solid/Cells around
 
 } // namespace

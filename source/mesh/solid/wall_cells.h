@@ -11,8 +11,8 @@ namespace frictionbeam {
  * cells; degree 2: 0.044 eta^1.6, degree 3: 0.001 eta^1.9. Measured on bends of 90 degrees with R =
  * 3 r and r/t from 6 to 60 against 48 (degree 2) and 32 cells (degree 3), within a factor of 1.5
  * where that is 0.2 to 35 % (doc/solid.md).
+ * @return none for cells of degree 1, which lock
  */
-/// @return none for cells of degree 1, which lock
 std::optional<double> flexibility_error(const unsigned int degree, const unsigned int n_around,
                                         const double r_over_t);
 
