@@ -21,7 +21,38 @@ namespace frictionbeam {
 
 namespace {
 using Of = QuantityKind::Of;
+
+/// Part of a vector along a quantity's direction.
+/// @param motion of its place, or the rate of that @param force component of what holds it
+/// @param frame where stations are, which is asked for only if they are
+template <typename MotionAt, typename ForceAt, typename FrameAt>
+double part_along(const Model &model, const Quantity &quantity, const MotionAt &motion,
+                  const ForceAt &force, const FrameAt &frame) {
+  const auto vector = [&]() -> Motion {
+    switch (const auto which = static_cast<Directed>(quantity.kind().component)) {
+    case Directed::section_force:
+    case Directed::section_moment:
+      return section_force_in_space(station_at(model, quantity, frame()));
+    case Directed::force:
+    case Directed::moment: {
+      Motion held;
+      for (unsigned int c = 0; c < 6; ++c)
+        held[c] = force(c);
+      return held;
+    }
+    default:
+      return motion(which == Directed::velocity || which == Directed::spin);
+    }
+  };
+  const Motion value = vector();
+  return along(quantity,
+               quantity.along == Quantity::Along::local
+                   ? local_axes_of(station_at(model, quantity, frame()))
+                   : global_axes(),
+               value);
 }
+
+} // namespace
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
     : model(model), results(results), sink(std::move(sink)),
@@ -96,58 +127,24 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
 }
 
 double Collector::along_direction(const Quantity &quantity, const LineState &state) {
-  const auto vector = [&]() -> Motion {
-    switch (static_cast<Directed>(quantity.kind().component)) {
-    case Directed::displacement:
-    case Directed::rotation:
-      return builder.motion(state, quantity.where);
-    case Directed::velocity:
-    case Directed::spin:
-      return builder.velocity(state, quantity.where);
-    case Directed::force:
-    case Directed::moment: {
-      Motion force;
-      for (unsigned int c = 0; c < 6; ++c)
-        force[c] = force_at(quantity, state, c);
-      return force;
-    }
-    default:
-      return section_force_in_space(station_at(model, quantity, current_frame(state)));
-    }
-  };
-  const Motion value = vector();
-  return along(quantity,
-               quantity.along == Quantity::Along::local
-                   ? local_axes_of(station_at(model, quantity, current_frame(state)))
-                   : global_axes(),
-               value);
+  return part_along(
+      model, quantity,
+      [&](const bool is_rate) {
+        return is_rate ? builder.velocity(state, quantity.where)
+                       : builder.motion(state, quantity.where);
+      },
+      [&](const unsigned int c) { return force_at(quantity, state, c); },
+      [&]() -> const Frame & { return current_frame(state); });
 }
 
 double Collector::along_direction(const Quantity &quantity, const Frame &made) const {
-  const auto vector = [&]() -> Motion {
-    switch (static_cast<Directed>(quantity.kind().component)) {
-    case Directed::displacement:
-    case Directed::rotation:
-      return station_at(model, quantity, made).displacement;
-    case Directed::force:
-    case Directed::moment: {
-      Motion force;
-      for (unsigned int c = 0; c < 6; ++c)
-        force[c] = force_at(quantity, made, c);
-      return force;
-    }
-    case Directed::section_force:
-    case Directed::section_moment:
-      return section_force_in_space(station_at(model, quantity, made));
-    default: // velocities, of which a frame knows nothing
-      return {};
-    }
-  };
-  return along(quantity,
-               quantity.along == Quantity::Along::local
-                   ? local_axes_of(station_at(model, quantity, made))
-                   : global_axes(),
-               vector());
+  return part_along(
+      model, quantity,
+      [&](const bool is_rate) { // of which a frame knows nothing
+        return is_rate ? Motion{} : station_at(model, quantity, made).displacement;
+      },
+      [&](const unsigned int c) { return force_at(quantity, made, c); },
+      [&]() -> const Frame & { return made; });
 }
 
 double Collector::of_supports(const Quantity &quantity, const Frame &made) const {
