@@ -172,10 +172,8 @@ void MixedWalls::report(const LoadSequence &sequence, Results &results) {
     RingNames names;
     for (const PointInfo &point : results.points)
       if (const auto at = std::find(part.vertices.begin(), part.vertices.end(), point.vertex);
-          at != part.vertices.end()) {
-        std::string &all = names[wall.ring_of(at - part.vertices.begin())];
-        all += (all.empty() ? "" : ", ") + point.name;
-      }
+          at != part.vertices.end())
+        names[wall.ring_of(at - part.vertices.begin())].push_back(point.name);
     const std::string id = "wall" + std::to_string(w + 1);
     results.sections.push_back({id, "Wall of " + wall.stretch.name,
                                 wall_report(wall.own.scene, wall.wall, frames, names, id, folder)});

@@ -187,10 +187,8 @@ void SolidRun::write() {
   if (!scene.output.report)
     return;
   RingNames names;
-  for (const auto &[name, vertex] : line.model().mesh.points) {
-    std::string &all = names[wall.ring_at(vertex)];
-    all += (all.empty() ? "" : ", ") + name;
-  }
+  for (const auto &[name, vertex] : line.model().mesh.points)
+    names[wall.ring_at(vertex)].push_back(name);
   results.sections.push_back(
       {"wall", "Wall of the pipes", wall_report(scene, wall, frames, names, "wall", folder)});
 }

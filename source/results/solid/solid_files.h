@@ -35,7 +35,7 @@ std::unique_ptr<dealii::DataPostprocessor<3>> stress_of_wall(const WallLoads &lo
                                                              const std::vector<double> &factors);
 
 /// Names of points, by the wall's ring there.
-using RingNames = std::map<unsigned int, std::string>;
+using RingNames = std::map<unsigned int, std::vector<std::string>>;
 
 /// The wall coloured by its stress, tables of the shape of its sections, and charts along the chain
 /// of pipes, as HTML; the picture is `solid.svg` in the folder as well, and cut open

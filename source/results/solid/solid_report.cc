@@ -5,6 +5,7 @@
 #include "results/picture/isometric.h"
 #include "results/solid/solid_files.h"
 #include "results/text.h"
+#include "scene/file/parameter_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +169,9 @@ Plot ring_plot(const Scene &scene, const PipeWall &wall, const std::vector<WallF
 std::string shape_table(const Scene &scene, const PipeWall &wall, const WallFrame &frame,
                         const RingNames &names) {
   const double diameter = 2. * wall.outer;
-  std::vector<std::pair<unsigned int, std::string>> rows(names.begin(), names.end());
+  std::vector<std::pair<unsigned int, std::string>> rows;
+  for (const auto &[ring, points] : names)
+    rows.emplace_back(ring, join(points));
   const auto by_ovality = [&](const RingState &a, const RingState &b) {
     return a.ovality(diameter) < b.ovality(diameter);
   };
