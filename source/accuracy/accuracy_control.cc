@@ -310,7 +310,7 @@ Results AccuracyControl::run_line() {
       levels[i] = 0;
     i += together;
   }
-  account.estimate = model_error;
+  account.estimate = model_error + pipes.beyond;
   for (const double estimate : estimates)
     account.estimate += estimate;
   for (std::size_t i = 0; i < list.size(); ++i)
@@ -369,6 +369,7 @@ SolvedScene AccuracyControl::run() {
   Results results = model == ModelKind::continuum ? run_continuum() : run_line();
   if (!pipes.solid.empty() && account.reached)
     results = solve_solid_bends(std::move(results));
+  account.reached = account.reached && pipes.beyond == 0.;
   account.chosen = chosen;
   for (const QuantityResult &quantity : results.quantities)
     if (quantity.of_impact)

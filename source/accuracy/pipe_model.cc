@@ -42,6 +42,8 @@ void judge_supports(const Scene &scene, const Results &beams, const double most,
                               : ", which beams and solid bends leave out; Model = solid has it."));
   if (is_small)
     model.error += change.value;
+  else if (known)
+    model.beyond = change.value;
   else
     model.left_out.push_back("the wall of the pipe that gives way at supports, which " + changes);
 }

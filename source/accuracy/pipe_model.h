@@ -10,6 +10,7 @@ struct PipeModel {
   std::string reason;
   double line_error = 0.;                    ///< that beams alone leave
   double error = 0.;                         ///< that the model leaves
+  double beyond = 0.;                        ///< error that no such model takes away
   std::vector<std::string> solid;            ///< settings that make bends solid; empty: beams alone
   std::vector<std::string> judged, left_out; ///< in words
 };
@@ -26,7 +27,7 @@ using SolveWith = std::function<Results(const std::vector<std::string> &settings
  * Bends that beams do not answer for (model_of_pipes()) become solids, with as many cells of degree
  * 3 around as leave no more than their share (flexibility_error(), and what a stretch leaves of the
  * oval); what walls change that give way at supports (elastic_supports()) is error too while it is
- * small, and else left out, for solid bends do not know it.
+ * small, and else more than may be left, for solid bends do not know it.
  */
 PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const SolveAs &solve_as,
                             const SolveWith &solve_with);
