@@ -72,22 +72,26 @@ void remark_on_gains(Results &results) {
     const StepEnvelope *const envelope = results.envelope_of(i);
     if (!envelope || !moves(*envelope, size))
       continue;
-    const double gained = step.energy.gained();
+    // Impacts lose energy: what they give is wrong, too, where numerical damping takes it again.
+    const double by_impacts = -step.energy.impact,
+                 gained = std::max(step.energy.gained(), by_impacts);
     // Where nothing moves, rounding is large beside the energy in motion.
     if (!(step.energy.at_hand >
           1e-9 * std::max(step.energy.stored, std::abs(step.energy.external))) ||
         !(gained > std::max(gained_above * step.energy.at_hand, rounding)))
       continue;
-    const std::string share = rounded_number(100. * gained / step.energy.at_hand, 2) +
-                              " % of the largest energy in motion";
+    const std::string gain =
+        std::string(gained == by_impacts ? "its impacts have" : "the integrator has") + " gained " +
+        rounded_number(100. * gained / step.energy.at_hand, 2) +
+        " % of the largest energy in motion";
     const double failed = results.supports.empty() ? failed_above : failed_above_at_contacts;
     if (gained > failed * step.energy.at_hand) {
-      step.remark += (step.remark.empty() ? "" : "; ") + ("the integrator has gained " + share);
+      step.remark += (step.remark.empty() ? "" : "; ") + gain;
       step.converged = false;
       if (results.status == RunStatus::converged)
         results.status = RunStatus::failed;
     } else
-      results.remarks.push_back("Step " + step.step + ": the integrator has gained " + share +
+      results.remarks.push_back("Step " + step.step + ": " + gain +
                                 (results.supports.empty()
                                      ? ". Take a shorter time step or moreau_jean."
                                      : ", at contacts. Take a shorter time step, moreau_jean or "

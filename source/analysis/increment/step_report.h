@@ -76,6 +76,9 @@ struct StepReport {
   /// for no time, and only its impulse is a number.
   std::vector<unsigned int> struck;
   Resolution resolution; ///< of the motion by increments and cells
+  /// Loads of a transient step that change the velocity of nodes with mass at an instant: an
+  /// impulse, which the forces on these nodes leave out.
+  std::vector<unsigned int> velocity_jumps;
   /// Contacts that a static increment took from sticking, with friction on them, to open.
   std::vector<unsigned int> torn_off;
 
@@ -83,7 +86,7 @@ struct StepReport {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
             contact, sections.yield_violation, sections.imbalance, energy, converged, limit, cycle,
             no_equilibrium, several_equilibria, undetermined_forces, remark, warning, reduction,
-            margins, struck, resolution, torn_off);
+            margins, struck, resolution, velocity_jumps, torn_off);
   }
 };
 

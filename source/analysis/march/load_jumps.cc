@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/march/load_jumps.h"
 
+#include "analysis/increment/time_step.h"
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/step_helpers.h"
+#include "base/numbers.h"
 #include "model/line_pose.h"
 #include <frictionbeam/contact/line_factorization.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
 
 namespace {
+
+/// Whether a load jumps from one rate to the other, which has an impulse.
+bool jumps(const Model &model, const unsigned int load, const double before, const double after) {
+  return model.linear.accelerates(load) &&
+         std::abs(after - before) > 1e-6 * std::max(std::abs(after), std::abs(before));
+}
 
 /// Impulse of the inertia of imposed motions whose velocity jumps; empty if none does, or if
 /// nothing is known of the rates before.
@@ -18,13 +27,11 @@ Vector impulse_of_inertia(const Model &model, const std::vector<double> &before,
                           const std::vector<double> &after) {
   Vector impulse;
   for (unsigned int l = 0; l < before.size(); ++l) {
-    const double jump = after[l] - before[l];
-    if (!model.linear.accelerates(l) ||
-        std::abs(jump) <= 1e-6 * std::max(std::abs(after[l]), std::abs(before[l])))
+    if (!jumps(model, l, before[l], after[l]))
       continue;
     if (impulse.size() == 0)
       impulse.setZero(model.space.n_unknowns());
-    impulse += jump * model.cells.inertia(l);
+    impulse += (after[l] - before[l]) * model.cells.inertia(l);
   }
   return impulse;
 }
@@ -57,6 +64,31 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
   }
   integrator.start(state, course);
   return account;
+}
+
+std::vector<unsigned int> loads_with_velocity_jumps(const Model &model, const LoadCourse &course,
+                                                    std::vector<double> before, const double start,
+                                                    const double end) {
+  std::vector<unsigned int> with_jumps;
+  std::vector<bool> may(model.scene.loads.size());
+  for (unsigned int l = 0; l < may.size(); ++l)
+    may[l] = model.linear.accelerates(l);
+  LineState at;
+  for (double time = start; time < end && std::count(may.begin(), may.end(), true) > 0;
+       time = course.next_break(time + same_instant_of_step * time_step(model))) {
+    at.time = time;
+    if (time > start) {
+      course.set_rates(at, LoadCourse::Side::before);
+      before = at.load_rates;
+    }
+    course.set_rates(at, LoadCourse::Side::after);
+    for (unsigned int l = 0; l < before.size(); ++l)
+      if (may[l] && jumps(model, l, before[l], at.load_rates[l])) {
+        may[l] = false;
+        with_jumps.push_back(l);
+      }
+  }
+  return with_jumps;
 }
 
 std::string forbidden_by_damping(const Model &model, const LoadCourse::Factors &jumps) {

@@ -16,6 +16,12 @@ namespace frictionbeam {
 EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegrator &integrator,
                         LineState &state);
 
+/// Loads that change the velocity of nodes with mass from one instant to the next, from @p start on
+/// and before @p end of a transient step. @param before rates at its start; empty: nothing is known
+std::vector<unsigned int> loads_with_velocity_jumps(const Model &model, const LoadCourse &course,
+                                                    std::vector<double> before, const double start,
+                                                    const double end);
+
 /**
  * What forbids that the factors of loads jump by @p jumps: a motion that one of them imposes on an
  * end of a dashpot, or of what is damped, whose force there would do infinite work.

@@ -55,6 +55,8 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
       return false;
     state->events.clear(); // those of a static increment are no impacts
     set_rates_before();
+    report->velocity_jumps =
+        loads_with_velocity_jumps(model, *course, state->load_rates, start, end);
     if (integrator->is_exact())
       integrator->start(*state, *course);
     else

@@ -7,7 +7,7 @@
 #include "mesh/build_line_mesh.h"
 #include "model/line_model.h"
 #include "model/mechanism.h"
-#include "results/doubts.h"
+#include "results/doubt/doubts.h"
 #include "results/energy_judgement.h"
 #include "results/frame/frame_builder.h"
 #include "results/how_well_known.h"

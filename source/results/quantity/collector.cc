@@ -384,6 +384,9 @@ void Collector::finish(const LineState &state) {
       results.remarks.push_back(remark_on_impact(quantity));
     if (pending[i].lacks_impulse)
       results.remarks.push_back(remark_on_lost_impulse(quantity));
+    if (const auto text = remark_on_velocity_jump(quantity, model.scene, results.steps);
+        !text.empty())
+      results.remarks.push_back(text);
     results.quantities.push_back(result);
   }
 }

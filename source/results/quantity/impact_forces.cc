@@ -43,6 +43,31 @@ std::string remark_on_lost_impulse(const Quantity &quantity) {
          impulse_of(quantity) + " is with them.";
 }
 
+std::string remark_on_velocity_jump(const Quantity &quantity, const Scene &scene,
+                                    const std::vector<StepReport> &steps) {
+  using Of = QuantityKind::Of;
+  using Over = Quantity::Over;
+  const QuantityKind &kind = quantity.kind();
+  const bool is_force = kind.of == Of::holder ||
+                        (kind.of == Of::directed &&
+                         (kind.unit == std::string("N") || kind.unit == std::string("N m"))),
+             is_integral = quantity.over == Over::integral || quantity.over == Over::mean,
+             is_extreme = quantity.over == Over::maximum || quantity.over == Over::minimum;
+  if (!is_force || !(is_integral || is_extreme))
+    return "";
+  for (const StepReport &step : steps)
+    for (const unsigned int l : step.velocity_jumps)
+      for (const Load::AtPoint &moved : scene.loads[l].at)
+        if (moved.point == quantity.where)
+          return "Quantity " + quantity.name + ": load " + scene.loads[l].name +
+                 " changes the velocity of " + quantity.where + " at an instant in step " +
+                 step.step + ". " +
+                 (is_integral ? "The impulse of that is not in it; "
+                              : "The force of that is infinite for no time and not in it; ") +
+                 "a History whose slope does not jump has neither.";
+  return "";
+}
+
 std::string remark_on_impact(const Quantity &quantity) {
   const std::string reason =
       "is the largest force of a rigid support that was struck. In an impact on a rigid stop it is "

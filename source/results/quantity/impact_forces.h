@@ -16,6 +16,11 @@ bool is_integral_of_force(const Quantity &quantity, const SupportInfo &support);
 /// What the user should know about that, if it was struck.
 std::string remark_on_lost_impulse(const Quantity &quantity);
 
+/// The same of a force at a point whose velocity a load changes at an instant, which is an impulse.
+/// @return empty if none does, or the quantity is no extreme, integral or mean of such a force
+std::string remark_on_velocity_jump(const Quantity &quantity, const Scene &scene,
+                                    const std::vector<StepReport> &steps);
+
 /**
  * What the user should know about an extreme of a force of a rigid support that was struck: an
  * impact has an impulse, and its force, infinite for no time, is no number.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/turnable/model_data.h"
 #include "results/frame/frame_choice.h"
+#include "results/held_directions.h"
 #include "results/text.h"
 #include "results/turnable/model_envelopes.h"
 #include "results/turnable/model_fields.h"

@@ -129,39 +129,4 @@ const std::vector<ModelField> &model_fields() {
   return fields;
 }
 
-std::vector<Vector3> held_directions(const Scene &scene, const RestraintInfo &info,
-                                     const Station &station) {
-  std::vector<Vector3> ways;
-  const auto add_axis = [&](const unsigned int d) {
-    Vector3 axis;
-    axis[d] = 1.;
-    ways.push_back(axis);
-  };
-  for (const Spring &spring : scene.springs)
-    if (spring.name == info.name) {
-      for (unsigned int d = 0; d < 3; ++d)
-        if (spring.stiffness[d] + spring.damping[d] > 0.)
-          add_axis(d);
-      if (ways.empty() && spring.preload > 0.) // of a constant hanger
-        add_axis(2);
-      return ways;
-    }
-  const Restraint *restraint = nullptr;
-  for (const Restraint &one : scene.restraints)
-    if (is_of(info.name, one.name) &&
-        (restraint == nullptr || one.name.size() > restraint->name.size()))
-      restraint = &one;
-  if (restraint == nullptr)
-    return ways;
-  for (unsigned int d = 0; d < 3; ++d)
-    if (restraint->fixed[d])
-      add_axis(d);
-  for (const Direction &direction : restraint->translations)
-    ways.push_back(direction.kind == Direction::Kind::global ? direction.vector
-                   : direction.kind == Direction::Kind::along
-                       ? cross_product_3d(station.y, station.z)
-                       : station.y);
-  return ways;
-}
-
 } // namespace frictionbeam

@@ -18,8 +18,4 @@ struct ModelField {
 
 const std::vector<ModelField> &model_fields();
 
-/// Unit directions in which a restraint holds or a spring acts, those of a turn left out.
-std::vector<Vector3> held_directions(const Scene &scene, const RestraintInfo &info,
-                                     const Station &station);
-
 } // namespace frictionbeam

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/doubts.h"
+#include "results/doubt/doubts.h"
 
 #include "mesh/point_set.h"
 #include "model/line_model.h"
+#include "results/doubt/pressed_span.h"
 #include "results/frame/frame_choice.h"
 #include "results/stress/wall_stress.h"
 #include "results/text.h"
@@ -97,7 +98,7 @@ public:
     std::vector<std::string> spans;
     for_each_span([&](const Frame &frame, const std::size_t begin, const std::size_t end) {
       if (sags(frame, begin, end))
-        note(spans, span_in_words(frame, begin, end));
+        note(spans, span_in_words(frame, frame.line[begin], frame.line[end]));
     });
     if (spans.empty())
       return;
@@ -109,9 +110,8 @@ public:
     say("Sag above a hundredth of the span: " + text + ".");
   }
 
-  /// A remark on the straight span that is furthest beyond its Euler load pi^2 EI/L^2, L from one
-  /// place that is held to the next: along all of it the pipe is pressed by more. With large
-  /// displacements it buckles where a cell ends within the span.
+  /// A remark on the straight span that is furthest beyond its Euler load. With large displacements
+  /// it buckles where a cell ends within the span.
   void of_buckling() {
     const auto &free = scene.free_motions;
     if (!(free[3] || free[4] || free[5]))
@@ -120,35 +120,22 @@ public:
     constexpr double clearly = 1.05, rounding = 1e-6;
     double worst = clearly;
     std::string text;
-    for_each_span([&](const Frame &frame, const std::size_t begin, const std::size_t end) {
-      const auto first = frame.line.begin() + begin, last = frame.line.begin() + end;
-      const double length_of_span = straight_length(frame, begin, end);
-      if (length_of_span == 0. ||
-          (turns_far &&
-           std::any_of(first + 1, last, [](const Station &one) { return one.is_node(); })))
-        return;
-      double compression = std::numeric_limits<double>::infinity(), stiffness = 0.; // EI [N m2]
-      for (std::size_t i = begin; i <= end; ++i) {
-        const Station &station = frame.line[i];
-        const Material &material = scene.materials[scene.pipes[station.pipe].material];
-        compression = std::min(compression, -station.force[0]);
-        stiffness =
-            std::max(stiffness, material.youngs_modulus * section_at(scene, station).inertia);
-      }
-      const double euler = stiffness * std::pow(dealii::numbers::PI / length_of_span, 2);
-      if (euler == 0. || !(compression > (1. + rounding) * worst * euler))
-        return;
-      worst = compression / euler;
+    for (const Frame *const frame : ends) {
+      const auto span = most_pressed_span(scene, results, *frame, turns_far, same_place);
+      if (!span || !(span->ratio() > (1. + rounding) * worst))
+        continue;
+      worst = span->ratio();
       const auto force = [&](const double newtons) {
         return rounded_number(newtons / scene.units.factor("N"), 3) + " " + scene.units.name("N");
       };
-      text = span_in_words(frame, begin, end) + " is pressed by " + force(compression) + ", " +
-             rounded_number(worst, 3) + " times its Euler load of " + force(euler) +
-             " with ends that turn, while " +
+      text = span_in_words(*frame, span->begin, span->end) + " is pressed by " +
+             force(span->compression) + ", " + rounded_number(worst, 3) +
+             " times its Euler load of " + force(span->euler_load) +
+             (span->has_free_end ? " with a free end" : " with ends that turn") + ", while " +
              (turns_far ? "a single cell knows no buckling. Take a shorter Mesh/Cell length."
                         : "small displacements know no buckling. Look at expansion, guides and "
                           "spans, or take Kinematics = corotational.");
-    });
+    }
     if (text.empty())
       return;
     text[0] = 'P'; // of a sentence that begins with "pipe"
@@ -287,14 +274,6 @@ private:
       }
     }
   }
-  /// 0 of one that is not straight [m].
-  static double straight_length(const Frame &frame, const std::size_t begin,
-                                const std::size_t end) {
-    constexpr double straight = 1e-6;
-    const Station &first = frame.line[begin], &last = frame.line[end];
-    const double chord = first.position.distance(last.position);
-    return last.s - first.s <= (1. + straight) * chord ? chord : 0.;
-  }
   /// Between two that are held, below the straight line from one to the other.
   static bool sags(const Frame &frame, const std::size_t begin, const std::size_t end) {
     const Station &first = frame.line[begin], &last = frame.line[end];
@@ -312,11 +291,11 @@ private:
     }
     return sag > sagging * span;
   }
-  std::string span_in_words(const Frame &frame, const std::size_t begin,
-                            const std::size_t end) const {
-    return "pipe " + scene.pipes[frame.line[begin].pipe].name +
-           ", s = " + length(frame.line[begin].s) + " to " + length(frame.line[end].s) +
-           " in step " + frame.name;
+  std::string span_in_words(const Frame &frame, const Station &begin, const Station &end) const {
+    const std::string &first = scene.pipes[begin.pipe].name, &last = scene.pipes[end.pipe].name;
+    return "pipe " + first + ", s = " + length(begin.s) + " to " +
+           (last == first ? "" : "pipe " + last + ", s = ") + length(end.s) + " in step " +
+           frame.name;
   }
 
   const Scene &scene;
