@@ -7,6 +7,13 @@ namespace {
 
 Vector3 translation(const Motion &motion) { return Vector3({motion[0], motion[1], motion[2]}); }
 
+/// Whether a name is that of a part, or of one of its places (`rests.2`).
+bool is_of(const std::string &instance, const std::string &name) {
+  return instance == name ||
+         (instance.size() > name.size() && instance.compare(0, name.size(), name) == 0 &&
+          instance[name.size()] == '.');
+}
+
 } // namespace
 
 std::vector<Vector3> held_directions(const Scene &scene, const RestraintInfo &info,

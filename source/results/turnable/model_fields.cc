@@ -107,13 +107,6 @@ std::vector<double> temperature(const Scene &scene, const Results &, const Frame
   return of_stations(frame, [&](const Station &at) { return of_pipe[at.pipe]; });
 }
 
-/// Whether a name is that of a part, or of one of its places (`rests.2`).
-bool is_of(const std::string &instance, const std::string &name) {
-  return instance == name ||
-         (instance.size() > name.size() && instance.compare(0, name.size(), name) == 0 &&
-          instance[name.size()] == '.');
-}
-
 } // namespace
 
 const std::vector<ModelField> &model_fields() {
