@@ -15,8 +15,6 @@ namespace {
 
 using Run = std::vector<const Station *>;
 
-constexpr double same_place = 1e-6; ///< [m]
-
 /// Stations of pipes that go on into each other, where nothing else is joined to them.
 class Runs {
 public:
@@ -82,7 +80,7 @@ private:
 class Holds {
 public:
   Holds(const Scene &scene, const Results &results, const Frame &frame, const double touching)
-      : places(same_place) {
+      : places(touching) {
     for (const RestraintInfo &info : results.restraints)
       places.insert(info.position);
     std::vector<const Station *> stations(places.points.size(), nullptr);
