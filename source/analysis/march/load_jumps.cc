@@ -15,23 +15,19 @@ namespace frictionbeam {
 
 namespace {
 
-/// Whether a load jumps from one rate to the other, which has an impulse.
-bool jumps(const Model &model, const unsigned int load, const double before, const double after) {
-  return model.linear.accelerates(load) &&
-         std::abs(after - before) > 1e-6 * std::max(std::abs(after), std::abs(before));
-}
-
 /// Impulse of the inertia of imposed motions whose velocity jumps; empty if none does, or if
 /// nothing is known of the rates before.
 Vector impulse_of_inertia(const Model &model, const std::vector<double> &before,
                           const std::vector<double> &after) {
   Vector impulse;
   for (unsigned int l = 0; l < before.size(); ++l) {
-    if (!jumps(model, l, before[l], after[l]))
+    const double jump = after[l] - before[l];
+    if (!model.linear.accelerates(l) ||
+        std::abs(jump) <= 1e-6 * std::max(std::abs(after[l]), std::abs(before[l])))
       continue;
     if (impulse.size() == 0)
       impulse.setZero(model.space.n_unknowns());
-    impulse += (after[l] - before[l]) * model.cells.inertia(l);
+    impulse += jump * model.cells.inertia(l);
   }
   return impulse;
 }
@@ -69,25 +65,37 @@ EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegr
 std::vector<unsigned int> loads_with_velocity_jumps(const Model &model, const LoadCourse &course,
                                                     std::vector<double> before, const double start,
                                                     const double end) {
+  constexpr double clearly = 0.05; // of the largest rate: one-sided differences are no nearer
+  constexpr unsigned int n_samples = 32;
   std::vector<unsigned int> with_jumps;
-  std::vector<bool> may(model.scene.loads.size());
-  for (unsigned int l = 0; l < may.size(); ++l)
-    may[l] = model.linear.accelerates(l);
+  for (unsigned int l = 0; l < model.scene.loads.size(); ++l)
+    if (model.linear.accelerates(l))
+      with_jumps.push_back(l);
+  if (with_jumps.empty())
+    return with_jumps;
   LineState at;
-  for (double time = start; time < end && std::count(may.begin(), may.end(), true) > 0;
-       time = course.next_break(time + same_instant_of_step * time_step(model))) {
+  std::vector<double> largest(model.scene.loads.size(), 0.), jump = largest;
+  const auto rates = [&](const double time, const LoadCourse::Side side) {
     at.time = time;
-    if (time > start) {
-      course.set_rates(at, LoadCourse::Side::before);
-      before = at.load_rates;
-    }
-    course.set_rates(at, LoadCourse::Side::after);
+    course.set_rates(at, side);
+    for (unsigned int l = 0; l < largest.size(); ++l)
+      largest[l] = std::max(largest[l], std::abs(at.load_rates[l]));
+    return at.load_rates;
+  };
+  for (unsigned int i = 0; i < n_samples; ++i)
+    rates(start + (i + 0.5) / n_samples * (end - start), LoadCourse::Side::both);
+  for (double time = start; time < end;
+       time = course.next_break(time + same_instant_of_step * time_step(model))) {
+    if (time > start)
+      before = rates(time, LoadCourse::Side::before);
+    const std::vector<double> after = rates(time, LoadCourse::Side::after);
     for (unsigned int l = 0; l < before.size(); ++l)
-      if (may[l] && jumps(model, l, before[l], at.load_rates[l])) {
-        may[l] = false;
-        with_jumps.push_back(l);
-      }
+      jump[l] = std::max(jump[l], std::abs(after[l] - before[l]));
   }
+  with_jumps.erase(
+      std::remove_if(with_jumps.begin(), with_jumps.end(),
+                     [&](const unsigned int l) { return !(jump[l] > clearly * largest[l]); }),
+      with_jumps.end());
   return with_jumps;
 }
 

@@ -16,7 +16,7 @@ namespace frictionbeam {
 EnergyAccount meet_jump(const Model &model, const LoadCourse &course, TimeIntegrator &integrator,
                         LineState &state);
 
-/// Loads that change the velocity of nodes with mass from one instant to the next, from @p start on
+/// Loads that clearly change the velocity of nodes with mass at an instant, from @p start on
 /// and before @p end of a transient step. @param before rates at its start; empty: nothing is known
 std::vector<unsigned int> loads_with_velocity_jumps(const Model &model, const LoadCourse &course,
                                                     std::vector<double> before, const double start,
