@@ -97,6 +97,8 @@ private:
   OnPath try_on_path(const LimitPath::Trial &trial, const double done);
   /// The step ends at the present state, which is its limit.
   void end_at_limit(const std::string &why);
+  /// The step has carried all of its loads, and may carry more.
+  void end_with_all_loads();
   /// After an increment that has no solution and cannot be made shorter.
   void fail_on_path();
   /// Go to @p end of an increment that the step declares. Histories are followed to their corners,

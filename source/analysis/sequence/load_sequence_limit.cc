@@ -165,6 +165,13 @@ void LoadSequence::end_at_limit(const std::string &why) {
   report.remark.clear();
 }
 
+void LoadSequence::end_with_all_loads() {
+  StepReport &report = step_reports.back();
+  report.limit = {1., std::numeric_limits<double>::infinity(), "all of its loads are carried"};
+  if (const auto limit = bound_of_yield(); limit && limit->bound >= 1.)
+    report.limit->bound = limit->bound;
+}
+
 void LoadSequence::fail_on_path() {
   step_reports.back().remark =
       "stopped at time " + rounded_number(current.time, 6) + ": " + last_result.remark +

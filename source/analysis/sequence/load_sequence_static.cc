@@ -81,6 +81,8 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
         ": the equilibrium is unstable, even if every support that is closed held its point: a "
         "line in this pose leaves it at the least push. If it has gone there by itself, it is not "
         "where the line goes: take more increments, or a transient step.";
+  if (declared_step.finds_limit && !step_reports.back().limit)
+    end_with_all_loads();
   if (looks_at_uniqueness && model.scene.solver.is_exact() &&
       model.contacts.size() <= most_contacts_for_uniqueness)
     step_reports.back().several_equilibria = several_equilibria(model, statics, current);

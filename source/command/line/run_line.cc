@@ -19,6 +19,7 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -32,6 +33,27 @@ bool no_contact_is_exact(const Model &model) {
     if (model.contacts[i].law.has_closed_form())
       return false;
   return model.contacts.size() > 0;
+}
+
+/// What a step that looked for its limit has found, in a sentence.
+std::string limit_in_words(const Scene &scene, const std::string &step, const LimitLoad &limit,
+                           const std::vector<double> &factors) {
+  constexpr int digits = 6;
+  const std::string bound = std::isfinite(limit.bound) ? rounded_number(limit.bound, digits) : "";
+  if (limit.reached >= 1.)
+    return "Step " + step +
+           " carries all of its loads: limit_factor is 1, which is not the limit itself" +
+           (bound.empty() ? "" : " (that is " + bound + " at most, by its last motion)") +
+           ". Larger loads would find it.";
+  std::string loads;
+  for (unsigned int l = 0; l < factors.size(); ++l)
+    if (factors[l] != 0.)
+      loads += (loads.empty() ? "" : ", ") + scene.loads[l].name + " " +
+               rounded_number(factors[l], digits);
+  return "Step " + step + " ends at its limit, " + rounded_number(limit.reached, digits) +
+         " of the way to its loads (" + (loads.empty() ? "none acts" : loads) + ")" +
+         (bound.empty() ? "" : "; no more than " + bound + " by the bound of its last motion") +
+         "; " + limit.mechanism + ".";
 }
 
 /// How the steps were solved, and at what cost.
@@ -59,6 +81,10 @@ void report_steps(const Scene &scene, const LoadSequence &sequence, const bool c
   for (const StepReport &step : results.steps)
     if (!step.warning.empty() && warnings.insert(step.warning).second)
       results.remarks.push_back(step.warning);
+  for (unsigned int s = 0; s < results.steps.size(); ++s)
+    if (const StepReport &step = results.steps[s]; step.limit && step.converged)
+      results.remarks.push_back(
+          limit_in_words(scene, step.step, *step.limit, sequence.factors_at_end(s)));
   for (const StepReport &step : results.steps)
     if (step.cycle && (step.cycle->number == step.cycle->of || &step == &results.steps.back()))
       results.remarks.push_back("Cycles to the end of step " + step.step + ": " +

@@ -370,7 +370,8 @@ void Collector::finish(const LineState &state) {
       if (const auto value = value_of_step(quantity, step))
         pending[i].value = quantity.scale * *value;
     if (!pending[i].value) {
-      results.remarks.push_back("Quantity " + quantity.name + " was not reached.");
+      results.remarks.push_back("Quantity " + quantity.name +
+                                why_no_value(quantity, results.steps));
       continue;
     }
     QuantityResult result = shown(model.scene, quantity, *pending[i].value);

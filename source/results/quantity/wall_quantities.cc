@@ -91,4 +91,12 @@ std::optional<double> value_of_step(const Quantity &quantity, const StepReport &
   return {};
 }
 
+std::string why_no_value(const Quantity &quantity, const std::vector<StepReport> &steps) {
+  if (quantity.is(QuantityKind::Of::limit))
+    for (const StepReport &step : steps)
+      if (step.limit && (quantity.step.empty() || step.step == quantity.step))
+        return " is not known: no motion gives a bound of what step " + step.step + " carries.";
+  return " was not reached.";
+}
+
 } // namespace frictionbeam

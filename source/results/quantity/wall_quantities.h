@@ -6,6 +6,10 @@
 #include "model/model.h"
 #include "scene/quantity.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace frictionbeam {
 
 /// A quantity of sections that yield or creep: of the nearest to its point, the largest of the line
@@ -18,5 +22,8 @@ std::vector<std::pair<unsigned int, double>> yielded_cells(const Model &model,
 
 /// What is known of a step by itself, its limit load or its cycle.
 std::optional<double> value_of_step(const Quantity &quantity, const StepReport &step);
+
+/// Why a quantity has no value at the end of a run, as the end of a sentence.
+std::string why_no_value(const Quantity &quantity, const std::vector<StepReport> &steps);
 
 } // namespace frictionbeam

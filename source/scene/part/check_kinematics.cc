@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
+#include "scene/steps/step_factors.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,14 +96,30 @@ void check_elastic(ParameterReader &in, const Scene &scene) {
     in.fail("Refine hinges", "pipes whose section yields", "'Law = fibre_pipe' in its Section");
 }
 
+/// Whether loads of a step change in it, or may.
+bool changes_loads(const Scene &scene, const unsigned int step) {
+  for (const auto &[load, factor] : scene.steps[step].loads)
+    if (scene.loads[load].history.is_given())
+      return true;
+  const auto before = step_before(scene, step);
+  const std::size_t n = scene.loads.size();
+  return (before && scene.steps[*before].finds_limit) || // where it ended nobody knows
+         declared_factors(scene.steps[step], n) !=
+             (before ? declared_factors(scene.steps[*before], n) : std::vector<double>(n, 0.));
+}
+
 /// A limit is a part of loads that grow evenly, on lines that may have one.
 void check_limits(ParameterReader &in, const Scene &scene) {
   const bool may_yield = std::any_of(scene.pipes.begin(), scene.pipes.end(),
                                      [&](const Pipe &pipe) { return yields(scene, pipe); });
-  for (const LoadStep &step : scene.steps) {
+  for (unsigned int s = 0; s < scene.steps.size(); ++s) {
+    const LoadStep &step = scene.steps[s];
     if (!step.finds_limit)
       continue;
     in.enter("Step " + step.name);
+    if (!changes_loads(scene, s))
+      in.fail("Find", "limit of loads that are other than those of the step before",
+              "a larger factor, such as 'Loads = weight, push 2'", "the same loads as before");
     if (!may_yield && scene.kinematics != Kinematics::corotational)
       in.fail("Find",
               "limit with pipes whose section yields, or in large displacements, where elastic "
