@@ -76,16 +76,17 @@ std::string words_of(const Model &model, std::vector<Hinge> hinges, const LineSt
     text += (i == 0 ? "" : ", ") + place_in_words(model, named[i].cell, named[i].part);
   if (named.size() > most_named)
     text += " and " + std::to_string(named.size() - most_named) + " more";
-  std::string slipping;
-  unsigned int n_slipping = 0;
+  std::vector<unsigned int> slipping(model.scene.supports.size(), 0); // places of a support
   for (unsigned int i = 0; i < at.contact_status.size(); ++i)
-    if (at.contact_status[i] == ContactStatus::slip && ++n_slipping <= most_named)
-      slipping +=
-          (slipping.empty() ? "" : ", ") + model.scene.supports[model.contacts[i].support].name;
-  if (n_slipping > most_named)
-    slipping += " and " + std::to_string(n_slipping - most_named) + " more";
+    if (at.contact_status[i] == ContactStatus::slip)
+      ++slipping[model.contacts[i].support];
+  std::string supports;
+  for (unsigned int i = 0; i < slipping.size(); ++i)
+    if (slipping[i] > 0)
+      supports += (supports.empty() ? "" : ", ") + model.scene.supports[i].name +
+                  (slipping[i] > 1 ? " (" + std::to_string(slipping[i]) + " places)" : "");
   return "hinges: " + (text.empty() ? "none" : text) +
-         (slipping.empty() ? "" : "; supports that slip: " + slipping);
+         (supports.empty() ? "" : "; supports that slip: " + supports);
 }
 
 } // namespace

@@ -39,12 +39,10 @@ bool no_contact_is_exact(const Model &model) {
 std::string limit_in_words(const Scene &scene, const std::string &step, const LimitLoad &limit,
                            const std::vector<double> &factors) {
   constexpr int digits = 6;
-  const std::string bound = std::isfinite(limit.bound) ? rounded_number(limit.bound, digits) : "";
-  if (limit.reached >= 1.)
+  if (limit.reached >= 1. && !std::isfinite(limit.bound))
     return "Step " + step +
-           " carries all of its loads: limit_factor is 1, which is not the limit itself" +
-           (bound.empty() ? "" : " (that is " + bound + " at most, by its last motion)") +
-           ". Larger loads would find it.";
+           " carries all of its loads: limit_factor is 1, which is not the limit itself. Larger "
+           "loads would find it.";
   std::string loads;
   for (unsigned int l = 0; l < factors.size(); ++l)
     if (factors[l] != 0.)
@@ -52,7 +50,9 @@ std::string limit_in_words(const Scene &scene, const std::string &step, const Li
                rounded_number(factors[l], digits);
   return "Step " + step + " ends at its limit, " + rounded_number(limit.reached, digits) +
          " of the way to its loads (" + (loads.empty() ? "none acts" : loads) + ")" +
-         (bound.empty() ? "" : "; no more than " + bound + " by the bound of its last motion") +
+         (std::isfinite(limit.bound) ? "; no more than " + rounded_number(limit.bound, digits) +
+                                           " by the bound of its last motion"
+                                     : "") +
          "; " + limit.mechanism + ".";
 }
 

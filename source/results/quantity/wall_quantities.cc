@@ -95,7 +95,7 @@ std::string why_no_value(const Quantity &quantity, const std::vector<StepReport>
   if (quantity.is(QuantityKind::Of::limit))
     for (const StepReport &step : steps)
       if (step.limit && (quantity.step.empty() || step.step == quantity.step))
-        return " is not known: no motion gives a bound of what step " + step.step + " carries.";
+        return " is not known: step " + step.step + " has come to no mechanism that gives a bound.";
   return " was not reached.";
 }
 
