@@ -63,6 +63,11 @@ LimitPath::Trial LimitPath::next(const double done) const {
   return {part, leading, std::copysign(size / weights[unknown], motion[unknown]), size};
 }
 
+LimitPath::Trial LimitPath::given(const double part, const double done) const {
+  const bool is_known = measure(motion) > 0. && gain > 0.;
+  return {part, {}, 0., is_known ? (part - done) / slope() : 0.};
+}
+
 bool LimitPath::strays(const Trial &trial, const Vector &moved, const double done,
                        const double part) const {
   const double length = measure(moved);

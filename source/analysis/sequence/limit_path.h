@@ -39,6 +39,8 @@ public:
   /// Whether a solution in large displacements is further from what was expected than one increment
   /// may be, so that it may stand on another branch.
   bool strays(const Trial &trial, const Vector &motion, const double done, const double part) const;
+  /// An increment of given loads, by how much the line is expected to move in it.
+  Trial given(const double part, const double done) const;
   /// Try again with half of the motion. @return whether there is anything left to halve
   bool halve(const Trial &trial, const bool is_passed);
   /// Half of it as often as it takes.

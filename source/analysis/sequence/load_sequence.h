@@ -88,10 +88,15 @@ private:
   /// Follow the path of equilibria to the largest part of the step's loads.
   /// @return whether it is found; of pipes that yield halves of increments may find it yet
   bool run_to_limit(const Observer &observer);
+  static constexpr double widest_limit = 1.1; ///< bound over what was carried, to be called so
   /// Of pipes that yield: the least bound of their last motions, by parts of the step's loads.
   std::optional<LimitLoad> bound_of_yield() const;
   /// End the step if pipes that yield carry no more, but for what the bound's proof leaves open.
   bool end_at_collapse();
+  /// End it at the present state if its bound is no more than this part of it above.
+  bool end_within(const double open);
+  /// On the path: declared increments that are done by now, the last of all if the step ends.
+  void pass(const std::size_t next, const bool ends, const Observer &observer);
   /// What becomes of an increment along the path.
   enum class OnPath { failed, strayed, passed, accepted };
   OnPath try_on_path(const LimitPath::Trial &trial, const double done);
@@ -112,6 +117,8 @@ private:
   /// An increment that takes no time, to what the loads are after a jump.
   bool advance_to_other_side();
   bool solve_increment(const Factors &factors, const double time);
+  /// Whether a solution of a step that looks for its limit is too far away to be on its path.
+  bool jumps(const LineState &to, const double time) const;
   EquilibriumResult solve_statics(const Factors &full, const double time,
                                   const std::optional<PathLead> &lead, LineState &to);
   /// Make a solution the present state.
@@ -161,6 +168,7 @@ private:
 
   // of the increment being solved
   EquilibriumResult last_result;
+  bool has_jumped = false; ///< instead of having no solution
   ContactResponse response;
   LoadCourse::Side side = LoadCourse::Side::before; ///< of a jump at the end of an increment
 };

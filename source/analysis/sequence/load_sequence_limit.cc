@@ -36,6 +36,18 @@ bool LoadSequence::has_path() const {
          (imposed.size() == 0 || imposed.lpNorm<Eigen::Infinity>() == 0.);
 }
 
+void LoadSequence::pass(const std::size_t next, const bool ends, const Observer &observer) {
+  const LoadStep &step = model.scene.steps[position.step];
+  const std::size_t last = position.next;
+  position.next = next;
+  if (ends)
+    current.time = position.start + step.duration; // where the next step's time begins
+  if (next > last)
+    observer({position.step, static_cast<unsigned int>(next), step.n_increments}, current);
+  if (between_increments)
+    between_increments();
+}
+
 bool LoadSequence::run_to_limit(const Observer &observer) {
   const LoadStep &step = model.scene.steps[position.step];
   const unsigned int n = step.n_increments;
@@ -44,7 +56,11 @@ bool LoadSequence::run_to_limit(const Observer &observer) {
   for (unsigned int k = 0; position.next < n; ++k) {
     if (may_yield && (path.is_lost() || report.increments >= most_increments_of_yield)) {
       report.remark.clear();
-      return false;
+      // Halves would go on and on to poses that carry a little more.
+      if (!model.cells.turns_far() || path.n_soft_increments() == 0 || !end_within(on_the_way))
+        return false;
+      pass(n, true, observer);
+      return true;
     }
     if (k == most_tries) {
       report.remark = "no limit in " + std::to_string(most_tries) +
@@ -79,16 +95,10 @@ bool LoadSequence::run_to_limit(const Observer &observer) {
         ends = true;
       }
     }
-    const std::size_t last = position.next;
-    position.next = ends || part_done() >= 1.
-                        ? n
-                        : std::min<std::size_t>(n - 1, n * part_done() * (1. + rounding_of_load));
-    if (ends)
-      current.time = position.start + step.duration; // where the next step's time begins
-    if (position.next > last)
-      observer({position.step, static_cast<unsigned int>(position.next), n}, current);
-    if (between_increments)
-      between_increments();
+    pass(ends || part_done() >= 1.
+             ? n
+             : std::min<std::size_t>(n - 1, n * part_done() * (1. + rounding_of_load)),
+         ends, observer);
   }
   return true;
 }
@@ -107,8 +117,11 @@ bool LoadSequence::end_at_collapse() {
   const bool is_asked = n == 1 || n == of_mechanism / 2 || n >= of_mechanism; // it costs much
   if (!is_asked)
     return false;
+  return end_within(n < of_mechanism ? open_by_proof : on_the_way);
+}
+
+bool LoadSequence::end_within(const double open) {
   const auto limit = bound_of_yield();
-  const double open = n < of_mechanism ? open_by_proof : on_the_way;
   if (!limit || !(limit->bound <= (1. + open) * limit->reached))
     return false;
   step_reports.back().limit = limit;
@@ -154,11 +167,18 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
   return OnPath::accepted;
 }
 
+bool LoadSequence::jumps(const LineState &to, const double time) const {
+  const double done = part_done(),
+               part = (time - position.start) / model.scene.steps[position.step].duration;
+  return model.scene.steps[position.step].finds_limit && model.cells.turns_far() &&
+         path.strays(path.given(part, done), to.unknowns - current.unknowns, done, part);
+}
+
 void LoadSequence::end_at_limit(const std::string &why) {
   StepReport &report = step_reports.back();
   report.limit = {part_done(), std::numeric_limits<double>::infinity(),
                   why + path.place_of_most_motion()};
-  if (const auto limit = bound_of_yield()) {
+  if (const auto limit = bound_of_yield(); limit && limit->bound <= widest_limit * limit->reached) {
     report.limit->bound = limit->bound;
     report.limit->mechanism += "; " + limit->mechanism;
   }
@@ -166,10 +186,8 @@ void LoadSequence::end_at_limit(const std::string &why) {
 }
 
 void LoadSequence::end_with_all_loads() {
-  StepReport &report = step_reports.back();
-  report.limit = {1., std::numeric_limits<double>::infinity(), "all of its loads are carried"};
-  if (const auto limit = bound_of_yield(); limit && limit->bound >= 1.)
-    report.limit->bound = limit->bound;
+  step_reports.back().limit = {1., std::numeric_limits<double>::infinity(),
+                               "all of its loads are carried"};
 }
 
 void LoadSequence::fail_on_path() {

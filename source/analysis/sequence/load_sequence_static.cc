@@ -18,7 +18,6 @@ constexpr unsigned int most_contacts_for_uniqueness = 100; // the check is quadr
 /// What an increment with all its halves gets before it is given up: three times as much as any
 /// case that was ever solved has taken.
 constexpr unsigned int most_iterations = 50000, most_halvings = 200;
-constexpr double widest_limit = 1.1; // bound over what was carried, to be called a limit
 constexpr unsigned int most_halvings_of_creep = 50; // of an increment: a millionth of a billionth
 
 /// More where the user allows more.
@@ -63,11 +62,14 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
                            : start + declared_step.duration * i / declared_step.n_increments;
     if (!follow_to(end, i == declared_step.n_increments, target)) {
       StepReport &report = step_reports.back();
-      if (!declared_step.finds_limit || !report.limit ||
-          !(report.limit->bound <= widest_limit * report.limit->reached))
+      const bool is_collapse =
+          report.limit && report.limit->bound <= widest_limit * report.limit->reached;
+      if (!declared_step.finds_limit || !(is_collapse || has_jumped))
         return false; // it was not the loads
       report.no_equilibrium = false;
       report.remark.clear();
+      if (!is_collapse)
+        end_at_limit("beyond it the line jumps to a pose far away; before, it moves most at ");
       current.time = start + declared_step.duration; // where the next step's time begins
       i = declared_step.n_increments;                // it ends here
     }
@@ -233,9 +235,18 @@ EquilibriumResult LoadSequence::solve_statics(const Factors &full, const double 
 bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   LineState to = current;
   last_result = solve_statics(course.factors_at(time, side), time, {}, to);
+  has_jumped = false;
   if (!add_result(last_result, step_reports.back()))
     return false;
+  if (jumps(to, time)) {
+    has_jumped = true;
+    return false;
+  }
+  const Vector moved = to.unknowns - current.unknowns;
+  const double done = part_done();
   take(std::move(to), factors, time);
+  if (model.scene.steps[position.step].finds_limit)
+    path.add(moved, part_done() - done, part_done());
   return true;
 }
 

@@ -207,8 +207,9 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
-  const bool may_search = model.cells.pipe_sections().any() &&
-                          !(model.cells.turns_far() && increment.finds_limit && !increment.lead);
+  const bool may_search =
+      model.cells.pipe_sections().any() && !(model.cells.turns_far() && increment.finds_limit &&
+                                             !increment.lead && model.contacts.size() == 0);
   bool is_searched = false;
   unsigned int steps_in_vain = 0;
   std::vector<Contact::Strains> contact_forces = from.contact_stress;
