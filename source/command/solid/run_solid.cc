@@ -96,9 +96,9 @@ void SolidRun::read_states() {
     results.frames.push_back(solid_frame(scene, line.model(), wall, loads, body,
                                          sequence->contacts(), state, frame.rings));
     support_imbalance =
-        std::max(support_imbalance,
-                 imbalance_of_supports(loads.resultant(state.factors), results.supports,
-                                       results.frames.back(), force_of_rounding(body_scene, wall)));
+        std::max(support_imbalance, imbalance_of_supports(loads.resultant(state.factors), results,
+                                                          results.frames.back(), wall, body, state,
+                                                          force_of_rounding(body_scene, wall)));
     frames.push_back(std::move(frame));
   }
 }
@@ -126,8 +126,8 @@ void SolidRun::report(const bool converged) {
   }
   results.certify(scene, true);
   results.certificate.push_back({"support_balance", "-",
-                                 "sum of loads and of forces of anchors and supports, of the "
-                                 "largest of them",
+                                 "sum of loads and of forces of anchors and supports, and of their "
+                                 "moments, of the largest of them",
                                  support_imbalance});
 }
 

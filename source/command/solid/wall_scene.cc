@@ -137,19 +137,42 @@ double force_of_rounding(const Scene &body_scene, const PipeWall &wall) {
   return no_strain * body_scene.continuum->materials.front().youngs_modulus * wall.area();
 }
 
-double imbalance_of_supports(const Vector3 &load, const std::vector<SupportInfo> &supports,
-                             const Frame &frame, const double rounding) {
-  Vector3 sum = load;
-  double largest = std::max(rounding, load.norm());
-  const auto add = [&](const Vector3 &force) {
-    sum += force;
+double imbalance_of_supports(const Motion &load, const Results &results, const Frame &frame,
+                             const PipeWall &wall, const ContinuumBody<3> &body,
+                             const ContinuumState &state, const double rounding) {
+  const Point3 &middle = wall.rings.front().centre;
+  double size = wall.outer; // of the line
+  for (const WallRing &ring : wall.rings)
+    size = std::max(size, ring.centre.distance(middle));
+  Vector3 forces, moments;
+  double largest = rounding, largest_moment = rounding * size;
+  const auto add = [&](const Vector3 &force, const Vector3 &moment) {
+    forces += force;
+    moments += moment;
     largest = std::max(largest, force.norm());
+    largest_moment = std::max({largest_moment, moment.norm(), size * force.norm()});
   };
-  for (const Motion &held : frame.reactions)
-    add(Vector3({held[0], held[1], held[2]}));
+  const auto halves = [](const Motion &both) {
+    return std::pair(Vector3({both[0], both[1], both[2]}), Vector3({both[3], both[4], both[5]}));
+  };
+  add(halves(load).first, halves(load).second);
+  for (unsigned int i = 0; i < frame.reactions.size(); ++i) {
+    const auto [force, moment] = halves(frame.reactions[i]);
+    add(force, moment + cross_product_3d(Vector3(results.restraints[i].position - middle), force));
+  }
+  std::vector<Vector3> of_patches(wall.patches.size());
+  for (unsigned int i = 0; i < body.nodes.size(); ++i) {
+    const ContinuumContactNode<3> &node = body.nodes[i];
+    Vector3 force;
+    for (unsigned int a = 0; a < 3; ++a)
+      force += node.weight * state.contacts.stress[i][a] * node.frame[a];
+    of_patches[node.surface] += cross_product_3d(Vector3(node.position - middle), force);
+  }
   for (unsigned int i = 0; i < frame.supports.size(); ++i)
-    add(force_in_space(supports[i], frame.supports[i]));
-  return largest > 0. ? sum.norm() / largest : 0.;
+    add(force_in_space(results.supports[i], frame.supports[i]), Vector3());
+  for (const Vector3 &moment : of_patches)
+    add(Vector3(), moment);
+  return std::max(forces.norm() / largest, moments.norm() / largest_moment);
 }
 
 } // namespace frictionbeam

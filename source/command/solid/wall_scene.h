@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/statics/body_sequence.h"
 #include "mesh/solid/pipe_wall.h"
 #include "model/body/tied_section.h"
 #include "model/line_model.h"
@@ -25,10 +26,13 @@ void check_patches(const Scene &scene, const PipeWall &wall, const ContinuumBody
 /// @param body_scene of the wall
 double force_of_rounding(const Scene &body_scene, const PipeWall &wall);
 
-/// Sum of the loads and of the forces of anchors and supports, of the largest of these.
-/// @param load resultant of all loads [N]
+/// Of the forces of loads, anchors and supports: their sum, of the largest of them, or of their
+/// moments about the middle of the first section, of the largest of these and of forces times the
+/// distance of the furthest section, whichever is more.
+/// @param load resultant of all loads [N, N m]
 /// @param rounding force that the largest is not below [N]
-double imbalance_of_supports(const Vector3 &load, const std::vector<SupportInfo> &supports,
-                             const Frame &frame, const double rounding);
+double imbalance_of_supports(const Motion &load, const Results &results, const Frame &frame,
+                             const PipeWall &wall, const ContinuumBody<3> &body,
+                             const ContinuumState &state, const double rounding);
 
 } // namespace frictionbeam

@@ -12,7 +12,7 @@ using namespace dealii;
 WallLoads::WallLoads(const Scene &scene, const LineMesh &line, const PipeWall &wall,
                      const ContinuumBody<3> &body)
     : scene(scene), wall(wall), body(body), at_rings(scene.loads.size()),
-      volume(scene.pipes.size(), 0.) {
+      volume(scene.pipes.size(), 0.), first_moment(scene.pipes.size()) {
   measure();
   for (std::size_t l = 0; l < scene.loads.size(); ++l) {
     const Load &load = scene.loads[l];
@@ -175,34 +175,52 @@ void WallLoads::add_section(const unsigned int ring, const Motion &load,
 }
 
 void WallLoads::measure() {
-  FEValues<3> values(body.mapping, body.fe, QGauss<3>(body.fe.degree + 1), update_JxW_values);
+  const Point3 &middle = wall.rings.front().centre;
+  FEValues<3> values(body.mapping, body.fe, QGauss<3>(body.fe.degree + 1),
+                     update_quadrature_points | update_JxW_values);
   FEFaceValues<3> on_bore(body.mapping, body.fe, QGauss<2>(body.fe.degree + 2),
-                          update_normal_vectors | update_JxW_values);
+                          update_quadrature_points | update_normal_vectors | update_JxW_values);
   for (const auto &cell : body.triangulation->active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
     values.reinit(cell);
-    for (const unsigned int q : values.quadrature_point_indices())
+    for (const unsigned int q : values.quadrature_point_indices()) {
       volume[cell->material_id()] += values.JxW(q);
+      first_moment[cell->material_id()] += values.JxW(q) * (values.quadrature_point(q) - middle);
+    }
     if (!is_at_bore(cell->index()))
       continue;
     on_bore.reinit(cell, 0);
-    for (const unsigned int q : on_bore.quadrature_point_indices())
-      bore += on_bore.JxW(q) * on_bore.normal_vector(q);
+    for (const unsigned int q : on_bore.quadrature_point_indices()) {
+      const Vector3 normal = on_bore.JxW(q) * on_bore.normal_vector(q);
+      bore += normal;
+      turn_of_bore += cross_product_3d(Vector3(on_bore.quadrature_point(q) - middle), normal);
+    }
   }
   Utilities::MPI::sum(volume, body.communicator, volume);
+  for (Vector3 &moment : first_moment)
+    moment = Utilities::MPI::sum(moment, body.communicator);
   bore = Utilities::MPI::sum(bore, body.communicator);
+  turn_of_bore = Utilities::MPI::sum(turn_of_bore, body.communicator);
 }
 
-Vector3 WallLoads::resultant(const std::vector<double> &factors) const {
-  Vector3 sum = -pressure(factors) * bore;
-  for (unsigned int pipe = 0; pipe < volume.size(); ++pipe)
-    sum += volume[pipe] * volume_force(pipe, factors);
+Motion WallLoads::resultant(const std::vector<double> &factors) const {
+  const double p = pressure(factors);
+  Vector3 force = -p * bore, moment = -p * turn_of_bore;
+  for (unsigned int pipe = 0; pipe < volume.size(); ++pipe) {
+    const Vector3 density = volume_force(pipe, factors);
+    force += volume[pipe] * density;
+    moment += cross_product_3d(first_moment[pipe], density);
+  }
   for (std::size_t l = 0; l < scene.loads.size(); ++l)
-    for (const auto &[ring, load] : at_rings[l])
-      for (unsigned int d = 0; d < 3; ++d)
-        sum[d] += factors[l] * load[d];
-  return sum;
+    for (const auto &[ring, load] : at_rings[l]) {
+      const Vector3 at_ring({load[0], load[1], load[2]}),
+          arm = wall.rings[ring].centre - wall.rings.front().centre;
+      force += factors[l] * at_ring;
+      moment +=
+          factors[l] * (cross_product_3d(arm, at_ring) + Vector3({load[3], load[4], load[5]}));
+    }
+  return {{force[0], force[1], force[2], moment[0], moment[1], moment[2]}};
 }
 
 std::vector<ContinuumVector> WallLoads::forces() const {

@@ -26,8 +26,8 @@ public:
   double free_strain(const unsigned int pipe, const std::vector<double> &factors) const;
   double pressure(const std::vector<double> &factors) const; ///< [Pa]
   Vector3 volume_force(const unsigned int pipe, const std::vector<double> &factors) const;
-  /// All forces together [N].
-  Vector3 resultant(const std::vector<double> &factors) const;
+  /// All forces together [N], and their moment about the middle of the first section [N m].
+  Motion resultant(const std::vector<double> &factors) const;
   /// Force [N] and moment [N m] on the section at a ring, thrust included.
   Motion section_load(const unsigned int ring, const std::vector<double> &factors) const;
   /// Whether some load acts on the section at a ring by itself.
@@ -48,9 +48,11 @@ private:
   const PipeWall &wall;
   const ContinuumBody<3> &body;
   std::vector<std::vector<std::pair<unsigned int, Motion>>> at_rings; ///< by load: ring, force
-  // of the mesh, for resultants
-  std::vector<double> volume; ///< of each pipe's metal [m3]
-  Vector3 bore;               ///< integral of the normal out of the wall over the bore [m2]
+  // Of the mesh, for resultants; arms from the middle of the first section.
+  std::vector<double> volume;        ///< of each pipe's metal [m3]
+  std::vector<Vector3> first_moment; ///< integrals of the arm over it [m4]
+  Vector3 bore;                      ///< of the normal out of the wall over the bore [m2]
+  Vector3 turn_of_bore;              ///< of arm x normal [m3]
 };
 
 } // namespace frictionbeam
