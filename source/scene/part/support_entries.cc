@@ -357,6 +357,10 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
     restraint.translations.push_back(support.normal);
     restraint.capacity = support.capacity;
     scene.restraints.push_back(restraint);
+    if (in.given("Width"))
+      scene.remarks.push_back("Support " + name + ": its Width is not used, for a " + kind +
+                              " without gap and friction holds the motion of the section as a "
+                              "plane, and has no patch.");
   }
 }
 
