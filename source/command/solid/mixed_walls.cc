@@ -4,7 +4,6 @@
 
 #include "base/processes.h"
 #include "base/user_error.h"
-#include "mesh/solid/wall_cells.h"
 #include "results/file/body_vtu.h"
 #include "results/file/output_file.h"
 #include "results/solid/solid_files.h"
@@ -103,17 +102,9 @@ std::vector<std::string> MixedWalls::in_words() const {
 
 void MixedWalls::add_to(KnownError &cells) const {
   for (const auto &wall : walls) {
-    const Section &section = wall->own.scene.sections[wall->own.scene.pipes.front().section];
-    const std::optional<double> error = flexibility_error(
-        scene.solid.degree, scene.solid.cells_around, section.outer_radius / section.wall - 0.5);
-    if (!error) {
-      cells = {{}, "cells of degree 1 lock"};
-      return;
-    }
-    if (cells.error && *error > *cells.error)
-      cells = {error, std::to_string(scene.solid.cells_around) + " cells of degree " +
-                          std::to_string(scene.solid.degree) + " around the wall of " +
-                          wall->stretch.name};
+    const KnownError error = error_of_cells(wall->own.scene, "the wall of " + wall->stretch.name);
+    if (!error.error || (cells.error && *error.error > *cells.error))
+      cells = error;
   }
 }
 

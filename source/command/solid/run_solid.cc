@@ -105,6 +105,7 @@ void SolidRun::read_states() {
 
 void SolidRun::report(const bool converged) {
   results.units = scene.units;
+  results.known = how_well_known_of_wall(scene);
   results.steps = sequence->reports();
   results.status = converged                                   ? RunStatus::converged
                    : sequence->reports().back().no_equilibrium ? RunStatus::no_equilibrium

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/solid/wall_doubts.h"
 
+#include "mesh/solid/wall_cells.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -29,6 +30,35 @@ std::string doubt_of_stresses(const Scene &scene, const PipeWall &wall,
              material.name + ", while the wall is taken for elastic.";
     }
   return text;
+}
+
+KnownError error_of_cells(const Scene &scene, const std::string &name) {
+  const SolidSettings &solid = scene.solid;
+  const Section &section = scene.sections[scene.pipes.front().section];
+  const auto error = flexibility_error(solid.degree, solid.cells_around,
+                                       section.outer_radius / section.wall - 0.5);
+  if (!error)
+    return {{}, "cells of degree 1 lock"};
+  return {error, std::to_string(solid.cells_around) + " cells of degree " +
+                     std::to_string(solid.degree) + " around " + name};
+}
+
+HowWellKnown how_well_known_of_wall(const Scene &scene) {
+  const bool has_bend = std::any_of(scene.pipes.begin(), scene.pipes.end(), [](const Pipe &pipe) {
+    return std::any_of(pipe.route.begin(), pipe.route.end(),
+                       [](const RoutePoint &point) { return point.bend_radius > 0.; });
+  });
+  HowWellKnown known;
+  known.increments =
+      scene.supports.empty()
+          ? KnownError{0., "nothing slips"}
+          : KnownError{{}, "supports may slip within increments; Accuracy measures it"};
+  known.time_step = {0., "there is no transient step"};
+  known.cells = has_bend ? error_of_cells(scene, "the wall")
+                         : KnownError{{},
+                                      "what cells leave is known of bends, of which there is "
+                                      "none; Accuracy measures it"};
+  return known;
 }
 
 } // namespace frictionbeam

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "results/known_error.h"
 #include "results/solid/solid_files.h"
 
 namespace frictionbeam {
@@ -10,5 +11,13 @@ namespace frictionbeam {
 /// @param frames whose steps are those of the scene
 std::string doubt_of_stresses(const Scene &scene, const PipeWall &wall,
                               const std::vector<WallFrame> &frames);
+
+/// What the cells of section Solid leave of the displacements of a wall with bends: of their
+/// flexibility (flexibility_error()).
+/// @param scene of the wall's pipes, which have one section @param name of the wall, in words
+KnownError error_of_cells(const Scene &scene, const std::string &name);
+
+/// How well a solid pipe is known by its bends; its load increments where nothing can slip.
+HowWellKnown how_well_known_of_wall(const Scene &scene);
 
 } // namespace frictionbeam
