@@ -145,12 +145,11 @@ double imbalance_of_supports(const Motion &load, const Results &results, const F
   for (const WallRing &ring : wall.rings)
     size = std::max(size, ring.centre.distance(middle));
   Vector3 forces, moments;
-  double largest = rounding, largest_moment = rounding * size;
+  double largest = rounding;
   const auto add = [&](const Vector3 &force, const Vector3 &moment) {
     forces += force;
     moments += moment;
-    largest = std::max(largest, force.norm());
-    largest_moment = std::max({largest_moment, moment.norm(), size * force.norm()});
+    largest = std::max({largest, force.norm(), moment.norm() / size});
   };
   const auto halves = [](const Motion &both) {
     return std::pair(Vector3({both[0], both[1], both[2]}), Vector3({both[3], both[4], both[5]}));
@@ -172,7 +171,7 @@ double imbalance_of_supports(const Motion &load, const Results &results, const F
     add(force_in_space(results.supports[i], frame.supports[i]), Vector3());
   for (const Vector3 &moment : of_patches)
     add(Vector3(), moment);
-  return std::max(forces.norm() / largest, moments.norm() / largest_moment);
+  return std::max(forces.norm(), moments.norm() / size) / largest;
 }
 
 } // namespace frictionbeam

@@ -26,9 +26,8 @@ void check_patches(const Scene &scene, const PipeWall &wall, const ContinuumBody
 /// @param body_scene of the wall
 double force_of_rounding(const Scene &body_scene, const PipeWall &wall);
 
-/// Of the forces of loads, anchors and supports: their sum, of the largest of them, or of their
-/// moments about the middle of the first section, of the largest of these and of forces times the
-/// distance of the furthest section, whichever is more.
+/// What loads, anchors and supports leave: the sum of their forces, or of their moments about the
+/// middle of the first section over the distance of the furthest one, of the largest of these.
 /// @param load resultant of all loads [N, N m]
 /// @param rounding force that the largest is not below [N]
 double imbalance_of_supports(const Motion &load, const Results &results, const Frame &frame,
