@@ -3,6 +3,8 @@
 
 #include "results/text.h"
 
+#include <cmath>
+
 namespace frictionbeam::accuracy {
 
 std::string settings_in_words(const std::vector<std::string> &settings) {
@@ -10,6 +12,16 @@ std::string settings_in_words(const std::vector<std::string> &settings) {
   for (const std::string &setting : settings)
     text += (text.empty() ? "" : "; ") + setting;
   return text;
+}
+
+void add_cost(const Cost &before, Cost &cost) {
+  cost.mesh_seconds += before.mesh_seconds;
+  cost.setup_seconds += before.setup_seconds;
+  cost.solve_seconds += before.solve_seconds;
+  cost.iterations += before.iterations;
+  cost.factorizations += before.factorizations;
+  cost.back_substitutions += before.back_substitutions;
+  cost.steps += before.steps;
 }
 
 void add_remarks(const AccountInWords &of, Results &results) {
@@ -28,7 +40,8 @@ void add_remarks(const AccountInWords &of, Results &results) {
                 "."
           : "Accuracy: " + rounded_number(account.demanded, 2) +
                 " is not reached; the estimate, which shall be below that by a factor of " +
-                rounded_number(of.margin, 2) + ", is " + rounded_number(account.estimate, 2) +
+                rounded_number(of.margin, 2) + ", is " +
+                (std::isnan(account.estimate) ? "not known" : rounded_number(account.estimate, 2)) +
                 " with " + settings_in_words(chosen) + ".");
   if (of.model_was_chosen)
     results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +

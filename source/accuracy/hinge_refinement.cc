@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/hinge_refinement.h"
 
+#include "accuracy/account_remarks.h"
 #include "accuracy/difference.h"
 #include "base/number_text.h"
 #include "base/user_error.h"
@@ -11,16 +12,6 @@ namespace frictionbeam {
 namespace {
 constexpr double usual_tolerance = 1e-3;
 constexpr unsigned int most_levels = 10;
-
-void add(const Cost &before, Cost &cost) {
-  cost.mesh_seconds += before.mesh_seconds;
-  cost.setup_seconds += before.setup_seconds;
-  cost.solve_seconds += before.solve_seconds;
-  cost.iterations += before.iterations;
-  cost.factorizations += before.factorizations;
-  cost.back_substitutions += before.back_substitutions;
-  cost.steps += before.steps;
-}
 } // namespace
 
 Results refine_hinges(Scene scene, const SolveScene &solve) {
@@ -39,7 +30,7 @@ Results refine_hinges(Scene scene, const SolveScene &solve) {
                                   results.yielded.end());
     remove_frames(scene.output.directory);
     Results finer = solve(scene);
-    add(results.cost, finer.cost);
+    accuracy::add_cost(results.cost, finer.cost);
     const auto change = accuracy::largest(accuracy::differences(scene, results, finer));
     results = std::move(finer);
     const std::string levels =

@@ -182,7 +182,8 @@ std::vector<std::string> continuum_settings(const Scene &scene, const double dem
 }
 
 std::vector<std::string> exact_settings(const Scene &scene) {
-  if (scene.kinematics == Kinematics::linear && scene.mesh.file.empty() && has_bend(scene))
+  if (scene.model != ModelKind::solid && scene.kinematics == Kinematics::linear &&
+      scene.mesh.file.empty() && has_bend(scene))
     return {"Mesh/Bends = arcs"};
   return {};
 }

@@ -2,6 +2,7 @@
 #include "command/run_case.h"
 #include "accuracy/accuracy_control.h"
 #include "accuracy/hinge_refinement.h"
+#include "accuracy/wall/wall_refinement.h"
 #include "command/line/run_line.h"
 #include "command/run_body.h"
 #include "command/run_folder.h"
@@ -302,8 +303,13 @@ SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scen
            : one.model == ModelKind::solid     ? run_solid(one, laws)
                                                : run_both(one, laws);
   };
-  SolvedScene solved = scene.accuracy > 0. ? solve_to_accuracy(options, scene, read, solve_once)
-                                           : SolvedScene{scene, solve_once(scene)};
+  const auto solve_wall = [&](const Scene &one, WallMesh &mesh) {
+    return run_solid(one, laws, &mesh);
+  };
+  SolvedScene solved = scene.accuracy == 0. ? SolvedScene{scene, solve_once(scene)}
+                       : scene.model == ModelKind::solid
+                           ? refine_walls(options, scene, read, solve_wall)
+                           : solve_to_accuracy(options, scene, read, solve_once);
   conclude(solved.scene, solved.results, wall);
   return solved;
 }

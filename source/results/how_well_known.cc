@@ -4,6 +4,7 @@
 #include "results/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam {
 
@@ -163,7 +164,7 @@ HowWellKnown how_well_known(const Scene &scene, const Results &results) {
 }
 
 void include_accuracy(Results &results) {
-  if (!results.accuracy)
+  if (!results.accuracy || std::isnan(results.accuracy->estimate))
     return;
   for (KnownError *known :
        {&results.known.increments, &results.known.time_step, &results.known.cells})

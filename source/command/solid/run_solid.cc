@@ -30,9 +30,11 @@ namespace {
 
 class SolidRun {
 public:
-  SolidRun(const Scene &scene, const LawLibrary &laws, Results &results)
+  /// @param halved layers to cut in two
+  SolidRun(const Scene &scene, const LawLibrary &laws, const std::vector<double> &halved,
+           Results &results)
       : scene(scene), results(results), line(scene, laws),
-        wall(build_pipe_wall(scene, line.model().mesh)),
+        wall(build_pipe_wall(scene, line.model().mesh, halved)),
         body_scene(scene_of_wall(scene, line.model(), wall)), body(body_scene, wall.mesh),
         loads(scene, line.model().mesh, wall, body), collector(line.model(), results, {}) {
     results.cost.mesh_seconds = wall_clock.wall_time();
@@ -52,6 +54,8 @@ public:
   }
 
   void run();
+  /// What the mesh leaves.
+  WallErrors errors() const;
 
 private:
   void read_states();
@@ -86,6 +90,16 @@ void SolidRun::run() {
   add_quantities();
   doubt_stresses();
   write();
+}
+
+WallErrors SolidRun::errors() const {
+  std::vector<bool> is_pushed(wall.rings.size());
+  for (unsigned int r = 0; r < is_pushed.size(); ++r)
+    is_pushed[r] = loads.is_loaded(r);
+  for (const std::vector<Site> &sites : line.model().mesh.restraints)
+    for (const Site &site : sites)
+      is_pushed[wall.ring_at(site.vertex)] = true;
+  return wall_errors(wall, loads, body, sequence->ends(), is_pushed);
 }
 
 void SolidRun::read_states() {
@@ -196,11 +210,14 @@ void SolidRun::write() {
 
 } // namespace
 
-Results run_solid(const Scene &scene, const LawLibrary &laws) {
+Results run_solid(const Scene &scene, const LawLibrary &laws, WallMesh *const mesh) {
   Results results;
   check_can_be_solid(scene);
   try {
-    SolidRun(scene, laws, results).run();
+    SolidRun run(scene, laws, mesh != nullptr ? mesh->halved : std::vector<double>{}, results);
+    run.run();
+    if (mesh != nullptr)
+      mesh->left = run.errors();
   } catch (const UserError &error) {
     throw UserError(with_place(scene, error.what()));
   }

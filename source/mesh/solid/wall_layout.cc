@@ -23,7 +23,7 @@ constexpr double no_corner = 1e-6; ///< of two tangents
 
 class WallLayout {
 public:
-  WallLayout(const Scene &scene, const LineMesh &line);
+  WallLayout(const Scene &scene, const LineMesh &line, const std::vector<double> &halved);
   PipeWall make();
 
 private:
@@ -31,6 +31,10 @@ private:
   /// @throws UserError for a pipe that is hardly there
   void check_length(const unsigned int pipe, const PipePath &path) const;
   void add_segment(const PipePath::Segment &path, const unsigned int pipe);
+  /// The edges of patches, 15 degrees on either side of what is mostly an axis of the section, are
+  /// those of cells if there are 12, 24, 36 .. around: of 12, 36 .. if these are turned by half a
+  /// cell.
+  bool needs_turn() const { return !scene.supports.empty() && wall.around % 24 == 12; }
   void place_rings();
   void add_rings_between(const double from, const double to);
   void make_cells();
@@ -51,12 +55,14 @@ private:
 
   const Scene &scene;
   const LineMesh &line;
+  const std::vector<double> &halved; ///< where rings are besides
   PipeWall wall;
   double first = 0., longest = 0.; ///< cells
   std::vector<Place> places;
 };
 
-WallLayout::WallLayout(const Scene &scene, const LineMesh &line) : scene(scene), line(line) {
+WallLayout::WallLayout(const Scene &scene, const LineMesh &line, const std::vector<double> &halved)
+    : scene(scene), line(line), halved(halved) {
   const Section &section = scene.sections[scene.pipes.front().section];
   wall.outer = section.outer_radius;
   wall.inner = section.outer_radius - section.wall;
@@ -74,8 +80,9 @@ void WallLayout::add_segment(const PipePath::Segment &path, const unsigned int p
   segment.start = wall.length();
   if (wall.segments.empty()) {
     const LocalAxes axes(path.first_tangent);
-    segment.a = axes.y;
-    segment.b = axes.z;
+    const double turn = needs_turn() ? numbers::PI / wall.around : 0.;
+    segment.a = std::cos(turn) * axes.y + std::sin(turn) * axes.z;
+    segment.b = std::cos(turn) * axes.z - std::sin(turn) * axes.y;
   } else {
     const WallSegment &before = wall.segments.back();
     if ((before.path.tangent(before.path.length) - path.first_tangent).norm() > no_corner)
@@ -184,6 +191,9 @@ void WallLayout::add_rings_between(const double from, const double to) {
       all.push_back(from + (k + (wanted - sum[k]) / (sum[k + 1] - sum[k])) * step);
     }
   }
+  std::copy_if(halved.begin(), halved.end(), std::back_inserter(all),
+               [&](const double s) { return s > from && s < to; });
+  std::sort(all.begin(), all.end());
   for (const double s : all) {
     WallRing ring;
     ring.s = s;
@@ -353,8 +363,9 @@ PipeWall WallLayout::make() {
 
 } // namespace
 
-PipeWall build_pipe_wall(const Scene &scene, const LineMesh &line) {
-  return WallLayout(scene, line).make();
+PipeWall build_pipe_wall(const Scene &scene, const LineMesh &line,
+                         const std::vector<double> &halved) {
+  return WallLayout(scene, line, halved).make();
 }
 
 } // namespace frictionbeam

@@ -117,9 +117,6 @@ void SolidCheck::check_scene() {
 
 void SolidCheck::check_settings() {
   const std::array<bool, 6> all_motions{{true, true, true, true, true, true}};
-  refuse(scene.accuracy > 0., "", "Accuracy", "no Accuracy",
-         "Cells around, Degree and the others "
-         "of section Solid");
   refuse(scene.kinematics != Kinematics::linear, "", "Kinematics", "linear", "linear");
   refuse(scene.free_motions != all_motions, "", "Free motions", "all six motions",
          "removing the entry");
