@@ -218,6 +218,7 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
 /// Solve the scene as beams and as a continuum or solid pipes, each into a folder of its own.
 Results run_both(const Scene &scene, const LawLibrary &laws) {
   Results both, line;
+  std::map<std::string, double> rounding; // by unit
   both.status = RunStatus::converged;
   const std::string other = scene.is_solid() ? "solid" : "continuum";
   for (const std::string &model : {std::string("line"), other}) {
@@ -241,10 +242,11 @@ Results run_both(const Scene &scene, const LawLibrary &laws) {
                    std::back_inserter(both.sections),
                    [](const auto &section) { return section.id == "wall"; });
       write_line_and_solid(scene, line, results, scene.output.directory);
+      rounding = rounding_of_forces(scene, line, results);
     }
   }
   both.sections.insert(both.sections.begin(),
-                       {"models", "Line and " + other, side_by_side(both, other)});
+                       {"models", "Line and " + other, side_by_side(both, other, rounding)});
   return both;
 }
 

@@ -46,7 +46,12 @@ void include_model(Results &both, const Results &results, const std::string &mod
   sum.factorizations += cost.factorizations;
 }
 
-std::string side_by_side(const Results &both, const std::string &other) {
+std::string side_by_side(const Results &both, const std::string &other,
+                         const std::map<std::string, double> &rounding) {
+  const auto is_rounding = [&](const double value, const std::string &unit) {
+    const auto of_unit = rounding.find(unit);
+    return of_unit != rounding.end() && std::abs(value) <= of_unit->second;
+  };
   std::vector<std::string> names;
   for (const QuantityResult &quantity : both.quantities) {
     const std::string name = quantity.name.substr(quantity.name.find('/') + 1);
@@ -63,18 +68,26 @@ std::string side_by_side(const Results &both, const std::string &other) {
     std::vector<std::string> cells;
     for (const std::string &name : names) {
       const QuantityResult *const one = find(model, name);
-      cells.push_back(one == nullptr ? dash : rounded_number(one->value, 6) + " " + one->unit);
+      cells.push_back(
+          one == nullptr ? dash
+                         : rounded_number(is_rounding(one->value, one->unit) ? 0. : one->value, 6) +
+                               " " + one->unit);
     }
     return cells;
   };
   std::vector<std::string> difference;
   for (const std::string &name : names) {
     const QuantityResult *const line = find("line", name), *const solid = find(other, name);
-    const double size = line == nullptr || solid == nullptr || line->unit != solid->unit
-                            ? 0.
-                            : std::max(std::abs(line->value), std::abs(solid->value));
-    difference.push_back(
-        size > 0. ? rounded_number(100. * (solid->value - line->value) / size, 2) + " %" : dash);
+    if (line == nullptr || solid == nullptr || line->unit != solid->unit) {
+      difference.push_back(dash);
+      continue;
+    }
+    const double size = std::max(std::abs(line->value), std::abs(solid->value)),
+                 change = solid->value - line->value;
+    difference.push_back(size == 0. || is_rounding(size, line->unit) ? dash
+                         : is_rounding(change, line->unit)
+                             ? "0 %"
+                             : rounded_number(100. * change / size, 2) + " %");
   }
   return HtmlTable()
              .text("Quantity", names)

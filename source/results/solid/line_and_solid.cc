@@ -15,8 +15,9 @@ namespace frictionbeam {
 
 namespace {
 
-/// Of the largest force or moment of either model: what is smaller is rounding, and shown as zero.
-constexpr double rounding = 1e-8;
+/// What is smaller is rounding, and shown as zero: of the largest force of either model, or of what
+/// it would take to strain the pipe as much as it moves.
+constexpr double rounding = 1e-8, rounding_of_strains = 1e-10;
 
 /// One number of a holder or a section, by either model.
 struct Compared {
@@ -101,24 +102,73 @@ std::vector<Compared> compare_sections(const Scene &scene, const Results &result
   return rows;
 }
 
-std::string table_of(const Scene &scene, const std::vector<Compared> &rows,
-                     const std::string &heading) {
-  double force = 0., moment = 0.;
+/// Longest edge of a box along the axes that holds points [m].
+double extent_of(const std::vector<Point3> &points) {
+  double longest = 0.;
+  for (unsigned int d = 0; d < 3; ++d) {
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(),
+                            [&](const Point3 &a, const Point3 &b) { return a[d] < b[d]; });
+    longest = std::max(longest, low == points.end() ? 0. : (*high)[d] - (*low)[d]);
+  }
+  return longest;
+}
+
+/// What is nothing beside the forces and moments of a step.
+struct Nothing {
+  double force = 0., moment = 0.; ///< [N], [N m]
+
+  double operator()(const std::string &unit) const { return unit == "N" ? force : moment; }
+};
+
+/// By the largest force and moment of either model, a moment being a force on the line's extent and
+/// the other way round.
+Nothing nothing_beside(const Scene &scene, const std::vector<Compared> &rows, const Frame &line,
+                       const Frame &solid) {
+  Largest force, moment, motion;
   for (const Compared &row : rows)
-    (row.unit == "N" ? force : moment) =
-        std::max({row.unit == "N" ? force : moment, std::abs(row.line), std::abs(row.solid)});
+    for (const double value : {row.line, row.solid})
+      (row.unit == "N" ? force : moment)(value);
+  std::vector<Point3> places;
+  for (const Frame *const frame : {&line, &solid})
+    for (const Station &at : frame->line) {
+      places.push_back(at.position);
+      for (unsigned int c = 0; c < 6; ++c)
+        (c < 3 ? force : moment)(at.force[c]);
+      for (unsigned int c = 0; c < 3; ++c)
+        motion(at.displacement[c]);
+    }
+  const double extent = extent_of(places);
+  double stiffness = 0.; // E A
+  for (const Pipe &pipe : scene.pipes)
+    stiffness = std::max(stiffness, scene.materials[pipe.material].youngs_modulus *
+                                        scene.sections[pipe.section].area);
+  Nothing nothing;
+  nothing.force = std::max({rounding * force.value(), rounding * moment.value() / extent,
+                            rounding_of_strains * stiffness * motion.value() / extent});
+  nothing.moment = nothing.force * extent;
+  return nothing;
+}
+
+std::string table_of(const Scene &scene, const std::vector<Compared> &rows, const Nothing &nothing,
+                     const std::string &heading) {
+  Largest force, moment;
+  for (const Compared &row : rows)
+    for (const double value : {row.line, row.solid})
+      (row.unit == "N" ? force : moment)(value);
   std::vector<std::string> what, component, a, b, difference;
   for (const Compared &row : rows) {
-    const double largest = row.unit == "N" ? force : moment, factor = scene.units.factor(row.unit);
+    const double largest = (row.unit == "N" ? force : moment).value(),
+                 factor = scene.units.factor(row.unit);
     what.push_back(row.what);
     component.push_back(row.component + " [" + scene.units.name(row.unit) + "]");
     const auto shown = [&](const double value, const double unit, const unsigned int digits) {
-      return std::abs(value) > rounding * largest ? rounded_number(value / unit, digits) : "0";
+      return std::abs(value) > nothing(row.unit) ? rounded_number(value / unit, digits) : "0";
     };
     a.push_back(shown(row.line, factor, 5));
     b.push_back(shown(row.solid, factor, 5));
-    difference.push_back(largest > 0. ? shown(row.solid - row.line, 0.01 * largest, 2) + " %"
-                                      : dash);
+    difference.push_back(
+        largest > nothing(row.unit) ? shown(row.solid - row.line, 0.01 * largest, 2) + " %" : dash);
   }
   return HtmlTable()
       .text(heading, what)
@@ -161,12 +211,10 @@ std::string step_panel(const Scene &scene, const Results &results, const Frame &
   const std::string of_length = " [" + scene.units.name("m") + "]",
                     of_force = " [" + scene.units.name("N") + "]",
                     of_moment = " [" + scene.units.name("N m") + "]";
-  Largest force, moment;
-  for (const Frame *const frame : {&line, &solid})
-    for (const Station &at : frame->line)
-      for (unsigned int c = 0; c < 6; ++c)
-        (c < 3 ? force : moment)(at.force[c]);
-  const double no_force = rounding * force.value() / N, no_moment = rounding * moment.value() / Nm;
+  const std::vector<Compared> holders = compare_holders(results, line, solid),
+                              sections = compare_sections(scene, results, line, solid);
+  const Nothing nothing = nothing_beside(scene, holders, line, solid);
+  const double no_force = nothing.force / N, no_moment = nothing.moment / Nm;
   std::vector<Plot> plots;
   plots.push_back(both_plot(
       scene, line, solid, "displacement" + of_length,
@@ -186,8 +234,8 @@ std::string step_panel(const Scene &scene, const Results &results, const Frame &
   plots.push_back(both_plot(
       scene, line, solid, "torsion" + of_moment,
       [&](const Station &at) { return at.force[3] / Nm; }, no_moment));
-  return table_of(scene, compare_holders(results, line, solid), "Support") +
-         table_of(scene, compare_sections(scene, results, line, solid), "Section at") +
+  return table_of(scene, holders, nothing, "Support") +
+         table_of(scene, sections, nothing, "Section at") +
          html_note(
              "Differences relative to the largest force, or moment, of either model in the "
              "table. Section forces in the local axes of the pipe; none at supports with a patch, "
@@ -206,6 +254,25 @@ std::string line_and_solid(const Scene &scene, const Results &line, const Result
       panels.emplace_back(step.name, step_panel(scene, line, *a, *b));
   }
   return panels.empty() ? "" : html_tabs("both", panels);
+}
+
+std::map<std::string, double> rounding_of_forces(const Scene &scene, const Results &line,
+                                                 const Results &solid) {
+  std::map<std::string, double> least;
+  for (const LoadStep &step : scene.steps) {
+    const Frame *const a = end_of(line, step.name), *const b = end_of(solid, step.name);
+    if (a == nullptr || b == nullptr)
+      continue;
+    const Nothing nothing = nothing_beside(scene, compare_holders(line, *a, *b), *a, *b);
+    for (const char *const unit : {"N", "N m"}) {
+      const auto known = least.emplace(scene.units.name(unit), nothing(unit)).first;
+      known->second = std::max(known->second, nothing(unit));
+    }
+  }
+  for (const char *const unit : {"N", "N m"})
+    if (const auto known = least.find(scene.units.name(unit)); known != least.end())
+      known->second /= scene.units.factor(unit);
+  return least;
 }
 
 void write_line_and_solid(const Scene &scene, const Results &line, const Results &solid,
