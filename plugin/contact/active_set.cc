@@ -141,6 +141,14 @@ bool ActiveSet::may_jam() const {
   return false;
 }
 
+bool ActiveSet::may_ever_jam() const {
+  for (unsigned int i = 0; i < points.size(); ++i)
+    if (proximal.is_exact(i) &&
+        equations.contacts[i].law.closed_form().static_friction >= front.limit_of_uniqueness(i))
+      return true;
+  return false;
+}
+
 Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
                          Result &result) {
   begin();
@@ -184,6 +192,24 @@ Outcome ActiveSet::solve_few(const bool is_first, const double factor, Vector &x
   const std::vector<Strains> centre = proximal.centre;
   if (is_first && kept.motion.size() == x.size())
     x = kept.motion;
+  const Outcome outcome = approach(centre, factor, x, response, result);
+  learn(outcome != Outcome::stalled);
+  return outcome;
+}
+
+Outcome ActiveSet::solve_near(const NearbySolution &nearby, const double factor, Vector &x,
+                              Response &response, Result &result) {
+  begin();
+  if (nearby.stress.size() != points.size() || nearby.motion.size() != x.size() || may_ever_jam())
+    return Outcome::stalled;
+  const std::vector<Strains> centre = proximal.centre;
+  proximal.centre = nearby.stress;
+  x = nearby.motion;
+  return approach(centre, factor, x, response, result);
+}
+
+Outcome ActiveSet::approach(const std::vector<Strains> &centre, const double factor, Vector &x,
+                            Response &response, Result &result) {
   proximal.stiffness_factor = stiffness_of_approach;
   Outcome outcome = Outcome::stalled;
   if (newton.approach(x, response, result)) {
@@ -192,7 +218,6 @@ Outcome ActiveSet::solve_few(const bool is_first, const double factor, Vector &x
   }
   if (outcome == Outcome::solved && !equations.is_held(response, result))
     outcome = Outcome::stalled;
-  learn(outcome != Outcome::stalled);
   if (outcome == Outcome::stalled) {
     proximal.centre = centre;
     x.setZero();

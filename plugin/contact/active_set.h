@@ -33,6 +33,10 @@ public:
   Outcome solve(const bool is_first, const double factor, Vector &x, Response &response,
                 Result &result);
 
+  /// The same from another solution, of nearly the same increment.
+  Outcome solve_near(const NearbySolution &nearby, const double factor, Vector &x,
+                     Response &response, Result &result);
+
   /**
    * The same for a solution that solve() has found, where little has been left for x to correct:
    * on its branches, whose factors are there.
@@ -41,6 +45,12 @@ public:
 
   /// A solution: where to begin the next time. @p motion without entries: as before.
   void remember(const std::vector<ContactStatus> &status, const Vector &motion);
+
+  /// Whether a contact has several states by itself with its static friction.
+  bool may_ever_jam() const;
+
+  /// Of the kept unknowns in the last increment.
+  const Vector &motion() const { return kept.motion; }
 
   /// Other forces than those of the last solution are the centre.
   void forget_status() { kept.status.clear(); }
@@ -55,6 +65,10 @@ private:
    */
   Outcome solve_few(const bool is_first, const double factor, Vector &x, Response &response,
                     Result &result);
+  /// By that step and solve_together(), from x and the centre, which are as no motion and @p centre
+  /// if it stalls.
+  Outcome approach(const std::vector<Strains> &centre, const double factor, Vector &x,
+                   Response &response, Result &result);
   /// To forces and x at which the branches stay as they are. @return whether they do
   bool predict(Vector &x, Response &response, Result &result);
   std::vector<ContactStatus> first_branches(const Response &response) const;

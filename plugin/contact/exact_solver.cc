@@ -201,7 +201,11 @@ Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, 
   const bool is_any = now.problem.forces_before == nullptr;
   if (active_set && is_any) {
     const double factor = attempts.first_factor > 0. ? attempts.first_factor : limits.factors[0];
-    const Outcome outcome = active_set->solve(is_first, factor, x, now.response, now.result);
+    Outcome outcome = Outcome::stalled;
+    if (is_first && now.problem.nearby != nullptr)
+      outcome = active_set->solve_near(*now.problem.nearby, factor, x, now.response, now.result);
+    if (outcome == Outcome::stalled)
+      outcome = active_set->solve(is_first, factor, x, now.response, now.result);
     if (outcome != Outcome::stalled)
       return outcome;
   }
@@ -338,9 +342,10 @@ bool ExactSolver::Implementation::is_made_by_loads(const Pass &now) const {
   for (unsigned int i = 0; i < sites.size(); ++i)
     if (proximal.is_exact(i))
       of_contacts = std::max(of_contacts, sites[i].largest_force(now.response.stress[i]));
-  const double made = std::max({largest_of(problem.right_hand_side), problem.largest_force,
-                                problem.force_so_far, largest_of(problem.matrix * now.unknowns)});
-  return of_contacts <= most_amplified * made;
+  const double of_loads =
+      std::max({largest_of(problem.right_hand_side), problem.largest_force, problem.force_so_far});
+  return of_contacts <= most_amplified * of_loads ||
+         of_contacts <= most_amplified * largest_of(problem.matrix * now.unknowns);
 }
 
 ExactSolver::ExactSolver(Settings settings, SiteList sites,
@@ -359,6 +364,15 @@ void ExactSolver::guess(const std::vector<Strains> &stress) {
   implementation->proximal.centre = stress;
   if (implementation->active_set)
     implementation->active_set->forget_status();
+}
+
+bool ExactSolver::may_jam() const {
+  return implementation->active_set && implementation->active_set->may_ever_jam();
+}
+
+NearbySolution ExactSolver::last_solution() const {
+  return {implementation->proximal.centre,
+          implementation->active_set ? implementation->active_set->motion() : Vector()};
 }
 
 WarmStart ExactSolver::warm_start() const {

@@ -60,6 +60,11 @@ public:
 
   /// Take these stresses for the first guess of the next problem, in place of the last solution's.
   void guess(const std::vector<Strains> &stress);
+  /// Whether friction is so large that one contact of a line has several states by itself, all
+  /// others held.
+  bool may_jam() const;
+  /// The last solution of a line, for Problem::nearby.
+  NearbySolution last_solution() const;
   /// From one run of a program to another; factorizations are made again.
   WarmStart warm_start() const;
   void restore(const WarmStart &memory);

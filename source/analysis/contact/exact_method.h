@@ -11,6 +11,12 @@ public:
   ExactMethod(const SolverSettings &settings, const Contacts &contacts,
               const SparseMatrix &stiffness, contact::PartMemory *const memory = nullptr);
 
+  static contact::Settings settings_of(const SolverSettings &settings);
+  /// All unknowns of the nodes that contacts touch.
+  static std::vector<int> kept_unknowns(const Contacts &contacts);
+  /// What motions imposed on degrees of freedom make of the contacts' strains.
+  static contact::ImposedMotion imposed_motion(const Contacts &contacts, const Vector &imposed);
+
   void matrix_changed() override {}
   EquilibriumResult solve(const EquilibriumProblem &problem, const ContactState &committed,
                           Vector &unknowns, ContactResponse &response) override;
@@ -26,5 +32,7 @@ private:
   const Contacts &contacts;
   contact::ExactSolver solver;
 };
+
+void transfer(Archive &archive, contact::WarmStart &memory);
 
 } // namespace frictionbeam

@@ -126,7 +126,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
       return false;
     step_reports.back().cycle = cycles.step_ends(declared_step, current);
     factors_at_ends.push_back(current.load_factors);
-    if (model.scene.solver.is_exact())
+    if (judges && model.scene.solver.is_exact())
       step_reports.back().undetermined_forces =
           contacts_with_undetermined_forces(model.contacts, current);
     if (is_returned_to(model.scene, position.step)) {

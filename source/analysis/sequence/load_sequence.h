@@ -44,9 +44,10 @@ public:
     piece_observer = observer;
   }
 
-  /// Do not look whether the states at the ends of steps are the only ones, which costs a
-  /// factorization a contact.
-  void leave_out_uniqueness() { looks_at_uniqueness = false; }
+  /// Leave out of the reports what judges solutions beside their own checks: accounts of energy,
+  /// whether states at the ends of steps are the only ones (a factorization a contact), and forces
+  /// that nothing determines.
+  void leave_out_judgement() { judges = false; }
 
   /// Everything that the increments to come depend on. After reading, run() goes on from there, and
   /// its numbers are those of a run that was never cut, to the last bit.
@@ -156,7 +157,7 @@ private:
   LimitPath path;                           ///< of the step, if it looks for its limit
   std::map<unsigned int, std::string> kept; ///< at the ends of steps that others go back to
   std::vector<Factors> factors_at_ends;     ///< of the loads, with their histories, by step
-  bool is_resumed = false, looks_at_uniqueness = true;
+  bool is_resumed = false, judges = true;
   NeedsLine observer_needs_line;
   std::unique_ptr<TransientReduction> reduction; ///< null before the first step that it is for
 

@@ -85,7 +85,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
         "where the line goes: take more increments, or a transient step.";
   if (declared_step.finds_limit && !step_reports.back().limit)
     end_with_all_loads();
-  if (looks_at_uniqueness && model.scene.solver.is_exact() &&
+  if (judges && model.scene.solver.is_exact() &&
       model.contacts.size() <= most_contacts_for_uniqueness)
     step_reports.back().several_equilibria = several_equilibria(model, statics, current);
   return true;
@@ -208,7 +208,6 @@ void LoadSequence::judge_increment(const LineState &before, EnergyAccount accoun
   StepReport &report = step_reports.back();
   report.energy += account;
   check_sections(model, current, report);
-  in_equilibrium = true;
   resolution->add_increment(before, current, report.resolution);
   double largest = 0.;
   for (const Contact::Strains &stress : before.contact_stress)
@@ -251,7 +250,7 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time) {
 }
 
 void LoadSequence::take(LineState to, const Factors &factors, const double time) {
-  const Vector unbalanced = unbalanced_at_start();
+  const Vector unbalanced = judges ? unbalanced_at_start() : Vector();
   const LineState before = std::move(current);
   current = std::move(to);
   commit(factors, time);
@@ -260,7 +259,9 @@ void LoadSequence::take(LineState to, const Factors &factors, const double time)
       current.contacts.dissipated[i] =
           before.contacts.dissipated[i] + friction_work(model.contacts[i], i, before, current);
   measure_forces(course.forces(current.load_factors));
-  judge_increment(before, statics.account(before, current, course, unbalanced));
+  if (judges)
+    judge_increment(before, statics.account(before, current, course, unbalanced));
+  in_equilibrium = true;
 }
 
 } // namespace frictionbeam

@@ -7,7 +7,7 @@ namespace frictionbeam {
 
 /// Static increments of a line on which nothing but contact is nonlinear: each is solved by the
 /// method of Solver/Method, which knows the stiffness from the start.
-class LinearStatics final : public Statics {
+class LinearStatics : public Statics {
 public:
   explicit LinearStatics(const Model &model);
 

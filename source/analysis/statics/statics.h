@@ -34,6 +34,8 @@ struct StaticIncrement {
   bool finds_limit = false; ///< of the poses near by, where others far away would carry more
   /// If given, time and factors are a guess only, and the state's time is part of the solution.
   std::optional<PathLead> lead = {};
+  /// If given, how nearly the same increment was solved (contact::Problem).
+  const contact::NearbySolution *nearby = nullptr;
 };
 
 /// Solves static increments of a line with its contacts.

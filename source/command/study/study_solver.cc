@@ -2,8 +2,10 @@
 #include "command/study/study_solver.h"
 
 #include "command/line/run_line.h"
+#include "command/study/case_starts.h"
 #include "command/study/quick_line.h"
 
+#include "analysis/contact/undetermined_forces.h"
 #include "analysis/sequence/load_sequence.h"
 #include "base/user_error.h"
 #include "mesh/build_line_mesh.h"
@@ -13,6 +15,7 @@
 #include "scene/support_pair.h"
 
 #include <algorithm>
+#include <set>
 
 namespace frictionbeam::study {
 
@@ -107,6 +110,16 @@ bool set_parameter(const std::string &heading, const std::string &entry, const d
   return found;
 }
 
+/// Whether contacts have unknowns in common, so that nothing may determine which carries what.
+bool share_unknowns(const Contacts &contacts) {
+  std::set<int> taken;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (const int unknown : contacts[i].unknowns)
+      if (!taken.insert(unknown).second)
+        return true;
+  return false;
+}
+
 /// What a run has come to.
 Run run_of(const StudyCase &of, const std::vector<StepReport> &steps, const bool converged,
            const Results &results) {
@@ -155,43 +168,74 @@ Results solve_variant(const StudyCase &of, const Scene &scene, const LawLibrary 
 class StudySolver::SharedLine {
 public:
   SharedLine(const StudyCase &of, const Scene &like, const LawLibrary &laws)
-      : scene(like), line(scene, mesh_of(of, scene), laws), statics(make_statics(line.model())) {
-    statics->transfer(unused);
-    if (QuickLine::can_do(scene))
-      quick.emplace(line.model());
+      : scene(like), line(scene, mesh_of(of, scene), laws), statics(line.model()),
+        asks_what_carries(share_unknowns(line.model().contacts)) {
+    if (!QuickLine::can_do(scene))
+      return;
+    quick.emplace(line.model());
+    take_laws_of(of.scene.supports);
+    statics.begin_case();
+    can_be_quick = solve_quickly();
   }
 
   /// @param supports those of the scene, with other parameters for their laws
   Run solve(const StudyCase &of, const std::vector<FrictionSupport> &supports) {
-    for (unsigned int i = 0; i < supports.size(); ++i) {
-      scene.supports[i].parameters = supports[i].parameters;
-      scene.supports[i].parameters_at = supports[i].parameters_at;
-    }
-    line.take_laws_of(scene);
-    Archive fresh(unused.bytes());
-    statics->transfer(fresh);
-    LoadSequence sequence(line.model(), *statics);
-    sequence.leave_out_uniqueness();
+    take_laws_of(supports);
+    if (can_be_quick && statics.begin() && solve_quickly())
+      return run_of(of, {}, true, quick->conclude());
+    statics.begin_alone();
+    LoadSequence sequence(line.model(), statics);
+    sequence.leave_out_judgement();
     if (!quick) {
       Results results;
       solve_sequence(line.model(), sequence, results);
       return run_of(of, results.steps, results.status == RunStatus::converged, results);
     }
-    const bool converged = sequence.run([&](const Progress &progress, const LineState &state) {
-      if (progress.n_increments > 0 && progress.increment == progress.n_increments)
-        quick->observe(progress.step, state);
-    });
-    if (!converged)
+    if (!run(sequence))
       return run_of(of, sequence.reports(), false, {});
-    return run_of(of, sequence.reports(), true, quick->conclude());
+    return run_of(of, {}, true, quick->conclude());
   }
 
 private:
+  void take_laws_of(const std::vector<FrictionSupport> &supports) {
+    for (unsigned int i = 0; i < supports.size(); ++i) {
+      scene.supports[i].parameters = supports[i].parameters;
+      scene.supports[i].parameters_at = supports[i].parameters_at;
+    }
+    line.take_laws_of(scene);
+  }
+
+  bool solve_quickly() {
+    LoadSequence sequence(line.model(), statics);
+    sequence.leave_out_judgement();
+    return run(sequence);
+  }
+
+  /// @return whether all steps have an answer; if not alone, one whose forces balance on the whole
+  /// line and do not depend on where they were sought from
+  bool run(LoadSequence &sequence) {
+    bool holds = true;
+    const bool converged = sequence.run(
+        [&](const Progress &progress, const LineState &state) {
+          if (progress.n_increments == 0 || progress.increment < progress.n_increments)
+            return;
+          LineState whole = state;
+          holds = statics.complete(whole) && holds;
+          quick->observe(progress.step, whole);
+        },
+        [&](const Progress &, const LineState &state) {
+          if (asks_what_carries && !statics.is_alone() && holds)
+            holds = contacts_with_undetermined_forces(line.model().contacts, state).empty();
+        });
+    return converged && holds;
+  }
+
   Scene scene; ///< that the line knows
   LineModel line;
-  const std::unique_ptr<Statics> statics;
-  Archive unused; ///< the statics' memory before they have solved anything
+  CaseStarts statics;
+  const bool asks_what_carries;
   std::optional<QuickLine> quick;
+  bool can_be_quick = false; ///< the case can
 };
 
 StudySolver::StudySolver(const StudyCase &of) : of(of) { laws.load_builtin(); }
