@@ -236,10 +236,6 @@ bool iterate(const unsigned int most, const std::function<EquilibriumResult()> &
 
 namespace {
 
-const Point3 &place_of(const Model &model, const unsigned int vertex) {
-  return model.discretization.vertices()[vertex];
-}
-
 /// Size of a vector that may have no entries: where all is held.
 double largest_of(const Vector &vector) {
   return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.;
@@ -249,17 +245,16 @@ double largest_of(const Vector &vector) {
 
 Pose with_other_digits(const Model &model, const Pose &pose) {
   constexpr double digits = 4. * std::numeric_limits<double>::epsilon();
-  const bool turns_far = model.cells.turns_far(); // else places do not come into it
+  // Cells take their lengths from displacements and keep their digits; a turn has those of 1.
+  const bool turns_far = model.cells.turns_far();
   Vector nudge = Vector::Zero(pose.dofs.size());
   std::minstd_rand random; // always the same sequence
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int c = 0; c < 6; ++c)
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);
           dof != numbers::invalid_dof_index)
-        nudge[dof] = (random() % 2 == 0 ? digits : -digits) *
-                     (!turns_far ? pose.dofs[dof]
-                      : c < 3    ? place_of(model, v)[c] + pose.dofs[dof]
-                                 : 1.);
+        nudge[dof] =
+            (random() % 2 == 0 ? digits : -digits) * (turns_far && c >= 3 ? 1. : pose.dofs[dof]);
   return model.cells.moved(pose, nudge);
 }
 
