@@ -49,6 +49,8 @@ Scene RelationJudge::make(const std::uint64_t seed) const {
   kinds.elastic = relation.elastic;
   kinds.contacts = kinds.contacts || kinds.elastic;
   kinds.large = kinds.large || (kinds.yielding && relation.prepare == &make_small_displacements);
+  // Large displacements know no modes and spectra.
+  kinds.response = kinds.response && relation.prepare != &make_small_displacements;
   Scene scene = random_scene(seed, kinds);
   if (relation.prepare != nullptr)
     relation.prepare(scene);

@@ -197,7 +197,7 @@ std::optional<Related> slowly(const Scene &scene, Random &) {
 std::optional<Related> interrupted(const Scene &scene, Random &) { return Related{scene, {}}; }
 
 void make_small_displacements(Scene &scene) {
-  constexpr double factor = 1e-7;
+  constexpr double factor = 1e-6; // of rounding and of the square of motions, both are small
   for (Step &step : scene.steps)
     for (auto &load : step.loads)
       load.second *= factor;
