@@ -19,8 +19,9 @@ Vector3 unit(const unsigned int d) {
 }
 
 /// Tractions of unit forces and moments on a section at @p arm from its middle [1/m2, 1/m3].
-std::array<Vector3, 6> tractions(const PipeWall &wall, const Vector3 &tangent, const Vector3 &arm) {
-  const double A = wall.area(), I = wall.inertia();
+/// @param A area @param I moment of inertia of the section
+std::array<Vector3, 6> tractions(const double A, const double I, const Vector3 &tangent,
+                                 const Vector3 &arm) {
   const Vector3 out = arm / arm.norm(), around = cross_product_3d(tangent, out);
   std::array<Vector3, 6> result;
   for (unsigned int d = 0; d < 3; ++d) {
@@ -38,6 +39,7 @@ SectionMotion::SectionMotion(const PipeWall &wall, const ContinuumBody<3> &body,
                              const unsigned int ring) {
   const WallRing &at = wall.rings[ring];
   const unsigned int layer = ring == 0 ? 0 : ring - 1, face = ring == 0 ? 4 : 5;
+  const double A = wall.area(), I = wall.inertia();
   FEFaceValues<3> values(body.mapping, body.fe, QGauss<2>(body.fe.degree + 2),
                          update_values | update_quadrature_points | update_JxW_values);
   std::array<ContinuumVector, 6> raw;
@@ -54,7 +56,7 @@ SectionMotion::SectionMotion(const PipeWall &wall, const ContinuumBody<3> &body,
     cell->get_dof_indices(dofs);
     for (const unsigned int q : values.quadrature_point_indices()) {
       const Vector3 arm = values.quadrature_point(q) - at.centre;
-      const std::array<Vector3, 6> t = tractions(wall, at.tangent, arm);
+      const std::array<Vector3, 6> t = tractions(A, I, at.tangent, arm);
       for (unsigned int c = 0; c < 6; ++c) {
         for (unsigned int k = 0; k < 6; ++k)
           work(c, k) += values.JxW(q) * t[c] *

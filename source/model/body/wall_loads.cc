@@ -159,7 +159,7 @@ void WallLoads::add_section(const unsigned int ring, const Motion &load,
                             ContinuumVector &forces) const {
   const WallRing &at = wall.rings[ring];
   const Vector3 force({load[0], load[1], load[2]}), moment({load[3], load[4], load[5]});
-  const double twist = moment * at.tangent, I = wall.inertia();
+  const double twist = moment * at.tangent, A = wall.area(), I = wall.inertia();
   const unsigned int layer = ring == 0 ? 0 : ring - 1;
   add_over_faces(
       body,
@@ -168,7 +168,7 @@ void WallLoads::add_section(const unsigned int ring, const Motion &load,
       },
       [&](const Point3 &place, const Vector3 &) {
         const Vector3 arm = place - at.centre;
-        return force / wall.area() + moment * cross_product_3d(arm, at.tangent) / I * at.tangent +
+        return force / A + moment * cross_product_3d(arm, at.tangent) / I * at.tangent +
                twist / (2. * I) * cross_product_3d(at.tangent, arm);
       },
       forces);

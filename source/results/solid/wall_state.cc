@@ -42,9 +42,9 @@ class WallReading {
 public:
   WallReading(const PipeWall &wall, const WallLoads &loads, const ContinuumBody<3> &body,
               const ContinuumState &state)
-      : wall(wall), loads(loads), body(body), state(state), rings(wall.rings.size()),
-        rule(body.fe.degree + 1), face_rule(body.fe.degree + 2),
-        nodes(body.fe.base_element(0).get_unit_support_points()),
+      : wall(wall), loads(loads), body(body), state(state), area(wall.area()),
+        inertia(wall.inertia()), rings(wall.rings.size()), rule(body.fe.degree + 1),
+        face_rule(body.fe.degree + 2), nodes(body.fe.base_element(0).get_unit_support_points()),
         values(body.mapping, body.fe, rule,
                update_values | update_gradients | update_quadrature_points | update_JxW_values),
         at_nodes(body.mapping, body.fe, nodes, update_quadrature_points),
@@ -54,6 +54,8 @@ public:
                 update_values | update_quadrature_points | update_normal_vectors |
                     update_JxW_values),
         counts(rings.size()) {
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      first_dof.push_back(body.fe.component_to_system_index(0, i));
     for (unsigned int r = 0; r < rings.size(); ++r)
       for (unsigned int side = 0; side < 2; ++side) {
         rings[r].stress[side].resize(2 * wall.around);
@@ -87,6 +89,7 @@ private:
   const WallLoads &loads;
   const ContinuumBody<3> &body;
   const ContinuumState &state;
+  const double area, inertia; ///< of the mesh, which take a while to find
   std::vector<RingState> rings;
   const QGauss<3> rule;
   const QGauss<2> face_rule;
@@ -94,6 +97,7 @@ private:
   FEValues<3> values, at_nodes, at_surface;
   FEFaceValues<3> on_face;
   std::vector<std::array<std::vector<double>, 2>> counts; ///< of cells beside a stress
+  std::vector<unsigned int> first_dof;                    ///< in a cell, of each node
   const FEValuesExtractors::Vector displacement{0};
 };
 
@@ -112,7 +116,7 @@ void WallReading::read_forces(const typename DoFHandler<3>::active_cell_iterator
   for (unsigned int q = 0; q < rule.size(); ++q) {
     const SymmetricTensor<2, 3> stress = WallLoads::stress(lame, gradients[q], free_strain);
     for (unsigned int i = 0; i < nodes.size(); ++i) {
-      const unsigned int k = body.fe.component_to_system_index(0, i);
+      const unsigned int k = first_dof[i];
       force[i] +=
           values.JxW(q) * (stress * values.shape_grad(k, q) - values.shape_value(k, q) * weight);
     }
@@ -121,9 +125,8 @@ void WallReading::read_forces(const typename DoFHandler<3>::active_cell_iterator
     on_face.reinit(cell, 0);
     for (unsigned int q = 0; q < face_rule.size(); ++q)
       for (unsigned int i = 0; i < nodes.size(); ++i)
-        force[i] += on_face.JxW(q) * p *
-                    on_face.shape_value(body.fe.component_to_system_index(0, i), q) *
-                    on_face.normal_vector(q);
+        force[i] +=
+            on_face.JxW(q) * p * on_face.shape_value(first_dof[i], q) * on_face.normal_vector(q);
   }
   constexpr double on_ring = 1e-9;
   for (unsigned int i = 0; i < nodes.size(); ++i) {
@@ -151,8 +154,7 @@ void WallReading::read_motion(const typename DoFHandler<3>::active_cell_iterator
     on_face[displacement].get_function_values(state.displacement, u);
     for (unsigned int q = 0; q < face_rule.size(); ++q) {
       const Vector3 arm = on_face.quadrature_point(q) - at.centre, out = arm / arm.norm();
-      const double weight = on_face.JxW(q) / wall.area(),
-                   of_inertia = on_face.JxW(q) / wall.inertia(),
+      const double weight = on_face.JxW(q) / area, of_inertia = on_face.JxW(q) / inertia,
                    angle = std::atan2(arm * at.b, arm * at.a);
       const Vector3 about = cross_product_3d(arm, at.tangent);
       const Vector3 rotation =
