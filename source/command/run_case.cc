@@ -23,8 +23,8 @@
 #include "results/how_well_known.h"
 #include "results/listing/compliance.h"
 #include "results/listing/hangers.h"
+#include "results/listing/summary_in_words.h"
 #include "results/page/both_models.h"
-#include "results/remarks.h"
 #include "results/report/report.h"
 #include "results/report/report_modes.h"
 #include "results/report/report_study.h"
@@ -43,6 +43,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -55,33 +56,6 @@ double peak_memory_mb() {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss / 1024.;
-}
-
-void print_summary(const Scene &scene, const Results &results) {
-  for (const std::string &remark : all_remarks(scene, results))
-    std::cout << "Note: " << remark << '\n';
-  for (const StepReport &step : results.steps) {
-    std::cout << "Step " << step.step << ": " << (step.converged ? "converged" : "NOT converged")
-              << ", " << step.increments << " increments, " << step.iterations << " iterations, "
-              << step.factorizations << " factorizations";
-    if (step.halvings > 0)
-      std::cout << ", cut " << step.halvings << " times";
-    if (!step.converged)
-      std::cout << "; " << step.remark;
-    std::cout << '\n';
-  }
-  if (results.status == RunStatus::converged)
-    std::cout << "Known to: load increments " << in_words(results.known.increments)
-              << ", time step " << in_words(results.known.time_step) << ", cells "
-              << in_words(results.known.cells) << '\n';
-  if (const std::string failures = failures_in_words(results.verdicts); !failures.empty())
-    std::cout << failures << '\n';
-  for (const QuantityResult &quantity : results.quantities) {
-    std::cout << quantity.name << " = " << quantity.value << ' ' << quantity.unit;
-    if (quantity.error)
-      std::cout << " (reference " << *quantity.reference << ", error " << *quantity.error << ')';
-    std::cout << '\n';
-  }
 }
 
 /// The scene with all friction coefficients multiplied.
@@ -215,23 +189,28 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   write_summary(scene, results, scene.output.directory); // the last: it says that all is there
 }
 
+/// One model of a scene of both.
+using SolvePart = std::function<SolvedScene(const Scene &, const ModelKind)>;
+
 /// Solve the scene as beams and as a continuum or solid pipes, each into a folder of its own.
-Results run_both(const Scene &scene, const LawLibrary &laws) {
+Results run_both(const Scene &scene, const SolvePart &solve_part) {
   Results both, line;
   std::map<std::string, double> rounding; // by unit
   both.status = RunStatus::converged;
-  const std::string other = scene.is_solid() ? "solid" : "continuum";
-  for (const std::string &model : {std::string("line"), other}) {
+  const ModelKind second = scene.is_solid() ? ModelKind::solid : ModelKind::continuum;
+  const std::string other = row_of(model_kinds, second).word;
+  for (const ModelKind kind : {ModelKind::line, second}) {
+    const std::string model = row_of(model_kinds, kind).word;
     Scene part = scene;
     part.output.directory = scene.output.directory + "/" + model;
     prepare_folder(part.output.directory);
     const dealii::Timer wall;
-    Results results = model == "line"    ? run_line(part, laws)
-                      : scene.is_solid() ? run_solid(part, laws)
-                                         : run_continuum(part, laws);
+    SolvedScene solved = solve_part(part, kind);
+    part = std::move(solved.scene);
+    Results results = std::move(solved.results);
     conclude(part, results, wall);
     if (this_process() == 0)
-      print_summary(part, results);
+      print_summary(std::cout, part, results);
     include_model(both, results, model);
     if (model == "line")
       line = std::move(results);
@@ -297,21 +276,39 @@ SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scen
     overrides.insert(overrides.end(), settings.begin(), settings.end());
     return read_case(options, overrides, folder, laws);
   };
-  const auto solve_once = [&](const Scene &one) {
-    const auto solve_line = [&](const Scene &line) { return run_line(line, laws); };
-    return one.mesh.refine_hinges              ? refine_hinges(one, solve_line)
-           : one.model == ModelKind::line      ? run_line(one, laws)
-           : one.model == ModelKind::continuum ? run_continuum(one, laws)
-           : one.model == ModelKind::solid     ? run_solid(one, laws)
-                                               : run_both(one, laws);
-  };
+  const auto solve_line = [&](const Scene &line) { return run_line(line, laws); };
   const auto solve_wall = [&](const Scene &one, WallMesh &mesh) {
     return run_solid(one, laws, &mesh);
   };
-  SolvedScene solved = scene.accuracy == 0. ? SolvedScene{scene, solve_once(scene)}
-                       : scene.model == ModelKind::solid
-                           ? refine_walls(options, scene, read, solve_wall)
-                           : solve_to_accuracy(options, scene, read, solve_once);
+  const auto solve_as = [&](const Scene &one, const ModelKind model) {
+    return one.mesh.refine_hinges && model == ModelKind::line ? refine_hinges(one, solve_line)
+           : model == ModelKind::line                         ? run_line(one, laws)
+           : model == ModelKind::continuum                    ? run_continuum(one, laws)
+                                                              : run_solid(one, laws);
+  };
+  const auto to_accuracy = [&](const Scene &one, const ReadScene &read_one) {
+    return one.model == ModelKind::solid
+               ? refine_walls(options, one, read_one, solve_wall)
+               : solve_to_accuracy(options, one, read_one, [&](const Scene &trial) {
+                   return solve_as(trial, trial.model);
+                 });
+  };
+  const auto solve_part = [&](const Scene &part, const ModelKind model) {
+    const auto as_part = [&](Scene one) {
+      one.model = model;
+      one.output.directory = part.output.directory;
+      return one;
+    };
+    const auto read_part = [&](const std::vector<std::string> &settings) {
+      return as_part(read(settings));
+    };
+    return part.accuracy > 0. ? to_accuracy(as_part(part), read_part)
+                              : SolvedScene{part, solve_as(part, model)};
+  };
+  SolvedScene solved = scene.model == ModelKind::both
+                           ? SolvedScene{scene, run_both(scene, solve_part)}
+                       : scene.accuracy > 0. ? to_accuracy(scene, read)
+                                             : SolvedScene{scene, solve_as(scene, scene.model)};
   conclude(solved.scene, solved.results, wall);
   return solved;
 }
@@ -376,7 +373,7 @@ int run_case(const RunOptions &options) {
     throw Interrupted(interrupted.signal, with_what_is_whole(interrupted));
   }
   if (this_process() == 0) {
-    print_summary(solved.scene, solved.results);
+    print_summary(std::cout, solved.scene, solved.results);
     std::cout << "Results are in " << folder << ", the report is report.html\n";
   }
   if (solved.results.status != RunStatus::converged)

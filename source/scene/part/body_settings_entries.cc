@@ -70,8 +70,8 @@ void check_model(const ParameterReader &in, const Scene &scene) {
   if (scene.model == ModelKind::solid && scene.continuum)
     in.fail("Model", "solid for scenes of pipes",
             "continuum, which Scene = " + in.text("Scene") + " is as well");
-  if (scene.accuracy > 0. && scene.model == ModelKind::both)
-    in.fail("Accuracy", "Model = line, continuum, solid or auto", "one after the other",
+  if (scene.accuracy > 0. && scene.model == ModelKind::both && scene.continuum)
+    in.fail("Accuracy", "Model = line, continuum or auto", "one after the other",
             in.text("Accuracy"));
   if (is_automatic && scene.accuracy == 0.)
     in.fail("Model", "auto together with Accuracy, by which it chooses", "set Accuracy = 1e-2");
