@@ -276,13 +276,13 @@ ModelKind AccuracyControl::choose_bends() {
     account.model_reason = "what beams leave out of bends is not estimated where " + why;
     return model;
   }
-  pipes = accuracy::choose_pipe_model(
-      accuracy::with_arcs(scene), {demanded, most_of_model, early_share},
-      [this](const Scene &one, const std::string &what) {
-        scene = one;
-        return solve_scene(what);
-      },
-      [this](const std::vector<std::string> &settings) { return solve_with(settings); });
+  pipes = accuracy::choose_pipe_model(accuracy::with_arcs(scene),
+                                      {demanded, most_of_model, early_share},
+                                      [this](const Scene &one, const std::string &what) {
+                                        scene = one;
+                                        return solve_scene(what);
+                                      });
+  chosen = pipes.line;
   account.model_reason = pipes.reason;
   account.line_error = pipes.line_error;
   account.left_out = pipes.left_out;
@@ -331,7 +331,7 @@ Results AccuracyControl::solve_solid_bends(Results line) {
   } catch (const UserError &error) { // what only the walls' own scene shows
     scene = as_line;
     account.reached = false;
-    account.estimate += pipes.line_error - model_error;
+    account.estimate += pipes.line_error;
     pipes.judged.push_back(
         std::string("Solid bends are needed, which this scene does not allow: ") + error.what());
     return line;

@@ -16,6 +16,7 @@ constexpr std::array<double, 4> h_measured = {0.1, 0.2, 0.5, 1.};
 constexpr std::array<double, 3> radii = {3., 6., 10.};
 constexpr std::array<double, 2> tangents = {1., 4.};
 constexpr double least_angle = right_angle / 4.;
+constexpr std::array<double, 2> angles_measured = {right_angle / 2., right_angle};
 
 /// k in the plane with tangents of 1 and 4 diameters, and across it.
 struct Measured {
@@ -68,6 +69,16 @@ Place place_of(const double value, const std::array<double, n> &measured) {
   return place;
 }
 
+/// Part that the table may be off: within it, and where it is continued.
+double off(const BendShape &bend) {
+  constexpr double within = 0.04, thinner = 0.06, shorter = 0.15;
+  const double slack = 1. + 1e-6;
+  return bend.angle * slack < angles_measured[0] || bend.angle > slack * angles_measured[1]
+             ? shorter
+         : bend.h < h_measured.front() || bend.radius_ratio < 2. ? thinner
+                                                                 : within;
+}
+
 } // namespace
 
 BendRatios ratios_of_walls(const BendShape &bend) {
@@ -86,7 +97,19 @@ BendRatios ratios_of_walls(const BendShape &bend) {
     });
   };
   return {ratio([](const Measured &one) { return one.in_plane; }),
-          ratio([](const Measured &one) { return one.across; })};
+          ratio([](const Measured &one) { return one.across; }), off(bend)};
+}
+
+double added_by_cut(const double lengths, const double angle) {
+  constexpr double of_shorter = 0.6;
+  constexpr std::array<double, 5> cut = {0., 0.3, 0.6, 1.2, longest_cut},
+                                  added = {0.5, 0.049, 0.026, 0.013, 0.0013};
+  std::size_t i = 1;
+  while (i + 1 < cut.size() && cut[i] < lengths)
+    ++i;
+  const double part = std::clamp((lengths - cut[i - 1]) / (cut[i] - cut[i - 1]), 0., 1.);
+  return added[i - 1] * std::pow(added[i] / added[i - 1], part) *
+         std::pow(right_angle / angle, of_shorter);
 }
 
 } // namespace frictionbeam::accuracy

@@ -14,6 +14,7 @@ struct BendShape {
 /// By moments in the bend's plane, and across it.
 struct BendRatios {
   double in_plane = 1., across = 1.;
+  double off = 0.; ///< part that they may be off
 };
 
 /**
@@ -24,5 +25,16 @@ struct BendRatios {
  * stiff by 7 to 15 %).
  */
 BendRatios ratios_of_walls(const BendShape &bend);
+
+/// r sqrt(r/t) of straight pipe that a solid part takes beside a bend, if there are as many.
+inline constexpr double longest_cut = 2.;
+
+/**
+ * Part of a bend's flexibility that one cut through the straight pipe beside it adds, after so many
+ * r sqrt(r/t), which leaves its oval free there: the most of bends of 90 degrees with h from 0.06
+ * to 0.4, and (90/angle)^0.6 times that (doc/solid.md, "How much straight pipe").
+ * @param angle [rad]
+ */
+double added_by_cut(const double lengths, const double angle);
 
 } // namespace frictionbeam::accuracy

@@ -4,6 +4,8 @@
 #include "accuracy/difference.h"
 
 #include "base/processes.h"
+#include "mesh/pipe_of_each_bend.h"
+#include "mesh/places_on_pipe.h"
 #include "mesh/solid/solid_stretches.h"
 #include "model/unknowns/discretization.h"
 #include "results/text.h"
@@ -35,22 +37,83 @@ double flexibility_of_wall(const Scene &scene, const Pipe &pipe, const double h,
                                                scene.materials[pipe.material], radius));
 }
 
-BendModel model_of(const Scene &scene, const SolidStretch &room, const PipePath::Segment &bend) {
+/// Finds what stands beside the bends of a scene.
+class Neighbours {
+public:
+  explicit Neighbours(const Scene &scene) : scene(scene) {
+    for (const Pipe &pipe : scene.pipes)
+      paths.emplace_back(pipe, scene.units);
+  }
+
+  std::vector<PipePath> paths;
+
+  Tangent::Until at(const unsigned int pipe, const double s) const {
+    const Point3 place = paths[pipe].point(s);
+    if (is_anchor(pipe, s))
+      return Tangent::Until::anchor;
+    if (s > same(pipe) && s < paths[pipe].length() - same(pipe))
+      return Tangent::Until::bend;
+    for (unsigned int p = 0; p < paths.size(); ++p)
+      if (p != pipe && !paths[p].all_places(place, same(p)).empty())
+        return Tangent::Until::pipe;
+    return Tangent::Until::end;
+  }
+
+private:
+  double same(const unsigned int pipe) const {
+    return 1e-3 * scene.sections[scene.pipes[pipe].section].outer_radius;
+  }
+  bool is_anchor(const unsigned int pipe, const double s) const {
+    for (const Restraint &restraint : scene.restraints)
+      if (std::all_of(restraint.fixed.begin(), restraint.fixed.end(),
+                      [](const bool b) { return b; }))
+        for (const std::string &point : restraint.placement.points)
+          for (const double at : places_of(scene, paths[pipe], point, same(pipe)))
+            if (std::abs(at - s) <= same(pipe))
+              return true;
+    return false;
+  }
+
+  const Scene &scene;
+};
+
+BendModel model_of(const Scene &scene, const Neighbours &neighbours, const SolidStretch &room,
+                   const PipePath::Segment &bend, const unsigned int number) {
+  using Until = Tangent::Until;
   const Pipe &pipe = scene.pipes[room.pipe];
   const Section &section = scene.sections[pipe.section];
   const double r = section.outer_radius - section.wall / 2.;
   BendModel model;
   model.pipe = room.pipe;
+  model.number = number;
   model.name = room.name;
   model.h = section.wall * bend.radius / (r * r);
   model.r_over_t = r / section.wall;
-  model.tangent = std::min(bend.start - room.from, room.to - bend.start - bend.length) /
-                  (2. * section.outer_radius);
-  const BendRatios ratios =
-      ratios_of_walls({model.h, bend.radius / r, bend.length / bend.radius, model.tangent});
+  model.angle = bend.length / bend.radius;
+  model.decay_length = r * std::sqrt(model.r_over_t);
+  model.tangents = {{{neighbours.at(room.pipe, room.from), bend.start - room.from},
+                     {neighbours.at(room.pipe, room.to), room.to - bend.start - bend.length}}};
+  const double diameter = 2. * section.outer_radius,
+               shorter = std::min(model.tangents[0].length, model.tangents[1].length);
+  model.tangent = shorter / diameter;
+  const BendRatios ratios = ratios_of_walls({model.h, bend.radius / r, model.angle, model.tangent});
   model.by_rule = bend_flexibility(pipe, section, scene.materials[pipe.material], bend.radius);
   model.in_plane = flexibility_of_wall(scene, pipe, model.h, bend.radius, ratios.in_plane);
   model.across = flexibility_of_wall(scene, pipe, model.h, bend.radius, ratios.across);
+  model.off = ratios.off;
+  // Flanges in place of legs leave a bend the part h^(1/3) of its flexibility; what is beside it
+  // within the shortest tangents of the table is between the two.
+  for (const Tangent &tangent : model.tangents)
+    if (tangent.until != Until::end)
+      model.off +=
+          std::max(0., 1. - tangent.length / diameter) * std::max(0., -std::log(model.h)) / 6.;
+  if (pipe.bend_flexibility.pressure > 0.) {
+    Pipe unpressed = pipe;
+    unpressed.bend_flexibility.pressure = 0.;
+    model.stiffening =
+        bend_flexibility(unpressed, section, scene.materials[pipe.material], bend.radius) /
+        model.by_rule;
+  }
   return model;
 }
 
@@ -64,38 +127,89 @@ std::string in_words(const BendModel &bend) {
 
 using Flexibility = double BendModel::*;
 
-/// How far the rule of a bend is off.
+/// How far the rule of a bend may be off.
 double error(const BendModel &bend, const Flexibility by) {
-  return std::abs(std::log(bend.*by / bend.by_rule));
+  return std::abs(std::log(bend.*by / bend.by_rule)) + bend.off;
 }
 
-/// The scene with some of its bends as flexible as walls: a pipe has one flexibility, that of the
-/// one that its rule misses most.
+/// That of the wall, or as much further from the rule as it may be off.
+double furthest(const BendModel &bend, const Flexibility by) {
+  return bend.*by < bend.by_rule ? bend.*by * std::exp(-bend.off) : bend.*by * std::exp(bend.off);
+}
+
+/// The scene with some of its bends as flexible as walls.
 class Variants {
 public:
-  Variants(const Scene &scene, const Results &beams, const SolveAs &solve)
-      : scene(scene), beams(beams), solve(solve) {}
+  using Bends = std::vector<const BendModel *>;
+
+  Variants(const Scene &whole, const Results &beams, const BendModels &models, const SolveAs &solve)
+      : scene(whole), beams(beams), solve(solve) {
+    for (unsigned int p = 0; p < whole.pipes.size(); ++p)
+      pieces.push_back({p});
+    bool has_several = false;
+    for (const BendModel &bend : models.judged)
+      has_several = ++n_bends[bend.pipe] > 1 || has_several;
+    if (has_several)
+      cut_pipes(whole);
+  }
+
+  /// Whether a bend has a flexibility of its own, and not one of its pipe.
+  bool is_alone(const BendModel &bend) const {
+    return pieces[bend.pipe].size() > 1 || n_bends.at(bend.pipe) == 1;
+  }
 
   /// What walls change in the quantities.
-  Difference change(const std::vector<const BendModel *> &walls, const Flexibility by,
-                    const std::string &what) const {
+  Difference change(const Bends &walls, const Flexibility by, const std::string &what) const {
+    return between(beams, solve(with(walls, by, 1.), what));
+  }
+
+  /// What walls change that are off by a part, per part.
+  double change_per_part(const Bends &walls) const {
+    constexpr double part = 0.1;
+    const std::string what = "solid bends as flexible as their walls";
+    const Results now = solve(with(walls, &BendModel::in_plane, 1.), what),
+                  off = solve(with(walls, &BendModel::in_plane, 1. + part),
+                              what + ", and " + rounded_number(100. * part, 2) + " % more");
+    return between(off, now).value / part;
+  }
+
+private:
+  /// Each bend a pipe, if the line stays the same.
+  void cut_pipes(const Scene &whole) {
+    constexpr double same = 1e-6;
+    std::vector<unsigned int> owner;
+    Scene cut = with_pipe_of_each_bend(whole, owner);
+    if (!(between(solve(cut, "each bend a pipe of its own"), beams).value <= same))
+      return;
+    scene = std::move(cut);
+    pieces.assign(whole.pipes.size(), {});
+    for (unsigned int p = 0; p < owner.size(); ++p)
+      pieces[owner[p]].push_back(p);
+  }
+  /// A pipe has one flexibility, that of the bend that its rule misses most.
+  Scene with(const Bends &walls, const Flexibility by, const double times) const {
     std::map<unsigned int, const BendModel *> worst;
     for (const BendModel *const wall : walls) {
-      const BendModel *&of_pipe = worst[wall->pipe];
+      const std::vector<unsigned int> &pipes = pieces[wall->pipe];
+      const BendModel *&of_pipe = worst[pipes.size() > 1 ? pipes[wall->number] : pipes.front()];
       if (of_pipe == nullptr || error(*wall, by) > error(*of_pipe, by))
         of_pipe = wall;
     }
     Scene variant = scene;
     for (const auto &[pipe, wall] : worst)
-      variant.pipes[pipe].bend_flexibility = {BendFlexibility::Rule::given, wall->*by};
-    const Results results = solve(variant, what);
-    if (beams.status != RunStatus::converged || results.status != RunStatus::converged)
+      variant.pipes[pipe].bend_flexibility = {BendFlexibility::Rule::given,
+                                              times * furthest(*wall, by)};
+    return variant;
+  }
+  Difference between(const Results &coarse, const Results &fine) const {
+    if (coarse.status != RunStatus::converged || fine.status != RunStatus::converged)
       return {std::numeric_limits<double>::infinity(), "equilibrium"};
-    return largest(differences(variant, beams, results));
+    return largest(differences(scene, coarse, fine));
   }
 
-private:
-  const Scene &scene;
+  Scene scene;                                   ///< in which bends are pipes, if that may be
+  std::map<unsigned int, unsigned int> n_bends;  ///< judged ones of each pipe
+  std::vector<std::vector<unsigned int>> pieces; ///< of each pipe of the whole scene
   const Results &beams;
   const SolveAs &solve;
 };
@@ -109,24 +223,65 @@ struct Alone {
 
 /// Make as few solid as leave no more than a tolerance by the others together.
 /// @return what they leave
-double choose_solids(const Variants &variants, const Flexibility by, const double tolerance,
-                     const double all, std::vector<Alone> &bends) {
+double choose_solids(const Variants &variants, const double tolerance, const double all,
+                     std::vector<Alone> &bends) {
   std::stable_sort(bends.begin(), bends.end(),
                    [](const Alone &a, const Alone &b) { return a.change.value > b.change.value; });
   double left = all;
   for (std::size_t n = 1; n <= bends.size() && left > tolerance; ++n) {
     bends[n - 1].is_solid = true;
-    std::vector<const BendModel *> others;
+    Variants::Bends others;
     for (std::size_t i = n; i < bends.size(); ++i)
       others.push_back(bends[i].bend);
-    left = others.empty()
-               ? 0.
-               : variants
-                     .change(others, by,
-                             "bends but " + std::to_string(n) + " as flexible as solid walls")
-                     .value;
+    const std::string what = "bends but " + std::to_string(n) + " as flexible as walls";
+    left = 0.;
+    if (!others.empty())
+      left = std::max(variants.change(others, &BendModel::in_plane, what).value,
+                      variants.change(others, &BendModel::across, what + " across").value);
   }
   return left;
+}
+
+/// Whether the next bend of the pipe is solid, too.
+bool goes_on_as_solid(const BendModel &bend, const bool behind, const std::vector<Alone> &all) {
+  const Alone *next = nullptr;
+  for (const Alone &other : all)
+    if (other.bend->pipe == bend.pipe &&
+        (behind ? other.bend->number > bend.number : other.bend->number < bend.number) &&
+        (next == nullptr || (behind ? other.bend->number < next->bend->number
+                                    : other.bend->number > next->bend->number)))
+      next = &other;
+  return next != nullptr && next->is_solid;
+}
+
+/// Of the flexibility of a bend, what a solid that ends with its straight pipe leaves or adds.
+double error_of_joint(const Alone &bend, const std::vector<Alone> &all) {
+  double error = 0.;
+  for (const bool behind : {false, true}) {
+    const Tangent &tangent = bend.bend->tangents[behind];
+    const bool is_near = tangent.length < longest_cut * bend.bend->decay_length,
+               is_whole = is_near && (tangent.until == Tangent::Until::anchor ||
+                                      tangent.until == Tangent::Until::end ||
+                                      (tangent.until == Tangent::Until::bend &&
+                                       goes_on_as_solid(*bend.bend, behind, all)));
+    if (!is_whole)
+      error += added_by_cut(tangent.length / bend.bend->decay_length, bend.bend->angle);
+  }
+  return error;
+}
+
+/// The bends that are to be solid, and what they leave.
+void take_solids(const Variants &variants, const std::vector<Alone> &bends, ModelOfPipes &answer) {
+  Variants::Bends solid;
+  for (const Alone &one : bends)
+    if (one.is_solid) {
+      solid.push_back(one.bend);
+      answer.solid.push_back(one.bend->name);
+      answer.r_over_t = std::max(answer.r_over_t, one.bend->r_over_t);
+      answer.of_joints =
+          std::max(answer.of_joints, error_of_joint(one, bends) + std::log(one.bend->stiffening));
+    }
+  answer.per_part = variants.change_per_part(solid);
 }
 
 } // namespace
@@ -137,16 +292,15 @@ Scene with_arcs(Scene scene) {
 }
 
 BendModels bend_models(const Scene &scene) {
-  std::vector<PipePath> paths;
-  for (const Pipe &pipe : scene.pipes)
-    paths.emplace_back(pipe, scene.units);
-  const std::vector<SolidStretch> rooms = rooms_of_bends(scene, paths);
+  const Neighbours neighbours(scene);
+  const std::vector<SolidStretch> rooms = rooms_of_bends(scene, neighbours.paths);
   BendModels result;
   std::size_t next = 0; // the rooms are in the order of the bends
-  for (unsigned int p = 0; p < paths.size(); ++p) {
+  for (unsigned int p = 0; p < scene.pipes.size(); ++p) {
     Pipe shape = scene.pipes[p];
     shape.total_mass.reset(); // which no bend's flexibility knows of
-    for (const PipePath::Segment &bend : paths[p].segments()) {
+    unsigned int number = 0;
+    for (const PipePath::Segment &bend : neighbours.paths[p].segments()) {
       if (bend.radius == 0.)
         continue;
       const SolidStretch &room = rooms[next++];
@@ -154,7 +308,8 @@ BendModels bend_models(const Scene &scene) {
         result.unknown.push_back("Bend " + room.name + " is not judged: no solid is made of " +
                                  refusal->read + ".");
       else
-        result.judged.push_back(model_of(scene, room, bend));
+        result.judged.push_back(model_of(scene, neighbours, room, bend, number));
+      ++number;
     }
   }
   return result;
@@ -189,7 +344,7 @@ ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const doub
     answer.reason = "no bend of the scene can be a solid";
     return answer;
   }
-  const Variants variants(scene, beams, solve);
+  const Variants variants(scene, beams, models, solve);
   std::vector<const BendModel *> all;
   for (const BendModel &bend : models.judged)
     all.push_back(&bend);
@@ -202,36 +357,29 @@ ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const doub
   const Difference &largest = is_across ? across : in_plane;
   answer.change = answer.left = largest.value;
   std::vector<Alone> alone;
-  double most_off = 0.;
-  for (const BendModel &bend : models.judged) {
-    alone.push_back({&bend, {}});
-    most_off = std::max(most_off, error(bend, by));
-  }
-  const bool is_known = std::isfinite(largest.value);
-  if (most_off > 0. && is_known)
-    answer.per_part = largest.value / most_off;
-  const bool needs_solids = is_known && largest.value > tolerance;
+  for (const BendModel *const bend : all)
+    alone.push_back({bend, {}});
+  const bool is_known = std::isfinite(largest.value),
+             needs_solids = is_known && largest.value > tolerance;
   if (needs_solids) {
     for (Alone &one : alone)
       one.change = alone.size() == 1
                        ? largest
                        : variants.change({one.bend}, by,
                                          "bend " + one.bend->name + " as flexible as its wall");
-    answer.left = choose_solids(variants, by, tolerance, largest.value, alone);
+    answer.left = choose_solids(variants, tolerance, largest.value, alone);
+    take_solids(variants, alone, answer);
   }
-  for (const Alone &one : alone) {
-    if (one.is_solid) {
-      answer.solid.push_back(one.bend->name);
-      answer.r_over_t = std::max(answer.r_over_t, one.bend->r_over_t);
-    }
+  for (const Alone &one : alone)
     if (answer.in_words.size() < most_in_words)
-      answer.in_words.push_back(in_words(*one.bend) +
-                                (needs_solids ? "; the bends of its pipe being so change " +
-                                                    one.change.name + " by " +
-                                                    rounded_number(one.change.value, 2)
-                                              : "") +
-                                (one.is_solid ? ": a solid is needed." : ": beams answer for it."));
-  }
+      answer.in_words.push_back(
+          in_words(*one.bend) +
+          (needs_solids
+               ? (variants.is_alone(*one.bend) ? "; its being so changes "
+                                               : "; the bends of its pipe being so change ") +
+                     one.change.name + " by " + rounded_number(one.change.value, 2)
+               : "") +
+          (one.is_solid ? ": a solid is needed." : ": beams answer for it."));
   if (alone.size() + models.unknown.size() > most_in_words)
     answer.in_words.push_back("Of the other " +
                               std::to_string(alone.size() + models.unknown.size() - most_in_words) +

@@ -9,8 +9,9 @@ namespace frictionbeam::accuracy {
 struct PipeModel {
   std::string reason;
   double line_error = 0.;                    ///< that beams alone leave
-  double error = 0.;                         ///< that the model leaves
-  double beyond = 0.;                        ///< error that no such model takes away
+  double error = 0.;                         ///< that the model leaves, if it may leave as much
+  double beyond = 0.;                        ///< that the model leaves, if it may not
+  std::vector<std::string> line;             ///< settings of supports that are as walls are
   std::vector<std::string> solid;            ///< settings that make bends solid; empty: beams alone
   std::vector<std::string> judged, left_out; ///< in words
 };
@@ -20,16 +21,14 @@ struct ModelShares {
   double demanded, of_model, of_walls;
 };
 
-/// Solves the scene as beams with further settings.
-using SolveWith = std::function<Results(const std::vector<std::string> &settings)>;
-
 /**
  * Bends that beams do not answer for (model_of_pipes()) become solids, with as many cells of degree
- * 3 around as leave no more than their share (flexibility_error(), and what a stretch leaves of the
- * oval); what walls change that give way at supports (elastic_supports()) is error too while it is
- * small, and else more than may be left, for solid bends do not know it.
+ * 3 around as leave no more than their share (flexibility_error()); what these, the joints and the
+ * bends that stay beams leave is error. So is what walls change that give way at supports, grow
+ * when they are hot and are rubbed on their outside (walls_at_supports()), while it is small; if it
+ * is not, supports become as elastic as walls where that leaves less: what remains is how far the
+ * formula of their elasticity is off, and growth.
  */
-PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const SolveAs &solve_as,
-                            const SolveWith &solve_with);
+PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const SolveAs &solve);
 
 } // namespace frictionbeam::accuracy

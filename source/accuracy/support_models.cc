@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/support_models.h"
 
-#include "mesh/pipe_path.h"
+#include "mesh/places_on_pipe.h"
 #include "results/text.h"
+#include "scene/steps/history_origins.h"
 #include "scene/support_pair.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace frictionbeam::accuracy {
@@ -24,17 +24,7 @@ double compliance_of_wall(const Scene &scene, const Pipe &pipe, const double wid
          (scene.materials[pipe.material].youngs_modulus * t);
 }
 
-/// Whether a point is on a pipe's axis.
-bool is_on(const Scene &scene, const PipePath &path, const std::string &point,
-           const double tolerance) {
-  for (const PipePath::RoutePlace &place : path.route_points())
-    if (place.name == point)
-      return true;
-  for (const NamedPoint &named : scene.points)
-    if (named.name == point)
-      return !path.all_places(named.position, tolerance).empty();
-  return false;
-}
+constexpr unsigned int axial_rigidity = 0; // of the law coulomb
 
 /// Pipes that a support may stand on.
 std::vector<unsigned int> pipes_of(const Scene &scene, const std::vector<PipePath> &paths,
@@ -43,49 +33,260 @@ std::vector<unsigned int> pipes_of(const Scene &scene, const std::vector<PipePat
   for (unsigned int p = 0; p < paths.size(); ++p) {
     const double tolerance = 1e-3 * scene.sections[scene.pipes[p].section].outer_radius;
     if (scene.pipes[p].name == placement.pipe ||
-        std::any_of(placement.points.begin(), placement.points.end(),
-                    [&](const std::string &one) { return is_on(scene, paths[p], one, tolerance); }))
+        std::any_of(placement.points.begin(), placement.points.end(), [&](const std::string &one) {
+          return !places_of(scene, paths[p], one, tolerance).empty();
+        }))
       result.push_back(p);
   }
   return result;
 }
 
+/// How many times stiffer than its formula a wall may be at places of a pipe: near what holds its
+/// section, the more the nearer.
+double stiffer_near_anchors(const Scene &scene, const PipePath &path, const double diameter,
+                            const Placement &placement) {
+  constexpr double anywhere = 1.25, reach = 2., power = 1.1, nearest = 0.1; // diameters
+  const double tolerance = 1e-3 * diameter;
+  std::vector<double> held, places;
+  for (const Restraint &restraint : scene.restraints)
+    if (std::all_of(restraint.fixed.begin(), restraint.fixed.end(), [](const bool b) { return b; }))
+      for (const std::string &point : restraint.placement.points)
+        for (const double s : places_of(scene, path, point, tolerance))
+          held.push_back(s);
+  for (const std::string &point : placement.points)
+    for (const double s : places_of(scene, path, point, tolerance))
+      places.push_back(s);
+  if (placement.every > 0.) {
+    const std::vector<double> from = places_of(scene, path, placement.from, tolerance);
+    for (double s = (from.empty() ? 0. : from.front()) + placement.every; s < path.length();
+         s += placement.every)
+      places.push_back(s);
+  }
+  double distance = reach * diameter;
+  for (const double at : held)
+    for (const double s : places)
+      distance = std::min(distance, std::abs(s - at));
+  return anywhere * std::pow(reach * diameter / std::max(distance, nearest * diameter), power);
+}
+
+/// Free strain of a pipe by each load of the scene.
+std::vector<double> strains_of(const Scene &scene, const Pipe &pipe) {
+  std::vector<double> strains;
+  for (const Load &load : scene.loads)
+    strains.push_back(load.kind == Load::Kind::temperature && load.is_on(pipe.name)
+                          ? scene.materials[pipe.material].thermal_strain(
+                                load.installation, load.installation + load.value)
+                          : 0.);
+  return strains;
+}
+
+/// The wall under a support, of the pipe where it is softest; none: it cannot be judged.
+std::optional<WallAtSupport> wall_under(const Scene &scene, const std::vector<PipePath> &paths,
+                                        const FrictionSupport &support) {
+  std::optional<WallAtSupport> wall;
+  if (support.law != "coulomb" || support.placement.continuous || !support.ground.empty() ||
+      support.parameters[axial_rigidity] != 0.)
+    return {};
+  for (const unsigned int p : pipes_of(scene, paths, support.placement)) {
+    const Pipe &pipe = scene.pipes[p];
+    const Section &section = scene.sections[pipe.section];
+    if (pipe.rigid || section.wall == 0.)
+      return {};
+    const double stiffness = 1. / compliance_of_wall(scene, pipe, support.width);
+    if (wall && wall->stiffness <= stiffness)
+      continue;
+    wall.emplace();
+    wall->stiffness = stiffness;
+    wall->radius = section.outer_radius;
+    wall->softer = 4. / 3.;
+    wall->stiffer =
+        stiffer_near_anchors(scene, paths[p], 2. * section.outer_radius, support.placement);
+    wall->strains = strains_of(scene, pipe);
+    wall->slides_outside = support.rotations == FrictionSupport::Rotations::none;
+  }
+  return wall;
+}
+
+/// The places of a support.
+std::vector<const SupportInfo *> places_of(const FrictionSupport &support, const Results &results) {
+  std::vector<const SupportInfo *> places;
+  for (const SupportInfo &info : results.supports)
+    if (info.name.compare(0, support.name.size(), support.name) == 0 &&
+        info.name.find_first_not_of(".0123456789", support.name.size()) == std::string::npos)
+      places.push_back(&info);
+  return places;
+}
+
+/// The normal that all places of a support have.
+std::optional<Vector3> normal_of(const std::vector<const SupportInfo *> &places) {
+  constexpr double same = 1e-6;
+  for (const SupportInfo *const place : places)
+    if ((place->normal - places.front()->normal).norm() > same)
+      return {};
+  return places.empty() ? std::nullopt : std::optional<Vector3>(places.front()->normal);
+}
+
+/// The direction of the pipe at a place of the line.
+std::optional<Vector3> tangent_at(const Scene &scene, const std::vector<PipePath> &paths,
+                                  const Point3 &position) {
+  for (unsigned int p = 0; p < paths.size(); ++p) {
+    const double tolerance = 1e-3 * scene.sections[scene.pipes[p].section].outer_radius;
+    for (const PipePath::Segment &segment : paths[p].segments())
+      if (const auto s = segment.place(position, tolerance))
+        return segment.tangent(*s - segment.start);
+  }
+  return {};
+}
+
+/// A patch that the pipe turns on is pressed at one of its edges. Beside the wall's stiffness k
+/// over a width w, k w^2/12, what holds the rotation is as much as that times 4.5 (r/t = 17;
+/// measured, doc/solid.md): what one edge is pressed and the other relieved by, bends the wall
+/// nearby only.
+Spring spring_of_edges(const FrictionSupport &support, const WallAtSupport &wall,
+                       const SupportInfo &place, const Vector3 &tangent) {
+  constexpr double of_edges = 4.5;
+  const double width = support.width > 0. ? support.width : 2. * wall.radius;
+  const Vector3 axis = dealii::cross_product_3d(tangent, place.normal);
+  Spring spring;
+  spring.name = spring.point = "edges of " + place.name;
+  spring.stiffness[3] = of_edges * wall.stiffness * width * width / 12.;
+  spring.directions[3] = {{0., 0., 0., axis[0], axis[1], axis[2]}};
+  return spring;
+}
+
+/// How much a pipe's radius has grown at the ends of steps, by instant [s, m]; in order unless
+/// steps start from others than the one before.
+using Growth = std::vector<std::pair<double, double>>;
+
+Growth growth_of(const Scene &scene, const WallAtSupport &wall, const Results &results) {
+  Growth growth = {{0., 0.}};
+  for (const Frame &frame : results.frames) {
+    if (!frame.end_of_step || frame.step >= scene.steps.size())
+      continue;
+    const HistoryOrigins origins(scene, frame.step);
+    double strain = 0.;
+    for (const auto &[load, factor] : scene.steps[frame.step].loads) {
+      const TimeFunction &history = scene.loads[load].history;
+      strain += factor * wall.strains[load] *
+                (history.is_given() ? history(frame.time - origins.loads[load]) : 1.);
+    }
+    growth.emplace_back(frame.time - origins.elsewhere, strain * wall.radius);
+  }
+  return growth;
+}
+
+double value_at(const Growth &growth, const double time) {
+  for (std::size_t i = 1; i < growth.size(); ++i)
+    if (time < growth[i].first) {
+      const auto &[t0, a] = growth[i - 1];
+      const auto &[t1, b] = growth[i];
+      return a + (b - a) * std::clamp((time - t0) / (t1 - t0), 0., 1.);
+    }
+  return growth.back().second;
+}
+
 } // namespace
 
-ElasticSupports elastic_supports(const Scene &scene) {
-  constexpr unsigned int axial_rigidity = 0; // of the law coulomb
-  ElasticSupports result;
+WallsAtSupports walls_at_supports(const Scene &scene) {
+  WallsAtSupports result;
   std::vector<PipePath> paths;
   for (const Pipe &pipe : scene.pipes)
     paths.emplace_back(pipe, scene.units);
-  std::map<std::string, double> rigidity; // by section of the file
   std::set<std::string> unknown;
-  for (const FrictionSupport &support : scene.supports) {
-    const std::string name = part_name(support);
-    if (support.kind == "rod" || support.kind == "line stop" || support.kind == "snubber" ||
-        support.normal.kind == Direction::Kind::along)
-      continue; // hold the section, or all around
-    if (support.law != "coulomb" || support.placement.continuous || !support.ground.empty()) {
-      unknown.insert(name);
+  for (unsigned int i = 0; i < scene.supports.size(); ++i) {
+    const FrictionSupport &support = scene.supports[i];
+    if (support.kind == "rod" || support.kind == "snubber")
+      continue; // hold the section
+    if (support.kind == "line stop" || support.normal.kind == Direction::Kind::along) {
+      result.has_collar = true;
       continue;
     }
-    const bool is_rigid = support.parameters[axial_rigidity] == 0.;
-    for (const unsigned int p : pipes_of(scene, paths, support.placement)) {
-      const Pipe &pipe = scene.pipes[p];
-      if (!is_rigid || pipe.rigid || scene.sections[pipe.section].wall == 0.) {
-        unknown.insert(name);
-        continue;
-      }
-      const double here = support.length / compliance_of_wall(scene, pipe, support.width);
-      const auto known = rigidity.try_emplace(name, here).first;
-      known->second = std::min(known->second, here);
-    }
+    if (std::optional<WallAtSupport> wall = wall_under(scene, paths, support)) {
+      wall->support = i;
+      result.walls.push_back(*wall);
+    } else
+      unknown.insert(part_name(support));
   }
-  for (const auto &[name, value] : rigidity)
-    result.settings.push_back("Support " + name + "/Axial rigidity = " +
-                              rounded_number(value / scene.units.factor("N"), 3));
   result.unknown.assign(unknown.begin(), unknown.end());
   return result;
+}
+
+Scene with_walls(Scene scene, const WallsAtSupports &walls, const WallsAre as) {
+  for (const WallAtSupport &wall : walls.walls) {
+    FrictionSupport &support = scene.supports[wall.support];
+    if (wall.slides_outside) {
+      support.rotations = FrictionSupport::Rotations::pipe;
+      support.length = wall.radius;
+    }
+    const double rigidity = wall.stiffness * support.length *
+                            (as == WallsAre::softer    ? 1. / wall.softer
+                             : as == WallsAre::stiffer ? wall.stiffer
+                                                       : 1.);
+    support.parameters[axial_rigidity] = rigidity;
+    for (auto &[place, parameters] : support.parameters_at)
+      parameters[axial_rigidity] = rigidity;
+  }
+  return scene;
+}
+
+std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls) {
+  std::vector<std::string> settings;
+  const Scene elastic = with_walls(scene, walls, WallsAre::as_measured);
+  std::set<std::string> done; // the halves of pairs have one section
+  for (const WallAtSupport &wall : walls.walls) {
+    const FrictionSupport &support = elastic.supports[wall.support];
+    const std::string heading = "Support " + part_name(support) + "/";
+    if (!done.insert(heading).second)
+      continue;
+    settings.push_back(
+        heading + "Axial rigidity = " +
+        rounded_number(support.parameters[axial_rigidity] / scene.units.factor("N"), 3));
+    if (wall.slides_outside) {
+      settings.push_back(heading + "Rotations = pipe");
+      settings.push_back(heading +
+                         "Length = " + exact_number(support.length / scene.units.factor("m")));
+    }
+  }
+  return settings;
+}
+
+Scene with_patches(Scene scene, const WallsAtSupports &walls, const Results &results,
+                   std::vector<std::string> &left_out) {
+  std::vector<PipePath> paths;
+  for (const Pipe &pipe : scene.pipes)
+    paths.emplace_back(pipe, scene.units);
+  std::set<std::string> unknown;
+  for (const WallAtSupport &wall : walls.walls) {
+    FrictionSupport &support = scene.supports[wall.support];
+    const std::vector<const SupportInfo *> places = places_of(support, results);
+    for (const SupportInfo *const place : places)
+      if (const auto tangent = tangent_at(scene, paths, place->position)) {
+        const Spring spring = spring_of_edges(support, wall, *place, *tangent);
+        scene.points.push_back({spring.point, place->position});
+        scene.places[spring.point] = place->position;
+        scene.springs.push_back(spring);
+      }
+    const Growth growth = growth_of(scene, wall, results);
+    if (std::all_of(growth.begin(), growth.end(), [](const auto &at) { return at.second == 0.; }))
+      continue;
+    const std::optional<Vector3> normal = normal_of(places);
+    if (!normal || support.ground_moves() || !std::is_sorted(growth.begin(), growth.end())) {
+      unknown.insert(part_name(support));
+      continue;
+    }
+    for (unsigned int d = 0; d < 3; ++d) {
+      TimeFunction &motion = support.ground_motion[d];
+      motion.text = "growth of the pipe";
+      motion.clock = TimeFunction::Clock::run;
+      motion.course = [growth, part = (*normal)[d]](const double time) {
+        return part * value_at(growth, time);
+      };
+      for (const auto &at : growth)
+        motion.breaks.push_back(at.first);
+    }
+  }
+  left_out.assign(unknown.begin(), unknown.end());
+  return scene;
 }
 
 } // namespace frictionbeam::accuracy

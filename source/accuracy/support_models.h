@@ -1,23 +1,53 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "scene/scene.h"
+#include "results/results.h"
 
 namespace frictionbeam::accuracy {
 
-/// Supports whose pipe's wall gives way to their force.
-struct ElasticSupports {
-  std::vector<std::string> settings; ///< that make them as elastic as the wall, as follow --set
-  std::vector<std::string> unknown;  ///< what cannot be judged, in words
+/// A support that pushes into the wall of its pipe.
+struct WallAtSupport {
+  unsigned int support = 0;    ///< in Scene::supports
+  double stiffness = 0.;       ///< of the wall [N/m]
+  double radius = 0.;          ///< outer, of the pipe [m]
+  std::vector<double> strains; ///< free strain of its pipe by each load of the scene
+  /// By how many times the wall may be softer or stiffer than that; what holds the section round
+  /// nearby stiffens it.
+  double softer = 1., stiffer = 1.;
+  bool slides_outside = false; ///< whether its friction is to act on the pipe's surface
+};
+
+struct WallsAtSupports {
+  std::vector<WallAtSupport> walls;
+  std::vector<std::string> unknown; ///< supports that cannot be judged
+  bool has_collar = false;          ///< of a line stop, whose collar holds the section
 };
 
 /**
  * What a rigid support pushes into a pipe's wall, as the elasticity of the support: the mean motion
  * of the section per force on a patch of 30 degrees and Width along the pipe is
  * 6.8 (r/(10 t))^1.65 (Width/D)^-0.3/(E t), measured for r/t from 10 to 50 and widths of half, one
- * and two diameters (doc/solid.md) on a pipe between two anchors. Of rests, guides and stops across
- * the pipe with Coulomb's law and no rigidity of their own; the softest place of each counts.
+ * and two diameters (doc/solid.md) in the middle of a pipe between two anchors. A third softer and
+ * a quarter stiffer at most, nearer than two diameters to an anchor up to 1.25 (2 D/distance)^1.1
+ * times stiffer. Of rests, guides and stops across the pipe with Coulomb's law and no rigidity of
+ * their own; the softest place of each counts.
  */
-ElasticSupports elastic_supports(const Scene &scene);
+WallsAtSupports walls_at_supports(const Scene &scene);
+
+enum class WallsAre { as_measured, softer, stiffer };
+/// Supports as elastic as walls are, or may be at most, with friction on the pipes' outside.
+Scene with_walls(Scene scene, const WallsAtSupports &walls, const WallsAre as);
+/// The same as settings, as follow --set.
+std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls);
+
+/**
+ * Supports that are patches of the pipes' outside: their edges hold its rotation, and their ground
+ * comes nearer by as much as heat makes the radius grow, linear in time between the ends of steps.
+ * @param results of the scene, for these instants and the supports' places and normals
+ * @param left_out supports whose growth cannot be said, whose places have several normals or whose
+ * ground moves
+ */
+Scene with_patches(Scene scene, const WallsAtSupports &walls, const Results &results,
+                   std::vector<std::string> &left_out);
 
 } // namespace frictionbeam::accuracy
