@@ -149,9 +149,13 @@ bool ActiveSet::may_ever_jam() const {
   return false;
 }
 
-Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
-                         Result &result) {
+Outcome ActiveSet::solve(const bool is_first, const NearbySolution *const nearby,
+                         const double factor, Vector &x, Response &response, Result &result) {
   begin();
+  if (is_first && nearby != nullptr)
+    if (const Outcome outcome = solve_near(*nearby, factor, x, response, result);
+        outcome != Outcome::stalled)
+      return outcome;
   if (may_jam())
     return Outcome::stalled;
   if (kept.pause > 0) {
@@ -199,7 +203,6 @@ Outcome ActiveSet::solve_few(const bool is_first, const double factor, Vector &x
 
 Outcome ActiveSet::solve_near(const NearbySolution &nearby, const double factor, Vector &x,
                               Response &response, Result &result) {
-  begin();
   if (nearby.stress.size() != points.size() || nearby.motion.size() != x.size() || may_ever_jam())
     return Outcome::stalled;
   const std::vector<Strains> centre = proximal.centre;

@@ -28,14 +28,11 @@ public:
    * From the centre and no motion, unless a contact may jam or failures in a row have made a pause;
    * x and the centre are as they were if it stalls.
    * @param is_first whether an increment begins, and not a correction of it
+   * @param nearby if given, what an increment begins from first
    * @param factor c of solve_together()
    */
-  Outcome solve(const bool is_first, const double factor, Vector &x, Response &response,
-                Result &result);
-
-  /// The same from another solution, of nearly the same increment.
-  Outcome solve_near(const NearbySolution &nearby, const double factor, Vector &x,
-                     Response &response, Result &result);
+  Outcome solve(const bool is_first, const NearbySolution *const nearby, const double factor,
+                Vector &x, Response &response, Result &result);
 
   /**
    * The same for a solution that solve() has found, where little has been left for x to correct:
@@ -65,6 +62,9 @@ private:
    */
   Outcome solve_few(const bool is_first, const double factor, Vector &x, Response &response,
                     Result &result);
+  /// The same from another solution, of nearly the same increment.
+  Outcome solve_near(const NearbySolution &nearby, const double factor, Vector &x,
+                     Response &response, Result &result);
   /// By that step and solve_together(), from x and the centre, which are as no motion and @p centre
   /// if it stalls.
   Outcome approach(const std::vector<Strains> &centre, const double factor, Vector &x,

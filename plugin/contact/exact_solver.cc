@@ -201,11 +201,8 @@ Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, 
   const bool is_any = now.problem.forces_before == nullptr;
   if (active_set && is_any) {
     const double factor = attempts.first_factor > 0. ? attempts.first_factor : limits.factors[0];
-    Outcome outcome = Outcome::stalled;
-    if (is_first && now.problem.nearby != nullptr)
-      outcome = active_set->solve_near(*now.problem.nearby, factor, x, now.response, now.result);
-    if (outcome == Outcome::stalled)
-      outcome = active_set->solve(is_first, factor, x, now.response, now.result);
+    const Outcome outcome =
+        active_set->solve(is_first, now.problem.nearby, factor, x, now.response, now.result);
     if (outcome != Outcome::stalled)
       return outcome;
   }
