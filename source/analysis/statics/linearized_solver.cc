@@ -243,9 +243,8 @@ double largest_of(const Vector &vector) {
 
 } // namespace
 
-Pose with_other_digits(const Model &model, const Pose &pose) {
+Pose with_other_digits(const Model &model, const Pose &pose, const bool of_places) {
   constexpr double digits = 4. * std::numeric_limits<double>::epsilon();
-  // Cells take their lengths from displacements and keep their digits; a turn has those of 1.
   const bool turns_far = model.cells.turns_far();
   Vector nudge = Vector::Zero(pose.dofs.size());
   std::minstd_rand random; // always the same sequence
@@ -254,7 +253,10 @@ Pose with_other_digits(const Model &model, const Pose &pose) {
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);
           dof != numbers::invalid_dof_index)
         nudge[dof] =
-            (random() % 2 == 0 ? digits : -digits) * (turns_far && c >= 3 ? 1. : pose.dofs[dof]);
+            (random() % 2 == 0 ? digits : -digits) *
+            (turns_far && c >= 3      ? 1.
+             : turns_far && of_places ? model.discretization.vertices()[v][c] + pose.dofs[dof]
+                                      : pose.dofs[dof]);
   return model.cells.moved(pose, nudge);
 }
 

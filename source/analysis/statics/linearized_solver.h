@@ -98,8 +98,10 @@ private:
 bool iterate(const unsigned int most, const std::function<EquilibriumResult()> &solve_linearized,
              EquilibriumResult &result);
 
-/// A pose whose motions have other last digits: what rounding makes of them.
-Pose with_other_digits(const Model &model, const Pose &pose);
+/// A pose whose motions have other last digits: what rounding makes of them. Turns have the digits
+/// of 1. Cells take their lengths from displacements, which keep their digits.
+/// @param of_places whether displacements have those of places, as on the way of a time step
+Pose with_other_digits(const Model &model, const Pose &pose, const bool of_places);
 
 /// Whether residual forces of a pose count as zero: below the tolerance times the largest force,
 /// below the rounding error of the stiffness times the motion, up to 1e-8 of the largest force, or

@@ -138,7 +138,7 @@ bool NonlinearStatics::is_solved(Approach &at, const ContactResponse &response,
   result.residual = scale > 0. ? size / scale : size;
   const auto rounding = [&]() {
     LineCells::Balance beside;
-    const Pose pose = with_other_digits(model, at.pose);
+    const Pose pose = with_other_digits(model, at.pose, false);
     model.cells.evaluate({pose, pose, pose, pose.dofs, 0., at.clock, nullptr, &at.start},
                          at.factors, beside);
     return (beside.forces - at.balance.forces).lpNorm<Eigen::Infinity>();

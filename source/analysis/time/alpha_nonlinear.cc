@@ -158,7 +158,7 @@ bool AlphaScheme::is_solved(const Step &step, const double time_of_laws,
                                  largest(step.momentum_before) * ratio / (p.beta * step.h)});
   result.residual = scale > 0. ? size / scale : size;
   const auto rounding = [&]() {
-    const Pose beside = with_other_digits(model, step.pose);
+    const Pose beside = with_other_digits(model, step.pose, true);
     LineCells::Balance there;
     model.cells.evaluate(
         {beside, beside, beside, beside.dofs, 0., {time_of_laws, step.h}, nullptr, &step.start},

@@ -61,7 +61,7 @@ void NonlinearMotion::evaluate(const LineState &state, const Matrix matrix, Step
 }
 
 double NonlinearMotion::rounding_of(const Step &step) const {
-  const Pose to = with_other_digits(model, step.to);
+  const Pose to = with_other_digits(model, step.to, true);
   const Pose half = model.cells.halfway(step.from, to);
   LineCells::Step motion{step.from,           half,   to,
                          step.change,         step.h, {step.start + step.h, step.h},
