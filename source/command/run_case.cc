@@ -288,7 +288,7 @@ SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scen
   };
   const auto to_accuracy = [&](const Scene &one, const ReadScene &read_one) {
     return one.model == ModelKind::solid
-               ? refine_walls(options, one, read_one, solve_wall)
+               ? refine_walls(options, one, read_one, solve_line, solve_wall)
                : solve_to_accuracy(options, one, read_one, [&](const Scene &trial) {
                    return solve_as(trial, trial.model);
                  });

@@ -7,6 +7,7 @@
 #include "base/processes.h"
 #include "base/user_error.h"
 #include "mesh/solid/wall_cells.h"
+#include "results/file/csv_writer.h"
 #include "results/file/vtu_writer.h"
 #include "results/text.h"
 
@@ -46,12 +47,15 @@ public:
       around.assign(std::begin(with_patches), std::end(with_patches));
   }
 
-  SolvedScene run(const RunOptions &options, const ReadScene &read);
+  SolvedScene run(const RunOptions &options, const ReadScene &read, const SolveScene &solve_line);
 
 private:
   void begin_coarse();
-  /// Solve the coarse wall, with the increments that it needs.
-  Results solve_coarse(const RunOptions &options, const ReadScene &read);
+  /// As many as beams need. @return whether they reach their share
+  bool choose_increments(const RunOptions &options, const ReadScene &read,
+                         const SolveScene &solve_line);
+  /// The coarse wall, and what half the increments change of it.
+  Results solve_coarse();
   Results solve_once();
   /// Make the mesh finer where it leaves most. @return whether it may be as fine as that
   bool refine();
@@ -125,25 +129,47 @@ Results WallRefinement::solve_once() {
   return results;
 }
 
-Results WallRefinement::solve_coarse(const RunOptions &options, const ReadScene &read) {
-  const SolidSettings solid = scene.solid;
-  const auto coarse = [&](Scene one) {
-    one.solid = solid;
-    one.accuracy = early_share * demanded;
-    return one;
+bool WallRefinement::choose_increments(const RunOptions &options, const ReadScene &read,
+                                       const SolveScene &solve_line) {
+  const auto as_line = [&](std::vector<std::string> settings) {
+    settings.push_back("Model = line");
+    Scene line = read(settings);
+    line.model = ModelKind::line;
+    line.accuracy = early_share * demanded;
+    return line;
   };
-  SolvedScene solved = solve_to_accuracy(
-      options, coarse(scene),
-      [&](const std::vector<std::string> &settings) { return coarse(read(settings)); },
-      [&](const Scene &one) { return solve(one, mesh); });
-  account = *solved.results.accuracy;
-  chosen = account.chosen;
-  for (AccuracyAccount::Run &run : account.runs) // of increments, on one mesh
-    run.settings += (run.settings.empty() ? "" : "; ") + of_mesh(wall_settings());
-  of_increments = account.estimate;
-  solved.results.remarks.clear();
-  scene = std::move(solved.scene);
-  return std::move(solved.results);
+  const AccuracyAccount line =
+      *solve_to_accuracy(options, as_line({}), as_line, solve_line).results.accuracy;
+  if (this_process() == 0)
+    remove_line_tables(scene.output.directory);
+  for (const std::string &setting : line.chosen)
+    if (setting.rfind("Step ", 0) == 0)
+      chosen.push_back(setting);
+  const SolidSettings solid = scene.solid;
+  scene = read(chosen);
+  scene.solid = solid;
+  of_increments = line.estimate;
+  return line.reached;
+}
+
+Results WallRefinement::solve_coarse() {
+  Scene half = scene;
+  for (LoadStep &step : half.steps)
+    step.n_increments = std::max(1u, step.n_increments / 2);
+  const bool can_be_halved =
+      std::any_of(scene.steps.begin(), scene.steps.end(),
+                  [](const LoadStep &step) { return step.n_increments > 1; });
+  if (scene.supports.empty() || !can_be_halved)
+    return solve_once();
+  const Results before = solve(half, mesh);
+  Results results = solve_once();
+  accuracy::add_cost(before.cost, results.cost);
+  if (before.status == RunStatus::converged && results.status == RunStatus::converged) {
+    const double change = accuracy::largest(accuracy::differences(scene, before, results)).value;
+    account.runs.back().change = change;
+    of_increments = std::max(of_increments, change); // of first order
+  }
+  return results;
 }
 
 double WallRefinement::unknowns(const std::size_t n_layers, const unsigned int n_around) const {
@@ -191,12 +217,14 @@ bool WallRefinement::refine() {
   return true;
 }
 
-SolvedScene WallRefinement::run(const RunOptions &options, const ReadScene &read) {
+SolvedScene WallRefinement::run(const RunOptions &options, const ReadScene &read,
+                                const SolveScene &solve_line) {
   begin_coarse();
-  Results results = solve_coarse(options, read);
+  const bool increments_are_known =
+      scene.supports.empty() || choose_increments(options, read, solve_line);
+  Results results = solve_coarse();
   accuracy::Convergence convergence(scene.supports.empty() ? accuracy::Convergence::Order::regular
                                                            : accuracy::Convergence::Order::unknown);
-  const bool increments_are_known = account.reached;
   account.demanded = demanded;
   account.estimate = std::nan("");
   account.reached = false;
@@ -232,13 +260,13 @@ SolvedScene WallRefinement::run(const RunOptions &options, const ReadScene &read
 } // namespace
 
 SolvedScene refine_walls(const RunOptions &options, const Scene &scene, const ReadScene &read,
-                         const SolveWall &solve) {
+                         const SolveScene &solve_line, const SolveWall &solve) {
   if (!counts(scene))
     throw UserError(
         "A wall is refined until the quantities are known.\n  read:    Accuracy without "
         "Quantities that have an error\n  allowed: one or more with Model = solid\n  "
         "try:     set u = uz at a point, in section Quantities");
-  return WallRefinement(scene, solve).run(options, read);
+  return WallRefinement(scene, solve).run(options, read, solve_line);
 }
 
 } // namespace frictionbeam
