@@ -79,7 +79,6 @@ private:
 
 BendModel model_of(const Scene &scene, const Neighbours &neighbours, const SolidStretch &room,
                    const PipePath::Segment &bend, const unsigned int number) {
-  using Until = Tangent::Until;
   const Pipe &pipe = scene.pipes[room.pipe];
   const Section &section = scene.sections[pipe.section];
   const double r = section.outer_radius - section.wall / 2.;
@@ -93,9 +92,8 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
   model.decay_length = r * std::sqrt(model.r_over_t);
   model.tangents = {{{neighbours.at(room.pipe, room.from), bend.start - room.from},
                      {neighbours.at(room.pipe, room.to), room.to - bend.start - bend.length}}};
-  const double diameter = 2. * section.outer_radius,
-               shorter = std::min(model.tangents[0].length, model.tangents[1].length);
-  model.tangent = shorter / diameter;
+  const double diameter = 2. * section.outer_radius;
+  model.tangent = std::min(model.tangents[0].length, model.tangents[1].length) / diameter;
   const BendRatios ratios = ratios_of_walls({model.h, bend.radius / r, model.angle, model.tangent});
   model.by_rule = bend_flexibility(pipe, section, scene.materials[pipe.material], bend.radius);
   model.in_plane = flexibility_of_wall(scene, pipe, model.h, bend.radius, ratios.in_plane);
@@ -104,16 +102,14 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
   // Flanges in place of legs leave a bend the part h^(1/3) of its flexibility; what is beside it
   // within the shortest tangents of the table is between the two.
   for (const Tangent &tangent : model.tangents)
-    if (tangent.until != Until::end)
+    if (tangent.until != Tangent::Until::end)
       model.off +=
           std::max(0., 1. - tangent.length / diameter) * std::max(0., -std::log(model.h)) / 6.;
-  if (pipe.bend_flexibility.pressure > 0.) {
-    Pipe unpressed = pipe;
-    unpressed.bend_flexibility.pressure = 0.;
-    model.stiffening =
-        bend_flexibility(unpressed, section, scene.materials[pipe.material], bend.radius) /
-        model.by_rule;
-  }
+  Pipe unpressed = pipe;
+  unpressed.bend_flexibility.pressure = 0.;
+  model.stiffening =
+      bend_flexibility(unpressed, section, scene.materials[pipe.material], bend.radius) /
+      model.by_rule;
   return model;
 }
 
@@ -242,16 +238,24 @@ double choose_solids(const Variants &variants, const double tolerance, const dou
   return left;
 }
 
-/// Whether the next bend of the pipe is solid, too.
-bool goes_on_as_solid(const BendModel &bend, const bool behind, const std::vector<Alone> &all) {
-  const Alone *next = nullptr;
-  for (const Alone &other : all)
-    if (other.bend->pipe == bend.pipe &&
-        (behind ? other.bend->number > bend.number : other.bend->number < bend.number) &&
-        (next == nullptr || (behind ? other.bend->number < next->bend->number
-                                    : other.bend->number > next->bend->number)))
-      next = &other;
-  return next != nullptr && next->is_solid;
+/// The next bend of the pipe, if a solid of this one reaches it; null: it does not.
+template <typename List>
+auto reached(const BendModel &bend, const bool behind, List &bends) -> decltype(bends.data()) {
+  const Tangent &tangent = bend.tangents[behind];
+  if (tangent.until == Tangent::Until::bend && tangent.length < longest_cut * bend.decay_length)
+    for (auto &other : bends)
+      if (other.bend->pipe == bend.pipe && other.bend->number + !behind == bend.number + behind)
+        return &other;
+  return nullptr;
+}
+
+/// A solid is not cut at the next bend, which is solid, too.
+void join_near(std::vector<Alone> &bends) {
+  for (std::size_t n = 0; n < bends.size(); ++n) // what is reached reaches further
+    for (const Alone &one : bends)
+      for (const bool behind : {false, true})
+        if (Alone *const next = one.is_solid ? reached(*one.bend, behind, bends) : nullptr)
+          next->is_solid = true;
 }
 
 /// Of the flexibility of a bend, what a solid that ends with its straight pipe leaves or adds.
@@ -259,11 +263,11 @@ double error_of_joint(const Alone &bend, const std::vector<Alone> &all) {
   double error = 0.;
   for (const bool behind : {false, true}) {
     const Tangent &tangent = bend.bend->tangents[behind];
-    const bool is_near = tangent.length < longest_cut * bend.bend->decay_length,
-               is_whole = is_near && (tangent.until == Tangent::Until::anchor ||
-                                      tangent.until == Tangent::Until::end ||
-                                      (tangent.until == Tangent::Until::bend &&
-                                       goes_on_as_solid(*bend.bend, behind, all)));
+    const Alone *const next = reached(*bend.bend, behind, all);
+    const bool is_near = tangent.length < longest_cut * bend.bend->decay_length;
+    const bool is_whole = next != nullptr ? next->is_solid
+                                          : is_near && (tangent.until == Tangent::Until::anchor ||
+                                                        tangent.until == Tangent::Until::end);
     if (!is_whole)
       error += added_by_cut(tangent.length / bend.bend->decay_length, bend.bend->angle);
   }
@@ -357,8 +361,8 @@ ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const doub
   const Difference &largest = is_across ? across : in_plane;
   answer.change = answer.left = largest.value;
   std::vector<Alone> alone;
-  for (const BendModel *const bend : all)
-    alone.push_back({bend, {}});
+  for (const BendModel &bend : models.judged)
+    alone.push_back({&bend, {}});
   const bool is_known = std::isfinite(largest.value),
              needs_solids = is_known && largest.value > tolerance;
   if (needs_solids) {
@@ -368,6 +372,7 @@ ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const doub
                        : variants.change({one.bend}, by,
                                          "bend " + one.bend->name + " as flexible as its wall");
     answer.left = choose_solids(variants, tolerance, largest.value, alone);
+    join_near(alone);
     take_solids(variants, alone, answer);
   }
   for (const Alone &one : alone)

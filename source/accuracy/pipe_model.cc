@@ -8,6 +8,8 @@
 #include "results/text.h"
 #include "scene/file/parameter_file.h"
 
+#include <algorithm>
+
 namespace frictionbeam::accuracy {
 
 namespace {
@@ -108,7 +110,10 @@ PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const
   model.error = bends.left;
   model.judged = bends.in_words;
   if (!bends.solid.empty()) {
-    const double part = shares.of_walls * shares.demanded / bends.per_part / formula_of_cells;
+    // Finer cells than the joints are worth are in vain.
+    const double part = shares.of_walls *
+                        std::max(shares.demanded / bends.per_part, bends.of_joints) /
+                        formula_of_cells;
     const unsigned int n_around = cells_around_for(part, bends.r_over_t);
     const double of_cells =
         formula_of_cells * *flexibility_error(degree_of_walls, n_around, bends.r_over_t);
