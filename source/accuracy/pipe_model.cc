@@ -20,6 +20,15 @@ constexpr double off_by = 1. / 3.;  ///< part that the elasticity of walls at su
 constexpr double formula_of_cells = 1.5; ///< times as much as it says may be left by cells
 constexpr double nothing_known = 1.;     ///< error of a quantity
 
+/// Whether a line stop carries something at the end of a step.
+bool is_collar_pressed(const Results &beams) {
+  for (const Frame &frame : beams.frames)
+    for (std::size_t i = 0; i < std::min(frame.supports.size(), beams.supports.size()); ++i)
+      if (frame.supports[i].fn > 0. && beams.supports[i].kind == "line stop")
+        return true;
+  return false;
+}
+
 /// What walls at supports change, and how supports as elastic as walls would do.
 class SupportsJudge {
 public:
@@ -57,8 +66,13 @@ SupportsJudge::Change SupportsJudge::change(const Results &from, const Results &
 void SupportsJudge::judge(const double most, const double most_left, PipeModel &model) {
   for (const std::string &one : walls.unknown)
     model.judged.push_back("Support " + one + ": how its pipe's wall gives way is not judged.");
-  if (walls.has_collar)
-    model.left_out.push_back("that the collar of a line stop holds the rotation of its section");
+  if (walls.has_collar && is_collar_pressed(beams)) {
+    model.error += nothing_known;
+    model.judged.push_back(
+        "A line stop is pressed: the collar of a solid pipe holds the rotation of its section, "
+        "which a "
+        "beam's stop does not, and what that changes is not known (Model = solid has it).");
+  }
   if (walls.walls.empty() || beams.status != RunStatus::converged)
     return;
   std::vector<std::string> do_not_grow;
