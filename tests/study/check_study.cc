@@ -247,7 +247,7 @@ void check_one_by_one() {
 /// Runs begin from the case as it stands, wherever they are, and come to what a run of its own
 /// comes to: of a line in space, and where contacts may jam and any start may lead elsewhere.
 void check_starts() {
-  check_one_by_one(folder + "/plant.prm", {"Study/Runs = 12"}, {{"gap", "Support guides/Gap"}});
+  check_one_by_one(folder + "/plant_line.prm", {"Study/Runs = 12"}, {{"gap", "Support guides/Gap"}});
   check_one_by_one(folder + "/jamming.prm", {"Study/Runs = 12"});
 }
 

@@ -2,7 +2,7 @@
 #include "command/study/study_solver.h"
 
 #include "command/line/run_line.h"
-#include "command/study/case_starts.h"
+#include "command/study/condensed_runs.h"
 #include "command/study/quick_line.h"
 
 #include "analysis/contact/undetermined_forces.h"
@@ -170,18 +170,14 @@ public:
   SharedLine(const StudyCase &of, const Scene &like, const LawLibrary &laws)
       : scene(like), line(scene, mesh_of(of, scene), laws), statics(line.model()),
         asks_what_carries(share_unknowns(line.model().contacts)) {
-    if (!QuickLine::can_do(scene))
-      return;
-    quick.emplace(line.model());
-    take_laws_of(of.scene.supports);
-    statics.begin_case();
-    can_be_quick = solve_quickly();
+    if (QuickLine::can_do(scene))
+      quick.emplace(line.model());
   }
 
   /// @param supports those of the scene, with other parameters for their laws
   Run solve(const StudyCase &of, const std::vector<FrictionSupport> &supports) {
     take_laws_of(supports);
-    if (can_be_quick && statics.begin() && solve_quickly())
+    if (quick && statics.begin() && solve_quickly())
       return run_of(of, {}, true, quick->conclude());
     statics.begin_alone();
     LoadSequence sequence(line.model(), statics);
@@ -212,7 +208,7 @@ private:
   }
 
   /// @return whether all steps have an answer; if not alone, one whose forces balance on the whole
-  /// line and do not depend on where they were sought from
+  /// line and are determined
   bool run(LoadSequence &sequence) {
     bool holds = true;
     const bool converged = sequence.run(
@@ -232,10 +228,9 @@ private:
 
   Scene scene; ///< that the line knows
   LineModel line;
-  CaseStarts statics;
+  CondensedRuns statics;
   const bool asks_what_carries;
   std::optional<QuickLine> quick;
-  bool can_be_quick = false; ///< the case can
 };
 
 StudySolver::StudySolver(const StudyCase &of) : of(of) { laws.load_builtin(); }
