@@ -101,6 +101,9 @@ private:
   /// What becomes of an increment along the path.
   enum class OnPath { failed, strayed, passed, accepted };
   OnPath try_on_path(const LimitPath::Trial &trial, const double done);
+  /// Whether the path ends where a contact is about to close: what is carried there is another
+  /// branch's, and the step has failed.
+  bool is_about_to_meet();
   /// The step ends at the present state, which is its limit.
   void end_at_limit(const std::string &why);
   /// The step has carried all of its loads, and may carry more.

@@ -76,6 +76,8 @@ bool LoadSequence::run_to_limit(const Observer &observer) {
     if (now == OnPath::accepted) {
       path.add(current.unknowns - before, part_done() - done, part_done());
       ends = may_yield ? end_at_collapse() : path.is_flat();
+      if (ends && !may_yield && is_about_to_meet())
+        return false;
       if (ends && !may_yield)
         end_at_limit("it moves without more load, most at ");
     } else {
@@ -91,6 +93,8 @@ bool LoadSequence::run_to_limit(const Observer &observer) {
           fail_on_path();
           return false;
         }
+        if (is_about_to_meet())
+          return false;
         end_at_limit("beyond it the line carries less, or is unstable; it moves most at ");
         ends = true;
       }
@@ -165,6 +169,26 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
     each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
                    current);
   return OnPath::accepted;
+}
+
+bool LoadSequence::is_about_to_meet() {
+  constexpr double near = 1e-3; // of the largest motion
+  const double moved = current.unknowns.lpNorm<Eigen::Infinity>();
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (current.contact_status[i] != ContactStatus::open || !contact.law.has_closed_form() ||
+        contact.length * current.contacts.strain[i][0] + contact.law.closed_form().gap >
+            near * moved)
+      continue;
+    step_reports.back().remark =
+        "at " + rounded_number(part_done(), 6) +
+        " of the way of this step's loads the line gives way until it meets support " +
+        model.scene.supports[contact.support].name +
+        ", and what it carries there is not found along the path: take the step without Find, or "
+        "begin it with this contact closed";
+    return true;
+  }
+  return false;
 }
 
 bool LoadSequence::jumps(const LineState &to, const double time) const {

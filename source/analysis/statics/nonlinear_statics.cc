@@ -309,7 +309,9 @@ bool NonlinearStatics::is_unstable(const LineState &state) const {
     const Contact &contact = model.contacts[i];
     if (state.contact_status[i] == ContactStatus::open)
       continue;
-    const auto B = contact.B.topRows<3>();
+    const bool rubs =
+        !contact.law.has_closed_form() || contact.law.closed_form().static_friction > 0.;
+    const Eigen::MatrixXd B = contact.B.topRows(rubs ? 3 : 1); // without friction along its normal
     const Eigen::MatrixXd block =
         stiff * largest * contact.length * contact.length * B.transpose() * B;
     for (unsigned int a = 0; a < contact.unknowns.size(); ++a)
