@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/held_directions.h"
 
+#include "scene/support_pair.h"
+
 namespace frictionbeam {
 
 namespace {
 
 Vector3 translation(const Motion &motion) { return Vector3({motion[0], motion[1], motion[2]}); }
-
-/// Whether a name is that of a part, or of one of its places (`rests.2`).
-bool is_of(const std::string &instance, const std::string &name) {
-  return instance == name ||
-         (instance.size() > name.size() && instance.compare(0, name.size(), name) == 0 &&
-          instance[name.size()] == '.');
-}
 
 } // namespace
 
@@ -30,7 +25,7 @@ std::vector<Vector3> held_directions(const Scene &scene, const RestraintInfo &in
     }
   const Restraint *restraint = nullptr;
   for (const Restraint &one : scene.restraints)
-    if (is_of(info.name, one.name) &&
+    if (is_place_of(info.name, one.name) &&
         (restraint == nullptr || one.name.size() > restraint->name.size()))
       restraint = &one;
   if (restraint == nullptr)

@@ -16,6 +16,14 @@ inline bool is_of_a_pair(const std::string &kind) {
   return kind == "guide" || kind == "line stop" || kind == "stop";
 }
 
+/// Whether a name is that of a part, or of one of the places where it stands (`rests.2`).
+inline bool is_place_of(const std::string &instance, const std::string &part) {
+  return instance == part ||
+         (instance.size() > part.size() + 1 && instance.compare(0, part.size(), part) == 0 &&
+          instance[part.size()] == '.' &&
+          instance.find_first_not_of("0123456789", part.size() + 1) == std::string::npos);
+}
+
 /**
  * The name in the heading of the section that a friction support was read from: its own, or that of
  * the pair of which it is a half. Users may call a rest "a.plus"; so the kind counts.

@@ -85,12 +85,8 @@ PlacesOfSupports places_of(const Scene &scene, const Results &results) {
   PlacesOfSupports places;
   for (const FrictionSupport &support : scene.supports) {
     places[part_name(support)] = std::count_if(
-        results.supports.begin(), results.supports.end(), [&](const SupportInfo &info) {
-          const std::string rest =
-              info.name.rfind(support.name, 0) == 0 ? info.name.substr(support.name.size()) : "?";
-          return rest.empty() ||
-                 (rest[0] == '.' && rest.find_first_not_of("0123456789", 1) == std::string::npos);
-        });
+        results.supports.begin(), results.supports.end(),
+        [&](const SupportInfo &info) { return is_place_of(info.name, support.name); });
   }
   return places;
 }
