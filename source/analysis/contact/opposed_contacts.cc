@@ -6,11 +6,25 @@
 
 namespace frictionbeam {
 
+namespace {
+bool are_opposed(const Contact &one, const Contact &other) {
+  constexpr double opposite = -1. + 1e-9;
+  return one.vertices[0] == other.vertices[0] && one.axes.x * other.axes.x < opposite;
+}
+} // namespace
+
+bool is_held_opposite(const Contacts &contacts, const LineState &state, const unsigned int i) {
+  for (unsigned int k = 0; k < contacts.size(); ++k)
+    if (state.contact_status[k] != ContactStatus::open && are_opposed(contacts[k], contacts[i]))
+      return true;
+  return false;
+}
+
 std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) {
   const auto force = [&](const unsigned int i) { // [N]
     return contacts[i].share() * std::abs(state.contact_stress[i][0]);
   };
-  constexpr double opposite = -1. + 1e-9, no_force = 1e-9; // of the other's
+  constexpr double no_force = 1e-9; // of the other's
   std::vector<bool> idle(contacts.size(), false);
   std::map<unsigned int, std::vector<unsigned int>> closed; // by the pipe's node
   for (unsigned int i = 0; i < contacts.size(); ++i) {
@@ -18,7 +32,7 @@ std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) 
       continue;
     auto &others = closed[contacts[i].vertices[0]];
     for (const unsigned int k : others)
-      if (!idle[k] && contacts[k].axes.x * contacts[i].axes.x < opposite) {
+      if (!idle[k] && are_opposed(contacts[k], contacts[i])) {
         if (force(i) <= no_force * force(k))
           idle[i] = true;
         else if (force(k) <= no_force * force(i))

@@ -16,4 +16,7 @@ namespace frictionbeam {
  */
 std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state);
 
+/// Whether another contact at the node of contact @p i touches from the other side.
+bool is_held_opposite(const Contacts &contacts, const LineState &state, const unsigned int i);
+
 } // namespace frictionbeam

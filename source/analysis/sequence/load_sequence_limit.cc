@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "analysis/contact/opposed_contacts.h"
 #include "analysis/increment/report_result.h"
 #include "analysis/sequence/load_sequence.h"
 #include "base/number_text.h"
@@ -178,7 +179,8 @@ bool LoadSequence::is_about_to_meet() {
     const Contact &contact = model.contacts[i];
     if (current.contact_status[i] != ContactStatus::open || !contact.law.has_closed_form() ||
         contact.length * current.contacts.strain[i][0] + contact.law.closed_form().gap >
-            near * moved)
+            near * moved ||
+        is_held_opposite(model.contacts, current, i))
       continue;
     step_reports.back().remark =
         "at " + rounded_number(part_done(), 6) +

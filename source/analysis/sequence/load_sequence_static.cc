@@ -241,11 +241,14 @@ bool LoadSequence::solve_increment(const Factors &factors, const double time) {
     has_jumped = true;
     return false;
   }
+  if (!model.scene.steps[position.step].finds_limit) {
+    take(std::move(to), factors, time);
+    return true;
+  }
   const Vector moved = to.unknowns - current.unknowns;
   const double done = part_done();
   take(std::move(to), factors, time);
-  if (model.scene.steps[position.step].finds_limit)
-    path.add(moved, part_done() - done, part_done());
+  path.add(moved, part_done() - done, part_done());
   return true;
 }
 
