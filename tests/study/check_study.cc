@@ -244,11 +244,14 @@ void check_one_by_one() {
   check_name_of_a_half();
 }
 
-/// Runs begin from the case as it stands, wherever they are, and come to what a run of its own
-/// comes to: of a line in space, and where contacts may jam and any start may lead elsewhere.
-void check_starts() {
-  check_one_by_one(folder + "/plant_line.prm", {"Study/Runs = 12"}, {{"gap", "Support guides/Gap"}});
+/// Runs come to what a run of its own comes to: of a line in space; where one contact by itself may
+/// jam, or several together have other equilibria.
+void check_alone() {
+  const std::string f = "/Friction coefficient";
+  check_one_by_one(folder + "/plant_line.prm", {"Study/Runs = 12"},
+                   {{"gap", "Support guides/Gap"}});
   check_one_by_one(folder + "/jamming.prm", {"Study/Runs = 12"});
+  check_one_by_one(folder + "/together.prm", {}, {{"f", "Support rests" + f}});
 }
 
 /// Runs without an answer are counted and listed with their entries, and the others stand.
@@ -364,8 +367,8 @@ int main(int argc, char **argv) {
     check_morris();
   else if (test == "one_by_one")
     check_one_by_one();
-  else if (test == "starts")
-    check_starts();
+  else if (test == "alone")
+    check_alone();
   else if (test == "failed")
     check_failed();
   else if (test == "processes")
