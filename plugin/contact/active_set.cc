@@ -134,28 +134,28 @@ bool ActiveSet::is_nearer(const Vector &x, const std::vector<Strains> &centre, R
   return merit < at_start / 2.;
 }
 
-bool ActiveSet::may_jam() const {
+template <typename Friction>
+bool ActiveSet::is_beyond_uniqueness(const Friction &friction) const {
   for (unsigned int i = 0; i < points.size(); ++i)
-    if (proximal.is_exact(i) && proximal.friction_coefficient(i) >= front.limit_of_uniqueness(i))
+    if (proximal.is_exact(i) && friction(i) >= front.limit_of_uniqueness(i))
       return true;
   return false;
+}
+
+bool ActiveSet::may_jam() const {
+  return is_beyond_uniqueness(
+      [this](const unsigned int i) { return proximal.friction_coefficient(i); });
 }
 
 bool ActiveSet::may_ever_jam() const {
-  for (unsigned int i = 0; i < points.size(); ++i)
-    if (proximal.is_exact(i) &&
-        equations.contacts[i].law.closed_form().static_friction >= front.limit_of_uniqueness(i))
-      return true;
-  return false;
+  return is_beyond_uniqueness([this](const unsigned int i) {
+    return equations.contacts[i].law.closed_form().static_friction;
+  });
 }
 
-Outcome ActiveSet::solve(const bool is_first, const NearbySolution *const nearby,
-                         const double factor, Vector &x, Response &response, Result &result) {
+Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Response &response,
+                         Result &result) {
   begin();
-  if (is_first && nearby != nullptr)
-    if (const Outcome outcome = solve_near(*nearby, factor, x, response, result);
-        outcome != Outcome::stalled)
-      return outcome;
   if (may_jam())
     return Outcome::stalled;
   if (kept.pause > 0) {
@@ -196,23 +196,6 @@ Outcome ActiveSet::solve_few(const bool is_first, const double factor, Vector &x
   const std::vector<Strains> centre = proximal.centre;
   if (is_first && kept.motion.size() == x.size())
     x = kept.motion;
-  const Outcome outcome = approach(centre, factor, x, response, result);
-  learn(outcome != Outcome::stalled);
-  return outcome;
-}
-
-Outcome ActiveSet::solve_near(const NearbySolution &nearby, const double factor, Vector &x,
-                              Response &response, Result &result) {
-  if (nearby.stress.size() != points.size() || nearby.motion.size() != x.size() || may_ever_jam())
-    return Outcome::stalled;
-  const std::vector<Strains> centre = proximal.centre;
-  proximal.centre = nearby.stress;
-  x = nearby.motion;
-  return approach(centre, factor, x, response, result);
-}
-
-Outcome ActiveSet::approach(const std::vector<Strains> &centre, const double factor, Vector &x,
-                            Response &response, Result &result) {
   proximal.stiffness_factor = stiffness_of_approach;
   Outcome outcome = Outcome::stalled;
   if (newton.approach(x, response, result)) {
@@ -221,6 +204,7 @@ Outcome ActiveSet::approach(const std::vector<Strains> &centre, const double fac
   }
   if (outcome == Outcome::solved && !equations.is_held(response, result))
     outcome = Outcome::stalled;
+  learn(outcome != Outcome::stalled);
   if (outcome == Outcome::stalled) {
     proximal.centre = centre;
     x.setZero();

@@ -28,11 +28,10 @@ public:
    * From the centre and no motion, unless a contact may jam or failures in a row have made a pause;
    * x and the centre are as they were if it stalls.
    * @param is_first whether an increment begins, and not a correction of it
-   * @param nearby if given, what an increment begins from first
    * @param factor c of solve_together()
    */
-  Outcome solve(const bool is_first, const NearbySolution *const nearby, const double factor,
-                Vector &x, Response &response, Result &result);
+  Outcome solve(const bool is_first, const double factor, Vector &x, Response &response,
+                Result &result);
 
   /**
    * The same for a solution that solve() has found, where little has been left for x to correct:
@@ -45,9 +44,6 @@ public:
 
   /// Whether a contact has several states by itself with its static friction.
   bool may_ever_jam() const;
-
-  /// Of the kept unknowns in the last increment.
-  const Vector &motion() const { return kept.motion; }
 
   /// Other forces than those of the last solution are the centre.
   void forget_status() { kept.status.clear(); }
@@ -62,13 +58,6 @@ private:
    */
   Outcome solve_few(const bool is_first, const double factor, Vector &x, Response &response,
                     Result &result);
-  /// The same from another solution, of nearly the same increment.
-  Outcome solve_near(const NearbySolution &nearby, const double factor, Vector &x,
-                     Response &response, Result &result);
-  /// By that step and solve_together(), from x and the centre, which are as no motion and @p centre
-  /// if it stalls.
-  Outcome approach(const std::vector<Strains> &centre, const double factor, Vector &x,
-                   Response &response, Result &result);
   /// To forces and x at which the branches stay as they are. @return whether they do
   bool predict(Vector &x, Response &response, Result &result);
   std::vector<ContactStatus> first_branches(const Response &response) const;
@@ -82,6 +71,9 @@ private:
   /// Whether a contact has several states by itself. Whole steps lead to any of them, and from the
   /// wrong one on each increment is harder than on the path of the loads.
   bool may_jam() const;
+  /// The same with friction coefficients by contact.
+  template <typename Friction>
+  bool is_beyond_uniqueness(const Friction &friction) const;
   /// The more failures in a row, the longer the pause.
   void learn(const bool has_led_to_solution);
 

@@ -201,8 +201,7 @@ Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, 
   const bool is_any = now.problem.forces_before == nullptr;
   if (active_set && is_any) {
     const double factor = attempts.first_factor > 0. ? attempts.first_factor : limits.factors[0];
-    const Outcome outcome =
-        active_set->solve(is_first, now.problem.nearby, factor, x, now.response, now.result);
+    const Outcome outcome = active_set->solve(is_first, factor, x, now.response, now.result);
     if (outcome != Outcome::stalled)
       return outcome;
   }
@@ -365,11 +364,6 @@ void ExactSolver::guess(const std::vector<Strains> &stress) {
 
 bool ExactSolver::may_jam() const {
   return implementation->active_set && implementation->active_set->may_ever_jam();
-}
-
-NearbySolution ExactSolver::last_solution() const {
-  return {implementation->proximal.centre,
-          implementation->active_set ? implementation->active_set->motion() : Vector()};
 }
 
 WarmStart ExactSolver::warm_start() const {

@@ -63,8 +63,6 @@ public:
   /// Whether friction is so large that one contact of a line has several states by itself, all
   /// others held.
   bool may_jam() const;
-  /// The last solution of a line, for Problem::nearby.
-  NearbySolution last_solution() const;
   /// From one run of a program to another; factorizations are made again.
   WarmStart warm_start() const;
   void restore(const WarmStart &memory);

@@ -25,12 +25,6 @@ struct Overrides {
   std::vector<double> friction_scale; ///< on the coefficient
 };
 
-/// How a problem was solved that is nearly the same, but for friction and gaps.
-struct NearbySolution {
-  std::vector<Strains> stress; ///< of the sites
-  Vector motion;               ///< of the kept unknowns in the increment
-};
-
 /// Find q with  A q + sum weight B^T stress(B q + imposed strain) = right_hand_side.
 struct Problem {
   const SparseMatrix &matrix;
@@ -48,9 +42,6 @@ struct Problem {
   /// Stresses of exact sites to begin from, where the caller knows better than the method. A
   /// matrix that is not positive definite has several solutions: the nearest is the one meant.
   const std::vector<Strains> *forces_before = nullptr;
-  /// What a line is solved from first, unless friction is so large that a contact may jam: from
-  /// elsewhere it might come to rest elsewhere.
-  const NearbySolution *nearby = nullptr;
 };
 
 /// What of the sites' strains is not the unknowns': of ground that moves.

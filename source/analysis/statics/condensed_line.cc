@@ -132,12 +132,7 @@ Vector sum_of(const std::vector<Vector> &parts, const std::vector<double> &facto
 EquilibriumResult CondensedLine::solve(const LineState &from, const StaticIncrement &increment,
                                        LineState &to, ContactResponse &response) {
   contact::Problem problem{S, sum_of(forces, increment.factors)};
-  problem.increment = {increment.course.time_of_laws(increment.time), 0.,
-                       model.contacts.temperatures(increment.factors)};
-  problem.largest_force = increment.least_force;
-  problem.force_so_far = increment.force_so_far;
-  problem.most_iterations = increment.most_iterations;
-  problem.nearby = increment.nearby;
+  increment.describe(model, problem);
   problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
     Vector left(unknowns.size());
     for (int row = 0; row < S.rows(); ++row) {

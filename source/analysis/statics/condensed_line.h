@@ -25,7 +25,6 @@ public:
   /// @return whether the forces on all of them balance, to the tolerance
   bool complete(LineState &state) const;
 
-  contact::NearbySolution last_solution() const { return solver->last_solution(); }
   /// Whether friction is so large that one contact by itself may have several states.
   bool may_jam() const { return solver->may_jam(); }
   void transfer(Archive &archive);

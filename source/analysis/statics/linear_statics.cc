@@ -13,11 +13,7 @@ EquilibriumResult LinearStatics::solve(const LineState &from, const StaticIncrem
                                        LineState &to, ContactResponse &response) {
   EquilibriumProblem problem{{model.linear.stiffness(), increment.course.forces(increment.factors)},
                              increment.course.imposed(increment.time)};
-  problem.increment = {increment.course.time_of_laws(increment.time), 0.,
-                       model.contacts.temperatures(increment.factors)};
-  problem.largest_force = increment.least_force;
-  problem.force_so_far = increment.force_so_far;
-  problem.most_iterations = increment.most_iterations;
+  increment.describe(model, problem);
   const EquilibriumResult result = solver->solve(problem, from.contacts, to.unknowns, response);
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += problem.imposed;

@@ -34,8 +34,14 @@ struct StaticIncrement {
   bool finds_limit = false; ///< of the poses near by, where others far away would carry more
   /// If given, time and factors are a guess only, and the state's time is part of the solution.
   std::optional<PathLead> lead = {};
-  /// If given, how nearly the same increment was solved (contact::Problem).
-  const contact::NearbySolution *nearby = nullptr;
+
+  /// What a problem of contacts knows of it besides forces and motions.
+  void describe(const Model &model, contact::Problem &problem) const {
+    problem.increment = {course.time_of_laws(time), 0., model.contacts.temperatures(factors)};
+    problem.largest_force = least_force;
+    problem.force_so_far = force_so_far;
+    problem.most_iterations = most_iterations;
+  }
 };
 
 /// Solves static increments of a line with its contacts.
@@ -57,7 +63,7 @@ public:
   virtual std::vector<contact::BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &status) const = 0;
   /// Whether the line would leave a state by itself, at the least push, even if every contact that
-  /// is closed held it.
+  /// is closed held it: without friction along its normal only.
   virtual bool is_unstable(const LineState &) const { return false; }
   /// Whether the last increment had a solution, and was only too long for what creeps.
   virtual bool wants_shorter() const { return false; }
