@@ -14,16 +14,6 @@ std::string settings_in_words(const std::vector<std::string> &settings) {
   return text;
 }
 
-void add_cost(const Cost &before, Cost &cost) {
-  cost.mesh_seconds += before.mesh_seconds;
-  cost.setup_seconds += before.setup_seconds;
-  cost.solve_seconds += before.solve_seconds;
-  cost.iterations += before.iterations;
-  cost.factorizations += before.factorizations;
-  cost.back_substitutions += before.back_substitutions;
-  cost.steps += before.steps;
-}
-
 void add_remarks(const AccountInWords &of, Results &results) {
   const AccuracyAccount &account = of.account;
   const std::vector<std::string> &chosen = account.chosen;

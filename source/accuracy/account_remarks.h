@@ -8,9 +8,6 @@ namespace frictionbeam::accuracy {
 /// Settings as they follow --set, one after the other.
 std::string settings_in_words(const std::vector<std::string> &settings);
 
-/// Add what runs before have cost, but for their sizes.
-void add_cost(const Cost &before, Cost &cost);
-
 struct AccountInWords {
   const AccuracyAccount &account;
   double margin; ///< by which the estimate has to be below what is demanded

@@ -107,18 +107,9 @@ Results AccuracyControl::solve_scene(const std::string &what) {
   if (this_process() == 0)
     remove_frames(scene.output.directory); // of coarser levels
   Results results = solve(scene);
-  cost.mesh_seconds += results.cost.mesh_seconds;
-  cost.setup_seconds += results.cost.setup_seconds;
-  cost.solve_seconds += results.cost.solve_seconds;
-  cost.iterations += results.cost.iterations;
-  cost.factorizations += results.cost.factorizations;
-  cost.back_substitutions += results.cost.back_substitutions;
-  cost.steps += results.cost.steps;
+  cost.add_work(results.cost);
   account.runs.push_back(
-      {what,
-       results.cost.mesh_seconds + results.cost.setup_seconds + results.cost.solve_seconds,
-       {},
-       results.status == RunStatus::converged});
+      {what, results.cost.seconds(), {}, results.status == RunStatus::converged});
   return results;
 }
 

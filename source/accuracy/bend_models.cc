@@ -64,14 +64,9 @@ private:
     return 1e-3 * scene.sections[scene.pipes[pipe].section].outer_radius;
   }
   bool is_anchor(const unsigned int pipe, const double s) const {
-    for (const Restraint &restraint : scene.restraints)
-      if (std::all_of(restraint.fixed.begin(), restraint.fixed.end(),
-                      [](const bool b) { return b; }))
-        for (const std::string &point : restraint.placement.points)
-          for (const double at : places_of(scene, paths[pipe], point, same(pipe)))
-            if (std::abs(at - s) <= same(pipe))
-              return true;
-    return false;
+    const std::vector<double> anchors = places_of_anchors(scene, paths[pipe], same(pipe));
+    return std::any_of(anchors.begin(), anchors.end(),
+                       [&](const double at) { return std::abs(at - s) <= same(pipe); });
   }
 
   const Scene &scene;
@@ -89,7 +84,7 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
   model.h = section.wall * bend.radius / (r * r);
   model.r_over_t = r / section.wall;
   model.angle = bend.length / bend.radius;
-  model.decay_length = r * std::sqrt(model.r_over_t);
+  model.decay_length = section.decay_length();
   model.tangents = {{{neighbours.at(room.pipe, room.from), bend.start - room.from},
                      {neighbours.at(room.pipe, room.to), room.to - bend.start - bend.length}}};
   const double diameter = 2. * section.outer_radius;

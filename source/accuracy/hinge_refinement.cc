@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/hinge_refinement.h"
 
-#include "accuracy/account_remarks.h"
 #include "accuracy/difference.h"
 #include "base/number_text.h"
 #include "base/user_error.h"
@@ -30,7 +29,7 @@ Results refine_hinges(Scene scene, const SolveScene &solve) {
                                   results.yielded.end());
     remove_frames(scene.output.directory);
     Results finer = solve(scene);
-    accuracy::add_cost(results.cost, finer.cost);
+    finer.cost.add_work(results.cost);
     const auto change = accuracy::largest(accuracy::differences(scene, results, finer));
     results = std::move(finer);
     const std::string levels =

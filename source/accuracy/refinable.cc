@@ -111,14 +111,6 @@ Refinable cells_of(const double run, const bool bends) {
           false, false, Convergence::Order::regular};
 }
 
-bool has_bend(const Scene &scene) {
-  for (const Pipe &pipe : scene.pipes)
-    for (const RoutePoint &point : pipe.route)
-      if (point.bend_radius > 0.)
-        return true;
-  return false;
-}
-
 } // namespace
 
 std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file) {
@@ -144,7 +136,7 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
   const bool has_modes = scene.modal.n_modes > 0; // whose masses are cells'
   if ((has_bed || has_transient || has_modes || is_large || scene.yields()) &&
       !scene.pipes.empty() && scene.mesh.file.empty())
-    list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
+    list.push_back(cells_of(shortest_run(scene), is_large && scene.has_bend()));
   if (scene.mesh.file.empty() && std::any_of(scene.pipes.begin(), scene.pipes.end(),
                                              [](const Pipe &pipe) { return pipe.end_section; }))
     list.push_back(entry("cells of reducers", "Mesh/Cells per reducer", 10));
@@ -183,7 +175,7 @@ std::vector<std::string> continuum_settings(const Scene &scene, const double dem
 
 std::vector<std::string> exact_settings(const Scene &scene) {
   if (scene.model != ModelKind::solid && scene.kinematics == Kinematics::linear &&
-      scene.mesh.file.empty() && has_bend(scene))
+      scene.mesh.file.empty() && scene.has_bend())
     return {"Mesh/Bends = arcs"};
   return {};
 }

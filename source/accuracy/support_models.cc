@@ -47,12 +47,8 @@ double stiffer_near_anchors(const Scene &scene, const PipePath &path, const doub
                             const Placement &placement) {
   constexpr double anywhere = 1.25, reach = 2., power = 1.1, nearest = 0.1; // diameters
   const double tolerance = 1e-3 * diameter;
-  std::vector<double> held, places;
-  for (const Restraint &restraint : scene.restraints)
-    if (std::all_of(restraint.fixed.begin(), restraint.fixed.end(), [](const bool b) { return b; }))
-      for (const std::string &point : restraint.placement.points)
-        for (const double s : places_of(scene, path, point, tolerance))
-          held.push_back(s);
+  const std::vector<double> held = places_of_anchors(scene, path, tolerance);
+  std::vector<double> places;
   for (const std::string &point : placement.points)
     for (const double s : places_of(scene, path, point, tolerance))
       places.push_back(s);
@@ -111,8 +107,7 @@ std::optional<WallAtSupport> wall_under(const Scene &scene, const std::vector<Pi
 std::vector<const SupportInfo *> places_of(const FrictionSupport &support, const Results &results) {
   std::vector<const SupportInfo *> places;
   for (const SupportInfo &info : results.supports)
-    if (info.name.compare(0, support.name.size(), support.name) == 0 &&
-        info.name.find_first_not_of(".0123456789", support.name.size()) == std::string::npos)
+    if (is_place_of(info.name, support.name))
       places.push_back(&info);
   return places;
 }
@@ -262,8 +257,7 @@ Scene with_patches(Scene scene, const WallsAtSupports &walls, const Results &res
     for (const SupportInfo *const place : places)
       if (const auto tangent = tangent_at(scene, paths, place->position)) {
         const Spring spring = spring_of_edges(support, wall, *place, *tangent);
-        scene.points.push_back({spring.point, place->position});
-        scene.places[spring.point] = place->position;
+        scene.add_point(spring.point, place->position);
         scene.springs.push_back(spring);
       }
     const Growth growth = growth_of(scene, wall, results);

@@ -81,13 +81,6 @@ KnownError by_time_step(const Scene &scene, const Results &results, const Resolu
   return {all.local_errors / all.largest_displacement, "sum of the local errors of the time steps"};
 }
 
-bool has_bends(const Scene &scene) {
-  return std::any_of(scene.pipes.begin(), scene.pipes.end(), [](const Pipe &pipe) {
-    return std::any_of(pipe.route.begin(), pipe.route.end(),
-                       [](const RoutePoint &point) { return point.bend_radius > 0.; });
-  });
-}
-
 /// Largest |N| l^2/(12 EI) of cells at the ends of the steps: what the axial force bends or
 /// straightens within a cell, and a cell's element leaves out, before the line as a whole makes
 /// more of it.
@@ -135,7 +128,7 @@ KnownError by_cells(const Scene &scene, const Results &results, const Resolution
             "pipes yield or creep between the sections that are looked at; Accuracy measures it"};
   constexpr double right_angle = 1.57079632679489662;
   double error = 0.;
-  if (has_bends(scene) && !scene.mesh.arcs) {
+  if (scene.has_bend() && !scene.mesh.arcs) {
     const double angle = right_angle / scene.mesh.cells_per_bend;
     error = angle * angle / 12.;
   }

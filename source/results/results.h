@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/increment/step_report.h"
+#include "results/cost.h"
 #include "results/extremes.h"
 #include "results/known_error.h"
 #include "results/section_results.h"
@@ -304,14 +305,6 @@ struct ReportSection {
 };
 
 enum class RunStatus { converged, failed, no_equilibrium };
-
-struct Cost {
-  double wall_seconds = 0., mesh_seconds = 0., setup_seconds = 0., solve_seconds = 0.;
-  std::size_t unknowns = 0, cells = 0, contacts = 0;
-  std::size_t steps = 0, iterations = 0, factorizations = 0;
-  std::size_t back_substitutions = 0; ///< with a matrix of the whole line
-  double peak_memory_mb = 0.;
-};
 
 /// How an answer came to the Accuracy that was demanded.
 struct AccuracyAccount {

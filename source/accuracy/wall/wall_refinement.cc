@@ -87,11 +87,7 @@ void WallRefinement::begin_coarse() {
   solid.cells_per_bend = fewest_along_bend;
   if (solid.first_cell == 0.)
     solid.first_cell = 2. * section.wall * std::sqrt(r_over_t);
-  const bool has_bend = std::any_of(scene.pipes.begin(), scene.pipes.end(), [](const Pipe &pipe) {
-    return std::any_of(pipe.route.begin(), pipe.route.end(),
-                       [](const RoutePoint &point) { return point.bend_radius > 0.; });
-  });
-  const unsigned int enough = has_bend ? cells_around_for(demanded, r_over_t) : 0;
+  const unsigned int enough = scene.has_bend() ? cells_around_for(demanded, r_over_t) : 0;
   while (level + 3 < around.size() && around[level + 2] < enough)
     ++level;
   solid.cells_around = around[level];
@@ -122,11 +118,8 @@ Results WallRefinement::solve_once() {
   if (this_process() == 0)
     remove_frames(scene.output.directory); // of coarser meshes
   Results results = solve(scene, mesh);
-  const Cost &cost = results.cost;
-  account.runs.push_back({of_mesh(settings()),
-                          cost.mesh_seconds + cost.setup_seconds + cost.solve_seconds,
-                          {},
-                          results.status == RunStatus::converged});
+  account.runs.push_back(
+      {of_mesh(settings()), results.cost.seconds(), {}, results.status == RunStatus::converged});
   return results;
 }
 
@@ -164,7 +157,7 @@ Results WallRefinement::solve_coarse() {
     return solve_once();
   const Results before = solve(half, mesh);
   Results results = solve_once();
-  accuracy::add_cost(before.cost, results.cost);
+  results.cost.add_work(before.cost);
   if (before.status == RunStatus::converged && results.status == RunStatus::converged) {
     const double change = accuracy::largest(accuracy::differences(scene, before, results)).value;
     account.runs.back().change = change;
@@ -234,7 +227,7 @@ SolvedScene WallRefinement::run(const RunOptions &options, const ReadScene &read
                            !account.reached && n <= most_levels && refine();
        ++n) {
     Results finer = solve_once();
-    accuracy::add_cost(results.cost, finer.cost);
+    finer.cost.add_work(results.cost);
     if (finer.status == RunStatus::converged) {
       const auto differences = accuracy::differences(scene, results, finer);
       const double change = accuracy::largest(differences).value;

@@ -157,6 +157,9 @@ std::optional<PressedSpan> most_pressed_span(const Scene &scene, const Results &
                                              const Frame &frame, const bool of_one_cell,
                                              const double touching) {
   constexpr double rounding = 1e-6;
+  if (std::none_of(frame.line.begin(), frame.line.end(),
+                   [](const Station &station) { return station.force[0] < 0.; }))
+    return {};
   const Runs runs(frame.line);
   Holds holds(scene, results, frame, touching);
   std::optional<PressedSpan> worst;

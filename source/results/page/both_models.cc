@@ -33,17 +33,10 @@ void include_model(Results &both, const Results &results, const std::string &mod
   both.method += (both.method.empty() ? "" : "; ") + model + ": " + results.method;
   if (results.status != RunStatus::converged)
     both.status = results.status;
-  Cost &sum = both.cost;
-  const Cost &cost = results.cost;
-  sum.mesh_seconds += cost.mesh_seconds;
-  sum.setup_seconds += cost.setup_seconds;
-  sum.solve_seconds += cost.solve_seconds;
-  sum.unknowns += cost.unknowns;
-  sum.cells += cost.cells;
-  sum.contacts += cost.contacts;
-  sum.steps += cost.steps;
-  sum.iterations += cost.iterations;
-  sum.factorizations += cost.factorizations;
+  both.cost.add_work(results.cost);
+  both.cost.unknowns += results.cost.unknowns;
+  both.cost.cells += results.cost.cells;
+  both.cost.contacts += results.cost.contacts;
 }
 
 std::string side_by_side(const Results &both, const std::string &other,

@@ -44,20 +44,17 @@ KnownError error_of_cells(const Scene &scene, const std::string &name) {
 }
 
 HowWellKnown how_well_known_of_wall(const Scene &scene) {
-  const bool has_bend = std::any_of(scene.pipes.begin(), scene.pipes.end(), [](const Pipe &pipe) {
-    return std::any_of(pipe.route.begin(), pipe.route.end(),
-                       [](const RoutePoint &point) { return point.bend_radius > 0.; });
-  });
   HowWellKnown known;
   known.increments =
       scene.supports.empty()
           ? KnownError{0., "nothing slips"}
           : KnownError{{}, "supports may slip within increments; Accuracy measures it"};
   known.time_step = {0., "there is no transient step"};
-  known.cells = has_bend ? error_of_cells(scene, "the wall")
-                         : KnownError{{},
-                                      "what cells leave is known of bends, of which there is "
-                                      "none; Accuracy measures it"};
+  known.cells = scene.has_bend()
+                    ? error_of_cells(scene, "the wall")
+                    : KnownError{{},
+                                 "what cells leave is known of bends, of which there is "
+                                 "none; Accuracy measures it"};
   return known;
 }
 
