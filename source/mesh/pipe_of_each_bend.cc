@@ -79,10 +79,6 @@ private:
   /// Supports of a placement along the pipe stand at points of the same places.
   void place_at_points(const std::string &part, const Pipe &pipe, const PipePath &path,
                        Placement &placement);
-  void add_point(const std::string &name, const Point3 &position) {
-    scene.points.push_back({name, position});
-    scene.places[name] = position;
-  }
 
   const Scene before;
   Scene scene;
@@ -104,7 +100,7 @@ void Cutter::place_at_points(const std::string &part, const Pipe &pipe, const Pi
   for (unsigned int i = 1; from + i * every < to - tolerance; ++i) {
     placement.points.push_back("place " + std::to_string(i) + " of " + part);
     if (scene.places.count(placement.points.back()) == 0)
-      add_point(placement.points.back(), path.point(from + i * every));
+      scene.add_point(placement.points.back(), path.point(from + i * every));
   }
 }
 

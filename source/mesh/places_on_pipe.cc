@@ -14,4 +14,15 @@ std::vector<double> places_of(const Scene &scene, const PipePath &path, const st
   return {};
 }
 
+std::vector<double> places_of_anchors(const Scene &scene, const PipePath &path,
+                                      const double tolerance) {
+  std::vector<double> places;
+  for (const Restraint &restraint : scene.restraints)
+    if (restraint.is_anchor())
+      for (const std::string &point : restraint.placement.points)
+        for (const double s : places_of(scene, path, point, tolerance))
+          places.push_back(s);
+  return places;
+}
+
 } // namespace frictionbeam

@@ -9,4 +9,8 @@ namespace frictionbeam {
 std::vector<double> places_of(const Scene &scene, const PipePath &path, const std::string &point,
                               const double tolerance);
 
+/// The same of all anchors that stand at points.
+std::vector<double> places_of_anchors(const Scene &scene, const PipePath &path,
+                                      const double tolerance);
+
 } // namespace frictionbeam

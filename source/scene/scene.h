@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -97,6 +98,11 @@ struct Section {
   bool is_inelastic() const { return law != "elastic_section"; }
 
   double bore_area() const; ///< [m2]; 0 where the wall is not known
+  /// r sqrt(r/t) of the mean radius, in which the oval of a straight pipe dies out [m].
+  double decay_length() const {
+    const double r = outer_radius - wall / 2.;
+    return r * std::sqrt(r / wall);
+  }
   /// Contents and insulation, by their densities [kg/m].
   double filling() const;
 };
@@ -128,6 +134,12 @@ struct Pipe {
   std::optional<unsigned int> end_section; ///< of a reducer, whose section changes evenly to it
   bool rigid = false;                      ///< a valve, a flange: 1000 times as stiff
   std::optional<double> total_mass;        ///< of the pipe itself [kg], instead of its metal's
+
+  /// Whether a corner of its route is rounded.
+  bool has_bend() const {
+    return std::any_of(route.begin(), route.end(),
+                       [](const RoutePoint &point) { return point.bend_radius > 0.; });
+  }
 };
 
 /// A point with a name that is no corner of a route: on a pipe, or free in space.
@@ -193,6 +205,11 @@ struct Restraint {
   Axes axes = global_axes();
   std::vector<Direction> translations; ///< further directions held
   double capacity = 0.;                ///< largest force that it is made for [N]; 0: not said
+
+  /// Whether it holds all motions.
+  bool is_anchor() const {
+    return std::all_of(fixed.begin(), fixed.end(), [](const bool one) { return one; });
+  }
 };
 
 /// Linear spring, to the ground or between two points: the sum over six directions a of motion of
@@ -352,6 +369,16 @@ struct Scene {
   /// Whether it is solved as solid pipes, alone or beside the line.
   bool is_solid() const {
     return model == ModelKind::solid || (model == ModelKind::both && !continuum);
+  }
+
+  void add_point(const std::string &point, const Point3 &position) {
+    points.push_back({point, position});
+    places.emplace(point, position);
+  }
+
+  bool has_bend() const {
+    return std::any_of(pipes.begin(), pipes.end(),
+                       [](const Pipe &pipe) { return pipe.has_bend(); });
   }
 
   /// Whether sections stay as stiff as their laws are at rest, whatever the laws say of yielding.

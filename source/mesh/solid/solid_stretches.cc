@@ -2,6 +2,7 @@
 #include "mesh/solid/solid_stretches.h"
 
 #include "base/user_error.h"
+#include "mesh/places_on_pipe.h"
 #include "scene/file/parameter_reader.h"
 #include "scene/in_units.h"
 #include "scene/solid/mixed_entries.h"
@@ -45,16 +46,14 @@ private:
   /// One stretch for those that meet.
   void join(std::vector<SolidStretch> &stretches) const;
   /// Places of the anchors of a pipe along it.
-  std::vector<double> anchors(const unsigned int pipe) const;
-  std::vector<double> places(const unsigned int pipe, const std::string &point) const;
+  std::vector<double> anchors(const unsigned int pipe) const {
+    return places_of_anchors(scene, paths[pipe], same * outer(pipe));
+  }
+  std::vector<double> places(const unsigned int pipe, const std::string &point) const {
+    return places_of(scene, paths[pipe], point, same * outer(pipe));
+  }
   double outer(const unsigned int pipe) const {
     return scene.sections[scene.pipes[pipe].section].outer_radius;
-  }
-  /// r sqrt(r/t), in which ovalization of a straight pipe decays [m].
-  double decay_length(const unsigned int pipe) const {
-    const Section &section = scene.sections[scene.pipes[pipe].section];
-    const double r = section.outer_radius - section.wall / 2.;
-    return r * std::sqrt(r / section.wall);
   }
   std::string place_in_words(const unsigned int pipe, const double s) const {
     return scene.pipes[pipe].name + "_at_" +
@@ -70,26 +69,6 @@ private:
   std::set<std::string> found;
   std::vector<SolidStretch> stretches;
 };
-
-std::vector<double> StretchLayout::places(const unsigned int pipe, const std::string &point) const {
-  for (const PipePath::RoutePlace &place : paths[pipe].route_points())
-    if (place.name == point)
-      return {place.s};
-  for (const NamedPoint &named : scene.points)
-    if (named.name == point)
-      return paths[pipe].all_places(named.position, same * outer(pipe));
-  return {};
-}
-
-std::vector<double> StretchLayout::anchors(const unsigned int pipe) const {
-  std::vector<double> result;
-  for (const Restraint &restraint : scene.restraints)
-    if (std::all_of(restraint.fixed.begin(), restraint.fixed.end(), [](const bool b) { return b; }))
-      for (const std::string &point : restraint.placement.points)
-        for (const double s : places(pipe, point))
-          result.push_back(s);
-  return result;
-}
 
 void StretchLayout::add_bends(const unsigned int pipe) {
   for (const Segment &segment : paths[pipe].segments()) {
@@ -151,7 +130,8 @@ std::array<double, 2> StretchLayout::room_of(const SolidStretch &stretch) const 
 
 void StretchLayout::extend(SolidStretch &stretch) const {
   const auto [low, high] = room_of(stretch);
-  const double tangent = decay_lengths * decay_length(stretch.pipe),
+  const double tangent =
+                   decay_lengths * scene.sections[scene.pipes[stretch.pipe].section].decay_length(),
                tolerance = same * outer(stretch.pipe);
   // No sliver of a pipe beside it.
   const double from = stretch.from - tangent, to = stretch.to + tangent;

@@ -36,8 +36,7 @@ void declare_point(ParameterReader &in) {
 }
 
 void parse_point(const ParameterReader &in, const std::string &name, Scene &scene) {
-  scene.points.push_back({name, Point3(in.vector("Position", "m"))});
-  scene.places.emplace(name, scene.points.back().position);
+  scene.add_point(name, Point3(in.vector("Position", "m")));
 }
 
 void declare_pipe(ParameterReader &in) {
@@ -250,9 +249,7 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
     bend.rule = Rule::none;
   else if (flexibility == "code" || flexibility == "von Karman") {
     bend.rule = flexibility == "code" ? Rule::code : Rule::von_karman;
-    const bool bends = pipe.bend_radius > 0. ||
-                       std::any_of(pipe.route.begin(), pipe.route.end(),
-                                   [](const RoutePoint &p) { return p.bend_radius > 0.; });
+    const bool bends = pipe.bend_radius > 0. || pipe.has_bend();
     if (bends && scene.sections[pipe.section].wall == 0.)
       in.fail("Bend flexibility",
               flexibility + " where the section gives 'Outer diameter' and 'Wall'",
