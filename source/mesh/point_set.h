@@ -16,12 +16,20 @@ public:
   explicit PointSet(const double tolerance) : cell(4. * tolerance), tolerance(tolerance) {}
 
   int insert(const Point3 &p) {
-    std::array<long, 3> key;
-    for (unsigned int d = 0; d < 3; ++d)
-      key[d] = std::lround(p[d] / cell);
-    for (long i = -1; i <= 1; ++i)
-      for (long j = -1; j <= 1; ++j)
-        for (long k = -1; k <= 1; ++k) {
+    // What is within the tolerance, a quarter of a cell, of a point in the inner half of its cell is
+    // in that cell: those beside it are looked into only where the point is further out.
+    constexpr double inner = 0.2; // a quarter, and room for rounding
+    std::array<long, 3> key, first, last;
+    for (unsigned int d = 0; d < 3; ++d) {
+      const double place = p[d] / cell;
+      key[d] = std::lround(place);
+      const double off = place - key[d];
+      first[d] = off < -inner ? -1 : 0;
+      last[d] = off > inner ? 1 : 0;
+    }
+    for (long i = first[0]; i <= last[0]; ++i)
+      for (long j = first[1]; j <= last[1]; ++j)
+        for (long k = first[2]; k <= last[2]; ++k) {
           const auto range = grid.equal_range(hash({key[0] + i, key[1] + j, key[2] + k}));
           for (auto it = range.first; it != range.second; ++it)
             if (points[it->second].distance(p) <= tolerance)
