@@ -5,6 +5,7 @@
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -22,13 +23,19 @@ constexpr const char *advice =
 
 std::string file_in(const std::string &folder) { return folder + "/checkpoint.bin"; }
 
-/// Fowler, Noll and Vo's hash FNV-1a of 64 bits.
+/// Fowler, Noll and Vo's hash FNV-1a of 64 bits, by eight bytes at a time: bytes one by one take
+/// eight times as long, of which a long line has some hundred million. A product carries bits
+/// upwards only; so its upper half is mixed into the lower one.
 class Hash {
 public:
   void add(const void *const bytes, const std::size_t size) {
-    const auto *const begin = static_cast<const unsigned char *>(bytes);
-    for (std::size_t i = 0; i < size; ++i)
-      value = (value ^ begin[i]) * 1099511628211u;
+    const auto *const begin = static_cast<const char *>(bytes);
+    for (std::size_t i = 0; i < size; i += sizeof(value)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, begin + i, std::min(sizeof(word), size - i));
+      value = (value ^ word) * 1099511628211u;
+      value ^= value >> 32;
+    }
   }
   template <typename Numbers>
   void add_numbers(const Numbers &numbers) {
