@@ -4,8 +4,11 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace frictionbeam {
 
@@ -33,7 +36,27 @@ std::string number_text(const double value, const Format... format) {
 } // namespace
 
 void append_exact_number(const double value, std::string &text) {
-  append_number(text, value + 0.); // no negative zero
+  // Tables repeat numbers from row to row, and to look one up takes a tenth of making its text.
+  struct Known {
+    std::uint64_t bits = 0;
+    std::uint8_t length = 0; ///< 0: nothing is known here
+    std::array<char, 24> text{};
+  };
+  constexpr unsigned int log_n_known = 8;
+  thread_local std::array<Known, 1u << log_n_known> all_known;
+  const double number = value + 0.; // no negative zero
+  std::uint64_t bits;
+  std::memcpy(&bits, &number, sizeof(bits));
+  Known &known = all_known[(bits * 0x9e3779b97f4a7c15u) >> (64 - log_n_known)]; // of Fibonacci
+  if (known.length == 0 || known.bits != bits) {
+    const std::size_t begin = text.size();
+    append_number(text, number);
+    known.bits = bits;
+    known.length = text.copy(known.text.data(), known.text.size(), begin);
+    Assert(begin + known.length == text.size(), dealii::ExcInternalError());
+    return;
+  }
+  text.append(known.text.data(), known.length);
 }
 
 std::string exact_number(const double value) {

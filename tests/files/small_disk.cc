@@ -58,6 +58,22 @@ void check_run_on_small_disk() {
   }
 }
 
+/// The same of a table that is so long that two threads make it.
+void check_long_table_on_small_disk() {
+  for (const unsigned int n_pages : {100, 300, 10000}) {
+    Place place;
+    const SmallDisk disk(place.folder.path / "disk", n_pages * page);
+    if (!disk.is_there)
+      return;
+    Child child({place.write("small.prm", bar).string(), "--set", "Output/Stations = 1000", "--set",
+                 "Mesh/Cell length = 0.2", "--output-directory", (disk.path / "results").string()},
+                place.folder.path / "log", [] {});
+    const int status = child.wait();
+    CHECK(status == (n_pages == 10000 ? 0 : 4));
+    CHECK(status == 0 || contains(child.output(), "No space left on device"));
+  }
+}
+
 /// frictionbeam contact leaves the file as it was, and nothing else, if the solution has no room.
 void check_contact_on_full_disk() {
   Place place;
@@ -113,6 +129,7 @@ int main(int argc, char **argv) {
     return 2;
   frictionbeam = argv[1];
   check_run_on_small_disk();
+  check_long_table_on_small_disk();
   check_contact_on_full_disk();
   return check::report();
 }

@@ -19,8 +19,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -100,6 +102,55 @@ void check_numbers() {
   CHECK(display_unit("N", 2e3).name == "kN");
   CHECK(csv_field("plain") == "plain");
   CHECK(csv_field("a,\"b\"") == "\"a,\"\"b\"\"\"");
+}
+
+/// Numbers that tables repeat have the same text as when they came first.
+void check_repeated_numbers() {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> exponent(-300., 300.);
+  std::vector<double> numbers = {0., -0., 1., -1.7976931348623157e308, 5e-324, 1. / 0., -1. / 0.};
+  for (unsigned int i = 0; i < 3000; ++i)
+    numbers.push_back((i % 2 == 0 ? 1. : -1.) * std::pow(10., exponent(random)));
+  for (const double number : numbers)
+    for (unsigned int time = 0; time < 2; ++time) {
+      char expected[100];
+      *std::to_chars(expected, expected + sizeof(expected), number + 0.).ptr = '\0';
+      CHECK(exact_number(number) == expected);
+    }
+  CHECK(exact_number(std::nan("")) == "nan" && exact_number(std::nan("")) == "nan");
+}
+
+/// A table made by two threads has the rows in their order, or says why it has not.
+void check_rows() {
+  const auto add_row = [](const std::size_t row, std::string &text) {
+    text += std::to_string(row) + ',' + exact_number(row % 7 / 3.) + '\n';
+  };
+  for (const std::size_t n_rows : {0, 1, 999, 1000, 1001, 2000, 34567}) {
+    std::string expected = "header\n";
+    for (std::size_t row = 0; row < n_rows; ++row)
+      add_row(row, expected);
+    const std::string path = folder + "/rows.csv";
+    OutputFile file(path);
+    file.stream() << "header\n";
+    file.flush();
+    write_rows(n_rows, add_row, file);
+    CHECK(read(path) == expected);
+  }
+  if (std::filesystem::exists("/dev/full")) {
+    OutputFile full("/dev/full");
+    const std::string message = message_of([&] { write_rows(34567, add_row, full); });
+    CHECK(contains(message, "No space left on device"));
+  }
+  for (const std::size_t bad : {0, 5500, 34566}) {
+    OutputFile file(folder + "/rows.csv");
+    const auto fail = [&](const std::size_t row, std::string &text) {
+      if (row == bad)
+        throw UserError("row " + std::to_string(row));
+      add_row(row, text);
+    };
+    const std::string message = message_of([&] { write_rows(34567, fail, file); });
+    CHECK(message == "row " + std::to_string(bad));
+  }
 }
 
 void check_folder() {
@@ -319,7 +370,9 @@ void check_plot() {
 int main() {
   Sample sample = make_sample(8, 50);
   check_numbers();
+  check_repeated_numbers();
   check_folder();
+  check_rows();
   check_csv(sample);
   check_summary(sample);
   check_vtu(sample);

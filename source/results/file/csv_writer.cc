@@ -5,6 +5,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -54,7 +55,10 @@ std::vector<std::string> history_names(const std::vector<History> &histories) {
 } // namespace
 
 std::string csv_field(const std::string &text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
+  const auto needs_quotes = [](const char c) {
+    return c == ',' || c == '"' || c == '\r' || c == '\n';
+  };
+  if (std::none_of(text.begin(), text.end(), needs_quotes))
     return text;
   std::string quoted = "\"";
   for (const char c : text) {
@@ -138,48 +142,46 @@ void CsvWriter::finish() {
 void CsvWriter::append_supports(const Frame &frame) {
   AssertDimension(frame.supports.size(), results.supports.size());
   const std::string when = instant(frame);
-  for (unsigned int i = 0; i < frame.supports.size(); ++i) {
+  const auto add_row = [&](const std::size_t i, std::string &text) {
     const SupportState &state = frame.supports[i];
-    std::string row =
-        csv_field(results.supports[i].name) + ',' + when + ',' + status_word(state.status);
+    text += csv_field(results.supports[i].name) + ',' + when + ',' + status_word(state.status);
     std::array<double, n_shown_support_numbers> numbers;
     for (unsigned int k = 0; k < numbers.size(); ++k)
       numbers[k] = state.*support_numbers[k];
-    add_numbers(row, numbers);
-    supports.stream() << row << '\n';
-  }
-  supports.flush();
+    add_numbers(text, numbers);
+    text += '\n';
+  };
+  write_rows(frame.supports.size(), add_row, supports);
 }
 
 void CsvWriter::append_reactions(const Frame &frame) {
   AssertDimension(frame.reactions.size(), results.restraints.size());
   const std::string when = instant(frame);
-  for (unsigned int i = 0; i < frame.reactions.size(); ++i) {
-    std::string row = csv_field(results.restraints[i].name) + ',' + when;
-    add_numbers(row, frame.reactions[i]);
-    reactions.stream() << row << '\n';
-  }
-  reactions.flush();
+  const auto add_row = [&](const std::size_t i, std::string &text) {
+    text += csv_field(results.restraints[i].name) + ',' + when;
+    add_numbers(text, frame.reactions[i]);
+    text += '\n';
+  };
+  write_rows(frame.reactions.size(), add_row, reactions);
 }
 
 void CsvWriter::append_line(const Frame &frame) {
   const std::string step = csv_field(frame.name) + ',';
-  std::string row;
-  for (std::size_t i = 0; i < frame.line.size(); ++i) {
+  const auto add_row = [&](const std::size_t i, std::string &text) {
     const Station &station = frame.line[i];
     AssertIndexRange(station.pipe, scene.pipes.size());
-    (row = step) += csv_field(scene.pipes[station.pipe].name);
-    add_numbers(row, std::array<double, 4>{{station.s, station.position[0], station.position[1],
-                                            station.position[2]}});
-    add_numbers(row, station.displacement);
-    add_numbers(row, station.force);
+    (text += step) += csv_field(scene.pipes[station.pipe].name);
+    add_numbers(text, std::array<double, 4>{{station.s, station.position[0], station.position[1],
+                                             station.position[2]}});
+    add_numbers(text, station.displacement);
+    add_numbers(text, station.force);
     // The node where a bend begins may be the last station of what is before it.
     const bool begins_cell = station.is_node() && station.bend_radius == 0. &&
                              i + 1 < frame.line.size() && frame.line[i + 1].pipe == station.pipe;
-    add_numbers(row, moments_of_bend(frame.line[begins_cell ? i + 1 : i].bend_axis, station));
-    line.stream() << row << '\n';
-  }
-  line.flush();
+    add_numbers(text, moments_of_bend(frame.line[begins_cell ? i + 1 : i].bend_axis, station));
+    text += '\n';
+  };
+  write_rows(frame.line.size(), add_row, line);
 }
 
 void CsvWriter::append_sections(const Frame &frame) {

@@ -5,9 +5,15 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <condition_variable>
 #include <cstring>
+#include <exception>
 #include <filesystem>
+#include <mutex>
+#include <system_error>
+#include <thread>
 
 namespace frictionbeam {
 
@@ -107,6 +113,80 @@ void OutputFile::flush() {
   file.flush();
   if (!file)
     throw_unwritable("file", path, errno);
+}
+
+namespace {
+
+/// The blocks of a table, which threads take one after the other.
+class RowBlocks {
+public:
+  RowBlocks(const std::size_t n_rows, const AddRow &add_row, OutputFile &file)
+      : n_rows(n_rows), add_row(add_row), file(file) {}
+
+  std::size_t size() const { return (n_rows + rows_at_once - 1) / rows_at_once; }
+
+  /// Make and write blocks until none is left, or one has failed in any thread.
+  void work() {
+    try {
+      std::string text;
+      for (std::size_t block = take(); block < size(); block = take()) {
+        text.clear();
+        const std::size_t begin = block * rows_at_once;
+        for (std::size_t row = begin; row < std::min(n_rows, begin + rows_at_once); ++row)
+          add_row(row, text);
+        std::unique_lock<std::mutex> lock(mutex);
+        turn.wait(lock, [&]() { return n_written == block || failure; });
+        if (failure)
+          return;
+        file.stream() << text;
+        file.flush(); // here, for the reason of an error is its thread's
+        ++n_written;
+        turn.notify_all();
+      }
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!failure)
+        failure = std::current_exception();
+      turn.notify_all();
+    }
+  }
+
+  void rethrow_failure() const {
+    if (failure)
+      std::rethrow_exception(failure);
+  }
+
+private:
+  static constexpr std::size_t rows_at_once = 1000; // some 200 kB
+
+  std::size_t take() {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return n_taken++;
+  }
+
+  const std::size_t n_rows;
+  const AddRow &add_row;
+  OutputFile &file;
+  std::mutex mutex;
+  std::condition_variable turn;
+  std::size_t n_taken = 0, n_written = 0;
+  std::exception_ptr failure;
+};
+
+} // namespace
+
+void write_rows(const std::size_t n_rows, const AddRow &add_row, OutputFile &file) {
+  RowBlocks blocks(n_rows, add_row, file);
+  std::thread other;
+  if (blocks.size() > 1 && std::thread::hardware_concurrency() > 1)
+    try {
+      other = std::thread([&]() { blocks.work(); });
+    } catch (const std::system_error &) { // there is none to be had
+    }
+  blocks.work();
+  if (other.joinable())
+    other.join();
+  blocks.rethrow_failure();
 }
 
 void write_file(const std::string &path, const std::string &text) {

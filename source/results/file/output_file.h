@@ -4,6 +4,7 @@
 #include "base/archive.h"
 
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -49,6 +50,16 @@ private:
   std::string path;
   std::ofstream file;
 };
+
+/// Appends a row of a table to a text. Two threads may call it at a time.
+using AddRow = std::function<void(const std::size_t row, std::string &text)>;
+
+/**
+ * Write the rows of a table that may be long, and hand them to the system: their texts are made in
+ * blocks, by two threads where there are several blocks and processors, and written in the order of
+ * the rows. So no more than a block for each thread is in memory.
+ */
+void write_rows(const std::size_t n_rows, const AddRow &add_row, OutputFile &file);
 
 /// Write @p text to the file @p path; errors as OutputFile.
 void write_file(const std::string &path, const std::string &text);

@@ -92,22 +92,29 @@ void write_wall_stresses(const Scene &scene, Results &results, const std::string
         "such as von_mises, asks for it.");
     return;
   }
+  if (!has_walls)
+    return;
   const double stress_unit = results.units.factor("Pa"), length = results.units.factor("m");
-  std::string text = "step,pipe,s,principal_most,principal_least,von_mises,tresca\n";
-  bool any = false;
-  for_each_station(
-      scene, results, [&](const Frame &frame, const Station &station, const WallStress &stress) {
-        any = true;
-        text += csv_field(frame.name) + ',' + csv_field(scene.pipes[station.pipe].name) + ',';
-        append_exact_number(station.s / length, text);
-        for (const double value : {stress.most, stress.least, stress.von_mises, stress.tresca}) {
-          text += ',';
-          append_exact_number(value / stress_unit, text);
-        }
-        text += '\n';
-      });
-  if (any)
-    write_file(folder + "/wall_stresses.csv", text);
+  OutputFile file(folder + "/wall_stresses.csv");
+  file.stream() << "step,pipe,s,principal_most,principal_least,von_mises,tresca\n";
+  for (const Frame &frame : results.frames) {
+    if (frame.step >= scene.steps.size())
+      continue;
+    const auto add_row = [&](const std::size_t i, std::string &text) {
+      const Station &station = frame.line[i];
+      const std::optional<WallStress> stress = elastic_wall_stress(scene, station);
+      if (!stress)
+        return;
+      text += csv_field(frame.name) + ',' + csv_field(scene.pipes[station.pipe].name) + ',';
+      append_exact_number(station.s / length, text);
+      for (const double value : {stress->most, stress->least, stress->von_mises, stress->tresca}) {
+        text += ',';
+        append_exact_number(value / stress_unit, text);
+      }
+      text += '\n';
+    };
+    write_rows(frame.line.size(), add_row, file);
+  }
 }
 
 } // namespace frictionbeam
