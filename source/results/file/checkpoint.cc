@@ -5,7 +5,6 @@
 #include "results/file/output_file.h"
 #include "results/file/summary.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -30,12 +29,11 @@ class Hash {
 public:
   void add(const void *const bytes, const std::size_t size) {
     const auto *const begin = static_cast<const char *>(bytes);
-    for (std::size_t i = 0; i < size; i += sizeof(value)) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, begin + i, std::min(sizeof(word), size - i));
-      value = (value ^ word) * 1099511628211u;
-      value ^= value >> 32;
-    }
+    const std::size_t n_in_words = size / sizeof(value) * sizeof(value);
+    for (std::size_t i = 0; i < n_in_words; i += sizeof(value))
+      take(begin + i, sizeof(value));
+    if (n_in_words < size)
+      take(begin + n_in_words, size - n_in_words);
   }
   template <typename Numbers>
   void add_numbers(const Numbers &numbers) {
@@ -63,6 +61,13 @@ public:
   }
 
 private:
+  void take(const char *const bytes, const std::size_t size) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes, size);
+    value = (value ^ word) * 1099511628211u;
+    value ^= value >> 32;
+  }
+
   std::uint64_t value = 14695981039346656037u;
 };
 
