@@ -376,8 +376,11 @@ int run_case(const RunOptions &options) {
     print_summary(std::cout, solved.scene, solved.results);
     std::cout << "Results are in " << folder << ", the report is report.html\n";
   }
-  if (solved.results.status != RunStatus::converged)
+  if (solved.results.status != RunStatus::converged) {
+    if (options.quiet && this_process() == 0)
+      std::cerr << why_unsolved(solved.results, folder) << '\n';
     return 2;
+  }
   refuse_doubts(solved.results.doubts, "by the results");
   return solved.scene.checks.decide_exit_status && any_fails(solved.results.verdicts) ? checks_fail
                                                                                       : 0;

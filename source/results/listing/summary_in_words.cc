@@ -3,6 +3,7 @@
 
 #include "results/how_well_known.h"
 #include "results/remarks.h"
+#include "results/text.h"
 #include "results/verdicts.h"
 
 namespace frictionbeam {
@@ -31,6 +32,26 @@ void print_summary(std::ostream &out, const Scene &scene, const Results &results
       out << " (reference " << *quantity.reference << ", error " << *quantity.error << ')';
     out << '\n';
   }
+}
+
+std::string where_it_stopped(const Results &results) {
+  for (const StepReport &step : results.steps)
+    if (!step.converged)
+      return " It stopped in step '" + step.step + "'" +
+             (step.remark.empty() ? "."
+                                  : ": " + step.remark + (step.remark.back() == '.' ? "" : "."));
+  return "";
+}
+
+std::string why_unsolved(const Results &results, const std::string &folder) {
+  const std::string where = where_it_stopped(results);
+  std::string text =
+      "Status " + status_word(results.status) + "." +
+      (where.empty() ? " Every step came to its end, but not to what was asked." : where);
+  if (!results.frames.empty())
+    text += " The last good state is that of time " +
+            rounded_number(results.frames.back().time, 6) + " s.";
+  return text + " What was reached is in " + folder + ": report.html, summary.json.";
 }
 
 } // namespace frictionbeam

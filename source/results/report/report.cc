@@ -9,6 +9,7 @@
 #include "results/listing/compliance.h"
 #include "results/listing/hangers.h"
 #include "results/listing/model_echo.h"
+#include "results/listing/summary_in_words.h"
 #include "results/page/html.h"
 #include "results/picture/displacement_scale.h"
 #include "results/picture/line_picture.h"
@@ -42,16 +43,6 @@ std::string now() {
   if (localtime_r(&time, &local) != nullptr)
     std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M %Z", &local);
   return text;
-}
-
-/// The step at which the run stopped, in a sentence; empty if the solver left no word.
-std::string where_it_stopped(const Results &results) {
-  for (const StepReport &step : results.steps)
-    if (!step.converged)
-      return " It stopped in step '" + step.step + "'" +
-             (step.remark.empty() ? "."
-                                  : ": " + step.remark + (step.remark.back() == '.' ? "" : "."));
-  return "";
 }
 
 std::string status_box(const Results &results) {
