@@ -2,6 +2,7 @@
 #include "scene/part/parts.h"
 
 #include <algorithm>
+#include <map>
 
 namespace frictionbeam::parts {
 
@@ -11,14 +12,17 @@ namespace {
 void remark_on_integrator(ParameterReader &in, Scene &scene) {
   in.enter("Time");
   const IntegratorRow &taken = scene.time.row();
+  std::map<std::string, std::vector<std::string>> users; // of each entry that is not of this one
   for (const IntegratorRow &row : integrators)
     for (const char *const entry : row.entries)
       if (entry != nullptr && in.given(entry) &&
           std::none_of(taken.entries.begin(), taken.entries.end(), [&](const char *const own) {
             return own != nullptr && std::string(own) == entry;
           }))
-        scene.remarks.push_back("Time/" + std::string(entry) + " is of " + row.word +
-                                " and is not used with Integrator = " + taken.word + ".");
+        users[entry].push_back(row.word);
+  for (const auto &[entry, words] : users)
+    scene.remarks.push_back("Time/" + entry + " is of " + join(words) +
+                            " and is not used with Integrator = " + taken.word + ".");
   const bool maps_back =
       taken.value == Integrator::newmark || taken.value == Integrator::generalized_alpha;
   if (!maps_back || scene.solver.is_exact())
