@@ -17,6 +17,9 @@ constexpr unsigned int most_increments_of_yield = 300;  // of lines for which ha
 constexpr unsigned int of_mechanism = 6;                // increments of a mechanism
 constexpr double on_the_way = 1e-2; // between a limit and its bound where the mechanism goes on
 constexpr double rounding_of_load = 1e-9; // below which a load has not fallen
+
+/// A part of a step's loads, 0 where a step begins at its limit but for rounding.
+double without_rounding(const double part) { return std::abs(part) < rounding_of_load ? 0. : part; }
 } // namespace
 
 double LoadSequence::part_done() const {
@@ -114,7 +117,8 @@ std::optional<LimitLoad> LoadSequence::bound_of_yield() const {
                                          course.factors_at(position.start + duration, side));
   if (!collapse)
     return {};
-  return LimitLoad{part_done(), collapse->bound, collapse->mechanism};
+  return LimitLoad{without_rounding(part_done()), without_rounding(collapse->bound),
+                   collapse->mechanism};
 }
 
 bool LoadSequence::end_at_collapse() {
@@ -202,7 +206,7 @@ bool LoadSequence::jumps(const LineState &to, const double time) const {
 
 void LoadSequence::end_at_limit(const std::string &why) {
   StepReport &report = step_reports.back();
-  report.limit = {part_done(), std::numeric_limits<double>::infinity(),
+  report.limit = {without_rounding(part_done()), std::numeric_limits<double>::infinity(),
                   why + path.place_of_most_motion()};
   if (const auto limit = bound_of_yield(); limit && limit->bound <= widest_limit * limit->reached) {
     report.limit->bound = limit->bound;

@@ -58,18 +58,33 @@ PipeSections::Flow flow_of(const Model &model, const unsigned int index, const L
   return {std::abs(work)};
 }
 
+/// Whether a cell shows the same hinge as the one before it: next to each other on one pipe, and
+/// not each with its own at its far end.
+bool is_one_hinge(const Model &model, const Hinge &before, const Hinge &next) {
+  const PipeCell &first = model.discretization.pipe_cells()[before.cell],
+                 &second = model.discretization.pipe_cells()[next.cell];
+  const auto along = [](const PipeCell &cell, const double part) {
+    return cell.reversed ? 1. - part : part;
+  };
+  return first.pipe == second.pipe && first.position + 1 == second.position &&
+         !(along(first, before.part) < 0.5 && along(second, next.part) > 0.5);
+}
+
 /// Where most is dissipated: cells side by side are one hinge.
-std::string words_of(const Model &model, std::vector<Hinge> hinges, const LineState &at,
+std::string words_of(const Model &model, const std::vector<Hinge> &hinges, const LineState &at,
                      const double power) {
   constexpr double least_share = 0.02;
   constexpr std::size_t most_named = 6;
   std::vector<Hinge> named;
+  const Hinge *last = nullptr; // that takes part
   for (const Hinge &hinge : hinges) {
-    const bool follows = !named.empty() && named.back().cell + 1 == hinge.cell;
-    if (follows && hinge.power > named.back().power)
-      named.back() = hinge;
-    else if (!follows && hinge.power > least_share * power)
+    if (!(hinge.power > least_share * power))
+      continue;
+    if (last == nullptr || !is_one_hinge(model, *last, hinge))
       named.push_back(hinge);
+    else if (hinge.power > named.back().power)
+      named.back() = hinge;
+    last = &hinge;
   }
   std::string text;
   for (std::size_t i = 0; i < std::min(named.size(), most_named); ++i)
