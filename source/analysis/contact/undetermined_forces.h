@@ -6,11 +6,15 @@
 namespace frictionbeam {
 
 /**
- * Contacts whose forces nothing determines, although the motion is unique: some change dr
- * of the forces of rigid contacts, in the states that they have, makes no force on the line's free
- * unknowns, H^T dr = 0, as where two that stick hold one point in one direction. Forces of elastic
- * contacts follow the motion; a slipping one has the one direction (-P, T). Contacts without force
- * take no part. See doc/theory.md, "Exact contact", several equilibria.
+ * Contacts whose forces nothing determines. In the states that they have, rigid contacts may change
+ * their forces by A dr and let no motion happen with B^T du != 0: a sticking one in each direction
+ * that it holds; of a slipping one A has the direction (-P, T) and B the normal. Elastic ones
+ * follow the motion, those without force take no part. [K -A; B^T 0] is singular, whatever the
+ * line's K, where A dr = 0 on the line's free unknowns: two that stick hold one point in one
+ * direction, and the motion is unique; where the columns of B depend on each other: a rest slides
+ * along at a point that a line stop's friction carries, and its share says how far. Friction at its
+ * limit counts as sticking in its direction where others hold the point still. See
+ * doc/theory.md, "Exact contact", several equilibria.
  */
 std::vector<unsigned int> contacts_with_undetermined_forces(const Contacts &contacts,
                                                             const LineState &state);

@@ -122,8 +122,9 @@ std::string undetermined_forces(const Results &results) {
          steps_where(results,
                      [](const StepReport &step) { return !step.undetermined_forces.empty(); }) +
          ", for they hold the same motion: " + names_of(contacts, results) +
-         ". Their sum and all displacements are right, each share is one of many. An Axial and a "
-         "Shear rigidity determine them.";
+         ". Their sum is right, and all displacements where none of them slides; each share is one "
+         "of many, and what slides goes as far as its share lets it. An Axial and a Shear rigidity "
+         "determine them.";
 }
 
 /// Which rigid supports were struck, and what that means for their forces; empty if none was.
