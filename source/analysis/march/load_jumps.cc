@@ -4,12 +4,14 @@
 #include "analysis/increment/time_step.h"
 #include "analysis/time/mass_factorization.h"
 #include "analysis/time/step_helpers.h"
+#include "base/number_text.h"
 #include "base/numbers.h"
 #include "model/line_pose.h"
 #include <frictionbeam/contact/line_factorization.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace frictionbeam {
 
@@ -34,6 +36,27 @@ Vector impulse_of_inertia(const Model &model, const std::vector<double> &before,
 
 double kinetic_energy(const Model &model, const LineState &state) {
   return model.cells.kinetic_energy(pose_of(state), state.velocity, state.load_rates);
+}
+
+/// "A", "A, B and 3 more".
+std::string moved_points(const Load &load) {
+  std::vector<std::string> names;
+  for (const Load::AtPoint &moved : load.at)
+    if (std::count(names.begin(), names.end(), moved.point) == 0)
+      names.push_back(moved.point);
+  return first_of(names);
+}
+
+/// The largest motion of a point by a factor, "0.01 m" or "2 degrees".
+std::string size_of_motion(const UnitSystem &units, const Load &load, const double factor) {
+  double shift = 0., turn = 0.;
+  for (const Load::AtPoint &moved : load.at) {
+    shift = std::max(shift, std::hypot(moved.value[0], moved.value[1], moved.value[2]));
+    turn = std::max(turn, std::hypot(moved.value[3], moved.value[4], moved.value[5]));
+  }
+  const bool shifts = shift > 0.;
+  const double size = shifts ? shift / units.factor("m") : turn * 180. / M_PI;
+  return rounded_number(std::abs(factor) * size, 3) + " " + (shifts ? units.name("m") : "degrees");
 }
 
 } // namespace
@@ -97,6 +120,38 @@ std::vector<unsigned int> loads_with_velocity_jumps(const Model &model, const Lo
                      [&](const unsigned int l) { return !(jump[l] > clearly * largest[l]); }),
       with_jumps.end());
   return with_jumps;
+}
+
+std::string jumps_of_motions(const Model &model, const LoadCourse &course,
+                             const LoadCourse::Factors &before, const double start,
+                             const double end, const std::string &step) {
+  struct Jump {
+    double factor = 0., time = 0.;
+  };
+  std::map<unsigned int, Jump> largest; // by load
+  const Eigen::MatrixXd &mass = model.linear.imposed_products().mass;
+  const auto note = [&](const LoadCourse::Factors &jumps, const double time) {
+    for (unsigned int l = 0; l < jumps.size(); ++l)
+      if (jumps[l] != 0. && model.linear.accelerates(l) && mass(l, l) > 0.)
+        if (Jump &known = largest[l]; std::abs(jumps[l]) > std::abs(known.factor))
+          known = {jumps[l], time};
+  };
+  note(course.jumps_between(before, course.factors_after(start), start), start);
+  const double rounding = same_instant_of_step * time_step(model);
+  for (double time = course.next_break(start + rounding); time < end - rounding;
+       time = course.next_break(time))
+    note(course.jumps_between(course.factors_before(time), course.factors_after(time), time), time);
+  std::string text;
+  for (const auto &[l, jump] : largest) {
+    const Load &load = model.scene.loads[l];
+    text += (text.empty() ? "Load " : " Load ") + load.name + " makes " + moved_points(load) +
+            " jump by " + size_of_motion(model.scene.units, load, jump.factor) + " at " +
+            rounded_number(jump.time, 6) + " s, in step " + step +
+            ". No mass does that with a finite force: velocities and forces behind it, their "
+            "extremes and integrals depend on the time step and on the cells. Give it a History "
+            "without jumps, or the step a Ramp.";
+  }
+  return text;
 }
 
 std::string forbidden_by_damping(const Model &model, const LoadCourse::Factors &jumps) {

@@ -23,6 +23,15 @@ std::vector<unsigned int> loads_with_velocity_jumps(const Model &model, const Lo
                                                     const double end);
 
 /**
+ * A remark on each load whose imposed motion of points with mass jumps from @p start on and before
+ * @p end of a transient step, with its largest jump; empty if none does.
+ * @param before the loads' factors at its start, on the way there
+ */
+std::string jumps_of_motions(const Model &model, const LoadCourse &course,
+                             const LoadCourse::Factors &before, const double start,
+                             const double end, const std::string &step);
+
+/**
  * What forbids that the factors of loads jump by @p jumps: a motion that one of them imposes on an
  * end of a dashpot, or of what is damped, whose force there would do infinite work.
  * @return a remark that names the load; empty if nothing forbids it

@@ -22,6 +22,13 @@ namespace {
 constexpr double not_solved = -1.;          ///< in place of a time step's error
 constexpr unsigned int most_failures = 200; ///< of time steps from one instant to the next
 constexpr double most_gained = 0.1;         ///< by a time step, of the largest energy in motion
+
+/// Whether the line may have been where a load puts its points at the run's beginning.
+bool begins_displaced(const Scene &scene) {
+  return std::any_of(
+      scene.initial.begin(), scene.initial.end(),
+      [](const InitialCondition &initial) { return initial.displacement != Motion{}; });
+}
 } // namespace
 
 TimeMarch::TimeMarch(const Model &model, const PieceObserver &observer)
@@ -53,6 +60,8 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
         forbidden_by_damping(model, course->jumps_between(before, state->load_factors, start));
     if (!report->remark.empty())
       return false;
+    if (step_before(model.scene, step_number) || !begins_displaced(model.scene))
+      report->warning = jumps_of_motions(model, *course, before, start, end, declared.name);
     state->events.clear(); // those of a static increment are no impacts
     set_rates_before();
     report->velocity_jumps =
@@ -80,7 +89,8 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
   }
   course->set_rates(*state, LoadCourse::Side::before); // for a step that follows
   report->remark = integrator->remark();
-  report->warning = integrator->warning();
+  if (const std::string warning = integrator->warning(); !warning.empty())
+    report->warning += (report->warning.empty() ? "" : " ") + warning;
   return true;
 }
 
