@@ -63,6 +63,8 @@ void refuse_sized_hanger(const Scene &scene, const Variation &variation, const s
            "its Cold load and Stiffness set in the file; a run says what was chosen");
 }
 
+constexpr const char *friction = "Friction coefficient";
+
 /// Finds what the paths of a study stand for.
 class Entries {
 public:
@@ -87,8 +89,24 @@ public:
     return found;
   }
 
+  /// Supports without friction that a star has not taken.
+  const std::set<std::string> &without_friction() const { return left_out; }
+
 private:
-  /// All friction supports that have the entry, for a star.
+  static bool is_friction(const std::string &entry) {
+    return entry == friction || entry == "Dynamic friction coefficient";
+  }
+
+  /// Whether it has friction, at one of its places at least.
+  bool slides(const FrictionSupport &support) const {
+    const int i = parameter(support, friction);
+    return support.parameters[i] > 0. ||
+           std::any_of(support.parameters_at.begin(), support.parameters_at.end(),
+                       [&](const auto &place) { return place.second[i] > 0.; });
+  }
+
+  /// All friction supports that have the entry, for a star: but for those without friction, as
+  /// rods, where it is a coefficient of friction.
   std::vector<std::string> headings(const Variation &variation, const std::string &path) const {
     const std::string heading = heading_of(path);
     if (heading.find('*') == std::string::npos)
@@ -99,6 +117,10 @@ private:
     std::vector<std::string> found;
     for (const FrictionSupport &support : scene.supports) {
       const std::string one = "Support " + part_name(support);
+      if (is_friction(entry_of(path)) && has_parameter(support, friction) && !slides(support)) {
+        left_out.insert(part_name(support));
+        continue;
+      }
       if (has_parameter(support, entry_of(path)) &&
           std::count(found.begin(), found.end(), one) == 0)
         found.push_back(one);
@@ -157,7 +179,17 @@ private:
   const ParameterFile &file;
   const LawLibrary &laws;
   const PlacesOfSupports &places;
+  mutable std::set<std::string> left_out;
 };
+
+/// The factor of all entries, if it is one.
+std::optional<double> factor_of_all(const std::vector<Variable::Entry> &entries) {
+  const bool is_one =
+      std::all_of(entries.begin(), entries.end(), [&](const Variable::Entry &entry) {
+        return entry.factor == entries.front().factor;
+      });
+  return is_one ? std::optional<double>(entries.front().factor) : std::nullopt;
+}
 
 } // namespace
 
@@ -167,7 +199,7 @@ Variables::Variables(const Scene &scene, const ParameterFile &file, const LawLib
   const Entries entries(scene, file, laws, places);
   std::set<std::string> taken;
   for (unsigned int v = 0; v < variations.size(); ++v) {
-    Variable common{variations[v].name, {}, v};
+    Variable common{variations[v].name, {}, {}, v};
     for (const std::string &path : variations[v].entries) {
       refuse_what_cannot_vary(variations[v], path);
       refuse_sized_hanger(scene, variations[v], path);
@@ -179,12 +211,17 @@ Variables::Variables(const Scene &scene, const ParameterFile &file, const LawLib
       }
     }
     if (!variations[v].independent) {
+      common.of_all = factor_of_all(common.entries);
+      if (!common.of_all)
+        common.name += " (factor)";
       list.push_back(common);
       continue;
     }
     for (const Variable::Entry &entry : common.entries)
-      list.push_back({common.entries.size() == 1 ? common.name : entry.path, {entry}, v});
+      list.push_back(
+          {common.entries.size() == 1 ? common.name : entry.path, {entry}, entry.factor, v});
   }
+  frictionless = entries.without_friction();
 }
 
 double Variables::quantile(const Variation &variation, const double u) const {
@@ -213,21 +250,22 @@ std::size_t place_in_list(const std::size_t n, const double u) {
 
 double Variables::value(const std::size_t i, const double u) const {
   const Variation &of = variation(i);
+  const double scale = list[i].of_all.value_or(1.);
   if (of.shape != Shape::list)
-    return quantile(of, u);
+    return quantile(of, u) * scale;
   const std::size_t place = place_in_list(of.values.size(), u);
   double number = 0.;
   const bool are_numbers =
       std::all_of(of.values.begin(), of.values.end(),
                   [&](const std::string &value) { return to_number(value, number); });
   to_number(of.values[place], number);
-  return are_numbers ? number : static_cast<double>(place);
+  return are_numbers ? number * scale : static_cast<double>(place);
 }
 
 std::string Variables::text(const std::size_t i, const double u) const {
   const Variation &of = variation(i);
-  return of.shape == Shape::list ? of.values[place_in_list(of.values.size(), u)]
-                                 : exact_number(quantile(of, u));
+  return of.shape == Shape::list && !of.is_factor ? of.values[place_in_list(of.values.size(), u)]
+                                                  : exact_number(value(i, u));
 }
 
 std::vector<std::string> Variables::settings(const std::vector<double> &values,
@@ -235,9 +273,8 @@ std::vector<std::string> Variables::settings(const std::vector<double> &values,
   std::vector<std::string> result;
   for (std::size_t i = 0; i < list.size(); ++i)
     for (const Variable::Entry &entry : list[i].entries)
-      result.push_back(
-          entry.path + " = " +
-          (variation(i).is_factor ? exact_number(values[i] * entry.factor) : texts[i]));
+      result.push_back(entry.path + " = " +
+                       (list[i].of_all ? texts[i] : exact_number(values[i] * entry.factor)));
   return result;
 }
 

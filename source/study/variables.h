@@ -8,6 +8,8 @@
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace frictionbeam::study {
 
@@ -22,6 +24,8 @@ struct Variable {
   };
   std::string name;
   std::vector<Entry> entries;
+  /// By which a factor is multiplied to be a value, where that is the same for all entries.
+  std::optional<double> of_all;
   unsigned int variation = 0; ///< the section Vary that it comes from, in the order of the file
 };
 
@@ -40,7 +44,11 @@ public:
   const Variable &operator[](const std::size_t i) const { return list[i]; }
   const Variation &variation(const std::size_t i) const { return variations[list[i].variation]; }
 
-  /// The number at this probability, in the unit of the entry; of a list of words its place.
+  /// Supports without friction, which no star gives any.
+  const std::set<std::string> &without_friction() const { return frictionless; }
+
+  /// The number at this probability, in the unit of the entry; of a list of words its place. A
+  /// factor of entries that differ stays a factor.
   double value(const std::size_t i, const double u) const;
   /// The same as it stands in the file.
   std::string text(const std::size_t i, const double u) const;
@@ -62,6 +70,7 @@ private:
   std::vector<Variation> variations;
   const Sampling &sampling;
   std::vector<Variable> list;
+  std::set<std::string> frictionless;
 };
 
 /// "normal, mean 0.3, deviation 0.05, cut at 0.1 and 0.5", for a table.

@@ -228,6 +228,20 @@ void check_name_of_a_half() {
                                          "Vary friction/Entry = Support *" + f});
 }
 
+/// A star leaves out what has no friction, and says so.
+void check_star() {
+  const program::TemporaryFolder into;
+  const Study found =
+      study(folder + "/sliders_and_rod.prm",
+            independent + Options{"Study/Method = latin hypercube", "Study/Runs = 4",
+                                  "Vary friction/Entry = Support */Friction coefficient"},
+            into.path / "results");
+  CHECK(found.exit_status == 0);
+  CHECK(found.runs.find("Support slide.2/Friction coefficient") != std::string::npos);
+  CHECK(found.runs.find("Support rod") == std::string::npos);
+  CHECK(found.output.find("whose Friction coefficient is 0: rod.") != std::string::npos);
+}
+
 void check_one_by_one() {
   const std::string f = "/Friction coefficient";
   check_one_by_one(folder + "/sliders.prm",
@@ -241,7 +255,17 @@ void check_one_by_one() {
                    {"Study/Runs = 6", "Vary west/Entry = Load hot/Temperature",
                     "Vary west/From = 80", "Vary west/To = 120"},
                    {{"west", "Load hot/Temperature"}, {"gap", "Support stop/Gap"}});
+  // Factors stand in runs.csv as the values that they make.
+  check_one_by_one(folder + "/sliders.prm",
+                   independent + Options{"Study/Method = latin hypercube", "Study/Runs = 6",
+                                         "Vary friction/Meaning = factor",
+                                         "Vary friction/From = 0.5", "Vary friction/To = 1.5"});
+  check_one_by_one(
+      folder + "/sliders.prm",
+      {"Vary friction/Meaning = factor", "Vary friction/From = 0.5", "Vary friction/To = 1.5"},
+      {{"friction", "Support slide" + f}});
   check_name_of_a_half();
+  check_star();
 }
 
 /// Runs come to what a run of its own comes to: of a line in space; where one contact by itself may

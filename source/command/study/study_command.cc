@@ -141,7 +141,12 @@ std::string identity_of(const StudyCase &of) {
   return text;
 }
 
-void add_remarks(const StudyCase &of, StudyResults &study) {
+void add_remarks(const StudyCase &of, const Variables &variables, StudyResults &study) {
+  if (const auto &names = variables.without_friction(); !names.empty())
+    study.remarks.push_back(
+        "A star gives no friction to supports that have none in the case, as rods, whose Friction "
+        "coefficient is 0: " +
+        first_of({names.begin(), names.end()}) + ". Named one by one, they may vary.");
   std::string hangers;
   for (const Hanger &hanger : of.scene.hangers)
     if (hanger.cold_load == 0.)
@@ -205,7 +210,7 @@ void run_study(const StudyCase &of, const Variables &variables, const Sampling &
   if (this_process() > 0)
     return;
   study.seconds = wall.wall_time();
-  add_remarks(of, study);
+  add_remarks(of, variables, study);
   const std::vector<Sensitivity> effects = sensitivities(study, sampling);
   write_study_files(study, effects, of.scene.name, work);
   write_study_report(study, effects, of.scene, nominal, work);
