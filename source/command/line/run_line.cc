@@ -108,7 +108,7 @@ void solve_sequence(const Model &model, LoadSequence &sequence, Results &results
   judge_energy(scene, results);
   results.known = how_well_known(scene, results);
   add_remarks_on_supports(model, results);
-  add_doubts(scene, results);
+  add_doubts(model, results);
   results.cost.unknowns = model.space.n_unknowns();
   results.cost.cells = model.discretization.pipe_cells().size();
   results.cost.contacts = model.contacts.size();

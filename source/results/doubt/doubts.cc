@@ -3,6 +3,7 @@
 
 #include "mesh/point_set.h"
 #include "model/line_model.h"
+#include "results/doubt/buckling.h"
 #include "results/doubt/pressed_span.h"
 #include "results/frame/frame_choice.h"
 #include "results/stress/wall_stress.h"
@@ -110,9 +111,9 @@ public:
     say("Sag above a hundredth of the span: " + text + ".");
   }
 
-  /// A remark on the straight span that is furthest beyond its Euler load. With large displacements
-  /// it buckles where a cell ends within the span.
-  void of_buckling() {
+  /// A remark on the worst step's end at which the line would buckle. With large displacements it
+  /// does, but within cells that are a whole span.
+  void of_buckling(const Model &model) {
     const auto &free = scene.free_motions;
     if (!(free[3] || free[4] || free[5]))
       return; // nothing bends
@@ -120,22 +121,25 @@ public:
     constexpr double clearly = 1.05, rounding = 1e-6;
     double worst = clearly;
     std::string text;
-    for (const Frame *const frame : ends) {
-      const auto span = most_pressed_span(scene, results, *frame, turns_far, same_place);
-      if (!span || !(span->ratio() > (1. + rounding) * worst))
-        continue;
-      worst = span->ratio();
-      const auto force = [&](const double newtons) {
-        return rounded_number(newtons / scene.units.factor("N"), 3) + " " + scene.units.name("N");
-      };
-      text = span_in_words(*frame, span->begin, span->end) + " is pressed by " +
-             force(span->compression) + ", " + rounded_number(worst, 3) +
-             " times its Euler load of " + force(span->euler_load) +
-             (span->has_free_end ? " with a free end" : " with ends that turn") + ", while " +
-             (turns_far ? "a single cell knows no buckling. Take a shorter Mesh/Cell length."
-                        : "small displacements know no buckling. Look at expansion, guides and "
-                          "spans, or take Kinematics = corotational.");
-    }
+    const auto take = [&](const Frame &frame, const Station &begin, const Station &end,
+                          const double compression, const double ratio, const std::string &of) {
+      if (!(ratio > (1. + rounding) * worst))
+        return;
+      worst = ratio;
+      text = span_in_words(frame, begin, end) + " is pressed by " + force(compression) + ", " +
+             rounded_number(ratio, 3) + " times " + of;
+    };
+    for (const Frame *const frame : ends)
+      if (!turns_far) {
+        if (const auto found = buckling_of(model, *frame, worst, same_place))
+          take(*frame, found->begin, found->end, found->compression, found->ratio,
+               "what buckles the line there as it is held, while small displacements know no "
+               "buckling. Look at expansion, guides and spans, or take Kinematics = corotational.");
+      } else if (const auto span = most_pressed_span(scene, results, *frame, same_place))
+        take(*frame, span->begin, span->end, span->compression, span->ratio(),
+             "its Euler load of " + force(span->euler_load) +
+                 (span->has_free_end ? " with a free end" : " with ends that turn") +
+                 ", while a single cell knows no buckling. Take a shorter Mesh/Cell length.");
     if (text.empty())
       return;
     text[0] = 'P'; // of a sentence that begins with "pipe"
@@ -234,6 +238,9 @@ private:
     if (std::count(list.begin(), list.end(), text) == 0)
       list.push_back(text);
   }
+  std::string force(const double newtons) const {
+    return rounded_number(newtons / scene.units.factor("N"), 3) + " " + scene.units.name("N");
+  }
   std::string length(const double metres) const {
     return rounded_number(metres / scene.units.factor("m"), 3) + " " + scene.units.name("m");
   }
@@ -307,12 +314,13 @@ private:
 
 } // namespace
 
-void add_doubts(const Scene &scene, Results &results) {
+void add_doubts(const Model &model, Results &results) {
+  const Scene &scene = model.scene;
   Doubts doubts(scene, results);
   doubts.of_displacements();
   doubts.of_open_supports();
   doubts.of_sags();
-  doubts.of_buckling();
+  doubts.of_buckling(model);
   doubts.of_yielding();
   doubts.of_time_steps();
   doubts.of_sums_of_loads();

@@ -154,8 +154,7 @@ std::optional<PressedSpan> straight_span(const Scene &scene, const Run &run,
 } // namespace
 
 std::optional<PressedSpan> most_pressed_span(const Scene &scene, const Results &results,
-                                             const Frame &frame, const bool of_one_cell,
-                                             const double touching) {
+                                             const Frame &frame, const double touching) {
   constexpr double rounding = 1e-6;
   if (std::none_of(frame.line.begin(), frame.line.end(),
                    [](const Station &station) { return station.force[0] < 0.; }))
@@ -166,7 +165,7 @@ std::optional<PressedSpan> most_pressed_span(const Scene &scene, const Results &
   const auto consider = [&](const Run &run, const std::size_t begin, const std::size_t end,
                             const bool has_free_end) {
     std::optional<PressedSpan> span = straight_span(scene, run, begin, end);
-    if (!span || span->euler_load == 0. || (of_one_cell && span->has_nodes))
+    if (!span || span->euler_load == 0. || span->has_nodes)
       return;
     span->has_free_end = has_free_end;
     if (has_free_end)

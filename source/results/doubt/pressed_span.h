@@ -23,11 +23,10 @@ struct PressedSpan {
   double ratio() const { return compression / euler_load; }
 };
 
-/// The span of a frame that is furthest beyond its Euler load. A support holds where it touches.
-/// @param of_one_cell only those without nodes between their ends
+/// The span of a frame that is furthest beyond its Euler load, of those without nodes between their
+/// ends. A support holds where it touches.
 /// @param touching largest gap of a support that does, and distance of what is at one place [m]
 std::optional<PressedSpan> most_pressed_span(const Scene &scene, const Results &results,
-                                             const Frame &frame, const bool of_one_cell,
-                                             const double touching);
+                                             const Frame &frame, const double touching);
 
 } // namespace frictionbeam
