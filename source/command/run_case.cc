@@ -180,7 +180,8 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   if (this_process() > 0)
     return;
   include_accuracy(results);
-  add_remarks(results.known, results);
+  if (scene.model != ModelKind::both) // each of which has said it
+    add_remarks(results.known, results);
   if (results.verdicts.empty()) // those of line and continuum together are there
     results.verdicts = verdicts_of(scene, results);
   write_modes(results, scene.output.directory);
@@ -303,7 +304,7 @@ SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scen
       return as_part(read(settings));
     };
     return part.accuracy > 0. ? to_accuracy(as_part(part), read_part)
-                              : SolvedScene{part, solve_as(part, model)};
+                              : SolvedScene{as_part(part), solve_as(part, model)};
   };
   SolvedScene solved = scene.model == ModelKind::both
                            ? SolvedScene{scene, run_both(scene, solve_part)}

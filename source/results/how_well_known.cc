@@ -162,7 +162,10 @@ void include_accuracy(Results &results) {
   for (KnownError *known :
        {&results.known.increments, &results.known.time_step, &results.known.cells})
     if (!known->error || *known->error > 0.)
-      *known = {results.accuracy->estimate, "estimated from coarser runs, all of them together"};
+      *known = {results.accuracy->estimate,
+                results.accuracy->model.empty()
+                    ? "estimated from coarser runs, all of them together"
+                    : "estimated from coarser runs and of the model, all of it together"};
 }
 
 std::string in_words(const KnownError &known) {
@@ -172,17 +175,21 @@ std::string in_words(const KnownError &known) {
 }
 
 void add_remarks(const HowWellKnown &known, Results &results) {
+  if (results.accuracy && !std::isnan(results.accuracy->estimate))
+    return; // has its own
+  const std::string ask = results.accuracy ? "." : ", or ask for an Accuracy.";
   const auto add = [&](const KnownError &one, const std::string &what, const std::string &hint) {
     if (one.error && *one.error > worth_a_remark)
       results.remarks.push_back("Displacements are known to about " + in_words(one) + " for " +
                                 what + " (" + one.reason + "). " + hint);
   };
   add(known.increments, "the size of the load increments",
-      "Take more Increments in the steps, or ask for an Accuracy.");
-  add(known.time_step, "the time step", "Take a shorter Time/Step, or ask for an Accuracy.");
+      "Take more Increments in the steps" + ask);
+  add(known.time_step, "the time step", "Take a shorter Time/Step" + ask);
   add(known.cells, "the length of the cells",
       "Take shorter cells (Mesh/Cell length, Cells per bend; Degree and Cells around of section "
-      "Solid), or ask for an Accuracy.");
+      "Solid)" +
+          ask);
 }
 
 } // namespace frictionbeam

@@ -171,6 +171,13 @@ void MixedWalls::report(const LoadSequence &sequence, Results &results) {
   }
   if (walls.empty())
     return;
+  std::string names;
+  for (const auto &wall : walls)
+    names += (names.empty() ? "" : ", ") + wall->stretch.name;
+  results.remarks.push_back(
+      "largest_ovality and largest_wall_stress are those of the solid parts, " + names +
+      ": bends and pipes that are beams have no part in them (Model = solid has those of the whole "
+      "wall).");
   const double Pa = scene.units.factor("Pa");
   results.quantities.push_back({"largest_ovality", "-", "", ovality, {}, {}});
   results.quantities.push_back(

@@ -8,6 +8,23 @@
 
 namespace frictionbeam {
 
+namespace {
+
+/// Of two models, or the first of them (@p of_both empty): the larger, if either is known.
+void include_known(const KnownError &one, const std::string &model, KnownError &of_both) {
+  const bool is_first = of_both.reason.empty();
+  if (is_first)
+    of_both.error = one.error;
+  else if (of_both.error)
+    of_both.error = one.error ? std::optional(std::max(*of_both.error, *one.error)) : std::nullopt;
+  of_both.reason +=
+      (is_first ? "" : "; ") + model + ": " +
+      (one.error && *one.error > 0. ? rounded_number(100. * *one.error, 2) + " %, " : "") +
+      one.reason;
+}
+
+} // namespace
+
 void include_model(Results &both, const Results &results, const std::string &model) {
   const std::string prefix = model + "/";
   for (QuantityResult quantity : results.quantities) {
@@ -30,6 +47,9 @@ void include_model(Results &both, const Results &results, const std::string &mod
     both.doubts.push_back(model + ": " + doubt);
   for (const std::string &remark : results.remarks)
     both.remarks.push_back(model + ": " + remark);
+  include_known(results.known.increments, model, both.known.increments);
+  include_known(results.known.time_step, model, both.known.time_step);
+  include_known(results.known.cells, model, both.known.cells);
   both.method += (both.method.empty() ? "" : "; ") + model + ": " + results.method;
   if (results.status != RunStatus::converged)
     both.status = results.status;

@@ -45,6 +45,19 @@ std::string now() {
   return text;
 }
 
+/// Whether every step was solved, however well.
+bool came_to_its_end(const Results &results) {
+  return !results.steps.empty() &&
+         std::all_of(results.steps.begin(), results.steps.end(),
+                     [](const StepReport &step) { return step.converged; });
+}
+
+std::string accuracy_in_words(const Results &results) {
+  const AccuracyAccount &account = *results.accuracy;
+  return (std::isnan(account.estimate) ? "not known" : rounded_number(account.estimate, 2)) + ", " +
+         rounded_number(account.demanded, 2) + " is demanded.";
+}
+
 std::string status_box(const Results &results) {
   std::string word, sentence;
   const bool fails = any_fails(results.verdicts);
@@ -55,6 +68,8 @@ std::string status_box(const Results &results) {
                "increments " +
                in_words(results.known.increments) + ", time step " +
                in_words(results.known.time_step) + ", cells " + in_words(results.known.cells) + ".";
+    if (results.accuracy && !std::isnan(results.accuracy->estimate))
+      sentence += " The quantities are estimated to be known to " + accuracy_in_words(results);
     break;
   case RunStatus::no_equilibrium:
     word = "\u26a0 No equilibrium";
@@ -66,6 +81,12 @@ std::string status_box(const Results &results) {
     sentence = "The solver did not come to the end of the load sequence. What follows is what it "
                "reached." +
                where_it_stopped(results);
+    if (results.accuracy && !results.accuracy->reached && came_to_its_end(results)) {
+      word = "\u2717 Accuracy not reached";
+      sentence = "Every step of the load sequence came to its end, and the quantities are not "
+                 "known to what is demanded: their error is estimated as " +
+                 accuracy_in_words(results);
+    }
     break;
   }
   if (results.status == RunStatus::converged && fails)
