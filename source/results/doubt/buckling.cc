@@ -282,7 +282,9 @@ private:
   const Frame &frame;
   std::vector<PressedCell> cells; ///< those of a pipe one after the other
   SparseMatrix base;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factored;
+  /// Unknowns are numbered along the line, which leaves little fill.
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>
+      factored;
 };
 
 } // namespace
