@@ -6,6 +6,7 @@
 #include "tangent_factors.h"
 #include <frictionbeam/contact/condensation.h>
 
+#include <array>
 #include <optional>
 
 namespace frictionbeam::contact {
@@ -104,6 +105,9 @@ private:
     for (unsigned int j = first_place[i]; j < first_place[i + 1]; ++j)
       forces[places[j].unknown] -= weight * places[j].strain.dot(stress);
   }
+  /// Whether the contacts' tangents are those that are factored but for directions in which no
+  /// unknown moves a contact: the sum with S is the same.
+  bool differs_without_unknowns(const Response &response) const;
   /// All directions, and a small multiple of the diagonal where that fails.
   bool factor_all(const Response &response, Result &result);
 
@@ -116,9 +120,10 @@ private:
   const Condensation &line;
   std::vector<Place> places; ///< of all contacts, one after the other, as are those of their blocks
   std::vector<unsigned int> first_place, first_value;
-  std::vector<int> value_places;    ///< in the values of S
-  std::vector<int> diagonal_places; ///< in the values of S
-  const SparseMatrix stiffness;     ///< S without its zeros, two thirds of a line along the axes
+  std::vector<std::array<bool, 4>> moves; ///< strains of a contact that its unknowns make
+  std::vector<int> value_places;          ///< in the values of S
+  std::vector<int> diagonal_places;       ///< in the values of S
+  const SparseMatrix stiffness; ///< S without its zeros, two thirds of a line along the axes
   TangentFactors factors;
   std::optional<ReducedTangent> reduced; ///< of a body
   bool is_reduced = false;               ///< which of the two holds the factors
