@@ -21,7 +21,7 @@ struct Buckling {
  * least. K is the stiffness of pipes, springs and joints. K_c is that of the supports which touch:
  * along their normals; across, of those that stick, and of those that have slid by s, T/s across
  * their way, for a deflection that has grown with the slide met that share of the friction T. G is
- * that of straight cells, cut into four with the compression of each, their inner unknowns
+ * that of straight cells, cut into eight with the compression of each, their inner unknowns
  * condensed, and of others as one. How many eigenvalues are negative is counted from the signs of
  * a factorization, those of clamped cells added (Wittrick and Williams 1971), which is exact for
  * the cells' matrices; shear and joints are left out of G.

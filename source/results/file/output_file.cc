@@ -11,6 +11,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <future>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -125,38 +126,39 @@ public:
 
   std::size_t size() const { return (n_rows + rows_at_once - 1) / rows_at_once; }
 
-  /// Make and write blocks until none is left, or one has failed in any thread.
+  /// Make and write blocks until none is left, or a thread has failed.
   void work() {
-    try {
-      std::string text;
-      for (std::size_t block = take(); block < size(); block = take()) {
-        text.clear();
-        const std::size_t begin = block * rows_at_once;
-        for (std::size_t row = begin; row < std::min(n_rows, begin + rows_at_once); ++row)
-          add_row(row, text);
-        std::unique_lock<std::mutex> lock(mutex);
-        turn.wait(lock, [&]() { return n_written == block || failure; });
-        if (failure)
-          return;
-        file.stream() << text;
-        file.flush(); // here, for the reason of an error is its thread's
-        ++n_written;
-        turn.notify_all();
-      }
-    } catch (...) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      if (!failure)
-        failure = std::current_exception();
+    const EndOfThread end{*this};
+    std::string text;
+    for (std::size_t block = take(); block < size(); block = take()) {
+      text.clear();
+      const std::size_t begin = block * rows_at_once;
+      for (std::size_t row = begin; row < std::min(n_rows, begin + rows_at_once); ++row)
+        add_row(row, text);
+      std::unique_lock<std::mutex> lock(mutex);
+      turn.wait(lock, [&]() { return n_written == block || has_failed; });
+      if (has_failed)
+        return;
+      file.stream() << text;
+      file.flush(); // here, for the reason of an error is its thread's
+      ++n_written;
       turn.notify_all();
     }
   }
 
-  void rethrow_failure() const {
-    if (failure)
-      std::rethrow_exception(failure);
-  }
-
 private:
+  /// Lets the other thread wait no longer for what an exception has ended.
+  struct EndOfThread {
+    RowBlocks &blocks;
+    ~EndOfThread() {
+      if (std::uncaught_exceptions() == 0)
+        return;
+      const std::lock_guard<std::mutex> lock(blocks.mutex);
+      blocks.has_failed = true;
+      blocks.turn.notify_all();
+    }
+  };
+
   static constexpr std::size_t rows_at_once = 1000; // some 200 kB
 
   std::size_t take() {
@@ -170,23 +172,22 @@ private:
   std::mutex mutex;
   std::condition_variable turn;
   std::size_t n_taken = 0, n_written = 0;
-  std::exception_ptr failure;
+  bool has_failed = false;
 };
 
 } // namespace
 
 void write_rows(const std::size_t n_rows, const AddRow &add_row, OutputFile &file) {
   RowBlocks blocks(n_rows, add_row, file);
-  std::thread other;
+  std::future<void> other;
   if (blocks.size() > 1 && std::thread::hardware_concurrency() > 1)
     try {
-      other = std::thread([&]() { blocks.work(); });
-    } catch (const std::system_error &) { // there is none to be had
+      other = std::async(std::launch::async, [&]() { blocks.work(); });
+    } catch (const std::system_error &) { // there is no thread to be had
     }
   blocks.work();
-  if (other.joinable())
-    other.join();
-  blocks.rethrow_failure();
+  if (other.valid())
+    other.get();
 }
 
 void write_file(const std::string &path, const std::string &text) {
