@@ -3,6 +3,7 @@
 
 #include "accuracy/account_remarks.h"
 #include "accuracy/difference.h"
+#include "accuracy/pipes/held_sections.h"
 #include "accuracy/support_models.h"
 #include "mesh/solid/wall_cells.h"
 #include "results/text.h"
@@ -15,8 +16,9 @@ namespace frictionbeam::accuracy {
 namespace {
 
 constexpr unsigned int degree_of_walls = 3, cells_along_walls = 6;
-constexpr double most_of_all = 0.9; ///< of what is demanded, that a model may leave
-constexpr double off_by = 1. / 3.;  ///< part that the elasticity of walls at supports may be off
+constexpr double most_of_all = 0.9;     ///< of what is demanded, that a model may leave
+constexpr double off_by_of_rings = 0.1; ///< part that a held ring's elasticity may be off
+constexpr double off_by = 1. / 3.; ///< part that the elasticity of walls at supports may be off
 constexpr double formula_of_cells = 1.5; ///< times as much as it says may be left by cells
 constexpr double nothing_known = 1.;     ///< error of a quantity
 
@@ -29,6 +31,36 @@ bool is_collar_pressed(const Results &beams) {
   return false;
 }
 
+struct Change {
+  double value;
+  std::string in_words;
+};
+Change change_between(const Scene &scene, const Results &from, const Results &to) {
+  if (from.status != RunStatus::converged || to.status != RunStatus::converged)
+    return {nothing_known, "leaves no equilibrium"};
+  const Difference difference = largest(differences(scene, from, to));
+  return {difference.value, difference.value == 0. ? "changes no quantity"
+                                                   : "changes " + difference.name + " by " +
+                                                         rounded_number(difference.value, 2)};
+}
+
+/// What guides and stops without gap, and anchors, hold of their sections.
+void judge_held_sections(const Scene &scene, const Results &beams, const SolveAs &solve,
+                         PipeModel &model) {
+  if (scene.restraints.empty() || beams.status != RunStatus::converged)
+    return;
+  const auto changed_by = [&](const HeldAs as, const std::string &what) {
+    return change_between(scene, beams, solve(with_held_sections(scene, beams, as), what));
+  };
+  const Change all = changed_by(HeldAs::sections, "sections held as a solid's");
+  const double off = off_by_of_rings * changed_by(HeldAs::rings, "rings of guides").value;
+  model.error += all.value + off;
+  model.judged.push_back("Guides and anchors: that they hold the mean of a section, whose ring "
+                         "gives way and whose shape changes as it is bent, " +
+                         all.in_words + "; beside that " + rounded_number(off, 2) +
+                         " is not known of it.");
+}
+
 /// What walls at supports change, and how supports as elastic as walls would do.
 class SupportsJudge {
 public:
@@ -39,11 +71,6 @@ public:
   void judge(const double most, const double most_left, PipeModel &model);
 
 private:
-  struct Change {
-    double value;
-    std::string in_words;
-  };
-  Change change(const Results &from, const Results &to) const;
   Results elastic(const WallsAre as, const std::string &what) const {
     return solve(with_walls(scene, walls, as), what);
   }
@@ -53,15 +80,6 @@ private:
   const SolveAs &solve;
   const WallsAtSupports walls;
 };
-
-SupportsJudge::Change SupportsJudge::change(const Results &from, const Results &to) const {
-  if (from.status != RunStatus::converged || to.status != RunStatus::converged)
-    return {nothing_known, "leaves no equilibrium"};
-  const Difference difference = largest(differences(scene, from, to));
-  return {difference.value, difference.value == 0. ? "changes no quantity"
-                                                   : "changes " + difference.name + " by " +
-                                                         rounded_number(difference.value, 2)};
-}
 
 void SupportsJudge::judge(const double most, const double most_left, PipeModel &model) {
   for (const std::string &one : walls.unknown)
@@ -81,7 +99,7 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
   for (const std::string &one : do_not_grow)
     model.left_out.push_back("that a hot pipe grows thicker at support " + one);
   const Results full = solve(grown, "supports as patches of walls");
-  const Change by_walls = change(beams, full);
+  const Change by_walls = change_between(scene, beams, full);
   const std::string what = "Supports: the wall of the pipe, which gives way under their patches, "
                            "grows when it is hot and is rubbed on its outside, " +
                            by_walls.in_words;
@@ -94,9 +112,9 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
   const Results as_walls = elastic(WallsAre::as_measured, "supports as elastic as walls"),
                 softer = elastic(WallsAre::softer, "supports softer than walls"),
                 stiffer = elastic(WallsAre::stiffer, "supports stiffer than walls");
-  const double by_patches = change(as_walls, full).value,
-               by_formula =
-                   std::max(change(as_walls, softer).value, change(as_walls, stiffer).value),
+  const double by_patches = change_between(scene, as_walls, full).value,
+               by_formula = std::max(change_between(scene, as_walls, softer).value,
+                                     change_between(scene, as_walls, stiffer).value),
                as_elastic = by_patches + by_formula;
   const bool helps = as_elastic < as_rigid;
   model.judged.push_back(
@@ -141,6 +159,7 @@ PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const
                            " where they are joined to beams, and " +
                            rounded_number(bends.per_part * of_cells, 2) + " by their cells.");
   }
+  judge_held_sections(scene, beams, solve, model);
   SupportsJudge(scene, beams, solve)
       .judge(shares.of_model * shares.demanded, most_of_all * shares.demanded, model);
   if (!(model.error <= most_of_all * shares.demanded)) {

@@ -65,17 +65,6 @@ double stiffer_near_anchors(const Scene &scene, const PipePath &path, const doub
   return anywhere * std::pow(reach * diameter / std::max(distance, nearest * diameter), power);
 }
 
-/// Free strain of a pipe by each load of the scene.
-std::vector<double> strains_of(const Scene &scene, const Pipe &pipe) {
-  std::vector<double> strains;
-  for (const Load &load : scene.loads)
-    strains.push_back(load.kind == Load::Kind::temperature && load.is_on(pipe.name)
-                          ? scene.materials[pipe.material].thermal_strain(
-                                load.installation, load.installation + load.value)
-                          : 0.);
-  return strains;
-}
-
 /// The wall under a support, of the pipe where it is softest; none: it cannot be judged.
 std::optional<WallAtSupport> wall_under(const Scene &scene, const std::vector<PipePath> &paths,
                                         const FrictionSupport &support) {
@@ -97,7 +86,7 @@ std::optional<WallAtSupport> wall_under(const Scene &scene, const std::vector<Pi
     wall->softer = 4. / 3.;
     wall->stiffer =
         stiffer_near_anchors(scene, paths[p], 2. * section.outer_radius, support.placement);
-    wall->strains = strains_of(scene, pipe);
+    wall->strains = free_strains(scene, pipe);
     wall->slides_outside = support.rotations == FrictionSupport::Rotations::none;
   }
   return wall;
@@ -158,14 +147,9 @@ Growth growth_of(const Scene &scene, const WallAtSupport &wall, const Results &r
   for (const Frame &frame : results.frames) {
     if (!frame.end_of_step || frame.step >= scene.steps.size())
       continue;
-    const HistoryOrigins origins(scene, frame.step);
-    double strain = 0.;
-    for (const auto &[load, factor] : scene.steps[frame.step].loads) {
-      const TimeFunction &history = scene.loads[load].history;
-      strain += factor * wall.strains[load] *
-                (history.is_given() ? history(frame.time - origins.loads[load]) : 1.);
-    }
-    growth.emplace_back(frame.time - origins.elsewhere, strain * wall.radius);
+    const double strain = strain_in(scene, wall.strains, frame),
+                 elsewhere = HistoryOrigins(scene, frame.step).elsewhere;
+    growth.emplace_back(frame.time - elsewhere, strain * wall.radius);
   }
   return growth;
 }
@@ -181,6 +165,29 @@ double value_at(const Growth &growth, const double time) {
 }
 
 } // namespace
+
+std::vector<double> free_strains(const Scene &scene, const Pipe &pipe) {
+  std::vector<double> strains;
+  for (const Load &load : scene.loads)
+    strains.push_back(load.kind == Load::Kind::temperature && load.is_on(pipe.name)
+                          ? scene.materials[pipe.material].thermal_strain(
+                                load.installation, load.installation + load.value)
+                          : 0.);
+  return strains;
+}
+
+double strain_in(const Scene &scene, const std::vector<double> &strains, const Frame &frame) {
+  const HistoryOrigins origins(scene, frame.step);
+  double strain = 0.;
+  for (const auto &[load, factor] : scene.steps[frame.step].loads) {
+    if (load >= strains.size())
+      continue; // was added since
+    const TimeFunction &history = scene.loads[load].history;
+    strain += factor * strains[load] *
+              (history.is_given() ? history(frame.time - origins.loads[load]) : 1.);
+  }
+  return strain;
+}
 
 WallsAtSupports walls_at_supports(const Scene &scene) {
   WallsAtSupports result;

@@ -5,6 +5,11 @@
 
 namespace frictionbeam::accuracy {
 
+/// Free strain of a pipe by each load of the scene.
+std::vector<double> free_strains(const Scene &scene, const Pipe &pipe);
+/// What of it there is at the end of a step.
+double strain_in(const Scene &scene, const std::vector<double> &strains, const Frame &frame);
+
 /// A support that pushes into the wall of its pipe.
 struct WallAtSupport {
   unsigned int support = 0;    ///< in Scene::supports
