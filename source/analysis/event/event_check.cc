@@ -42,18 +42,31 @@ Vector EventIntegrator::acceleration_by_contacts(const double x) const {
 }
 
 EventIntegrator::LawCheck EventIntegrator::what_laws_allow(const double x, const double length) {
-  const Vector q = TaylorMotion::at(motion.q, x), v = TaylorMotion::at(motion.v, x),
-               acceleration = acceleration_by_contacts(x);
-  double fastest_now = fastest, pushed = 0.;
-  for (unsigned int i = 0; i < states.size(); ++i) {
-    const auto size = [&](const Vector &of_line) {
-      return line.contacts[i].displacement(of_line).lpNorm<Eigen::Infinity>();
-    };
-    farthest = std::max({farthest, size(q), TaylorMotion::at(motion.g[i], x).norm() - size(q)});
-    strongest = std::max(strongest, TaylorMotion::at(motion.r[i], x).norm());
-    fastest_now = std::max(fastest_now, size(v));
-    pushed = std::max(pushed, size(acceleration));
+  const auto size_at = [&](const unsigned int i, const Vector &of_line) {
+    return line.contacts[i].displacement(of_line).lpNorm<Eigen::Infinity>();
+  };
+  // Also within: where a contact lifts, its force and all that it does are rounding.
+  const Vector q = TaylorMotion::at(motion.q, x);
+  double fastest_now = fastest, most_force = 0., pressed_at = x;
+  for (const double at : {0., x / 2., x}) {
+    const Vector there = TaylorMotion::at(motion.q, at), v = TaylorMotion::at(motion.v, at);
+    double force = 0.;
+    for (unsigned int i = 0; i < states.size(); ++i) {
+      const double moved = size_at(i, there);
+      farthest = std::max({farthest, moved, TaylorMotion::at(motion.g[i], at).norm() - moved});
+      force = std::max(force, TaylorMotion::at(motion.r[i], at).norm());
+      fastest_now = std::max(fastest_now, size_at(i, v));
+    }
+    if (force > most_force) {
+      most_force = force;
+      pressed_at = at;
+    }
   }
+  strongest = std::max(strongest, most_force);
+  const Vector acceleration = acceleration_by_contacts(pressed_at);
+  double pushed = 0.;
+  for (unsigned int i = 0; i < states.size(); ++i)
+    pushed = std::max(pushed, size_at(i, acceleration));
   LawCheck allowed;
   allowed.rate = std::max({largest_miss_of_rate * fastest_now, rounding_of_laws * pushed * length,
                            rounding_of_laws * farthest / length});

@@ -19,6 +19,8 @@ constexpr unsigned int most_pieces = 200000;
 constexpr double least_progress = 0.1;
 /// Where a curve's friction is not found, slip goes straight on for such a part of a step.
 constexpr double part_straight_on = 1e-5;
+/// Of its gaps, below which the clearance of a stop is none.
+constexpr double no_clearance = 1e-12;
 
 } // namespace
 
@@ -26,6 +28,9 @@ EventIntegrator::EventIntegrator(const Model &model, const PieceObserver &observ
     : model(model), line(model), motion(line, 1e-9 * time_step(model)), fallback(model),
       piece_observer(observer), output_step(time_step(model)), partner(model.contacts.size(), -1) {
   for (const auto &[one, other] : contact::rigid_pairs(model.contacts)) {
+    const double gap = line.contacts[one].law.gap, of_other = line.contacts[other].law.gap;
+    if (std::abs(gap + of_other) > no_clearance * (std::abs(gap) + std::abs(of_other)))
+      continue;
     partner[one] = other;
     partner[other] = one;
   }

@@ -204,7 +204,7 @@ private:
   MoreauJean fallback;
   const PieceObserver piece_observer;
   const double output_step; ///< [s]
-  std::vector<int> partner; ///< other half of a rigid stop or guide, -1 if there is none
+  std::vector<int> partner; ///< other half of a rigid stop or guide without gap, else -1
   std::vector<EventState> states;
   std::vector<Eigen::Vector3d> displacement, force; ///< of contacts, at present
   Vector unknowns, velocity;
