@@ -187,6 +187,21 @@ private:
   std::vector<Vector3> tangents;
 };
 
+/// @throws UserError where the branch of a tee goes on beyond it: it would be taken for the run.
+void check_tees(const Scene &scene, const LineMesh &mesh) {
+  for (const Tee &tee : scene.tees)
+    for (unsigned int p = 0; p < scene.pipes.size(); ++p) {
+      const std::vector<unsigned int> &vertices = mesh.pipes[p].vertices;
+      const auto at = mesh.points.find(tee.point);
+      if (scene.pipes[p].name == tee.branch && at != mesh.points.end() &&
+          vertices.front() != at->second && vertices.back() != at->second)
+        throw UserError(
+            "Tee " + tee.name + "/Branch\n  read:    " + tee.branch +
+            "\n  allowed: a pipe that begins or ends at point '" + tee.point +
+            "'\n  try:     the pipe that branches off there; a cross is drawn with two");
+    }
+}
+
 /// @throws UserError if a support has numbers for a place that it does not stand at
 void check_places(const FrictionSupport &support, const std::size_t n_places) {
   if (support.parameters_at.empty() || support.parameters_at.rbegin()->first < n_places)
@@ -206,6 +221,7 @@ LineMesh build_line_mesh(const Scene &scene) {
       by_gmsh(file, [&]() { return file.empty() ? mesh_routes(scene) : mesh_file(scene); });
   add_free_points(scene, mesh);
   check_asked_points(scene, mesh);
+  check_tees(scene, mesh);
   const Placer placer(scene, mesh);
   for (const FrictionSupport &support : scene.supports) {
     mesh.supports.push_back(placer.sites(support.name, support.placement));

@@ -205,6 +205,12 @@ void refuse_entries_of_others(const ParameterReader &in, const LawDescription &l
   refuse(in, {"Fixed", "Axes"}, kind, "Fixed and its Axes for anchor and restraint");
   if (is_pair(kind) || kind == "rod")
     refuse(in, {"Normal force"}, kind, "Normal force for rest and friction");
+  if (kind == "rod") {
+    refuse(in, {"Pad"}, kind, "Pad for what slides on it");
+    if (in.given("Friction coefficient") && in.number("Friction coefficient") > 0.)
+      in.fail("Friction coefficient", "0 with Kind = rod, which swings with the pipe",
+              "Kind = friction, with the same Normal");
+  }
   if (kind == "snubber") {
     refuse(in, {"Length", "Rotations", "Torsion", "Normal force", "Restitution", "Pad"}, kind,
            "a friction element's entries for guide, stop, rest, rod and friction");

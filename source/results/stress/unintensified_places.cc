@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/stress/unintensified_places.h"
+
+#include "base/number_text.h"
+#include "scene/in_units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frictionbeam {
+
+namespace {
+
+constexpr double straight = 3. * M_PI / 180.; ///< [rad], ASME B31.3, 304.2.3: no miter
+
+/// Directions in which pipe leaves each vertex.
+std::vector<std::vector<Vector3>> legs_of(const Scene &scene, const LineMesh &mesh) {
+  std::vector<std::vector<Vector3>> legs(mesh.vertices.size());
+  for (unsigned int p = 0; p < scene.pipes.size(); ++p) {
+    const MeshedPipe &pipe = mesh.pipes[p];
+    for (unsigned int i = 0; !scene.pipes[p].rigid && i + 1 < pipe.vertices.size(); ++i) {
+      legs[pipe.vertices[i]].push_back(pipe.tangent(mesh.vertices, i, false));
+      legs[pipe.vertices[i + 1]].push_back(-pipe.tangent(mesh.vertices, i, true));
+    }
+  }
+  return legs;
+}
+
+std::string name_of(const Scene &scene, const LineMesh &mesh, const unsigned int vertex) {
+  for (const auto &[name, at] : mesh.points)
+    if (at == vertex)
+      return name;
+  return in_units(scene.units, mesh.vertices[vertex]);
+}
+
+} // namespace
+
+std::string unintensified_places(const Scene &scene, const LineMesh &mesh) {
+  if (!scene.mesh.file.empty())
+    return "";
+  std::vector<std::string> branches, corners;
+  const auto legs = legs_of(scene, mesh);
+  for (unsigned int vertex = 0; vertex < legs.size(); ++vertex) {
+    const auto &at = legs[vertex];
+    const bool has_tee = std::any_of(scene.tees.begin(), scene.tees.end(), [&](const Tee &tee) {
+      return mesh.points.at(tee.point) == vertex;
+    });
+    if (has_tee || at.size() < 2)
+      continue;
+    if (at.size() > 2)
+      branches.push_back(name_of(scene, mesh, vertex));
+    else if (at[0] * at[1] > -std::cos(straight))
+      corners.push_back(name_of(scene, mesh, vertex));
+  }
+  if (branches.empty() && corners.empty())
+    return "";
+  std::string text = "The stress code has no factors (i = 1) ";
+  if (!branches.empty())
+    text += "where pipes branch without a section Tee: " + first_of(branches);
+  if (!corners.empty())
+    text += (branches.empty() ? "" : "; ") + std::string("at corners that are not rounded: ") +
+            first_of(corners);
+  return text + ". Give a Tee, a bend radius, or look at the stresses there by other means.";
+}
+
+} // namespace frictionbeam
