@@ -9,9 +9,8 @@
 namespace frictionbeam {
 
 namespace {
-constexpr double remark_above = 1e-6, failed_above = 1e-2, gained_above = 1e-3;
+constexpr double remark_above = 1e-6, failed_above = most_energy_left, gained_above = 1e-3;
 constexpr double failed_above_at_contacts = 0.1; ///< where contacts that give way may gain some
-constexpr double coarse_above = 0.05;            ///< large displacements
 
 /// Diagonal of the box about all there is [m].
 double size_of_scene(const Results &results) {
@@ -125,7 +124,7 @@ void judge_increments(const Scene &scene, Results &results) {
     const EnergyAccount &energy = results.steps[i].energy;
     const double turnover = std::max(energy.turnover, least_turnover(results.steps)),
                  left_over = std::abs(energy.left_over());
-    if (!scene.steps[i].transient && left_over > coarse_above * turnover)
+    if (!scene.steps[i].transient && left_over > most_energy_left_by_increments * turnover)
       results.remarks.push_back(
           "Step " + results.steps[i].step + ": the account of energy leaves over " +
           rounded_number(100. * left_over / turnover, 2) +

@@ -5,6 +5,10 @@
 
 namespace frictionbeam {
 
+/// Share of the turnover that the account may leave over, of a line in small displacements, and in
+/// large ones, where it measures the increments.
+constexpr double most_energy_left = 0.01, most_energy_left_by_increments = 0.05;
+
 /**
  * Judge the account of energy of every static step, in which nothing may be left over but rounding:
  * above a millionth of the turnover a remark says so, above a hundredth the step has not converged.

@@ -3,6 +3,7 @@
 
 #include "model/line_model.h"
 #include "results/combination/uplift.h"
+#include "results/energy_judgement.h"
 #include "scene/steps/step_tree.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double most_energy_left =
-    0.01; ///< of the account of energy, a share of what it turns over
 /// Of what supports and loads of a solid, or a line and its solid parts, hand to each other, a
 /// share of the largest force: some forty times what the verification's have.
 constexpr double most_force_lost = 1e-4;
@@ -84,9 +83,12 @@ OneCheck energy(const Scene &scene, const Results &results) {
   OneCheck check("energy", "solver", "-");
   if (damps(scene))
     return check;
+  const bool by_increments =
+      scene.kinematics == Kinematics::corotational && !has_transient_step(scene);
   for (const Check &one : results.certificate)
     if (one.name == "energy" && std::isfinite(one.value))
-      check.judge("what the account leaves over", "", one.value, most_energy_left);
+      check.judge("what the account leaves over", "", one.value,
+                  by_increments ? most_energy_left_by_increments : most_energy_left);
   return check;
 }
 
