@@ -4,6 +4,7 @@
 #include "accuracy/support_models.h"
 #include "mesh/places_on_pipe.h"
 #include "model/unknowns/reduced_space.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ public:
     std::vector<Point3> done;
     for (const Restraint &restraint : scene.restraints)
       for (const RestraintInfo &info : beams.restraints)
-        if (is_of(info, restraint)) {
+        if (is_place_of(info.name, restraint.name)) {
           const auto place = place_at(info.position);
           if (!place || is_supported(info.position))
             continue;
@@ -80,11 +81,6 @@ public:
   }
 
 private:
-  static bool is_of(const RestraintInfo &info, const Restraint &restraint) {
-    return info.name.compare(0, restraint.name.size(), restraint.name) == 0 &&
-           info.name.find_first_not_of(".0123456789", restraint.name.size()) == std::string::npos;
-  }
-
   /// Whether a contact stands there, which an imposed motion would push against.
   bool is_supported(const Point3 &position) const {
     return std::any_of(beams.supports.begin(), beams.supports.end(),
@@ -156,8 +152,7 @@ private:
 
   std::string add_point(const Point3 &position) {
     const std::string name = "held section " + std::to_string(scene.points.size());
-    scene.points.push_back({name, position});
-    scene.places[name] = position;
+    scene.add_point(name, position);
     return name;
   }
 
