@@ -20,6 +20,7 @@ constexpr double rounding_of_laws = 1e-13;
 /// The worst miss of a law, of what is allowed.
 struct EventIntegrator::LawCheck {
   double way = 0., rate = 0., force = 0.; ///< allowed [m], [m/s], [N]
+  double offset = 0.;                     ///< the same of what is closed from its gap [m]
   double miss = 1., value = 0.;
   unsigned int contact = 0;
   std::string what;
@@ -73,6 +74,7 @@ EventIntegrator::LawCheck EventIntegrator::what_laws_allow(const double x, const
   allowed.way = largest_miss * farthest + allowed.rate * length +
                 rounding_of_laws * q.lpNorm<Eigen::Infinity>();
   allowed.force = largest_miss * strongest;
+  allowed.offset = largest_miss * std::max(farthest, q.lpNorm<Eigen::Infinity>());
   return allowed;
 }
 
@@ -92,7 +94,7 @@ void EventIntegrator::check_laws(const unsigned int i, const double x, const dou
   if (!state.is_closed())
     return;
   if (contact.normal == EventContact::Normal::rigid)
-    worst.take(i, std::abs(state.offset), worst.way + largest_miss * contact.law.gap,
+    worst.take(i, std::abs(state.offset), worst.offset + largest_miss * contact.law.gap,
                "is closed and stands off its gap, in m by");
   if (contact.normal == EventContact::Normal::rigid && contact.moves[0])
     worst.take(i, std::abs(rate[0]), worst.rate, "is closed and comes apart, in m/s with");
