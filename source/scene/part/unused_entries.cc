@@ -152,6 +152,16 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
         scene.remarks.push_back(heading +
                                 ": its Insulation has no weight without an Insulation density.");
       remark_on_creep(in, heading, scene);
+      if (scene.stress.code.empty() && number_of(in, "Corrosion allowance") > 0.)
+        remark_on(in, heading, {"Corrosion allowance"}, "without a stress code", scene);
+    } else if (kind == "Pipe") {
+      const auto pipe = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &one) {
+        return "Pipe " + one.name == heading;
+      });
+      if (scene.mesh.file.empty() && pipe != scene.pipes.end() && pipe->bend_radius == 0. &&
+          !pipe->has_bend())
+        remark_on(in, heading, {"Bend flexibility", "Stiffening pressure"}, "without a bend",
+                  scene);
     } else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
       remark_on(in, heading, {"Weight step"}, "beside a Cold load: the hanger is not sized", scene);
     else if (kind == "Tee" && in.raw("Kind", "welding tee") != "reinforced")
@@ -223,6 +233,12 @@ void remark_on_unused(ParameterReader &in, Scene &scene) {
                                       [](const LoadStep &step) { return step.transient; });
   if (has_motion)
     remark_on_integrator(in, scene);
+  else {
+    in.enter("Time");
+    remark_on(in, "Time",
+              {"Integrator", "Step", "Mass damping", "Stiffness damping", "Modal damping", "Modes"},
+              "without a transient step", scene);
+  }
   remark_on_parts(in, has_motion, scene);
   remark_on_sections(in, scene);
   remark_on_catalogue(in, scene);
