@@ -153,9 +153,10 @@ void arc_stiffness() {
 
 /// The order of convergence seen in the last three norms above rounding.
 double order(const std::vector<double> &norms, const double scale) {
+  constexpr double rounding = 1e-12; // 6e-14 to 1e-13 by the BLAS that is there
   double last = 0.;
   for (unsigned int k = 2; k < norms.size(); ++k)
-    if (norms[k] > 1e-13 * scale && norms[k - 1] < 0.1 * scale)
+    if (norms[k] > rounding * scale && norms[k - 1] < 0.1 * scale)
       last = std::log(norms[k] / norms[k - 1]) / std::log(norms[k - 1] / norms[k - 2]);
   return last;
 }
