@@ -16,8 +16,8 @@ public:
   explicit PointSet(const double tolerance) : cell(4. * tolerance), tolerance(tolerance) {}
 
   int insert(const Point3 &p) {
-    // What is within the tolerance, a quarter of a cell, of a point in the inner half of its cell is
-    // in that cell: those beside it are looked into only where the point is further out.
+    // What is within the tolerance, a quarter of a cell, of a point in the inner half of its cell
+    // is in that cell: those beside it are looked into only where the point is further out.
     constexpr double inner = 0.2; // a quarter, and room for rounding
     std::array<long, 3> key, first, last;
     for (unsigned int d = 0; d < 3; ++d) {
