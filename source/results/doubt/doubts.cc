@@ -118,6 +118,13 @@ public:
     if (!(free[3] || free[4] || free[5]))
       return; // nothing bends
     const bool turns_far = scene.kinematics == Kinematics::corotational;
+    constexpr unsigned int most_unknowns = 300000; // their factors take more than all else
+    if (!turns_far && model.space.n_unknowns() > most_unknowns) {
+      results.remarks.push_back(
+          "Whether the line buckles has not been looked at, for it has more than " +
+          std::to_string(most_unknowns) + " unknowns.");
+      return;
+    }
     constexpr double clearly = 1.05, rounding = 1e-6;
     double worst = clearly;
     std::string text;
