@@ -20,15 +20,14 @@ bool is_held_opposite(const Contacts &contacts, const LineState &state, const un
   return false;
 }
 
-std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) {
-  const auto force = [&](const unsigned int i) { // [N]
-    return contacts[i].share() * std::abs(state.contact_stress[i][0]);
-  };
+std::vector<bool> idle_halves(const Contacts &contacts,
+                              const std::function<bool(unsigned int)> &touches,
+                              const std::function<double(unsigned int)> &force) {
   constexpr double no_force = 1e-9; // of the other's
   std::vector<bool> idle(contacts.size(), false);
   std::map<unsigned int, std::vector<unsigned int>> closed; // by the pipe's node
   for (unsigned int i = 0; i < contacts.size(); ++i) {
-    if (state.contact_status[i] == ContactStatus::open)
+    if (!touches(i))
       continue;
     auto &others = closed[contacts[i].vertices[0]];
     for (const unsigned int k : others)
@@ -41,6 +40,15 @@ std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) 
     others.push_back(i);
   }
   return idle;
+}
+
+std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) {
+  return idle_halves(
+      contacts,
+      [&](const unsigned int i) { return state.contact_status[i] != ContactStatus::open; },
+      [&](const unsigned int i) {
+        return contacts[i].share() * std::abs(state.contact_stress[i][0]);
+      });
 }
 
 } // namespace frictionbeam

@@ -4,7 +4,7 @@
 #include "model/contact/contacts.h"
 #include "model/line_state.h"
 
-#include <array>
+#include <functional>
 
 namespace frictionbeam {
 
@@ -15,6 +15,10 @@ namespace frictionbeam {
  * force, the later one is idle.
  */
 std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state);
+/// The same of contacts by their places in the list. @param force along the normal [N], >= 0
+std::vector<bool> idle_halves(const Contacts &contacts,
+                              const std::function<bool(unsigned int)> &touches,
+                              const std::function<double(unsigned int)> &force);
 
 /// Whether another contact at the node of contact @p i touches from the other side.
 bool is_held_opposite(const Contacts &contacts, const LineState &state, const unsigned int i);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/doubt/buckling.h"
 
+#include "analysis/contact/opposed_contacts.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
@@ -115,7 +117,7 @@ public:
     n_negative(factor);
     Vector motion(base.rows());
     for (int i = 0; i < motion.size(); ++i)
-      motion[i] = std::sin(1. + i * i); // of all shapes something
+      motion[i] = std::sin(1. + static_cast<double>(i) * i); // of all shapes something
     for (unsigned int k = 0; k < n_iterations && factored.info() == Eigen::Success; ++k)
       motion = factored.solve(motion).normalized();
     Vector dofs;
@@ -198,8 +200,18 @@ private:
     const Vector diagonal = base.diagonal();
     const double largest = diagonal.lpNorm<Eigen::Infinity>();
     std::vector<Eigen::Triplet<double>> entries;
-    for (unsigned int i = 0; i < model.contacts.size() && i < frame.supports.size(); ++i)
-      add_contact(model.contacts[i], frame.supports[i], touching, held * largest, entries);
+    const auto touches = [&](const unsigned int i) {
+      const Contact &contact = model.contacts[i];
+      return i < frame.supports.size() &&
+             (!contact.law.has_closed_form() || contact.platen_force != 0. ||
+              !stands_off(frame.supports[i], touching));
+    };
+    const std::vector<bool> idle = idle_halves(model.contacts, touches, [&](const unsigned int i) {
+      return std::abs(frame.supports[i].fn);
+    });
+    for (unsigned int i = 0; i < model.contacts.size(); ++i)
+      if (touches(i) && !idle[i])
+        add_contact(model.contacts[i], frame.supports[i], held * largest, entries);
     for (int i = 0; i < diagonal.size(); ++i)
       entries.emplace_back(i, i, rounding * diagonal[i] + nothing * largest);
     SparseMatrix supports(base.rows(), base.cols());
@@ -207,11 +219,9 @@ private:
     base += supports;
   }
 
-  static void add_contact(const Contact &contact, const SupportState &state, const double touching,
-                          const double rigid, std::vector<Eigen::Triplet<double>> &entries) {
+  static void add_contact(const Contact &contact, const SupportState &state, const double rigid,
+                          std::vector<Eigen::Triplet<double>> &entries) {
     const bool is_known = contact.law.has_closed_form();
-    if (is_known && contact.platen_force == 0. && stands_off(state, touching))
-      return;
     const FrictionThreshold &law = contact.law.closed_form();
     const auto stiffness = [&](const double rigidity) {
       return is_known && std::isfinite(rigidity)
@@ -295,10 +305,11 @@ std::optional<Buckling> buckling_of(const Model &model, const Frame &frame, cons
   if (!problem.is_pressed())
     return {};
   double above = 1. / least, below = 0.;
-  if (problem.n_negative(above) == 0)
+  const int n_above = problem.n_negative(above);
+  if (n_above == 0)
     return {};
   const int at_rest = problem.n_negative(0.);
-  if (problem.n_negative(above) <= at_rest)
+  if (n_above <= at_rest)
     return {};
   while (above - below > resolved * above) {
     const double middle = (above + below) / 2.;
