@@ -11,7 +11,6 @@
 #include "results/frame/frame_builder.h"
 #include "results/picture/line_picture.h"
 #include "results/stress/stresses.h"
-#include "results/stress/unintensified_places.h"
 #include "results/text.h"
 #include "scene/read_scene.h"
 
@@ -194,11 +193,11 @@ void check(const RunOptions &options, const LawLibrary &laws, const Scene &scene
       std::cout << "Note: " << remark << '\n';
   for (const std::string &warning : check_mechanisms(model))
     std::cout << "Note: " << warning << '\n';
-  if (!scene.stress.code.empty()) {
-    check_stress_code(scene, model.mesh, FrameBuilder(model, true).stations());
-    if (const std::string places = unintensified_places(scene, model.mesh); !places.empty())
+  if (!scene.stress.code.empty())
+    if (const std::string places =
+            check_stress_code(scene, model.mesh, FrameBuilder(model, true).stations());
+        !places.empty())
       std::cout << "Note: " << places << '\n';
-  }
   draw_as_built(model);
   if (options.strict && !scene.doubts.empty())
     throw UserError("With --strict, a note of what is hardly meant is an error: " +

@@ -14,7 +14,6 @@
 #include "results/quantity/wall_quantities.h"
 #include "results/report/reduction_text.h"
 #include "results/stress/stresses.h"
-#include "results/stress/unintensified_places.h"
 #include "results/text.h"
 
 #include <deal.II/base/timer.h>
@@ -99,11 +98,11 @@ void solve_sequence(const Model &model, LoadSequence &sequence, Results &results
   results.units = scene.units;
   remark_on_laws(model, results);
   add_remarks_on_model(model, results);
-  if (!scene.stress.code.empty()) {
-    check_stress_code(scene, model.mesh, FrameBuilder(model, true).stations());
-    if (const std::string places = unintensified_places(scene, model.mesh); !places.empty())
+  if (!scene.stress.code.empty())
+    if (const std::string places =
+            check_stress_code(scene, model.mesh, FrameBuilder(model, true).stations());
+        !places.empty())
       results.remarks.push_back(places);
-  }
   LineRun run(model, sequence, results);
   const bool converged = run.run();
   run.conclude(converged);

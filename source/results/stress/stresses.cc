@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/stress/stress_evaluation.h"
+#include "results/stress/unintensified_places.h"
 
 #include "results/stress/stresses.h"
 #include "results/text.h"
@@ -243,8 +244,10 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
   return cases;
 }
 
-void check_stress_code(const Scene &scene, const LineMesh &mesh, const std::vector<Station> &line) {
+std::string check_stress_code(const Scene &scene, const LineMesh &mesh,
+                              const std::vector<Station> &line) {
   StressEvaluation(scene, mesh, Results()).check(line);
+  return unintensified_places(scene, mesh);
 }
 
 namespace {

@@ -19,7 +19,9 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
 
 /// Ask the stress code, which there is, about every node. @throws UserError naming the first that
 /// it has nothing for, or where it does what no code may (stress_code_faults())
-void check_stress_code(const Scene &scene, const LineMesh &mesh, const std::vector<Station> &line);
+/// @return a remark on places that it has no factors for (unintensified_places()), or nothing
+std::string check_stress_code(const Scene &scene, const LineMesh &mesh,
+                              const std::vector<Station> &line);
 
 /// Largest pressure of a step's loads in a pipe [Pa]; of a combination, of its cases.
 double pressure_in(const Scene &scene, const std::string &step, const unsigned int pipe);

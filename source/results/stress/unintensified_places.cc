@@ -26,6 +26,11 @@ std::vector<std::vector<Vector3>> legs_of(const Scene &scene, const LineMesh &me
   return legs;
 }
 
+bool has_tee(const Scene &scene, const LineMesh &mesh, const unsigned int vertex) {
+  return std::any_of(scene.tees.begin(), scene.tees.end(),
+                     [&](const Tee &tee) { return mesh.points.at(tee.point) == vertex; });
+}
+
 std::string name_of(const Scene &scene, const LineMesh &mesh, const unsigned int vertex) {
   for (const auto &[name, at] : mesh.points)
     if (at == vertex)
@@ -42,15 +47,10 @@ std::string unintensified_places(const Scene &scene, const LineMesh &mesh) {
   const auto legs = legs_of(scene, mesh);
   for (unsigned int vertex = 0; vertex < legs.size(); ++vertex) {
     const auto &at = legs[vertex];
-    const bool has_tee = std::any_of(scene.tees.begin(), scene.tees.end(), [&](const Tee &tee) {
-      return mesh.points.at(tee.point) == vertex;
-    });
-    if (has_tee || at.size() < 2)
-      continue;
-    if (at.size() > 2)
-      branches.push_back(name_of(scene, mesh, vertex));
-    else if (at[0] * at[1] > -std::cos(straight))
-      corners.push_back(name_of(scene, mesh, vertex));
+    const bool is_branch = at.size() > 2,
+               is_corner = at.size() == 2 && at[0] * at[1] > -std::cos(straight);
+    if ((is_branch || is_corner) && !has_tee(scene, mesh, vertex))
+      (is_branch ? branches : corners).push_back(name_of(scene, mesh, vertex));
   }
   if (branches.empty() && corners.empty())
     return "";
