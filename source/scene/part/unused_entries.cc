@@ -158,8 +158,7 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
       const auto pipe = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &one) {
         return "Pipe " + one.name == heading;
       });
-      if (scene.mesh.file.empty() && pipe != scene.pipes.end() && pipe->bend_radius == 0. &&
-          !pipe->has_bend())
+      if (scene.mesh.file.empty() && pipe != scene.pipes.end() && !pipe->has_bend())
         remark_on(in, heading, {"Bend flexibility", "Stiffening pressure"}, "without a bend",
                   scene);
     } else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
