@@ -26,10 +26,11 @@ struct BlockCholesky::Cholmod {
   Cholmod(const Cholmod &) = delete;
 
   /// In place, with a part of the factor.
-  void solve(const int system, Eigen::VectorXd &y) {
+  void solve(const int system, Eigen::MatrixXd &y) {
     cholmod_dense right = Eigen::viewAsCholmod(y);
     cholmod_dense *result = cholmod_solve(system, factor, &right, &common);
-    y = Eigen::Map<const Eigen::VectorXd>(static_cast<const double *>(result->x), y.size());
+    y = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double *>(result->x), y.rows(),
+                                          y.cols());
     cholmod_free_dense(&result, &common);
   }
 
@@ -92,12 +93,12 @@ void BlockCholesky::read_last_block(const int n_last) {
   }
 }
 
-void BlockCholesky::solve_lower(Eigen::VectorXd &y) const {
+void BlockCholesky::solve_lower(Eigen::MatrixXd &y) const {
   cholmod->solve(CHOLMOD_P, y);
   cholmod->solve(CHOLMOD_L, y);
 }
 
-void BlockCholesky::solve_upper(Eigen::VectorXd &y) const {
+void BlockCholesky::solve_upper(Eigen::MatrixXd &y) const {
   cholmod->solve(CHOLMOD_Lt, y);
   cholmod->solve(CHOLMOD_Pt, y);
 }

@@ -25,10 +25,10 @@ public:
    */
   bool compute(const Eigen::SparseMatrix<double> &lower, const int n_last);
 
-  /// Solve L y = y and L^T y = y. Between the two, unknowns before the last block stand in an order
-  /// of CHOLMOD's own.
-  void solve_lower(Eigen::VectorXd &y) const;
-  void solve_upper(Eigen::VectorXd &y) const;
+  /// Solve L y = y and L^T y = y, of all columns at once. Between the two, unknowns before the last
+  /// block stand in an order of CHOLMOD's own.
+  void solve_lower(Eigen::MatrixXd &y) const;
+  void solve_upper(Eigen::MatrixXd &y) const;
 
   const Eigen::MatrixXd &last_block() const { return block; } ///< of L, a lower triangle
 

@@ -26,6 +26,7 @@ public:
   }
   bool solve(const std::vector<Block> &blocks, const bool symmetric, const ContinuumVector &b,
              ContinuumVector &x) override;
+  bool solve_all(std::vector<ContinuumVector> &b) override;
   std::string name() const override { return "factorization, contacts condensed"; }
 
 private:
@@ -40,6 +41,19 @@ private:
   /// Put the interior unknowns in an order that keeps the factor sparse.
   void reorder();
   void factorize();
+  /// Stiffness of the contacts' unknowns with those of the contacts themselves.
+  Dense tangent(const std::vector<Block> &blocks) const;
+  /// Each column from right-hand side to solution.
+  bool solve_columns(const std::vector<Block> &blocks, const bool symmetric, Dense &y) const;
+  void take(const ContinuumVector &values, Eigen::Ref<Eigen::VectorXd> y) const {
+    for (std::size_t i = 0; i < dof_of.size(); ++i)
+      y[i] = values(dof_of[i]);
+  }
+  void give(const Eigen::Ref<const Eigen::VectorXd> &y, ContinuumVector &values) const {
+    values = 0.;
+    for (std::size_t i = 0; i < dof_of.size(); ++i)
+      values(dof_of[i]) = y[i];
+  }
 
   std::vector<types::global_dof_index> dof_of;
   std::vector<int> unknown_of; ///< by dof; -1: none
@@ -128,12 +142,8 @@ void CondensedSystem::reorder() {
 
 void CondensedSystem::multiply(const ContinuumVector &x, ContinuumVector &y) const {
   Eigen::VectorXd values(dof_of.size());
-  for (std::size_t i = 0; i < dof_of.size(); ++i)
-    values[i] = x(dof_of[i]);
-  const Eigen::VectorXd product = stiffness.selfadjointView<Eigen::Lower>() * values;
-  y = 0.;
-  for (std::size_t i = 0; i < dof_of.size(); ++i)
-    y(dof_of[i]) = product[i];
+  take(x, values);
+  give(stiffness.selfadjointView<Eigen::Lower>() * values, y);
 }
 
 void CondensedSystem::factorize() {
@@ -161,38 +171,53 @@ void CondensedSystem::factorize() {
   condensed.diagonal().array() -= (1. - above_rounding) * largest;
 }
 
-bool CondensedSystem::solve(const std::vector<Block> &blocks, const bool symmetric,
-                            const ContinuumVector &b, ContinuumVector &x) {
-  const int n = dof_of.size();
-  Eigen::VectorXd y(n);
-  for (int i = 0; i < n; ++i)
-    y[i] = b(dof_of[i]);
-  factors.solve_lower(y);
-  const Dense &L = factors.last_block();
-  const Eigen::VectorXd right = L.triangularView<Eigen::Lower>() * y.tail(n_contact);
-
-  Dense tangent = condensed;
+CondensedSystem::Dense CondensedSystem::tangent(const std::vector<Block> &blocks) const {
+  Dense result = condensed;
   for (const Block &block : blocks)
     for (unsigned int a = 0, v = 0; a < block.dofs.size(); ++a)
       for (unsigned int c = 0; c < block.dofs.size(); ++c, ++v) {
         const int i = unknown_of[block.dofs[a]] - n_interior,
                   j = unknown_of[block.dofs[c]] - n_interior;
         if (i >= 0 && j >= 0)
-          tangent(i, j) += block.values[v];
+          result(i, j) += block.values[v];
       }
-  Eigen::VectorXd contact;
-  if (symmetric) {
-    const Eigen::LDLT<Dense> dense(tangent);
-    contact = dense.solve(right);
-  } else
-    contact = Eigen::PartialPivLU<Dense>(tangent).solve(right);
+  return result;
+}
+
+bool CondensedSystem::solve_columns(const std::vector<Block> &blocks, const bool symmetric,
+                                    Dense &y) const {
+  factors.solve_lower(y);
+  const Dense &L = factors.last_block();
+  const Dense right = L.triangularView<Eigen::Lower>() * y.bottomRows(n_contact),
+              contact = symmetric ? Dense(Eigen::LDLT<Dense>(tangent(blocks)).solve(right))
+                                  : Dense(Eigen::PartialPivLU<Dense>(tangent(blocks)).solve(right));
   if (!contact.allFinite())
     return false;
-  y.tail(n_contact) = L.transpose().triangularView<Eigen::Upper>() * contact;
+  y.bottomRows(n_contact) = L.transpose().triangularView<Eigen::Upper>() * contact;
   factors.solve_upper(y);
-  x = 0.;
-  for (int i = 0; i < n; ++i)
-    x(dof_of[i]) = y[i];
+  return true;
+}
+
+bool CondensedSystem::solve(const std::vector<Block> &blocks, const bool symmetric,
+                            const ContinuumVector &b, ContinuumVector &x) {
+  Dense y(dof_of.size(), 1);
+  take(b, y.col(0));
+  if (!solve_columns(blocks, symmetric, y))
+    return false;
+  give(y.col(0), x);
+  return true;
+}
+
+bool CondensedSystem::solve_all(std::vector<ContinuumVector> &b) {
+  if (b.empty())
+    return true;
+  Dense y(dof_of.size(), b.size());
+  for (std::size_t k = 0; k < b.size(); ++k)
+    take(b[k], y.col(k));
+  if (!solve_columns({}, true, y))
+    return false;
+  for (std::size_t k = 0; k < b.size(); ++k)
+    give(y.col(k), b[k]);
   return true;
 }
 
