@@ -68,6 +68,19 @@ std::vector<std::string> split(const std::string &text, const char separator) {
   }
 }
 
+std::vector<std::string> split_names(const std::string &text) {
+  std::vector<std::string> names;
+  for (const std::string &word : split(text, ' ')) {
+    const bool is_cycle = word.size() > 2 && word.front() == '(' && word.back() == ')' &&
+                          word.find_first_not_of("0123456789", 1) == word.size() - 1;
+    if (is_cycle && !names.empty())
+      names.back() += " " + word;
+    else
+      names.push_back(word);
+  }
+  return names;
+}
+
 bool to_number(const std::string &text, double &value) {
   if (text.empty())
     return false;

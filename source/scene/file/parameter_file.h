@@ -66,6 +66,9 @@ std::string tidy(const std::string &text);
 /// Pieces of a text between separators, tidied; none if the text is blank.
 std::vector<std::string> split(const std::string &text, const char separator);
 
+/// Words of a text, of which a number in brackets is the end of a name: `cool (2)`, a later cycle.
+std::vector<std::string> split_names(const std::string &text);
+
 /// The whole of @p text as a finite number. @return whether it is one.
 bool to_number(const std::string &text, double &value);
 

@@ -318,7 +318,7 @@ void parse_stress(const ParameterReader &in, Scene &scene) {
   stress.sustained = steps("Sustained");
   stress.occasional = steps("Occasional");
   for (const std::string &pair : in.list("Expansion")) {
-    const std::vector<std::string> words = split(pair, ' ');
+    const std::vector<std::string> words = split_names(pair);
     if (words.size() != 3 || words[1] != "to")
       in.fail("Expansion", "pairs 'step to step', separated by commas", "'weight to heat'",
               "'" + pair + "'");

@@ -74,7 +74,7 @@ void parse_combination(const ParameterReader &in, const std::string &name, Scene
   combination.kind = in.choice("Kind", combination_kinds);
   const std::vector<std::string> known = case_names(scene);
   for (const std::string &item : in.list("Cases")) {
-    const std::vector<std::string> words = split(item, ' ');
+    const std::vector<std::string> words = split_names(item);
     double factor = 1.;
     if (words.size() > 2 || (words.size() == 2 && !to_number(words[1], factor)))
       in.fail("Cases", "names of cases, each with a factor if not 1", "'hot, cold -1'",

@@ -117,6 +117,14 @@ void remark_on_support(const ParameterReader &in, const std::string &section, co
               "without a Shear rigidity: the contact is rigid across its normal", scene);
   if (in.given("Friction coefficient"))
     remark_on(in, section, {"Pad"}, "beside a Friction coefficient", scene);
+  if (in.raw("Kind", "") == "rod")
+    remark_on(in, section, {"Rotations", "Shear rigidity"},
+              "with Kind = rod, which swings with the pipe", scene);
+  if (std::any_of(scene.restraints.begin(), scene.restraints.end(),
+                  [&](const Restraint &one) { return "Support " + one.name == section; }))
+    remark_on(in, section, {"Rotations"}, "where nothing rubs", scene);
+  if (in.raw("Ground motion", "").empty())
+    remark_on(in, section, {"Ground motion time"}, "without a Ground motion", scene);
   if (!has_motion && number_of(in, "Restitution") > 0.)
     remark_on(in, section, {"Restitution"}, "without a transient step", scene);
 }

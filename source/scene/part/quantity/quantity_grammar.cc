@@ -140,7 +140,7 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
                       Quantity &quantity) {
   std::set<std::string> details;
   for (const std::string &piece : split(text, ',')) {
-    const std::vector<std::string> words = split(piece, ' ');
+    const std::vector<std::string> words = split_names(piece);
     if (words.empty())
       fail_form(in, quantity.name, text);
     if (!quantity.what.empty() && !details.insert(words[0]).second)
