@@ -152,6 +152,7 @@ struct SolidSettings {
   unsigned int cells_per_bend = 8;           ///< in 90 degrees
   double first_cell = 0., longest_cell = 0.; ///< of a straight run [m]; 0: by the section
   double most_unknowns = 200000.;            ///< more are refused
+  double reach = 2.; ///< of a mixed model's walls beside bends, in r sqrt(r/t)
 };
 
 /// Which model of the scene is solved; automatic: the line, if it is good enough for the accuracy.

@@ -36,7 +36,8 @@ std::array<Vector3, 6> tractions(const double A, const double I, const Vector3 &
 } // namespace
 
 SectionMotion::SectionMotion(const PipeWall &wall, const ContinuumBody<3> &body,
-                             const unsigned int ring) {
+                             const unsigned int ring)
+    : centre(wall.rings[ring].centre) {
   const WallRing &at = wall.rings[ring];
   const unsigned int layer = ring == 0 ? 0 : ring - 1, face = ring == 0 ? 4 : 5;
   const double A = wall.area(), I = wall.inertia();
@@ -83,6 +84,38 @@ SectionMotion::Vector6 SectionMotion::motion(const ContinuumVector &displacement
   for (unsigned int c = 0; c < 6; ++c)
     result[c] = columns[c] * displacement;
   return result;
+}
+
+ContinuumVector SectionMotion::pressure(const PipeWall &wall, const ContinuumBody<3> &body,
+                                        const unsigned int patch) const {
+  constexpr unsigned int outside = 1, first_patch = 4; // face of a cell, part of the boundary
+  const Vector3 inwards = -wall.patches[patch].outward;
+  FEFaceValues<3> values(body.mapping, body.fe, QGauss<2>(body.fe.degree + 2),
+                         update_values | update_quadrature_points | update_JxW_values);
+  ContinuumVector forces;
+  body.reinit(forces);
+  double area = 0.;
+  Vector3 moment;
+  std::vector<types::global_dof_index> dofs(body.fe.n_dofs_per_cell());
+  for (const auto &cell : body.dof_handler.active_cell_iterators()) {
+    if (!cell->at_boundary(outside) || cell->face(outside)->boundary_id() != first_patch + patch)
+      continue;
+    values.reinit(cell, outside);
+    cell->get_dof_indices(dofs);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      area += values.JxW(q);
+      moment +=
+          values.JxW(q) * cross_product_3d(Vector3(values.quadrature_point(q) - centre), inwards);
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        forces(dofs[i]) += values.JxW(q) * values.shape_value(i, q) *
+                           inwards[body.fe.system_to_component_index(i).first];
+    }
+  }
+  Assert(area > 0., ExcMessage("a patch without faces"));
+  forces /= area;
+  for (unsigned int d = 0; d < 3; ++d)
+    forces.add(-inwards[d], columns[d], -moment[d] / area, columns[3 + d]);
+  return forces;
 }
 
 ContinuumVector rigid_displacement(const ContinuumBody<3> &body, const Point3 &about,

@@ -25,8 +25,13 @@ public:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   void add_forces(const Vector6 &forces, ContinuumVector &to) const;
   Vector6 motion(const ContinuumVector &displacement) const;
+  /// Forces in balance: a unit force as a pressure on a patch of the wall, inwards, less the same
+  /// on this section.
+  ContinuumVector pressure(const PipeWall &wall, const ContinuumBody<3> &body,
+                           const unsigned int patch) const;
 
 private:
+  Point3 centre;
   std::array<ContinuumVector, 6> columns;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/substructure/wall_stretch.h"
 
-#include "base/user_error.h"
+#include "mesh/solid/patch_layout.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,28 @@ std::vector<RoutePoint> route_of(const PipePath &path, const SolidStretch &stret
   }
   route.push_back({"", path.point(stretch.to), 0.});
   return route;
+}
+
+bool pushes_from_one_side(const FrictionSupport &support) {
+  return support.law == "coulomb" && !is_of_a_pair(support.kind) && support.kind != "rod" &&
+         support.kind != "snubber" && support.ground.empty() && support.normal_force == 0. &&
+         !support.placement.continuous;
+}
+
+/// From where to where a path is straight about one of its places; empty in a bend.
+std::array<double, 2> run_at(const PipePath &path, const double s) {
+  double begin = 0., end = path.length();
+  for (const PipePath::Segment &segment : path.segments())
+    if (segment.radius > 0.) {
+      const double segment_end = segment.start + segment.length;
+      if (segment.start < s && segment_end > s)
+        return {{s, s}};
+      if (segment_end <= s)
+        begin = segment_end;
+      else
+        end = std::min(end, segment.start);
+    }
+  return {{begin, end}};
 }
 
 /// A load as it acts on the metal of a stretch.
@@ -70,6 +93,44 @@ StretchScene::StretchScene(const Scene &whole, const LineMesh &of, const SolidSt
     vertices.push_back(meshed.vertices[i]);
   }
   line.pipes = {chain};
+  add_rests(whole, of, stretch);
+}
+
+void StretchScene::add_rests(const Scene &whole, const LineMesh &of, const SolidStretch &stretch) {
+  const PipePath path(scene.pipes.front(), scene.units);
+  const MeshedPipe &chain = line.pipes.front();
+  const double outer = scene.sections[scene.pipes.front().section].outer_radius;
+  std::vector<std::array<double, 2>> taken;
+  for (unsigned int i = 0; i < whole.supports.size(); ++i) {
+    const FrictionSupport &support = whole.supports[i];
+    if (!pushes_from_one_side(support))
+      continue;
+    const double half = (support.width > 0. ? support.width : 2. * outer) / 2.;
+    for (unsigned int k = 0; k < of.supports[i].size(); ++k) {
+      const Site &site = of.supports[i][k];
+      const auto at = std::find(vertices.begin(), vertices.end(), site.vertex);
+      if (at == vertices.end() ||
+          std::abs(push_of(support, site.tangent) * site.tangent) > square_enough)
+        continue;
+      const unsigned int vertex = at - vertices.begin();
+      const double s = chain.s[vertex];
+      const std::array<double, 2> patch = {{s - half, s + half}}, run = run_at(path, s);
+      const double before = stretch.anchored[0] ? 2. * outer : 0.,
+                   behind = stretch.anchored[1] ? 2. * outer : 0.;
+      if (patch[0] < run[0] || patch[1] > run[1] || patch[0] < before ||
+          patch[1] > path.length() - behind ||
+          std::any_of(taken.begin(), taken.end(), [&](const std::array<double, 2> &other) {
+            return patch[0] < other[1] && patch[1] > other[0];
+          }))
+        continue;
+      taken.push_back(patch);
+      Site own = site;
+      own.vertex = vertex;
+      scene.supports.push_back(support);
+      scene.supports.back().name += "." + std::to_string(k + 1);
+      line.supports.push_back({own});
+    }
+  }
 }
 
 } // namespace frictionbeam

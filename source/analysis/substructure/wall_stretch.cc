@@ -68,6 +68,20 @@ PipeWall with_held_points(PipeWall wall, const bool is_held) {
   return wall;
 }
 
+/// Of a symmetric positive definite matrix, scaled, for forces and moments have their own units.
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd &matrix) {
+  const Eigen::MatrixXd symmetric = 0.5 * (matrix + matrix.transpose());
+  const Eigen::VectorXd scale = symmetric.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal();
+  const Eigen::LLT<Eigen::MatrixXd> factors(scaled);
+  AssertThrow(factors.info() == Eigen::Success, ExcInternalError());
+  const Eigen::MatrixXd inverse =
+      scale.asDiagonal() *
+      factors.solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.rows())).eval() *
+      scale.asDiagonal();
+  return 0.5 * (inverse + inverse.transpose());
+}
+
 } // namespace
 
 WallStretch::WallStretch(const Scene &whole, const LineMesh &line, const SolidStretch &stretch)
@@ -96,16 +110,16 @@ WallStretch::Matrix6 WallStretch::carried(const unsigned int section) const {
 }
 
 /// @param resultant of the forces about the reference, which balances it unless it is held
-ContinuumVector WallStretch::solve(ContinuumVector forces, const Vector6 &resultant) {
+ContinuumVector WallStretch::balanced(ContinuumVector forces, const Vector6 &resultant) const {
   if (!has_held_end())
     sections[reference].add_forces(-resultant, forces);
-  ContinuumVector field;
-  body.reinit(field);
-  if (forces.l2_norm() == 0.) // of a load that does not act here
-    return field;
-  system->solve({}, true, forces, field);
-  body.constraints.distribute(field);
-  return field;
+  return forces;
+}
+
+void WallStretch::solve(std::vector<ContinuumVector> &fields) {
+  AssertThrow(system->solve_all(fields), ExcInternalError());
+  for (ContinuumVector &field : fields)
+    body.constraints.distribute(field);
 }
 
 Eigen::VectorXd WallStretch::relative(const ContinuumVector &displacement) const {
@@ -121,6 +135,22 @@ Eigen::VectorXd WallStretch::relative(const ContinuumVector &displacement) const
   return result;
 }
 
+Eigen::MatrixXd WallStretch::relative(const std::vector<ContinuumVector> &fields) const {
+  Eigen::MatrixXd result(6 * (sections.size() - 1), fields.size());
+  for (unsigned int k = 0; k < fields.size(); ++k)
+    result.col(k) = relative(fields[k]);
+  return result;
+}
+
+Eigen::VectorXd WallStretch::push(const unsigned int rest) const {
+  const unsigned int section = wall.patches[rest].vertex,
+                     row = 6 * (section < reference ? section : section - 1);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(6 * (sections.size() - 1));
+  for (unsigned int d = 0; d < 3; ++d)
+    result[row + d] = -wall.patches[rest].outward[d];
+  return result;
+}
+
 Eigen::MatrixXd WallStretch::relation() const {
   const unsigned int n = sections.size();
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(6 * (n - 1), 6 * n);
@@ -133,50 +163,69 @@ Eigen::MatrixXd WallStretch::relation() const {
   return G;
 }
 
-SolidPart WallStretch::superelement() {
-  for (const unsigned int ring : rings)
-    sections.emplace_back(wall, body, ring);
-  system = make_condensed_system(body);
-  const unsigned int n = sections.size(), n_free = 6 * (n - 1);
-  Eigen::MatrixXd F(n_free, n_free);
-  for (unsigned int i = 0, column = 0; i < n; ++i)
-    for (unsigned int c = 0; c < 6 && i != reference; ++c, ++column) {
+void WallStretch::solve_fields(const std::vector<Vector6> &resultants) {
+  for (unsigned int i = 0; i < sections.size(); ++i)
+    for (unsigned int c = 0; c < 6 && i != reference; ++c) {
       const Vector6 unit = Vector6::Unit(c);
       ContinuumVector forces;
       body.reinit(forces);
       sections[i].add_forces(unit, forces);
-      of_forces.push_back(solve(std::move(forces), carried(i).transpose() * unit));
-      F.col(column) = relative(of_forces.back());
+      of_forces.push_back(balanced(std::move(forces), carried(i).transpose() * unit));
     }
-  // Scaled, for forces and moments have their own units.
-  const Eigen::VectorXd scale = F.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled =
-      scale.asDiagonal() * (0.5 * (F + F.transpose())).eval() * scale.asDiagonal();
-  inverse = scale.asDiagonal() *
-            scaled.llt().solve(Eigen::MatrixXd::Identity(n_free, n_free)).eval() *
-            scale.asDiagonal();
-  inverse = (0.5 * (inverse + inverse.transpose())).eval();
+  of_loads = loads->forces();
+  for (unsigned int l = 0; l < of_loads.size(); ++l)
+    of_loads[l] = balanced(std::move(of_loads[l]), resultants[l]);
+  for (unsigned int p = 0; p < wall.patches.size(); ++p)
+    of_rests.push_back(sections[wall.patches[p].vertex].pressure(wall, body, p));
+  system = make_condensed_system(body);
+  for (std::vector<ContinuumVector> *const fields : {&of_forces, &of_loads, &of_rests})
+    solve(*fields);
+  system.reset();
+}
 
+Eigen::MatrixXd WallStretch::directions(const Eigen::MatrixXd &stiffness) const {
+  Eigen::MatrixXd B = Eigen::MatrixXd::Identity(stiffness.rows(), stiffness.rows());
+  for (unsigned int p = 0; p < of_rests.size(); ++p) {
+    const Eigen::VectorXd n = push(p), kn = stiffness * n;
+    Eigen::VectorXd forces = stiffness * relative(of_rests[p]);
+    forces -=
+        n.dot(forces) / n.dot(kn) * kn; // its own section is where it is without force along n
+    B += forces * n.transpose();
+  }
+  return B;
+}
+
+std::vector<WallStretch::Vector6> WallStretch::resultants(const SolidPart &part) const {
+  std::vector<Vector6> result;
+  for (const std::vector<Motion> &on_cells : part.cell_loads) {
+    result.push_back(Vector6::Zero());
+    for (unsigned int k = 0; k < on_cells.size(); ++k)
+      result.back() += carried(k).transpose() * Eigen::Map<const Vector6>(on_cells[k].data());
+  }
+  return result;
+}
+
+SolidPart WallStretch::superelement() {
+  for (const unsigned int ring : rings)
+    sections.emplace_back(wall, body, ring);
   SolidPart part;
   part.pipe = stretch.pipe;
   part.first_cell = own.first_cell;
   part.vertices = own.vertices;
-  const Eigen::MatrixXd G = relation();
-  part.stiffness = G.transpose() * inverse * G;
   part.cell_loads = cell_loads();
-  std::vector<ContinuumVector> forces = loads->forces();
-  free_motions.resize(n_free, forces.size());
-  for (unsigned int l = 0; l < forces.size(); ++l) {
-    Vector6 resultant = Vector6::Zero(); // about the reference
-    for (unsigned int k = 0; k + 1 < n; ++k)
-      resultant += carried(k).transpose() * Eigen::Map<const Vector6>(part.cell_loads[l][k].data());
-    of_loads.push_back(solve(std::move(forces[l]), resultant));
-    free_motions.col(l) = relative(of_loads.back());
+  const std::vector<Vector6> on_reference = resultants(part);
+  solve_fields(on_reference);
+
+  const Eigen::MatrixXd F = relative(of_forces), stiffness = inverse_of(F),
+                        B = directions(stiffness), G = relation();
+  inverse = inverse_of(B.transpose() * F * B);
+  part.stiffness = G.transpose() * inverse * G;
+  free_motions = B.transpose() * relative(of_loads);
+  for (unsigned int l = 0; l < of_loads.size(); ++l) {
     Eigen::VectorXd on_sections = G.transpose() * (inverse * free_motions.col(l));
-    on_sections.segment<6>(6 * reference) += resultant;
+    on_sections.segment<6>(6 * reference) += on_reference[l];
     part.forces.push_back(on_sections);
   }
-  system.reset();
   return part;
 }
 
@@ -190,11 +239,24 @@ ContinuumVector WallStretch::displacement(const Eigen::VectorXd &motions,
     field.add(amplitudes[k], of_forces[k]);
   for (unsigned int l = 0; l < of_loads.size(); ++l)
     field.add(factors[l], of_loads[l]);
+  for (unsigned int p = 0; p < of_rests.size(); ++p)
+    field.add(push(p).dot(amplitudes), of_rests[p]);
   Vector6 rigid = motions.segment<6>(6 * reference);
   if (!has_held_end())
     rigid -= sections[reference].motion(field);
   field += rigid_displacement(body, place(reference), rigid);
   return field;
+}
+
+bool WallStretch::is_disturbed(const unsigned int ring) const {
+  constexpr double near_the_cut = 1.5; // lengths
+  const double length = own.scene.sections[own.scene.pipes.front().section].decay_length(),
+               s = wall.rings[ring].s, end = wall.length();
+  return std::any_of(wall.patches.begin(), wall.patches.end(), [&](const WallPatch &patch) {
+    return (!stretch.anchored[0] && patch.from < near_the_cut * length && s < patch.to + length) ||
+           (!stretch.anchored[1] && patch.to > end - near_the_cut * length &&
+            s > patch.from - length);
+  });
 }
 
 std::vector<std::vector<Motion>> WallStretch::cell_loads() const {

@@ -10,7 +10,9 @@
 namespace frictionbeam {
 
 /// A stretch of a pipe as a scene of its own: one pipe, whose points are the line's vertices on it,
-/// and the loads that act on its metal.
+/// the loads that act on its metal, and the rests that press on its wall: those of which the patch
+/// (Support/Width) lies on one straight run of the stretch, a diameter or more from an anchor, and
+/// meets no patch of another.
 struct StretchScene {
   StretchScene(const Scene &whole, const LineMesh &line, const SolidStretch &stretch);
 
@@ -18,6 +20,9 @@ struct StretchScene {
   LineMesh line;
   std::vector<unsigned int> vertices; ///< of the whole line
   unsigned int first_cell = 0;        ///< of the whole pipe
+
+private:
+  void add_rests(const Scene &whole, const LineMesh &of, const SolidStretch &stretch);
 };
 
 /**
@@ -28,6 +33,14 @@ struct StretchScene {
  * G,   G q = motions q relative to the reference, which is symmetric and leaves rigid motions
  * without forces. The reference is an end that an anchor holds, where the section is held as
  * Solid/Anchors says; else the last one, where forces balance all others.
+ *
+ * A rest within the stretch presses the wall oval, which bends some r sqrt(r/t) away feel. Its
+ * force f along n is a pressure P on its patch, which moves the sections as W n f on its own would,
+ * and by e f beside that, e those of the field of P - W n. Forces F^-1 e f do the same, and so does
+ * the line's force f act along b = n + F^-1 e and the line's motion along n is b.q: K is symmetric
+ * and positive still. Left out is how the wall gives way under the rest while no section moves, as
+ * it is under the line's other rests; so e is taken along n of the rest's own section to be what no
+ * force there belongs to.
  */
 class WallStretch {
 public:
@@ -42,6 +55,10 @@ public:
 
   /// The section at a place of part.vertices among the wall's rings.
   unsigned int ring_of(const unsigned int section) const { return rings[section]; }
+
+  /// Whether a ring is nearer than r sqrt(r/t) to a rest that stands as near as 1.5 times that to
+  /// where the wall is cut, or beyond it: a free end gives way, and the oval there is too large.
+  bool is_disturbed(const unsigned int ring) const;
 
   const SolidStretch stretch;
   const StretchScene own;
@@ -58,9 +75,22 @@ private:
   Point3 place(const unsigned int section) const { return wall.rings[rings[section]].centre; }
   /// Rigid motion of a section by that of the reference: columns of the latter.
   Matrix6 carried(const unsigned int section) const;
-  ContinuumVector solve(ContinuumVector forces, const Vector6 &resultant);
+  /// Forces in balance: what is given, and the opposite of its resultant on the reference.
+  ContinuumVector balanced(ContinuumVector forces, const Vector6 &resultant) const;
+  /// Displacements of forces, in their places.
+  void solve(std::vector<ContinuumVector> &fields);
+  /// The fields of unit forces, loads and rests.
+  void solve_fields(const std::vector<Vector6> &resultants);
+  /// Resultants of the loads on cells about the reference.
+  std::vector<Vector6> resultants(const SolidPart &part) const;
   /// Motions of all sections but the reference relative to it.
   Eigen::VectorXd relative(const ContinuumVector &displacement) const;
+  /// The same of several fields, a column each.
+  Eigen::MatrixXd relative(const std::vector<ContinuumVector> &fields) const;
+  /// n of a rest among relative motions.
+  Eigen::VectorXd push(const unsigned int rest) const;
+  /// B, columns of which are unit forces and the b of rests. @param stiffness F^-1
+  Eigen::MatrixXd directions(const Eigen::MatrixXd &stiffness) const;
   /// G, motions to relative motions.
   Eigen::MatrixXd relation() const;
   /// Of each load at factor one: on what lies between sections.
@@ -70,9 +100,10 @@ private:
   unsigned int reference = 0;      ///< among them
   std::vector<SectionMotion> sections;
   std::unique_ptr<ContinuumSystem> system;
-  std::vector<ContinuumVector> of_forces, of_loads; ///< fields
-  Eigen::MatrixXd inverse;                          ///< F^-1
-  Eigen::MatrixXd free_motions;                     ///< relative, of each load (columns)
+  /// Fields; of rests in the order of the wall's patches.
+  std::vector<ContinuumVector> of_forces, of_loads, of_rests;
+  Eigen::MatrixXd inverse;      ///< (B^T F B)^-1
+  Eigen::MatrixXd free_motions; ///< B^T times relative ones, of each load (columns)
 };
 
 } // namespace frictionbeam

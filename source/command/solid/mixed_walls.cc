@@ -89,6 +89,9 @@ std::vector<std::string> MixedWalls::in_words() const {
                        std::to_string(wall->wall.around * wall->wall.through) +
                        " cells of degree " + std::to_string(scene.solid.degree) + ", " +
                        std::to_string(wall->body.dof_handler.n_dofs()) + " unknowns";
+    if (!wall->wall.patches.empty())
+      text += ", pressed on " + std::to_string(wall->wall.patches.size()) +
+              (wall->wall.patches.size() == 1 ? " patch by a rest" : " patches by rests");
     if (stretch.is_short)
       text +=
           "; a bend, an anchor or the pipe's end leaves less straight pipe beside it than asked";
@@ -111,6 +114,7 @@ void MixedWalls::add_to(KnownError &cells) const {
 void MixedWalls::report(const LoadSequence &sequence, Results &results) {
   add_to(results.known.cells);
   double ovality = 0., mises = 0., join = 0.;
+  bool is_cut_near_rests = false;
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const WallStretch &wall = *walls[w];
     const SolidPart &part = parts[w];
@@ -142,7 +146,12 @@ void MixedWalls::report(const LoadSequence &sequence, Results &results) {
         !text.empty())
       results.doubts.push_back(text);
     for (const WallFrame &frame : frames)
-      for (const RingState &ring : frame.rings) {
+      for (unsigned int i = 0; i < frame.rings.size(); ++i) {
+        const RingState &ring = frame.rings[i];
+        if (wall.is_disturbed(i)) {
+          is_cut_near_rests = true;
+          continue;
+        }
         ovality = std::max(ovality, ring.ovality(2. * wall.wall.outer));
         mises = std::max({mises, ring.largest_mises(0), ring.largest_mises(1)});
       }
@@ -177,7 +186,11 @@ void MixedWalls::report(const LoadSequence &sequence, Results &results) {
   results.remarks.push_back(
       "largest_ovality and largest_wall_stress are those of the solid parts, " + names +
       ": bends and pipes that are beams have no part in them (Model = solid has those of the whole "
-      "wall).");
+      "wall)" +
+      std::string(is_cut_near_rests ? ", nor has the wall about rests that stand near where a part "
+                                      "is cut, whose free end gives way too far (a larger "
+                                      "Solid/Reach takes them in)."
+                                    : "."));
   const double Pa = scene.units.factor("Pa");
   results.quantities.push_back({"largest_ovality", "-", "", ovality, {}, {}});
   results.quantities.push_back(

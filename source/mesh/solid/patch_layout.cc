@@ -13,8 +13,6 @@ using namespace dealii;
 
 namespace {
 
-constexpr double square_enough = 1e-3; ///< of two unit vectors: else a patch presses askew
-
 class PatchLayout {
 public:
   PatchLayout(const Scene &scene, const LineMesh &line, const PipeWall &wall)
@@ -131,14 +129,18 @@ WallPatch PatchLayout::patch(const unsigned int support, const unsigned int site
   patch.to = s + width / 2.;
   check_on_run(patch, s);
   check_anchors(patch);
-  Vector3 normal = of.normal.vector;
-  if (of.normal.kind != Direction::Kind::global)
-    normal = of.normal.kind == Direction::Kind::along ? at.tangent : LocalAxes(at.tangent).y;
-  lay_across(of.normal.sign * normal, s, patch);
+  lay_across(push_of(of, at.tangent), s, patch);
   return patch;
 }
 
 } // namespace
+
+Vector3 push_of(const FrictionSupport &support, const Vector3 &tangent) {
+  const Direction &normal = support.normal;
+  return normal.sign * (normal.kind == Direction::Kind::global  ? normal.vector
+                        : normal.kind == Direction::Kind::along ? tangent
+                                                                : LocalAxes(tangent).y);
+}
 
 std::vector<WallPatch> lay_patches(const Scene &scene, const LineMesh &line, const PipeWall &wall) {
   const PatchLayout layout(scene, line, wall);

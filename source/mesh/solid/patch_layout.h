@@ -5,6 +5,12 @@
 
 namespace frictionbeam {
 
+/// Unit direction in which a support pushes the pipe.
+Vector3 push_of(const FrictionSupport &support, const Vector3 &tangent);
+
+/// Of the cosine between the two: a push is square to the pipe, or along it.
+constexpr double square_enough = 1e-3;
+
 /**
  * Where the scene's supports are pressed against the wall: over Support/Width along the axis, one
  * outer diameter unless it is given, and 30 degrees of the circumference around the direction that

@@ -17,10 +17,6 @@ namespace frictionbeam {
 namespace {
 
 constexpr double same = 1e-3; ///< of the outer radius: two places along a pipe are one
-/// After as many a bend's oval has died out: what a shorter piece leaves of the deflection of
-/// SSLX102 is 1.4 % (1.2 lengths), 0.4 % (1.7), 0.1 % (2.3).
-constexpr double decay_lengths = 2.;
-
 std::set<std::string> names_of(const Scene &scene) {
   const std::vector<std::string> names = solid_places(scene);
   return {names.begin(), names.end()};
@@ -130,8 +126,8 @@ std::array<double, 2> StretchLayout::room_of(const SolidStretch &stretch) const 
 
 void StretchLayout::extend(SolidStretch &stretch) const {
   const auto [low, high] = room_of(stretch);
-  const double tangent =
-                   decay_lengths * scene.sections[scene.pipes[stretch.pipe].section].decay_length(),
+  const double tangent = scene.solid.reach *
+                         scene.sections[scene.pipes[stretch.pipe].section].decay_length(),
                tolerance = same * outer(stretch.pipe);
   // No sliver of a pipe beside it.
   const double from = stretch.from - tangent, to = stretch.to + tangent;

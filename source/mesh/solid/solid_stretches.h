@@ -17,8 +17,9 @@ struct SolidStretch {
 };
 
 /**
- * The stretches that Solid/At asks for: bends, or places of straight pipe, and twice r sqrt(r/t) of
- * straight pipe on either side, as far as the pipe and the next bend or anchor leave room.
+ * The stretches that Solid/At asks for: bends, or places of straight pipe, and Solid/Reach times
+ * r sqrt(r/t) of straight pipe on either side, as far as the pipe and the next bend or anchor leave
+ * room.
  * Stretches that meet are one.
  * @throws UserError for points that are on no pipe and pipes whose wall cannot be a solid
  */
