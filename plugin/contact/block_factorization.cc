@@ -8,25 +8,6 @@
 
 namespace frictionbeam::contact {
 
-namespace {
-
-using Pair = Eigen::Array2d;
-
-/// to -= factor from.
-inline void subtract(const Pair &factor, const Pair *const from, Pair *const to, const int n) {
-  for (int i = 0; i < n; ++i)
-    to[i] -= factor * from[i];
-}
-
-/// to -= factor from + other_factor other.
-inline void subtract(const Pair &factor, const Pair *const from, const Pair &other_factor,
-                     const Pair *const other, Pair *const to, const int n) {
-  for (int i = 0; i < n; ++i)
-    to[i] -= factor * from[i] + other_factor * other[i];
-}
-
-} // namespace
-
 void BlockFactorization::analyze(const SparseMatrix &matrix) {
   const int n = matrix.rows();
   old_of_new.resize(n);
@@ -147,25 +128,33 @@ void BlockFactorization::find_rows(const SparseMatrix &matrix) {
   }
 }
 
-bool BlockFactorization::factorize(const SparseMatrix &matrix) {
-  if (!source.empty()) {
-    for (std::size_t p = 0; p < source.size(); ++p)
-      permuted.valuePtr()[p] = matrix.valuePtr()[source[p]];
-    return factorize_ordered(permuted);
-  }
-  return factorize_ordered(matrix);
+const SparseMatrix &BlockFactorization::ordered(const SparseMatrix &matrix) {
+  if (source.empty())
+    return matrix;
+  for (std::size_t p = 0; p < source.size(); ++p)
+    permuted.valuePtr()[p] = matrix.valuePtr()[source[p]];
+  return permuted;
 }
 
-bool BlockFactorization::factorize_ordered(const SparseMatrix &matrix) {
-  Work work(matrix, blocks.size());
+bool BlockFactorization::factorize(const SparseMatrix &unordered) {
+  const SparseMatrix &matrix = ordered(unordered);
+  Work work(matrix.rows(), blocks.size());
+  work.next_entry.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.rows());
+  return factorize_with([&](const int b) { assemble(blocks[b], matrix, work); }, work);
+}
+
+bool BlockFactorization::factorize_changed(const std::vector<double> &changed) {
+  Work work(diagonal.size(), blocks.size());
+  return factorize_with([&](const int b) { assemble_changed(b, changed, work); }, work);
+}
+
+template <typename Assemble>
+bool BlockFactorization::factorize_with(const Assemble &assemble, Work &work) {
   share = 1.;
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
     const Block &block = blocks[b];
-    std::iota(work.place.begin() + block.first, work.place.begin() + block.end(), 0);
-    for (int k = 0; k < block.n_below; ++k)
-      work.place[rows[block.rows + k]] = block.width + k;
-    std::fill_n(values.begin() + block.values, block.width * block.stride(), Pair(0., 0.));
-    assemble(block, matrix, work);
+    find_places(block, work);
+    assemble(b);
     for (int earlier = work.first[b]; earlier >= 0;) {
       const int next = work.next[earlier];
       take_from(block, blocks[earlier], work.done[earlier], work);
@@ -179,10 +168,71 @@ bool BlockFactorization::factorize_ordered(const SparseMatrix &matrix) {
   return true;
 }
 
-BlockFactorization::Work::Work(const SparseMatrix &matrix, const std::size_t n_blocks)
-    : next_entry(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.rows()),
-      place(matrix.rows()), size(matrix.rows(), 0.), first(n_blocks, -1), next(n_blocks, -1),
-      done(n_blocks, 0) {}
+BlockFactorization::Work::Work(const std::size_t n_rows, const std::size_t n_blocks)
+    : place(n_rows), size(n_rows, 0.), first(n_blocks, -1), next(n_blocks, -1), done(n_blocks, 0) {}
+
+void BlockFactorization::find_places(const Block &block, Work &work) const {
+  std::iota(work.place.begin() + block.first, work.place.begin() + block.end(), 0);
+  for (int k = 0; k < block.n_below; ++k)
+    work.place[rows[block.rows + k]] = block.width + k;
+}
+
+std::size_t BlockFactorization::place_of(const int row, const int column) const {
+  const auto [first, last] = std::minmax(row, column);
+  const Block &block = blocks[block_of[first]];
+  const int *const below = rows.data() + block.rows;
+  const int place =
+      last < block.end()
+          ? last - block.first
+          : block.width + std::lower_bound(below, below + block.n_below, last) - below;
+  return 2 * (block.values + (first - block.first) * block.stride() + place) + (column < row);
+}
+
+void BlockFactorization::keep(const SparseMatrix &unordered, const std::vector<int> &changing) {
+  const SparseMatrix &matrix = ordered(unordered);
+  Work work(matrix.rows(), blocks.size());
+  work.next_entry.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.rows());
+  for (const Block &block : blocks) {
+    find_places(block, work);
+    assemble(block, matrix, work);
+  }
+  kept = values;
+  std::vector<int> new_of_old(old_of_new.size());
+  for (std::size_t k = 0; k < old_of_new.size(); ++k)
+    new_of_old[old_of_new[k]] = k;
+  const int *const outer = unordered.outerIndexPtr();
+  changes.clear();
+  for (std::size_t k = 0; k < changing.size(); ++k) {
+    const int row = std::upper_bound(outer, outer + unordered.rows(), changing[k]) - outer - 1;
+    changes.push_back(
+        {static_cast<int>(k),
+         place_of(new_of_old[row], new_of_old[unordered.innerIndexPtr()[changing[k]]])});
+  }
+  std::sort(changes.begin(), changes.end(),
+            [](const Change &a, const Change &b) { return a.to < b.to; });
+  first_change.assign(1, 0);
+  for (const Block &block : blocks) {
+    const std::size_t end =
+        2 * (block.values + static_cast<std::size_t>(block.width) * block.stride());
+    std::size_t k = first_change.back();
+    while (k < changes.size() && changes[k].to < end)
+      ++k;
+    first_change.push_back(k);
+  }
+}
+
+void BlockFactorization::assemble_changed(const int b, const std::vector<double> &changed,
+                                          Work &work) {
+  const Block &block = blocks[b];
+  std::copy_n(kept.begin() + block.values, block.width * block.stride(),
+              values.begin() + block.values);
+  double *const numbers = values.front().data();
+  for (int k = first_change[b]; k < first_change[b + 1]; ++k)
+    numbers[changes[k].to] = changed[changes[k].value];
+  const Pair *row = &values[block.values];
+  for (int j = 0; j < block.width; ++j, row += block.stride())
+    work.size[block.first + j] = std::abs(row[j][0]);
+}
 
 void BlockFactorization::pass_on(const int b, Work &work) const {
   if (work.done[b] == blocks[b].n_below)
@@ -193,20 +243,35 @@ void BlockFactorization::pass_on(const int b, Work &work) const {
 }
 
 void BlockFactorization::assemble(const Block &block, const SparseMatrix &matrix, Work &work) {
+  std::fill_n(values.begin() + block.values, block.width * block.stride(), Pair(0., 0.));
   const int *const inner = matrix.innerIndexPtr();
   const double *const entries = matrix.valuePtr();
+  int *const next_entry = work.next_entry.data();
   for (int j = block.first; j < block.end(); ++j) {
     Pair *const row = &values[block.values + (j - block.first) * block.stride()];
     // Rows before j have had what is before it in its row.
-    for (int p = work.next_entry[j]; p < matrix.outerIndexPtr()[j + 1]; ++p) {
-      const int column = inner[p];
-      Pair &pair = row[work.place[column]];
-      pair[0] = entries[p];
-      if (column > j)
-        pair[1] = entries[work.next_entry[column]++]; // the mirrored entry
-      else
-        work.size[j] = std::abs(entries[p]);
+    int p = next_entry[j];
+    const int end = matrix.outerIndexPtr()[j + 1];
+    if (p < end && inner[p] == j) {
+      row[j - block.first][0] = entries[p];
+      work.size[j] = std::abs(entries[p]);
+      ++p;
     }
+    // With each entry the mirrored one.
+    if (block.in_one_run)
+      for (; p < end; ++p) {
+        const int column = inner[p];
+        double *const pair = row[column - block.first].data();
+        pair[0] = entries[p];
+        pair[1] = entries[next_entry[column]++];
+      }
+    else
+      for (; p < end; ++p) {
+        const int column = inner[p];
+        double *const pair = row[work.place[column]].data();
+        pair[0] = entries[p];
+        pair[1] = entries[next_entry[column]++];
+      }
   }
 }
 
@@ -222,7 +287,8 @@ void BlockFactorization::take_from(const Block &block, const Block &earlier, int
     double &size = work.size[its_rows[done]];
     const Pair *from = &values[earlier.values + earlier.width + done];
     if (in_one_run)
-      subtract_pivots(from, earlier.stride(), earlier.width, to + place, n - done, size);
+      kernels.subtract(from->data(), earlier.stride(), earlier.width, to[place].data(), n - done,
+                       size);
     else
       for (int p = 0; p < earlier.width; ++p, from += earlier.stride()) {
         const Pair factor = from->reverse();
@@ -233,20 +299,6 @@ void BlockFactorization::take_from(const Block &block, const Block &earlier, int
   }
 }
 
-void BlockFactorization::subtract_pivots(const Pair *from, const int stride, const int n_pivots,
-                                         Pair *const to, const int n, double &size) {
-  int p = 0;
-  for (; p + 1 < n_pivots; p += 2, from += 2 * stride) {
-    const Pair *const other = from + stride;
-    size = std::max({size, std::abs((*from)[0] * (*from)[1]), std::abs((*other)[0] * (*other)[1])});
-    subtract(from->reverse(), from, other->reverse(), other, to, n);
-  }
-  if (p < n_pivots) {
-    size = std::max(size, std::abs((*from)[0] * (*from)[1]));
-    subtract(from->reverse(), from, to, n);
-  }
-}
-
 bool BlockFactorization::eliminate(const Block &block, Work &work) {
   constexpr double vanishing = 1e-15; // of what was subtracted from it
   const int stride = block.stride();
@@ -254,15 +306,13 @@ bool BlockFactorization::eliminate(const Block &block, Work &work) {
   for (int i = 0; i < block.width; ++i) {
     Pair *const row = begin + i * stride;
     double &size = work.size[block.first + i];
-    subtract_pivots(begin + i, stride, i, row + i, stride - i, size);
+    kernels.subtract(begin[i].data(), stride, i, row[i].data(), stride - i, size);
     const double pivot = row[i][0];
     if (!(std::abs(pivot) > vanishing * size))
       return false;
     diagonal[block.first + i] = pivot;
     share = std::min(share, std::abs(pivot) / size);
-    const double inverse = 1. / pivot;
-    for (int k = i + 1; k < stride; ++k)
-      row[k][1] *= inverse;
+    kernels.scale(row[i + 1].data(), stride - i - 1, 1. / pivot);
   }
   return true;
 }
@@ -284,12 +334,8 @@ Vector BlockFactorization::solve(const Vector &right_hand_side) const {
     return copy.data();
   };
   for (const Block &block : blocks) {
-    const int stride = block.stride();
     double *const at = local(block);
-    const Pair *row = &values[block.values];
-    for (int p = 0; p < block.width; ++p, row += stride)
-      for (int k = p + 1; k < stride; ++k)
-        at[k] -= row[k][1] * at[p];
+    kernels.solve_lower(values[block.values].data(), block.stride(), block.width, at);
     if (!block.in_one_run) {
       std::copy_n(copy.begin(), block.width, x.data() + block.first);
       for (int k = 0; k < block.n_below; ++k)
@@ -297,15 +343,9 @@ Vector BlockFactorization::solve(const Vector &right_hand_side) const {
     }
   }
   for (auto block = blocks.rbegin(); block != blocks.rend(); ++block) {
-    const int stride = block->stride();
     double *const at = local(*block);
-    for (int p = block->width - 1; p >= 0; --p) {
-      const Pair *const row = &values[block->values + p * stride];
-      double value = at[p];
-      for (int k = p + 1; k < stride; ++k)
-        value -= row[k][0] * at[k];
-      at[p] = value / diagonal[block->first + p];
-    }
+    kernels.solve_upper(values[block->values].data(), block->stride(), block->width,
+                        &diagonal[block->first], at);
     if (!block->in_one_run)
       std::copy_n(copy.begin(), block->width, x.data() + block->first);
   }

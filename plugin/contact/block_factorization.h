@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "pivot_kernels.h"
 #include <frictionbeam/contact/matrix.h>
 
 #include <algorithm>
@@ -25,6 +26,12 @@ public:
 
   /// Factor a matrix of the analyzed pattern. @return false if a pivot vanishes: no factors then.
   bool factorize(const SparseMatrix &matrix);
+
+  /// Keep the values of a matrix of the analyzed pattern, from which others differ at these places
+  /// alone (in the order of its values).
+  void keep(const SparseMatrix &matrix, const std::vector<int> &changing);
+  /// Factor the matrix that is kept, with these values at the places that change.
+  bool factorize_changed(const std::vector<double> &changed);
 
   /// Solve with the last factors.
   Vector solve(const Vector &right_hand_side) const;
@@ -56,9 +63,9 @@ private:
   };
   /// Of one factorization.
   struct Work {
-    Work(const SparseMatrix &matrix, const std::size_t n_blocks);
+    Work(const std::size_t n_rows, const std::size_t n_blocks);
 
-    std::vector<int> next_entry;  ///< of each row of the matrix, that no block has yet
+    std::vector<int> next_entry;  ///< of each row of a matrix, that no block has yet
     std::vector<int> place;       ///< of a row in the block at hand
     std::vector<double> size;     ///< of each pivot, the largest number that it is a sum of
     std::vector<int> first, next; ///< list of the blocks whose next rows are in a block
@@ -72,22 +79,25 @@ private:
                                std::vector<int> &below);
   void find_blocks(const std::vector<int> &parent, const std::vector<int> &below);
   void find_rows(const SparseMatrix &matrix);
-  bool factorize_ordered(const SparseMatrix &matrix);
+  /// In the order of elimination.
+  const SparseMatrix &ordered(const SparseMatrix &matrix);
+  /// @param assemble puts the matrix into the values of a block
+  template <typename Assemble>
+  bool factorize_with(const Assemble &assemble, Work &work);
+  void find_places(const Block &block, Work &work) const;
   void assemble(const Block &block, const SparseMatrix &matrix, Work &work);
+  /// What the matrix that is kept has there, and what has changed of it.
+  void assemble_changed(const int block, const std::vector<double> &changed, Work &work);
+  /// Of the matrix: place of an entry among the numbers of all pairs.
+  std::size_t place_of(const int row, const int column) const;
   /// Subtract what an earlier block makes of the rows that it has in this one.
   void take_from(const Block &block, const Block &earlier, int &done, Work &work);
-  /**
-   * Subtract what pivots make of a row of U and its column of L, from the diagonal on.
-   * @param from the first pivot's entries there, @param stride to those of the next
-   * @param size the largest number subtracted from the diagonal
-   */
-  static void subtract_pivots(const Pair *from, const int stride, const int n_pivots, Pair *to,
-                              const int n, double &size);
   /// @return false if a pivot vanishes
   bool eliminate(const Block &block, Work &work);
   /// Put a block into the list of that which its next rows are in.
   void pass_on(const int block, Work &work) const;
 
+  const PivotKernels &kernels = PivotKernels::best();
   std::vector<int> old_of_new;
   SparseMatrix permuted;   ///< where minimum degree is taken
   std::vector<int> source; ///< of its values among the matrix's; empty where it is not taken
@@ -98,6 +108,15 @@ private:
   std::vector<int> rows;        ///< below the blocks, in ascending order
   std::vector<Pair> values;     ///< U, and L divided by the pivots
   std::vector<double> diagonal; ///< D
+
+  /// A value that changes.
+  struct Change {
+    int value;      ///< among these
+    std::size_t to; ///< among the numbers of all pairs
+  };
+  std::vector<Pair> kept;      ///< the matrix that is kept, as values have it
+  std::vector<Change> changes; ///< block by block
+  std::vector<int> first_change;
 };
 
 } // namespace frictionbeam::contact

@@ -58,8 +58,8 @@ bool FreeMotion::factorize() {
   SparseMatrix shifted = S;
   for (int i = 0; i < shifted.rows(); ++i)
     shifted.coeffRef(i, i) += shift * diagonal[i];
-  factors.analyze(shifted);
-  return factors.factorize(shifted);
+  factors.analyze(shifted, {});
+  return factors.factorize({});
 }
 
 Vector FreeMotion::left_by(const std::vector<Force> &forces) const {

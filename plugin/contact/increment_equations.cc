@@ -32,10 +32,6 @@ IncrementEquations::IncrementEquations(const Settings &settings, const SiteList 
     : settings(settings), contacts(contacts), S(line.matrix()), proximal(proximal),
       diagonal(positive_diagonal(S)), line(line), stiffness(S.pruned()),
       start_strain(contacts.size()) {
-  factors.analyze(S);
-  for (int i = 0; i < S.rows(); ++i)
-    diagonal_places.push_back(place_of(S, i, i));
-  tangent = S;
   first_place.push_back(0);
   first_value.push_back(0);
   for (unsigned int i = 0; i < contacts.size(); ++i) {
@@ -50,8 +46,24 @@ IncrementEquations::IncrementEquations(const Settings &settings, const SiteList 
         value_places.push_back(place_of(S, places[a].unknown, places[b].unknown));
     first_value.push_back(value_places.size());
   }
+  for (int i = 0; i < S.rows(); ++i)
+    diagonal_places.push_back(place_of(S, i, i));
+  find_changing();
   if (factors.is_of_body())
     reduced.emplace(S, contacts, unknowns_of_contacts());
+}
+
+void IncrementEquations::find_changing() {
+  std::vector<int> changing = value_places; // in the values of S
+  changing.insert(changing.end(), diagonal_places.begin(), diagonal_places.end());
+  std::sort(changing.begin(), changing.end());
+  changing.erase(std::unique(changing.begin(), changing.end()), changing.end());
+  for (std::vector<int> *const list : {&value_places, &diagonal_places})
+    for (int &place : *list)
+      place = std::lower_bound(changing.begin(), changing.end(), place) - changing.begin();
+  for (const int place : changing)
+    changing_of_S.push_back(S.valuePtr()[place]);
+  factors.analyze(S, changing);
 }
 
 void IncrementEquations::begin(const Vector &forces, const double largest, const double so_far,
@@ -76,8 +88,15 @@ void IncrementEquations::evaluate(const Vector &x, Response &response) {
   place(x, response);
   displacement_rounding = rounding_of_motion(x);
   proximal.evaluate(*committed, increment, LawTangent::consistent, response);
-  left_by_body = loads;
-  left_by_body.noalias() -= stiffness * x;
+  left_by_body.resize(loads.size());
+  const int *const outer = stiffness.outerIndexPtr(), *const inner = stiffness.innerIndexPtr();
+  const double *const values = stiffness.valuePtr();
+  for (int row = 0; row < stiffness.rows(); ++row) {
+    double elastic = 0.;
+    for (int p = outer[row]; p < outer[row + 1]; ++p)
+      elastic += values[p] * x[inner[p]];
+    left_by_body[row] = loads[row] - elastic;
+  }
   if (drag > 0.)
     left_by_body -= drag * diagonal.cwiseProduct(x);
 }
@@ -148,25 +167,26 @@ void IncrementEquations::add_block(const unsigned int i, const Block &stiffness)
   for (unsigned int a = first_place[i]; a < first_place[i + 1]; ++a) {
     const Strains row = contacts[i].weight * stiffness.transpose() * places[a].strain;
     for (unsigned int b = first_place[i]; b < first_place[i + 1]; ++b)
-      tangent.valuePtr()[*place++] += row.dot(places[b].strain);
+      tangent[*place++] += row.dot(places[b].strain);
   }
 }
 
 void IncrementEquations::begin_tangent(const double shift) {
   factored.clear();
-  std::copy(S.valuePtr(), S.valuePtr() + S.nonZeros(), tangent.valuePtr());
-  if (shift != 0.)
-    for (int i = 0; i < tangent.rows(); ++i)
-      tangent.valuePtr()[diagonal_places[i]] += shift * diagonal[i];
+  tangent = changing_of_S;
+  shift_tangent(shift);
 }
 
-bool IncrementEquations::factor_tangent() {
-  before.clear();
-  return factors.factorize(tangent);
+void IncrementEquations::shift_tangent(const double shift) {
+  if (shift != 0.)
+    for (int i = 0; i < diagonal.size(); ++i)
+      tangent[diagonal_places[i]] += shift * diagonal[i];
 }
+
+bool IncrementEquations::factor_tangent() { return factors.factorize(tangent); }
 
 bool IncrementEquations::differs_without_unknowns(const Response &response) const {
-  if (reduced || is_singular || factored.size() != contacts.size())
+  if (reduced || is_shifted || factored.size() != contacts.size())
     return false;
   for (unsigned int i = 0; i < contacts.size(); ++i)
     for (unsigned int row = 0; row < 4; ++row)
@@ -206,20 +226,12 @@ bool IncrementEquations::factor_all(const Response &response, Result &result) {
     add_block(i, response.tangent[i]);
   double shifted = -drag;
   for (const double shift : {0., 1e-9, 1e-6}) { // there is no pivoting
-    if (shift != shifted)
-      for (int i = 0; i < tangent.rows(); ++i)
-        tangent.valuePtr()[diagonal_places[i]] += (shift - shifted) * diagonal[i];
+    shift_tangent(shift - shifted);
     shifted = shift;
-    const double *const values = tangent.valuePtr();
-    // Directions without unknowns may have changed alone.
-    const bool is_unchanged = !before.empty() && std::equal(before.begin(), before.end(), values);
-    if (!is_unchanged) {
-      ++result.factorizations;
-      before.clear();
-    }
-    if (is_unchanged || factors.factorize(tangent)) {
-      before.assign(values, values + tangent.nonZeros());
-      is_singular = shift > 0. || factors.least_share() < hardly_any;
+    ++result.factorizations;
+    if (factors.factorize(tangent)) {
+      is_shifted = shift > 0.;
+      is_singular = is_shifted || factors.least_share() < hardly_any;
       factored = response.tangent;
       return true;
     }

@@ -108,6 +108,10 @@ private:
   /// Whether the contacts' tangents are those that are factored but for directions in which no
   /// unknown moves a contact: the sum with S is the same.
   bool differs_without_unknowns(const Response &response) const;
+  /// What changes of the tangent from factorization to factorization.
+  void find_changing();
+  /// Add a multiple of S's diagonal.
+  void shift_tangent(const double shift);
   /// All directions, and a small multiple of the diagonal where that fails.
   bool factor_all(const Response &response, Result &result);
 
@@ -120,18 +124,18 @@ private:
   const Condensation &line;
   std::vector<Place> places; ///< of all contacts, one after the other, as are those of their blocks
   std::vector<unsigned int> first_place, first_value;
-  std::vector<std::array<bool, 4>> moves; ///< strains of a contact that its unknowns make
-  std::vector<int> value_places;          ///< in the values of S
-  std::vector<int> diagonal_places;       ///< in the values of S
+  std::vector<std::array<bool, 4>> moves;     ///< strains of a contact that its unknowns make
+  std::vector<int> value_places;              ///< among the changing values
+  std::vector<int> diagonal_places;           ///< among the changing values
+  std::vector<double> changing_of_S, tangent; ///< changing values of S and of the tangent
   const SparseMatrix stiffness; ///< S without its zeros, two thirds of a line along the axes
   TangentFactors factors;
   std::optional<ReducedTangent> reduced; ///< of a body
   bool is_reduced = false;               ///< which of the two holds the factors
-  SparseMatrix tangent;
-  std::vector<double> before;  ///< values of the tangent that was factored last
-  std::vector<Block> factored; ///< the contacts' tangents that factors hold
+  std::vector<Block> factored;           ///< the contacts' tangents that factors hold
   std::vector<ContactStatus> status_of_factors;
-  bool is_singular = false; ///< without the small multiple of the diagonal that has been factored
+  bool is_shifted = false;  ///< by a small multiple of the diagonal, without which nothing is left
+  bool is_singular = false; ///< at least nearly
 
   // of the increment
   Vector left_by_body; ///< g - S x without the contacts' forces, at the last x evaluated
