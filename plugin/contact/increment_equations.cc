@@ -85,9 +85,7 @@ void IncrementEquations::place(const Vector &x, Response &response) const {
 }
 
 void IncrementEquations::evaluate(const Vector &x, Response &response) {
-  place(x, response);
-  displacement_rounding = rounding_of_motion(x);
-  proximal.evaluate(*committed, increment, LawTangent::consistent, response);
+  evaluate_contacts(x, response);
   left_by_body.resize(loads.size());
   const int *const outer = stiffness.outerIndexPtr(), *const inner = stiffness.innerIndexPtr();
   const double *const values = stiffness.valuePtr();
@@ -99,6 +97,23 @@ void IncrementEquations::evaluate(const Vector &x, Response &response) {
   }
   if (drag > 0.)
     left_by_body -= drag * diagonal.cwiseProduct(x);
+}
+
+void IncrementEquations::evaluate_contacts(const Vector &x, Response &response) {
+  place(x, response);
+  displacement_rounding = rounding_of_motion(x);
+  proximal.evaluate(*committed, increment, LawTangent::consistent, response);
+}
+
+void IncrementEquations::evaluate_on_step(const double length, const Vector &x,
+                                          Response &response) {
+  if (length == 1.) {
+    evaluate(x, response);
+    left_at_end = left_by_body;
+    return;
+  }
+  evaluate_contacts(x, response);
+  left_by_body = left_at_start + length * (left_at_end - left_at_start);
 }
 
 Vector IncrementEquations::forces_left(const Response &response) const {

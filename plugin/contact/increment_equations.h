@@ -35,6 +35,11 @@ public:
   void place(const Vector &x, Response &response) const;
   /// Evaluate the contacts, and the forces that the body leaves to them.
   void evaluate(const Vector &x, Response &response);
+  /// From the last x evaluated on, a step.
+  void begin_step() { left_at_start = left_by_body; }
+  /// Evaluate at x, a part of the step's length from its start; first at all of it, between which
+  /// the forces that the body leaves are linear.
+  void evaluate_on_step(const double length, const Vector &x, Response &response);
   /// Left over by body and contacts, at the last x evaluated.
   Vector forces_left(const Response &response) const;
   /// Whether these count as zero: by the tolerance, or by rounding.
@@ -108,6 +113,7 @@ private:
   /// Whether the contacts' tangents are those that are factored but for directions in which no
   /// unknown moves a contact: the sum with S is the same.
   bool differs_without_unknowns(const Response &response) const;
+  void evaluate_contacts(const Vector &x, Response &response);
   /// What changes of the tangent from factorization to factorization.
   void find_changing();
   /// Add a multiple of S's diagonal.
@@ -139,6 +145,7 @@ private:
 
   // of the increment
   Vector left_by_body; ///< g - S x without the contacts' forces, at the last x evaluated
+  Vector left_at_start, left_at_end; ///< the same, of a step
   double largest_load = 0., force_so_far = 0.;
   double drag = 0.;
   std::vector<Strains> start_strain;

@@ -137,9 +137,10 @@ bool Newton::step_around_centre(Vector &x, Vector &forces, Response &response, R
   if (!equations.factor(response, result) || !equations.solve(forces, response, result, direction))
     return false;
   const Vector start = x;
+  equations.begin_step();
   const auto go = [&](const double length) {
     x = start + length * direction;
-    equations.evaluate(x, response);
+    equations.evaluate_on_step(length, x, response);
     forces = equations.forces_left(response);
     return equations.energy(forces);
   };
@@ -264,11 +265,12 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
         step[i] += response.tangent[i] * equations.strain_of(i, direction);
 
     const std::vector<Strains> centre = proximal.centre;
+    equations.begin_step();
     const auto go = [&](const double length) {
       x = start + length * direction;
       for (unsigned int i = 0; i < contacts.size(); ++i)
         proximal.centre[i] = centre[i] + length * step[i];
-      equations.evaluate(x, response);
+      equations.evaluate_on_step(length, x, response);
       return equations.energy_together(response);
     };
     before = take_step_of_both(go, before, stalls);
