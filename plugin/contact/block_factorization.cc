@@ -224,9 +224,9 @@ void BlockFactorization::keep(const SparseMatrix &unordered, const std::vector<i
 void BlockFactorization::assemble_changed(const int b, const std::vector<double> &changed,
                                           Work &work) {
   const Block &block = blocks[b];
-  std::copy_n(kept.begin() + block.values, block.width * block.stride(),
-              values.begin() + block.values);
   double *const numbers = values.front().data();
+  std::copy_n(kept[block.values].data(), 2 * block.width * block.stride(),
+              numbers + 2 * block.values);
   for (int k = first_change[b]; k < first_change[b + 1]; ++k)
     numbers[changes[k].to] = changed[changes[k].value];
   const Pair *row = &values[block.values];
@@ -278,43 +278,32 @@ void BlockFactorization::assemble(const Block &block, const SparseMatrix &matrix
 void BlockFactorization::take_from(const Block &block, const Block &earlier, int &done,
                                    Work &work) {
   const int *const its_rows = rows.data() + earlier.rows;
-  const int n = earlier.n_below, begin = done;
-  const bool in_one_run =
-      work.place[its_rows[n - 1]] - work.place[its_rows[begin]] == n - 1 - begin;
-  for (; done < n && its_rows[done] < block.end(); ++done) {
-    const int place = work.place[its_rows[done]];
-    Pair *const to = &values[block.values + place * block.stride()];
-    double &size = work.size[its_rows[done]];
-    const Pair *from = &values[earlier.values + earlier.width + done];
-    if (in_one_run)
-      kernels.subtract(from->data(), earlier.stride(), earlier.width, to[place].data(), n - done,
-                       size);
-    else
-      for (int p = 0; p < earlier.width; ++p, from += earlier.stride()) {
-        const Pair factor = from->reverse();
-        size = std::max(size, std::abs(from->prod()));
-        for (int k = done; k < n; ++k)
-          to[work.place[its_rows[k]]] -= factor * from[k - done];
-      }
+  const int n = earlier.n_below, begin = done, place = work.place[its_rows[begin]];
+  while (done < n && its_rows[done] < block.end())
+    ++done;
+  const Pair *const from = &values[earlier.values + earlier.width + begin];
+  if (work.place[its_rows[n - 1]] - place == n - 1 - begin) {
+    kernels.subtract(from->data(), earlier.stride(), earlier.width,
+                     values[block.values + place * (block.stride() + 1)].data(), block.stride(),
+                     done - begin, n - begin, &work.size[its_rows[begin]]);
+    return;
+  }
+  for (int row = begin; row < done; ++row) {
+    Pair *const to = &values[block.values + work.place[its_rows[row]] * block.stride()];
+    double &size = work.size[its_rows[row]];
+    const Pair *pivot = from + (row - begin);
+    for (int p = 0; p < earlier.width; ++p, pivot += earlier.stride()) {
+      const Pair factor = pivot->reverse();
+      size = std::max(size, std::abs(pivot->prod()));
+      for (int k = row; k < n; ++k)
+        to[work.place[its_rows[k]]] -= factor * pivot[k - row];
+    }
   }
 }
 
 bool BlockFactorization::eliminate(const Block &block, Work &work) {
-  constexpr double vanishing = 1e-15; // of what was subtracted from it
-  const int stride = block.stride();
-  Pair *const begin = &values[block.values];
-  for (int i = 0; i < block.width; ++i) {
-    Pair *const row = begin + i * stride;
-    double &size = work.size[block.first + i];
-    kernels.subtract(begin[i].data(), stride, i, row[i].data(), stride - i, size);
-    const double pivot = row[i][0];
-    if (!(std::abs(pivot) > vanishing * size))
-      return false;
-    diagonal[block.first + i] = pivot;
-    share = std::min(share, std::abs(pivot) / size);
-    kernels.scale(row[i + 1].data(), stride - i - 1, 1. / pivot);
-  }
-  return true;
+  return kernels.eliminate(values[block.values].data(), block.stride(), block.width,
+                           &work.size[block.first], &diagonal[block.first], share);
 }
 
 Vector BlockFactorization::solve(const Vector &right_hand_side) const {

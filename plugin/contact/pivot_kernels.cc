@@ -55,7 +55,7 @@ template <int n_pivots>
     subtract_from<TwoNumbers, n_pivots>(from, k, reversed, to);
 }
 
-[[gnu::always_inline]] inline void subtract_all(const double *from, const int stride_of_pairs,
+[[gnu::always_inline]] inline void subtract_row(const double *from, const int stride_of_pairs,
                                                 int n_pivots, double *to, const int n,
                                                 double &size) {
   const int stride = 2 * stride_of_pairs;
@@ -82,6 +82,31 @@ template <int n_pivots>
     *reinterpret_cast<FourNumbers *>(pairs + 2 * k) *= FourNumbers{1., factor, 1., factor};
   if (k < n)
     pairs[2 * k + 1] *= factor;
+}
+
+[[gnu::always_inline]] inline void subtract_rows(const double *from, const int stride_of_from,
+                                                 const int n_pivots, double *to, const int stride,
+                                                 const int n_rows, const int n, double *size) {
+  for (int row = 0; row < n_rows; ++row, from += 2, to += 2 * (stride + 1))
+    subtract_row(from, stride_of_from, n_pivots, to, n - row, size[row]);
+}
+
+[[gnu::always_inline]] inline bool eliminate_block(double *const pairs, const int stride,
+                                                   const int width, double *const size,
+                                                   double *const diagonal, double &share) {
+  constexpr double vanishing = 1e-15; // of what was subtracted from it
+  for (int i = 0; i < width; ++i) {
+    double *const row = pairs + 2 * i * (stride + 1);
+    if (i > 0)
+      subtract_row(pairs + 2 * i, stride, i, row, stride - i, size[i]);
+    const double pivot = row[0];
+    if (!(std::abs(pivot) > vanishing * size[i]))
+      return false;
+    diagonal[i] = pivot;
+    share = std::min(share, std::abs(pivot) / size[i]);
+    scale_all(row + 2, stride - i - 1, 1. / pivot);
+  }
+  return true;
 }
 
 [[gnu::always_inline]] inline void solve_lower_of(const double *const pairs, const int stride,
@@ -124,12 +149,15 @@ template <int n_pivots>
   }
 }
 
-void subtract(const double *from, const int stride, const int n_pivots, double *to, const int n,
-              double &size) {
-  subtract_all(from, stride, n_pivots, to, n, size);
+void subtract(const double *from, const int stride_of_from, const int n_pivots, double *to,
+              const int stride, const int n_rows, const int n, double *size) {
+  subtract_rows(from, stride_of_from, n_pivots, to, stride, n_rows, n, size);
 }
 
-void scale(double *pairs, const int n, const double factor) { scale_all(pairs, n, factor); }
+bool eliminate(double *pairs, const int stride, const int width, double *size, double *diagonal,
+               double &share) {
+  return eliminate_block(pairs, stride, width, size, diagonal, share);
+}
 
 void solve_lower(const double *pairs, const int stride, const int width, double *x) {
   solve_lower_of(pairs, stride, width, x);
@@ -143,13 +171,15 @@ void solve_upper(const double *pairs, const int stride, const int width, const d
 #ifdef __x86_64__
 #define FRICTIONBEAM_WIDE __attribute__((target("avx2")))
 
-FRICTIONBEAM_WIDE void subtract_wide(const double *from, const int stride, const int n_pivots,
-                                     double *to, const int n, double &size) {
-  subtract_all(from, stride, n_pivots, to, n, size);
+FRICTIONBEAM_WIDE void subtract_wide(const double *from, const int stride_of_from,
+                                     const int n_pivots, double *to, const int stride,
+                                     const int n_rows, const int n, double *size) {
+  subtract_rows(from, stride_of_from, n_pivots, to, stride, n_rows, n, size);
 }
 
-FRICTIONBEAM_WIDE void scale_wide(double *pairs, const int n, const double factor) {
-  scale_all(pairs, n, factor);
+FRICTIONBEAM_WIDE bool eliminate_wide(double *pairs, const int stride, const int width,
+                                      double *size, double *diagonal, double &share) {
+  return eliminate_block(pairs, stride, width, size, diagonal, share);
 }
 
 FRICTIONBEAM_WIDE void solve_lower_wide(const double *pairs, const int stride, const int width,
@@ -166,9 +196,9 @@ FRICTIONBEAM_WIDE void solve_upper_wide(const double *pairs, const int stride, c
 PivotKernels choose() {
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx2"))
-    return {subtract_wide, scale_wide, solve_lower_wide, solve_upper_wide};
+    return {subtract_wide, eliminate_wide, solve_lower_wide, solve_upper_wide};
 #endif
-  return {subtract, scale, solve_lower, solve_upper};
+  return {subtract, eliminate, solve_lower, solve_upper};
 }
 
 } // namespace
