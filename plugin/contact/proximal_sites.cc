@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "proximal_sites.h"
 
+#include "proximal_answer.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -141,7 +143,7 @@ void ProximalSites::evaluate_exact(const unsigned int i, const State &committed,
                       centre[i]};
   if (!branch.empty())
     point.branch = branch[i];
-  const ProximalAnswer answer = proximal_law(law, point, stiffness[i], Slip::read(law, old_state));
+  const ProximalAnswer answer = answer_of(law, point, stiffness[i], Slip::read(law, old_state));
   response.stress[i] = answer.stress;
   misfit[i] = answer.misfit;
   response.tangent[i] = answer.tangent;

@@ -13,8 +13,16 @@ struct Slip {
   bool slips = false; ///< whether it does so at present
 
   /// Among the law's internal variables.
-  static Slip read(const FrictionThreshold &law, const double *internal);
-  void write(const FrictionThreshold &law, double *internal) const;
+  static Slip read(const FrictionThreshold &law, const double *internal) {
+    return {internal[law.slip_y], internal[law.slip_z], internal[law.twist],
+            internal[law.was_slipping] != 0.};
+  }
+  void write(const FrictionThreshold &law, double *internal) const {
+    internal[law.slip_y] = y;
+    internal[law.slip_z] = z;
+    internal[law.twist] = twist;
+    internal[law.was_slipping] = slips ? 1. : 0.;
+  }
 };
 
 /// Where a contact is asked for its force, per friction element of a line or square metre of a
