@@ -108,7 +108,7 @@ private:
   /// Say why there is no solution.
   void explain(const Outcome outcome, Pass &now) const;
   /// @return whether the contact laws hold; the result says so.
-  bool judge(Pass &now) const;
+  bool judge(Pass &now);
   /// Whether contact forces are made by the loads, and not by each other: the certificate measures
   /// each on its own scale, beside which loads and gaps may be nothing.
   bool is_made_by_loads(const Pass &now) const;
@@ -308,6 +308,7 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
     response = now.accepted->response;
     proximal.centre = now.accepted->centre;
     result.residual = now.accepted->residual;
+    equations.forget_check();
     if (judge(now))
       return result;
   }
@@ -318,7 +319,7 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
   return result;
 }
 
-bool ExactSolver::Implementation::judge(Pass &now) const {
+bool ExactSolver::Implementation::judge(Pass &now) {
   Result &result = now.result;
   result.check = equations.check(now.response);
   const bool holds = result.check->holds(settings.contact_tolerance);

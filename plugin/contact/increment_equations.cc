@@ -75,6 +75,7 @@ void IncrementEquations::begin(const Vector &forces, const double largest, const
   committed = &state;
   increment = of_time;
   start_displacement = displacement;
+  forget_check();
   start_strain = std::move(strain);
 }
 
@@ -102,6 +103,7 @@ void IncrementEquations::evaluate(const Vector &x, Response &response) {
 void IncrementEquations::evaluate_contacts(const Vector &x, Response &response) {
   place(x, response);
   displacement_rounding = rounding_of_motion(x);
+  forget_check();
   proximal.evaluate(*committed, increment, LawTangent::consistent, response);
 }
 
@@ -160,8 +162,10 @@ double IncrementEquations::energy_together(const Response &response) const {
   return energy(forces) + misfit;
 }
 
-Check IncrementEquations::check(const Response &response) const {
-  return proximal.check(response, *committed, displacement_rounding);
+const Check &IncrementEquations::check(const Response &response) {
+  if (!checked)
+    checked = proximal.check(response, *committed, displacement_rounding);
+  return *checked;
 }
 
 double IncrementEquations::rounding_of_motion(const Vector &x) const {
@@ -203,12 +207,15 @@ bool IncrementEquations::factor_tangent() { return factors.factorize(tangent); }
 bool IncrementEquations::differs_without_unknowns(const Response &response) const {
   if (reduced || is_shifted || factored.size() != contacts.size())
     return false;
-  for (unsigned int i = 0; i < contacts.size(); ++i)
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    if (response.tangent[i] == factored[i])
+      continue;
     for (unsigned int row = 0; row < 4; ++row)
       for (unsigned int column = 0; column < 4; ++column)
         if (moves[i][row] && moves[i][column] &&
             response.tangent[i](row, column) != factored[i](row, column))
           return false;
+  }
   return true;
 }
 

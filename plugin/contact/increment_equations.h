@@ -49,8 +49,10 @@ public:
   /// Of Newton's method on motions and forces together, the centre being the forces:
   /// (g - S x - H^T r)^2 / diag S + (R - r)^2 / (c k_d).
   double energy_together(const Response &response) const;
-  /// Of the exact laws, at the last evaluation.
-  Check check(const Response &response) const;
+  /// Of the exact laws, at the last evaluation, whose response it is.
+  const Check &check(const Response &response);
+  /// The next check is of another response.
+  void forget_check() { checked.reset(); }
   /// Of exact contact @p i at the response's strain, under a stress.
   Check::Point point_of(const unsigned int i, const Strains &stress, const double rounding,
                         const Response &response) const {
@@ -150,6 +152,7 @@ private:
   double drag = 0.;
   std::vector<Strains> start_strain;
   double start_displacement = 0., displacement_rounding = 0.;
+  std::optional<Check> checked; ///< the last evaluation
   const State *committed = nullptr;
   Increment increment;
 };
