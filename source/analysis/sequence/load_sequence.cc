@@ -73,7 +73,7 @@ void LoadSequence::initialize() {
 void LoadSequence::commit(const Factors &factors, const double time) {
   response.state.wear = current.contacts.wear;
   response.state.impulse = current.contacts.impulse;
-  const LineState before = current;
+  const std::vector<ContactStatus> before = current.contact_status;
   current.time = time;
   declared = factors;
   current.load_factors = course.factors_at(time, side);

@@ -234,7 +234,7 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
 
   arrive(model, loads, time, step.factors, problem.imposed, to);
   finish_motion(step, to);
-  commit_contacts(response, from, to);
+  commit_contacts(response, from.contact_status, to);
   double jump = 0.; // of the displacements, by impulses
   if (p.impulses) {
     ++report.result.back_substitutions; // in finish_motion()

@@ -130,7 +130,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   to.velocity.swap(step.velocity_after);
   to.acceleration = (to.velocity - from.velocity) / step.h;
   to.auxiliary = to.acceleration;
-  commit_contacts(response, from, to);
+  commit_contacts(response, from.contact_status, to);
   contacts.add_histories(from, step.h, to);
   report.energy = account_motion(
       model, from, to,

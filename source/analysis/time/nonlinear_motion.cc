@@ -230,7 +230,7 @@ void NonlinearMotion::finish(const LineState &state, Step &step, ContactResponse
   line.set_spins(step.from, step.to, step.change, step.velocity, h, to.velocity);
   to.acceleration = (to.velocity - state.velocity) / h;
   to.auxiliary = to.acceleration;
-  commit_contacts(response, state, to);
+  commit_contacts(response, state.contact_status, to);
   if (model.contacts.size() > 0)
     contacts.add_histories(state, h, to);
   account(step, model.cells.velocities(to.velocity, to.load_rates), report.energy);

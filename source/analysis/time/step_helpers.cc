@@ -29,13 +29,14 @@ void arrive(const Model &model, const LoadCourse &loads, const double time,
   loads.set_rates(to, LoadCourse::Side::before);
 }
 
-void commit_contacts(ContactResponse &response, const LineState &before, LineState &after) {
+void commit_contacts(ContactResponse &response, const std::vector<ContactStatus> &before,
+                     LineState &after) {
   std::swap(after.contacts, response.state);
   after.contact_stress = response.stress;
   after.contact_status = response.status;
   after.events.clear();
-  for (unsigned int i = 0; i < before.contact_status.size(); ++i)
-    if (after.contact_status[i] != before.contact_status[i])
+  for (unsigned int i = 0; i < before.size(); ++i)
+    if (after.contact_status[i] != before[i])
       after.events.push_back({after.time, i, after.contact_status[i]});
 }
 

@@ -17,7 +17,9 @@ void arrive(const Model &model, const LoadCourse &loads, const double time,
             const LoadCourse::Factors &factors, const Vector &imposed, LineState &to);
 
 /// Take over what a solve found out about the contacts.
-void commit_contacts(ContactResponse &response, const LineState &before, LineState &after);
+/// @param before states of the contacts at the beginning
+void commit_contacts(ContactResponse &response, const std::vector<ContactStatus> &before,
+                     LineState &after);
 
 /// Wear and impulses of a step with friction elements by their return mapping.
 void add_histories(const Contacts &contacts, const LineState &before, LineState &after);
