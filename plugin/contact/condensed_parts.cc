@@ -99,16 +99,39 @@ CondensedParts::CondensedParts(const SparseMatrix &stiffness, const std::vector<
                                PartMemory *const memory)
     : Condensation(stiffness.rows(), keep), place_inside(stiffness.rows(), -1) {
   find_parts(stiffness);
-  std::vector<Eigen::Triplet<double>> entries;
+  make_places(stiffness);
   for (unsigned int k = 0; k < kept.size(); ++k)
     for (SparseMatrix::InnerIterator entry(stiffness, kept[k]); entry; ++entry)
       if (const int column = place_of[entry.col()]; column >= 0)
-        entries.emplace_back(k, column, entry.value());
+        add_to(S, k, column, entry.value());
   KnownParts known;
   for (Part &part : parts)
-    condense_part(stiffness, part, known, memory, entries);
-  S.resize(kept.size(), kept.size());
-  S.setFromTriplets(entries.begin(), entries.end());
+    condense_part(stiffness, part, known, memory);
+}
+
+void CondensedParts::make_places(const SparseMatrix &stiffness) {
+  const int n = kept.size();
+  std::vector<std::vector<int>> parts_of(n);
+  for (unsigned int p = 0; p < parts.size(); ++p)
+    for (const int place : parts[p].border)
+      parts_of[place].push_back(p);
+  std::vector<int> columns, row; // triplets would take three times as much memory as S
+  S.resize(n, n);
+  for (int k = 0; k < n; ++k) {
+    row.clear();
+    for (SparseMatrix::InnerIterator entry(stiffness, kept[k]); entry; ++entry)
+      if (const int column = place_of[entry.col()]; column >= 0)
+        row.push_back(column);
+    for (const int p : parts_of[k])
+      row.insert(row.end(), parts[p].border.begin(), parts[p].border.end());
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    columns.insert(columns.end(), row.begin(), row.end());
+    S.outerIndexPtr()[k + 1] = columns.size();
+  }
+  S.resizeNonZeros(columns.size());
+  std::copy(columns.begin(), columns.end(), S.innerIndexPtr());
+  std::fill_n(S.valuePtr(), columns.size(), 0.);
 }
 
 void CondensedParts::find_parts(const SparseMatrix &stiffness) {
@@ -187,8 +210,7 @@ Eigen::MatrixXd CondensedParts::Factors::take(SparseMatrix &matrix) {
 }
 
 void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part, KnownParts &known,
-                                   PartMemory *const memory,
-                                   std::vector<Eigen::Triplet<double>> &entries) {
+                                   PartMemory *const memory) {
   const std::size_t n = part.inside.size(), n_border = part.border.size();
   for (std::size_t i = 0; i < n; ++i)
     place_inside[part.inside[i]] = i;
@@ -207,9 +229,14 @@ void CondensedParts::condense_part(const SparseMatrix &stiffness, Part &part, Kn
     }
   };
   const auto add_share = [&](const Eigen::MatrixXd &share) {
-    for (std::size_t a = 0; a < n_border; ++a)
-      for (std::size_t b = 0; b < n_border; ++b)
-        entries.emplace_back(part.border[a], part.border[b], share(a, b));
+    for (std::size_t a = 0; a < n_border; ++a) {
+      int p = S.outerIndexPtr()[part.border[a]];
+      for (std::size_t b = 0; b < n_border; ++b) {
+        while (S.innerIndexPtr()[p] < part.border[b])
+          ++p;
+        S.valuePtr()[p] += share(a, b);
+      }
+    }
     if (part.factors->free >= 0)
       moves_freely.push_back(part.inside[part.factors->free]);
   };

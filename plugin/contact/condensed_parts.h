@@ -55,9 +55,11 @@ private:
   class KnownParts;
 
   void find_parts(const SparseMatrix &stiffness);
+  /// Put zeros into S where it has entries.
+  void make_places(const SparseMatrix &stiffness);
   /// Factor K_ii of a part, if none like it has been, and add its share of S.
   void condense_part(const SparseMatrix &stiffness, Part &part, KnownParts &known,
-                     PartMemory *const memory, std::vector<Eigen::Triplet<double>> &entries);
+                     PartMemory *const memory);
 
   std::vector<int> place_inside, moves_freely;
   std::vector<Part> parts;
