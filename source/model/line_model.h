@@ -22,6 +22,10 @@ public:
 
   const Model &model() const { return whole; }
 
+  /// Hold less memory, if the scene's steps need products with the stiffness alone once their
+  /// method has been set up: its zeros are left out. No number depends on it.
+  void hold_less();
+
   /// Take friction, gaps and whatever else the laws of supports say from another scene, which
   /// differs in nothing else.
   void take_laws_of(const Scene &other);
@@ -31,7 +35,7 @@ private:
   const Discretization discretization;
   const ReducedSpace space;
   Contacts contacts;
-  const LinearPart linear;
+  LinearPart linear;
   const std::unique_ptr<const LineCells> cells;
   const Model whole;
 };

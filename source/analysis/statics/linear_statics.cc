@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/linear_statics.h"
 
+#include "analysis/contact/exact_method.h"
 #include "analysis/contact/solver_library.h"
 
 namespace frictionbeam {
 
-LinearStatics::LinearStatics(const Model &model)
-    : model(model), solver(make_equilibrium_solver(model.scene.solver, model.contacts, model.space,
-                                                   model.linear.stiffness())) {}
+namespace {
+
+std::unique_ptr<EquilibriumSolver> make_solver(const Model &model) {
+  const SolverSettings &settings = model.scene.solver;
+  const SparseMatrix &stiffness = model.linear.stiffness();
+  if (model.linear.has_all_places())
+    return make_equilibrium_solver(settings, model.contacts, model.space, stiffness);
+  // The whole matrix is there no longer than it takes to condense it.
+  auto line = contact::condense_parts(model.linear.stiffness_with_places(),
+                                      ExactMethod::kept_unknowns(model.contacts));
+  return std::make_unique<ExactMethod>(settings, model.contacts, std::move(line),
+                                       stiffness.diagonal());
+}
+
+} // namespace
+
+LinearStatics::LinearStatics(const Model &model) : model(model), solver(make_solver(model)) {}
 
 EquilibriumResult LinearStatics::solve(const LineState &from, const StaticIncrement &increment,
                                        LineState &to, ContactResponse &response) {
   EquilibriumProblem problem{{model.linear.stiffness(), increment.course.forces(increment.factors)},
                              increment.course.imposed(increment.time)};
   increment.describe(model, problem);
+  if (!model.linear.has_all_places())
+    problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
+      return model.linear.unbalanced(problem.right_hand_side, unknowns, low);
+    };
   const EquilibriumResult result = solver->solve(problem, from.contacts, to.unknowns, response);
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += problem.imposed;

@@ -50,7 +50,7 @@ ModalAnalysis::ModalAnalysis(const Model &model, const LineState &state,
     : model(model), start(state),
       matrices(model.scene, model.mesh, model.discretization, model.space, settings.lumped),
       M(matrices.unknowns_to_dofs().transpose() * matrices.mass() * matrices.unknowns_to_dofs()),
-      K(model.linear.stiffness()), shift(choose_shift(K, M)) {
+      K(model.linear.stiffness_with_places()), shift(choose_shift(K, M)) {
   hold_contacts(state, settings.friction_holds);
   SparseMatrix A = K;
   add_shifted_mass(M, shift, A);

@@ -129,7 +129,8 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   MixedWalls walls(scene, mesh);
   for (const std::string &text : walls.in_words())
     results.remarks.push_back(text);
-  const LineModel line(scene, std::move(mesh), laws, walls.superelements());
+  LineModel line(scene, std::move(mesh), laws, walls.superelements());
+  line.hold_less();
   for (const std::string &warning : check_mechanisms(line.model()))
     results.remarks.push_back(warning);
   LoadSequence sequence(line.model());

@@ -3,7 +3,9 @@
 
 #include "model/contact/contacts.h"
 #include "model/line/solid_part.h"
+#include "model/unknowns/zeros_left_out.h"
 
+#include <optional>
 #include <unordered_map>
 
 namespace frictionbeam {
@@ -36,8 +38,17 @@ public:
   };
   explicit LinearPart(Matrices matrices);
 
-  /// Symmetric, with the pattern of the contacts' tangents in it.
+  /// Symmetric, with the pattern of the contacts' tangents in it, unless its zeros are left out.
   const SparseMatrix &stiffness() const { return K; }
+  /// Leave zeros out of the stiffness, where hardly anything but products with it is to come.
+  void leave_out_zeros() { zeros.emplace(K); }
+  bool has_all_places() const { return !zeros; }
+  /// The stiffness with all of its pattern, which orders of elimination follow.
+  SparseMatrix stiffness_with_places() const { return zeros ? zeros->restored(K) : K; }
+  /// forces - K (unknowns + low) in extended precision, the zeros having been left out.
+  Vector unbalanced(const Vector &forces, const Vector &unknowns, const Vector &low) const {
+    return zeros->unbalanced(K, forces, unknowns, low);
+  }
   /// Same pattern; empty if not asked for.
   const SparseMatrix &mass() const { return M; }
   /// Viscous damping; without entries if there is none or no mass was asked for.
@@ -96,6 +107,7 @@ private:
                     const ReducedSpace &space);
 
   SparseMatrix K, M, C;
+  std::optional<ZerosLeftOut> zeros; ///< of K
   Vector spring_preload;
   std::vector<Vector> load_forces, load_inertia, load_drag;
   std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;

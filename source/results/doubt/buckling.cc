@@ -196,7 +196,7 @@ private:
   }
 
   void assemble(const double touching) {
-    base = model.linear.stiffness();
+    base = model.linear.stiffness_with_places();
     const Vector diagonal = base.diagonal();
     const double largest = diagonal.lpNorm<Eigen::Infinity>();
     std::vector<Eigen::Triplet<double>> entries;
