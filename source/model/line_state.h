@@ -20,7 +20,7 @@ struct ContactEvent {
 struct LineState {
   Vector unknowns;               ///< free unknowns q
   Vector dofs;                   ///< all degrees of freedom u = C q + imposed motions
-  Vector velocity, acceleration; ///< of the unknowns; zero in statics
+  Vector velocity, acceleration; ///< of the unknowns; zero or empty in statics
   Vector turns;                  ///< of the line's vertices (Pose); empty in linear kinematics
   Vector sections;               ///< states of sections that yield or creep (PipeSections)
   ContactState contacts;         ///< committed

@@ -25,9 +25,11 @@ constexpr double growth = 2.;       // of the motion from one increment to the n
 
 } // namespace
 
-LimitPath::LimitPath(const Model &model)
-    : model(model), weights(Vector::Ones(model.space.n_unknowns())),
-      extent(line_extent(model.discretization)) {
+LimitPath::LimitPath(const Model &model) : model(model), extent(line_extent(model.discretization)) {
+  const auto &steps = model.scene.steps;
+  if (std::none_of(steps.begin(), steps.end(), [](const auto &step) { return step.finds_limit; }))
+    return;
+  weights.setOnes(model.space.n_unknowns());
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int c = 3; c < 6; ++c)
       if (const auto dof = model.discretization.vertex_dofs().index(v, c);

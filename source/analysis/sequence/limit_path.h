@@ -67,7 +67,7 @@ private:
   static constexpr unsigned int most_cuts = 20;
 
   const Model &model;
-  Vector weights;               ///< of the unknowns' motions [m]
+  Vector weights;               ///< of the unknowns' motions [m]; empty if no step finds its limit
   double extent;                ///< of the line [m]
   Vector motion;                ///< of the unknowns in the last increment; empty before the first
   double gain = 0.;             ///< part of the loads in it

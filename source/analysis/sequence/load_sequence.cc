@@ -5,6 +5,7 @@
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/reduction/transient_reduction.h"
 #include "model/cell/line_cells.h"
+#include "model/line_model.h"
 #include "scene/steps/step_factors.h"
 #include "scene/steps/step_tree.h"
 
@@ -49,7 +50,9 @@ std::string LoadSequence::integrator_name() const {
 void LoadSequence::initialize() {
   check_time_steps(model);
   const unsigned int n = model.space.n_unknowns();
-  current.unknowns = current.velocity = current.acceleration = current.auxiliary = Vector::Zero(n);
+  current.unknowns = Vector::Zero(n);
+  if (has_transient_step(model.scene) || !model.scene.initial.empty())
+    current.velocity = current.acceleration = current.auxiliary = current.unknowns;
   current.load_factors = declared;
   current.turns = model.cells.at_rest().turns;
   current.sections = model.cells.pipe_sections().at_rest();

@@ -190,8 +190,9 @@ double LineCells::stored_energy(const Pose &pose) const {
 }
 
 Vector LineCells::velocities(const Vector &velocity, const std::vector<double> &rates) const {
-  Vector result;
-  space.expand(velocity, result);
+  Vector result = Vector::Zero(space.n_dofs());
+  if (velocity.size() > 0)
+    space.expand(velocity, result);
   for (unsigned int l = 0; l < rates.size(); ++l)
     if (rates[l] != 0.)
       for (const auto &[dof, value] : linear.imposed(l))

@@ -104,6 +104,8 @@ double LinearPart::rate(const types::global_dof_index dof, const ReducedSpace &s
   if (const auto imposed = imposed_at.find(dof); imposed != imposed_at.end() && !factors.empty())
     for (const auto &[load, value] : imposed->second)
       result += factors[load] * value;
+  if (unknowns.size() == 0)
+    return result;
   for (const auto &term : space.terms(dof))
     result += term.weight * unknowns[term.unknown];
   return result;
