@@ -73,6 +73,10 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
       current.time = start + declared_step.duration; // where the next step's time begins
       i = declared_step.n_increments;                // it ends here
     }
+    // The last frame of a long line is as large as its method, which it has no use for.
+    if (own_statics && i == declared_step.n_increments && step + 1 == model.scene.steps.size() &&
+        model.contacts.size() > most_contacts_for_uniqueness)
+      statics.hold_less();
     observer({step, static_cast<unsigned int>(i), declared_step.n_increments}, current);
     if (between_increments)
       between_increments();

@@ -24,6 +24,22 @@ std::unique_ptr<EquilibriumSolver> make_solver(const Model &model) {
 
 LinearStatics::LinearStatics(const Model &model) : model(model), solver(make_solver(model)) {}
 
+void LinearStatics::hold_less() {
+  Archive archive;
+  transfer(archive);
+  put_away = archive.bytes();
+  solver.reset();
+}
+
+EquilibriumSolver &LinearStatics::method() const {
+  if (!solver) {
+    solver = make_solver(model);
+    Archive archive(std::move(put_away));
+    archive(*solver);
+  }
+  return *solver;
+}
+
 EquilibriumResult LinearStatics::solve(const LineState &from, const StaticIncrement &increment,
                                        LineState &to, ContactResponse &response) {
   EquilibriumProblem problem{{model.linear.stiffness(), increment.course.forces(increment.factors)},
@@ -33,7 +49,7 @@ EquilibriumResult LinearStatics::solve(const LineState &from, const StaticIncrem
     problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
       return model.linear.unbalanced(problem.right_hand_side, unknowns, low);
     };
-  const EquilibriumResult result = solver->solve(problem, from.contacts, to.unknowns, response);
+  const EquilibriumResult result = method().solve(problem, from.contacts, to.unknowns, response);
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += problem.imposed;
   return result;

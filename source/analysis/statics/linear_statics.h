@@ -18,13 +18,17 @@ public:
   Vector forces_on_contacts(const LineState &state, const LoadCourse &course) const override;
   std::vector<contact::BeyondUniqueness>
   beyond_uniqueness(const std::vector<ContactStatus> &status) const override {
-    return solver->beyond_uniqueness(status);
+    return method().beyond_uniqueness(status);
   }
-  void transfer(Archive &archive) override { archive(*solver); }
+  void hold_less() override;
+  void transfer(Archive &archive) override { archive(method()); }
 
 private:
+  EquilibriumSolver &method() const;
+
   const Model &model;
-  const std::unique_ptr<EquilibriumSolver> solver;
+  mutable std::unique_ptr<EquilibriumSolver> solver; ///< null: put away
+  mutable std::string put_away;                      ///< what solutions to come depend on
 };
 
 } // namespace frictionbeam

@@ -73,6 +73,9 @@ public:
                                            const std::vector<double> &) const {
     return {};
   }
+  /// Hold less memory until it is asked for more, if it is: what has been put away is made again
+  /// then. No number depends on it.
+  virtual void hold_less() {}
   /// What the increments to come depend on, besides the line's state.
   virtual void transfer(Archive &archive) = 0;
 };
