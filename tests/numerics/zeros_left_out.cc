@@ -40,7 +40,7 @@ subsection Load weight
 end
 subsection Load heat
   set Kind = temperature
-  set Value = 90
+  set Temperature = 90
 end
 subsection Step weight
   set Loads = weight

@@ -3,6 +3,7 @@
 
 #include "analysis/contact/exact_method.h"
 #include "analysis/contact/solver_library.h"
+#include "base/unused_memory.h"
 
 namespace frictionbeam {
 
@@ -25,10 +26,13 @@ std::unique_ptr<EquilibriumSolver> make_solver(const Model &model) {
 LinearStatics::LinearStatics(const Model &model) : model(model), solver(make_solver(model)) {}
 
 void LinearStatics::hold_less() {
+  if (!solver)
+    return;
   Archive archive;
   transfer(archive);
   put_away = archive.bytes();
   solver.reset();
+  give_back_unused_memory();
 }
 
 EquilibriumSolver &LinearStatics::method() const {
