@@ -57,8 +57,8 @@ struct Pass {
   /// what rounding takes from them is kept until the increment is judged.
   Vector low = Vector::Zero(unknowns.size());
   double size = 0., largest = 0.; ///< what is left, and the largest force [N]
-  Vector forces = {};             ///< to be balanced at the unknowns, without contacts
-  Vector first_forces = {};       ///< the same as the increment begins
+  const Vector unknowns_before = unknowns;
+  Vector forces = {}; ///< to be balanced at the unknowns, without contacts; empty as it begins
   std::optional<Accepted> accepted = {};
   unsigned int n_releases = 0;
   bool is_corrected = false;
@@ -167,7 +167,9 @@ void ExactSolver::Implementation::explain(const Outcome outcome, Pass &now) cons
   if (outcome == Outcome::slides_away) {
     // A later pass may have rounding of a large motion for its forces.
     const Vector motion = system->expand(newton.free_motion(), Vector::Zero(system->n_unknowns()));
-    result.no_equilibrium = now.first_forces.dot(motion) > 0.;
+    result.no_equilibrium =
+        unbalanced_forces(now.problem, now.unknowns_before, Vector::Zero(motion.size()))
+            .dot(motion) > 0.;
     if (result.no_equilibrium)
       result.free_motion = motion;
   }
@@ -211,9 +213,9 @@ Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, 
 bool ExactSolver::Implementation::move(Pass &now) {
   const Problem &problem = now.problem;
   now.result.rounding_bars = false;
-  const bool is_first = now.first_forces.size() == 0;
+  const bool is_first = now.forces.size() == 0;
   if (is_first)
-    now.first_forces = now.forces = unbalanced_forces(problem, now.unknowns, now.low);
+    now.forces = unbalanced_forces(problem, now.unknowns, now.low);
   newton.begin();
   equations.begin(
       now.forces,
@@ -229,10 +231,13 @@ bool ExactSolver::Implementation::move(Pass &now) {
   }
   if (active_set)
     active_set->remember(now.response.status, is_first ? x : Vector());
-  const Vector before = now.unknowns, change = now.low + system->expand(x, now.forces);
+  const Vector change = system->expand(x, now.forces);
   now.result.back_substitutions += 2; // one to condense the loads, one to expand
-  now.unknowns += change;
-  now.low = change - (now.unknowns - before);
+  for (int i = 0; i < change.size(); ++i) {
+    const double before = now.unknowns[i], added = now.low[i] + change[i];
+    now.unknowns[i] += added;
+    now.low[i] = added - (now.unknowns[i] - before);
+  }
   return true;
 }
 
@@ -287,7 +292,6 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
     if (proximal.is_exact(i))
       proximal.centre[i] = (*problem.forces_before)[i];
   const auto centre_before = proximal.centre;
-  const Vector unknowns_before = unknowns;
   Pass now{problem, imposed, committed, unknowns, response};
   Result &result = now.result;
   for (unsigned int pass = 0; pass <= most_refinements + now.n_releases && move(now); ++pass) {
@@ -315,7 +319,7 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
   if (result.iterations >= problem.most_iterations && !result.no_equilibrium)
     result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
   proximal.centre = centre_before;
-  unknowns = unknowns_before;
+  unknowns = now.unknowns_before;
   return result;
 }
 

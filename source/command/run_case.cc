@@ -306,10 +306,13 @@ SolvedScene solve(const RunOptions &options, LawLibrary &laws, const Scene &scen
     return part.accuracy > 0. ? to_accuracy(as_part(part), read_part)
                               : SolvedScene{as_part(part), solve_as(part, model)};
   };
-  SolvedScene solved = scene.model == ModelKind::both
-                           ? SolvedScene{scene, run_both(scene, solve_part)}
-                       : scene.accuracy > 0. ? to_accuracy(scene, read)
-                                             : SolvedScene{scene, solve_as(scene, scene.model)};
+  const auto alone = [&]() { // a long scene is copied when its model is gone
+    Results results =
+        scene.model == ModelKind::both ? run_both(scene, solve_part) : solve_as(scene, scene.model);
+    return SolvedScene{scene, std::move(results)};
+  };
+  SolvedScene solved =
+      scene.model != ModelKind::both && scene.accuracy > 0. ? to_accuracy(scene, read) : alone();
   conclude(solved.scene, solved.results, wall);
   return solved;
 }

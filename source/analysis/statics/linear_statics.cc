@@ -49,13 +49,16 @@ EquilibriumResult LinearStatics::solve(const LineState &from, const StaticIncrem
   EquilibriumProblem problem{{model.linear.stiffness(), increment.course.forces(increment.factors)},
                              increment.course.imposed(increment.time)};
   increment.describe(model, problem);
-  if (!model.linear.has_all_places())
+  if (!model.linear.has_all_places()) { // of an exact method
     problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
       return model.linear.unbalanced(problem.right_hand_side, unknowns, low);
     };
+    if (problem.imposed.isZero(0.))
+      problem.imposed.resize(0);
+  }
   const EquilibriumResult result = method().solve(problem, from.contacts, to.unknowns, response);
   model.space.expand(to.unknowns, to.dofs);
-  to.dofs += problem.imposed;
+  to.dofs += increment.course.imposed(increment.time);
   return result;
 }
 

@@ -72,19 +72,18 @@ SparseMatrix ZerosLeftOut::restored(const SparseMatrix &matrix) const {
 
 Vector ZerosLeftOut::unbalanced(const SparseMatrix &matrix, const Vector &right_hand_side,
                                 const Vector &unknowns, const Vector &low) const {
-  std::vector<long double> whole(unknowns.size());
-  for (int i = 0; i < unknowns.size(); ++i)
-    whole[i] = static_cast<long double>(unknowns[i]) + low[i];
   const int *const outer = matrix.outerIndexPtr(), *const inner = matrix.innerIndexPtr();
   const double *const values = matrix.valuePtr();
   Vector forces(unknowns.size());
   for (int i = 0; i < matrix.rows(); ++i) {
     long double sum = right_hand_side[i], other = 0.; // as the whole matrix is summed up
-    for (int p = outer[i]; p < outer[i + 1]; ++p)
+    for (int p = outer[i]; p < outer[i + 1]; ++p) {
+      const long double motion = static_cast<long double>(unknowns[inner[p]]) + low[inner[p]];
       if (at_even_place[p])
-        other += values[p] * whole[inner[p]];
+        other += values[p] * motion;
       else
-        sum -= values[p] * whole[inner[p]];
+        sum -= values[p] * motion;
+    }
     forces[i] = static_cast<double>(sum - other);
   }
   return forces;
