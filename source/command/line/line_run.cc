@@ -2,6 +2,7 @@
 #include "command/line/line_run.h"
 
 #include "base/interruption.h"
+#include "base/unused_memory.h"
 #include "results/combination/governing_cases.h"
 #include "results/file/envelope_tables.h"
 #include "results/frame/derived_cases.h"
@@ -226,9 +227,12 @@ void LineRun::pause() {
     return;
   output_timer.start();
   if (checkpoint && !scene.takes_many_runs()) { // else there are many runs, which are not resumed
-    Archive archive;
-    transfer(archive);
-    checkpoint->write(archive);
+    {
+      Archive archive;
+      transfer(archive);
+      checkpoint->write(archive);
+    }
+    give_back_unused_memory();
   }
   output_timer.stop();
   if (signal != 0)

@@ -185,7 +185,7 @@ bool Checkpoint::is_due() const {
 void Checkpoint::write(const Archive &archive) {
   Hash hash;
   hash.add_numbers(archive.bytes());
-  // As an archive of the identity, the content and the sum is, but with one copy of the content,
+  // As an archive of the identity, the content and the sum is, but without a copy of the content,
   // which of long lines is most of what the program holds.
   const std::string &content = archive.bytes();
   std::string sum = hash.text();
@@ -193,11 +193,8 @@ void Checkpoint::write(const Archive &archive) {
   Archive before, behind;
   before(identity, size);
   behind(sum);
-  std::string text = first_words + std::to_string(checkpoint_layout) + '\n' + before.bytes();
-  text.reserve(text.size() + size + behind.bytes().size());
-  text += content;
-  text += behind.bytes();
-  replace_file(path, text);
+  const std::string layout = std::to_string(checkpoint_layout) + '\n';
+  replace_file(path, {first_words, layout, before.bytes(), content, behind.bytes()});
   last = std::chrono::steady_clock::now();
 }
 
@@ -237,12 +234,16 @@ std::optional<Archive> Checkpoint::read() const {
                     layout + "\n  allowed: layout " + std::to_string(checkpoint_layout) +
                     ", which this build reads and writes" + advice +
                     ", or --resume with the build that wrote it");
-  std::stringstream text;
-  text << in.rdbuf();
+  const std::streamoff begin = in.tellg();
+  in.seekg(0, std::ios::end);
+  std::string text(in.tellg() - begin, ' ');
+  in.seekg(begin);
+  if (!in.read(text.data(), text.size()))
+    throw damaged();
   Identity found;
   std::string content, sum;
   try {
-    Archive file(text.str());
+    Archive file(std::move(text));
     file(found, content, sum);
   } catch (const dealii::ExceptionBase &) {
     throw damaged();
@@ -252,7 +253,7 @@ std::optional<Archive> Checkpoint::read() const {
   if (hash.text() != sum)
     throw damaged();
   check(found);
-  return Archive(content);
+  return Archive(std::move(content));
 }
 
 bool Checkpoint::is_in(const std::string &folder) {

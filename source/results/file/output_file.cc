@@ -199,10 +199,19 @@ void write_file(const std::string &path, const std::string &text) {
 std::string file_beside(const std::string &path) { return path + ".new"; }
 
 void replace_file(const std::string &path, const std::string &text) {
+  replace_file(path, std::vector<std::string_view>{text});
+}
+
+void replace_file(const std::string &path, const std::vector<std::string_view> &texts) {
   const std::string beside = file_beside(path);
   std::error_code error;
   try {
-    write_file(beside, text);
+    {
+      OutputFile file(beside);
+      for (const std::string_view &text : texts)
+        file.stream() << text;
+      file.flush();
+    }
     hand_to_disk(beside);
   } catch (const OutputError &) {
     std::filesystem::remove(beside, error);

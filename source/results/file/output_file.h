@@ -7,6 +7,8 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace frictionbeam {
 
@@ -67,6 +69,8 @@ void write_file(const std::string &path, const std::string &text);
 /// The same, so that at every moment the file is either the old one or the new one, on the disk
 /// too.
 void replace_file(const std::string &path, const std::string &text);
+/// Of texts one after the other, so that no copy of them all is made.
+void replace_file(const std::string &path, const std::vector<std::string_view> &texts);
 /// Where replace_file() writes the new one first.
 std::string file_beside(const std::string &path);
 
