@@ -249,9 +249,19 @@ Vector ModalAnalysis::inertia(const Vector &support_motion) const {
   return matrices.unknowns_to_dofs().transpose() * (matrices.mass() * support_motion);
 }
 
-double ModalAnalysis::total_mass(const unsigned int d) const {
-  const Vector unit = support_motion(d, {});
-  return unit.dot(matrices.mass() * unit);
+double ModalAnalysis::total_mass(const unsigned int d) const { return mass(support_motion(d, {})); }
+
+ModalAnalysis::Vibration ModalAnalysis::at_rest() const {
+  return {displaced(Vector::Zero(model.space.n_unknowns())), Vector::Zero(model.space.n_dofs())};
+}
+
+ModalAnalysis::Vibration ModalAnalysis::of_mode(const unsigned int k) const {
+  return {displaced(found[k].unknowns),
+          -std::pow(2. * numbers::PI * found[k].frequency, 2) * motion(k)};
+}
+
+ModalAnalysis::Vibration ModalAnalysis::of_inertia(const Vector &motion) const {
+  return {displaced(factors.solve(inertia(motion))), -motion};
 }
 
 LineState ModalAnalysis::displaced(const Vector &unknowns) const {

@@ -41,18 +41,32 @@ public:
   Vector support_motion(const unsigned int d, const std::vector<std::string> &supports) const;
   /// Forces of inertia on the unknowns, up to sign, for a unit acceleration of such a motion.
   Vector inertia(const Vector &support_motion) const;
+  /// r^T M r of such a motion [kg].
+  double mass(const Vector &support_motion) const {
+    return support_motion.dot(matrices.mass() * support_motion);
+  }
   /// Mass that moves in direction @p d when everything does [kg].
   double total_mass(const unsigned int d) const;
 
-  /// M q of mode @p k.
-  Vector momentum(const unsigned int k) const { return M * found[k].unknowns; }
-
-  /// Displacements under static forces on the unknowns.
-  Vector solve(const Vector &forces) const { return factors.solve(forces); }
-  /// The line displaced by these unknowns, with the contact forces that this takes and no loads.
-  LineState displaced(const Vector &unknowns) const;
+  /// The line displaced, with the contact forces that this takes and no loads, and the
+  /// accelerations of all degrees of freedom, those that are held included.
+  struct Vibration {
+    LineState state;
+    Vector accelerations; ///< [m/s2, rad/s2]
+  };
+  Vibration at_rest() const;
+  /// What mode @p k has where its motion is largest: M a = -K u.
+  Vibration of_mode(const unsigned int k) const;
+  /// The static answer to forces of inertia @p motion, of all degrees of freedom, has per unit
+  /// acceleration of the ground.
+  Vibration of_inertia(const Vector &motion) const;
+  /// Motion of all degrees of freedom in mode @p k.
+  Vector motion(const unsigned int k) const {
+    return matrices.unknowns_to_dofs() * found[k].unknowns;
+  }
 
 private:
+  LineState displaced(const Vector &unknowns) const;
   void hold_contacts(const LineState &state, const bool friction);
   void solve_dense(const unsigned int n);
   /// Motion of all that is held when the supports of these names move by a unit in direction @p d.

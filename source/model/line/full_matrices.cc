@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/line/full_matrices.h"
-#include "model/line/pipe_element.h"
 #include "model/line/spring_extension.h"
 
 namespace frictionbeam {
@@ -11,16 +10,6 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Mass of a pipe cell's translations, half of it at either end [kg].
-PipeElement::Matrix12 lumped_mass(const PipeElement &element, const Discretization::Cell &cell) {
-  const double length =
-      element.arc() ? element.arc()->length() : (cell->vertex(1) - cell->vertex(0)).norm();
-  PipeElement::Matrix12 mass = PipeElement::Matrix12::Zero();
-  for (unsigned int c = 0; c < 12; ++c)
-    mass(c, c) = c % 6 < 3 ? element.profile().mass * length / 2. : 0.;
-  return mass;
-}
-
 void add_pipes(const Discretization &discretization, const bool lumped, Triplets &stiffness,
                Triplets &mass) {
   PipeElement element(discretization);
@@ -28,9 +17,7 @@ void add_pipes(const Discretization &discretization, const bool lumped, Triplets
   for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
     const auto cell = discretization.pipe_cell(i);
     cell->get_dof_indices(dofs);
-    element.reinit(cell);
-    const PipeElement::Matrix12 k = element.stiffness(),
-                                m = lumped ? lumped_mass(element, cell) : element.mass(cell);
+    const PipeElement::Matrix12 m = mass_of_cell(cell, lumped, element), k = element.stiffness();
     for (unsigned int row = 0; row < 12; ++row)
       for (unsigned int column = 0; column < 12; ++column) {
         stiffness.emplace_back(dofs[row], dofs[column], k(row, column));
@@ -53,6 +40,19 @@ void add_spring(const Spring &spring, const LineMesh &mesh, const VertexDofs &at
 }
 
 } // namespace
+
+PipeElement::Matrix12 mass_of_cell(const Discretization::Cell &cell, const bool lumped,
+                                   PipeElement &element) {
+  if (!lumped)
+    return element.mass(cell);
+  element.reinit(cell);
+  const double length =
+      element.arc() ? element.arc()->length() : (cell->vertex(1) - cell->vertex(0)).norm();
+  PipeElement::Matrix12 mass = PipeElement::Matrix12::Zero();
+  for (unsigned int c = 0; c < 12; ++c)
+    mass(c, c) = c % 6 < 3 ? element.profile().mass * length / 2. : 0.;
+  return mass;
+}
 
 FullMatrices::FullMatrices(const Scene &scene, const LineMesh &mesh,
                            const Discretization &discretization, const ReducedSpace &space,

@@ -51,7 +51,8 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
     results.total_mass[d] = analysis.total_mass(d);
   }
   results.modal_method = analysis.method();
-  for (const Mode &mode : analysis.modes()) {
+  for (unsigned int k = 0; k < analysis.modes().size(); ++k) {
+    const Mode &mode = analysis.modes()[k];
     ModeResult result;
     result.frequency = mode.frequency;
     result.residual = mode.residual;
@@ -59,7 +60,8 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
       result.participation[d] = mode.unknowns.dot(inertia[d]);
       result.effective_mass[d] = result.participation[d] * result.participation[d];
     }
-    result.shape = builder.make(analysis.displaced(mode.unknowns));
+    const ModalAnalysis::Vibration vibration = analysis.of_mode(k);
+    result.shape = builder.make(vibration.state, vibration.accelerations);
     const double largest = largest_motion(result.shape);
     if (largest > 0.)
       for_each_number(result.shape, [&](double &value) { value /= largest; });

@@ -22,6 +22,9 @@ public:
 
   /// Displacements and section forces along the pipes, supports, reactions.
   Frame make(const LineState &state);
+  /// The same of a state at rest that has accelerations of its own, of all degrees of freedom, and
+  /// the mass of the scene's modes.
+  Frame make(const LineState &state, const Vector &accelerations);
 
   /// Frame::line at rest: places and axes.
   std::vector<Station> stations();
@@ -83,6 +86,10 @@ private:
   /// @param back turns them into the axes of the stations' places
   CellCourse inertia_along(const LineState &state, const unsigned int index,
                            const Eigen::Matrix3d &back);
+  /// a + alpha v of a degree of freedom, or what was given in place of it.
+  double acceleration(const LineState &state, const dealii::types::global_dof_index dof) const;
+  /// Mass that these accelerations act on, of a cell of which the element speaks.
+  PipeElement::Matrix12 mass_of(const unsigned int index);
   /// Forces M a + C v of a state in motion on the nodes of restraints, of imposed motions too.
   void add_inertia(const LineState &state);
   /// Stations of a cell in a frame that has moved: section forces in the axes that turn with it.
@@ -119,6 +126,7 @@ private:
   std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()
   std::vector<Motion> vertex_forces;    ///< what holds each vertex of the line
   bool tells_inertia = false;           ///< of the state at hand
+  const Vector *given = nullptr;        ///< accelerations in place of that state's
 };
 
 } // namespace frictionbeam

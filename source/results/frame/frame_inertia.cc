@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/frame_builder.h"
 
+#include "model/line/full_matrices.h"
 #include "model/unknowns/restraint_forces.h"
 #include "results/frame/section_forces.h"
 
@@ -76,7 +77,24 @@ std::vector<Motion> FrameBuilder::reactions_of_vertices(const LineState &state) 
 
 void FrameBuilder::begin(const LineState &state) {
   vertex_forces.assign(model.discretization.n_line_vertices(), Motion{});
-  tells_inertia = has_inertia(model, state);
+  tells_inertia = given != nullptr || has_inertia(model, state);
+}
+
+Frame FrameBuilder::make(const LineState &state, const Vector &accelerations) {
+  given = &accelerations;
+  Frame frame = make(state);
+  given = nullptr;
+  return frame;
+}
+
+double FrameBuilder::acceleration(const LineState &state, const types::global_dof_index dof) const {
+  return given != nullptr ? (*given)[dof] : damped_acceleration(model, state, dof);
+}
+
+PipeElement::Matrix12 FrameBuilder::mass_of(const unsigned int index) {
+  return given != nullptr && model.scene.modal.lumped
+             ? mass_of_cell(model.discretization.pipe_cell(index), true, element)
+             : model.cells.mass_of(index, element);
 }
 
 CellCourse FrameBuilder::inertia_along(const LineState &state, const unsigned int index,
@@ -89,8 +107,8 @@ CellCourse FrameBuilder::inertia_along(const LineState &state, const unsigned in
   cell->get_dof_indices(dofs);
   PipeElement::Vector12 accelerations;
   for (unsigned int i = 0; i < 12; ++i)
-    accelerations[i] = damped_acceleration(model, state, dofs[i]);
-  PipeElement::Vector12 ends = model.cells.mass_of(index, element) * accelerations;
+    accelerations[i] = acceleration(state, dofs[i]);
+  PipeElement::Vector12 ends = mass_of(index) * accelerations;
   for (unsigned int part = 0; part < 12; part += 3)
     ends.segment<3>(part) = (back * ends.segment<3>(part)).eval();
   if (element.arc())
@@ -105,7 +123,7 @@ CellCourse FrameBuilder::inertia_along(const LineState &state, const unsigned in
 }
 
 void FrameBuilder::add_inertia(const LineState &state) {
-  if (is_at_rest(state))
+  if (given == nullptr && is_at_rest(state))
     return;
   const auto add = [&](const unsigned int vertex, const unsigned int c, const double force) {
     if (is_held[vertex])
@@ -116,9 +134,9 @@ void FrameBuilder::add_inertia(const LineState &state) {
     PipeElement::Vector12 v, a;
     for (unsigned int c = 0; c < 12; ++c) {
       v[c] = model.linear.rate(cell.dofs[c], model.space, state.velocity, state.load_rates);
-      a[c] = damped_acceleration(model, state, cell.dofs[c]);
+      a[c] = acceleration(state, cell.dofs[c]);
     }
-    PipeElement::Vector12 forces = cell.mass * a;
+    PipeElement::Vector12 forces = (given != nullptr ? mass_of(cell.index) : cell.mass) * a;
     // Velocities at a step's end stretch a cell that turns, which times its stiffness would be a
     // force where there is none: of turning cells the share of damping is left out.
     if (time.stiffness_damping != 0. && model.cells.is_linear())
@@ -132,7 +150,7 @@ void FrameBuilder::add_inertia(const LineState &state) {
     for (const std::string &point : mass.points)
       for (unsigned int d = 0; d < 3; ++d) {
         const unsigned int vertex = model.mesh.points.at(point);
-        add(vertex, d, mass.mass * damped_acceleration(model, state, at.index(vertex, d)));
+        add(vertex, d, mass.mass * acceleration(state, at.index(vertex, d)));
       }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/spectrum/spectrum_response.h"
 
+#include "base/number_text.h"
 #include "results/frame/derived_cases.h"
 #include "results/frame/frame_builder.h"
 #include "results/spectrum/modal_combination.h"
@@ -47,13 +48,12 @@ public:
   SpectrumResponse(const Model &model, const ModalAnalysis &analysis, Results &results,
                    const TakeModalResponse &take)
       : model(model), settings(model.scene.response), analysis(analysis), results(results),
-        take(take), builder(model, true),
-        zero(builder.make(analysis.displaced(Vector::Zero(model.space.n_unknowns())))),
+        take(take), builder(model, true), zero(builder.make(analysis.at_rest().state)),
         n_numbers(numbers_of(zero).size()), spaces(eigenspaces(analysis.modes())),
         has_groups(std::any_of(model.scene.spectra.begin(), model.scene.spectra.end(),
                                [](const Spectrum &s) { return !s.supports.empty(); })) {
-    for (const Mode &mode : analysis.modes())
-      shapes.push_back(numbers_of(builder.make(analysis.displaced(mode.unknowns))));
+    for (unsigned int k = 0; k < analysis.modes().size(); ++k)
+      shapes.push_back(numbers(analysis.of_mode(k)));
     for (const auto &space : spaces)
       frequencies.push_back(analysis.modes()[space.first].frequency);
     for (const Spectrum &spectrum : model.scene.spectra)
@@ -70,6 +70,10 @@ public:
   }
 
 private:
+  Vector numbers(const ModalAnalysis::Vibration &vibration) {
+    return numbers_of(builder.make(vibration.state, vibration.accelerations));
+  }
+
   DirectionResponse in_direction(const unsigned int d) {
     DirectionResponse response{std::vector<Vector>(spaces.size(), Vector::Zero(n_numbers)),
                                Vector::Zero(n_numbers)};
@@ -94,8 +98,8 @@ private:
                     std::vector<Vector> &each, Vector &missing) {
     const std::vector<Mode> &modes = analysis.modes();
     const double factor = spectrum.factor[d];
-    const Vector inertia = analysis.inertia(analysis.support_motion(d, spectrum.supports));
-    Vector left = inertia, rigid = Vector::Zero(n_numbers);
+    Vector left = analysis.support_motion(d, spectrum.supports), rigid = Vector::Zero(n_numbers);
+    const Vector inertia = analysis.inertia(left);
     for (unsigned int space = 0; space < spaces.size(); ++space) {
       Vector periodic = Vector::Zero(n_numbers);
       for (unsigned int k = spaces[space].first; k < spaces[space].second; ++k) {
@@ -106,7 +110,7 @@ private:
             factor * gamma * acceleration / std::pow(2. * dealii::numbers::PI * f, 2) * shapes[k];
         periodic += std::sqrt(1. - share * share) * whole;
         rigid += share * whole;
-        left -= gamma * analysis.momentum(k);
+        left -= gamma * analysis.motion(k);
         results.excitations.push_back(
             {k + 1, d, spectrum.name, gamma, std::abs(factor) * acceleration, share});
         if (!each.empty())
@@ -115,8 +119,7 @@ private:
       add(periodic, response.periodic[space]);
     }
     if (settings.missing_mass) {
-      const Vector rest = factor * spectrum.at_zero_period() *
-                          numbers_of(builder.make(analysis.displaced(analysis.solve(left))));
+      const Vector rest = factor * spectrum.at_zero_period() * numbers(analysis.of_inertia(left));
       rigid += rest;
       add_to_shape(rest, rest, missing);
     }
@@ -196,12 +199,44 @@ void remark_on_soft_modes(const Scene &scene, Results &results) {
         "there. NRC RG 1.92 rev. 3 does not allow the method for such modes; take gupta, or none.");
 }
 
+/// Without missing mass, what the modes leave out answers nothing: higher modes, and all mass at
+/// supports, which is in no mode.
+void remark_on_missing_mass(const Scene &scene, const ModalAnalysis &analysis, Results &results) {
+  constexpr double negligible = 0.01; // of the mass
+  if (scene.response.missing_mass)
+    return;
+  const auto text = [&](const double value, const char *const unit) {
+    return rounded_number(value / scene.units.factor(unit), 3) + " " + scene.units.name(unit);
+  };
+  std::string list;
+  for (const Spectrum &spectrum : scene.spectra)
+    for (unsigned int d = 0; d < 3; ++d) {
+      if (spectrum.factor[d] == 0.)
+        continue;
+      const double total = analysis.mass(analysis.support_motion(d, spectrum.supports));
+      double left = total;
+      for (const ModalExcitation &one : results.excitations)
+        if (one.spectrum == spectrum.name && one.direction == d)
+          left -= one.participation * one.participation;
+      if (left > negligible * total)
+        list += (list.empty() ? "" : "; ") + text(left, "kg") + " of " + text(total, "kg") +
+                " in " + "xyz"[d] + " (Spectrum " + spectrum.name + ", " +
+                text(left * std::abs(spectrum.factor[d]) * spectrum.at_zero_period(), "N") +
+                " at its last acceleration)";
+    }
+  if (!list.empty())
+    results.remarks.push_back(
+        "The modes leave out mass, that at supports among it, whose forces are in no result: " +
+        list + ". Set Response/Missing mass = true.");
+}
+
 } // namespace
 
 Frame spectrum_response(const Model &model, const ModalAnalysis &analysis, Results &results,
                         const TakeModalResponse &take) {
   Frame frame = SpectrumResponse(model, analysis, results, take)();
   remark_on_soft_modes(model.scene, results);
+  remark_on_missing_mass(model.scene, analysis, results);
   frame.name = spectrum_case;
   become_case(frame, true);
   frame.step = model.scene.steps.size();
