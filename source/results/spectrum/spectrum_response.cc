@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace frictionbeam {
@@ -230,6 +231,55 @@ void remark_on_missing_mass(const Scene &scene, const ModalAnalysis &analysis, R
         list + ". Set Response/Missing mass = true.");
 }
 
+/// From where on a curve that falls or rises to its last acceleration has it [Hz]; infinite of one
+/// that has no other, and of a record.
+double rigid_from(const Spectrum &spectrum) {
+  const auto &curve = spectrum.curve;
+  std::size_t first = curve.size() - 1;
+  while (first > 0 && curve[first - 1].second == spectrum.at_zero_period())
+    --first;
+  return first > 0 ? curve[first].first : std::numeric_limits<double>::infinity();
+}
+
+/// Modes beyond the frequency from which on the ground's own acceleration is all there is move
+/// together; squares take them as if they did not, and the more of them are asked for, the less
+/// comes out.
+void remark_on_rigid_modes(const Scene &scene, const ModalAnalysis &analysis, Results &results) {
+  constexpr double negligible = 0.05; // of the mass
+  if (scene.response.rigid != SpectrumSettings::Rigid::none ||
+      scene.response.modes == SpectrumSettings::Modes::absolute)
+    return;
+  for (const Spectrum &spectrum : scene.spectra) {
+    const double from = rigid_from(spectrum);
+    const auto &modes = analysis.modes();
+    const auto n = std::count_if(modes.begin(), modes.end(),
+                                 [&](const Mode &mode) { return mode.frequency < from; });
+    for (unsigned int d = 0; d < 3; ++d) {
+      double sum = 0., largest = 0.;
+      for (const ModalExcitation &one : results.excitations)
+        if (one.spectrum == spectrum.name && one.direction == d && one.mode > n) {
+          const double mass = one.participation * one.participation;
+          sum += mass;
+          largest = std::max(largest, mass);
+        }
+      const double total = analysis.mass(analysis.support_motion(d, spectrum.supports));
+      if (!(sum - largest > negligible * total))
+        continue;
+      results.remarks.push_back(
+          "Modes from number " + std::to_string(n + 1) + " on, with " +
+          rounded_number(100. * sum / total, 2) + " % of the mass in " + "xyz"[d] +
+          ", lie where Spectrum " + spectrum.name + " has its last acceleration (from " +
+          rounded_number(from) +
+          " Hz on). There all follow the ground together; squares of them give too little, the "
+          "less the more of them there are. NRC RG 1.92 rev. 3 leaves them to the missing mass: " +
+          (n > 0 ? "set Modes/Number = " + std::to_string(n) +
+                       " with Response/Missing mass = true, or take a Rigid part."
+                 : "take Response/Missing mass = true with a Rigid part."));
+      return;
+    }
+  }
+}
+
 } // namespace
 
 Frame spectrum_response(const Model &model, const ModalAnalysis &analysis, Results &results,
@@ -237,6 +287,7 @@ Frame spectrum_response(const Model &model, const ModalAnalysis &analysis, Resul
   Frame frame = SpectrumResponse(model, analysis, results, take)();
   remark_on_soft_modes(model.scene, results);
   remark_on_missing_mass(model.scene, analysis, results);
+  remark_on_rigid_modes(model.scene, analysis, results);
   frame.name = spectrum_case;
   become_case(frame, true);
   frame.step = model.scene.steps.size();
