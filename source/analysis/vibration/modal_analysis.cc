@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace frictionbeam {
 
@@ -192,25 +193,31 @@ Vector ModalAnalysis::held_motion(const unsigned int d,
                                   const std::vector<std::string> &names) const {
   const VertexDofs &at = model.discretization.vertex_dofs();
   Vector dofs = Vector::Zero(model.space.n_dofs());
-  // What is held moves along the directions in which it is held.
+  // What is held moves along the directions in which it is held: by the unit's projection onto
+  // them, which may be skew to each other where restraints share a point. That this moves what is
+  // free, too, makes no difference: the line at rest is where it is in any case.
+  std::map<unsigned int, std::vector<Tensor<1, 6>>> held_at;
   for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
     if (contains(names, model.scene.restraints[i].name))
       for (const Site &site : model.mesh.restraints[i])
-        for (const Tensor<1, 6> &held_direction : held_directions(model.scene.restraints[i], site))
+        for (Tensor<1, 6> direction : held_directions(model.scene.restraints[i], site)) {
+          std::vector<Tensor<1, 6>> &others = held_at[site.vertex];
+          for (const Tensor<1, 6> &other : others)
+            direction -= (direction * other) * other;
+          if (direction.norm() < no_direction)
+            continue;
+          direction /= direction.norm();
+          others.push_back(direction);
           for (unsigned int c = 0; c < 3; ++c)
             if (const auto dof = at.index(site.vertex, c); dof != numbers::invalid_dof_index)
-              dofs[dof] += held_direction[d] * held_direction[c];
+              dofs[dof] += direction[d] * direction[c];
+        }
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     if (contains(names, model.scene.supports[contact.support].name) &&
         contact.vertices[1] >= model.discretization.n_line_vertices())
       dofs[at.index(contact.vertices[1], d)] = 1.;
   }
-  // Only the constrained degrees of freedom are imposed; the free ones follow at rest.
-  for (unsigned int dof = 0; dof < model.space.n_dofs(); ++dof)
-    if (model.space.terms(dof).begin() + 1 == model.space.terms(dof).end() &&
-        model.space.terms(dof).begin()->weight == 1.)
-      dofs[dof] = 0.;
   return dofs;
 }
 
