@@ -41,7 +41,9 @@ void stand_on_point(const FrictionSupport &support, const Discretization &discre
       else {
         if (is_ground)
           move(cross_product_3d(unit, arm));
-        const double part = support.rotations == Rotations::averaged             ? 0.5
+        // Of two ends of which one is a point that cannot turn, the other carries the couple.
+        const bool other_turns = discretization.turns(contact.vertices[is_ground ? 0 : 1], c - 3);
+        const double part = support.rotations == Rotations::averaged ? (other_turns ? 0.5 : 1.)
                             : support.rotations == Rotations::pipe && !is_ground ? 1.
                                                                                  : 0.;
         column += Column(0., -part * (axes.z * unit), part * (axes.y * unit),
