@@ -151,6 +151,35 @@ Vector LoadCourse::imposed(const double time, const Side side) const {
   return result;
 }
 
+bool LoadCourse::imposes_motion() const {
+  bool any = model.contacts.ground_moves();
+  for (unsigned int l = 0; l < to.size(); ++l)
+    any = any || ((to[l] != 0. || from[l] != 0.) && !model.linear.imposed(l).empty());
+  return any;
+}
+
+Vector LoadCourse::imposed_rates(const double time, const Side side, const double span) const {
+  if (!imposes_motion())
+    return Vector::Zero(model.space.n_dofs());
+  const double rounding = same_instant_of_step * span,
+               later = std::min(span, next_break(time + rounding) - time),
+               earlier = std::min(span, time - std::max(last_break(time - rounding), start));
+  const bool at_break = next_break(time - rounding) <= time + rounding;
+  const bool forward = at_break ? side != Side::before : later >= earlier;
+  const double reach = forward ? later : earlier;
+  if (!at_break && std::min(later, earlier) >= span / 2.) {
+    const double h = std::min(later, earlier) / 2.;
+    return (8. * (imposed(time + h) - imposed(time - h)) -
+            (imposed(time + 2. * h, Side::before) - imposed(time - 2. * h, Side::after))) /
+           (12. * h);
+  }
+  const double h = (forward ? reach : -reach) / 4.;
+  return (-25. * imposed(time, forward ? Side::after : Side::before) + 48. * imposed(time + h) -
+          36. * imposed(time + 2. * h) + 16. * imposed(time + 3. * h) -
+          3. * imposed(time + 4. * h, forward ? Side::before : Side::after)) /
+         (12. * h);
+}
+
 Vector LoadCourse::imposed_jumps(const double begin, const double end) const {
   Vector result;
   for (double time = next_break(begin); time <= end; time = next_break(time)) {

@@ -48,6 +48,11 @@ public:
   void set_rates(LineState &state, const Side side = Side::both) const;
   /// Motions of all degrees of freedom that loads and the ground impose.
   Vector imposed(const double time, const Side side = Side::both) const;
+  /// Their derivatives in time on one side of @p time, without jumps, by differences of order 4
+  /// over @p span, or less where a corner is near.
+  Vector imposed_rates(const double time, const Side side, const double span) const;
+  /// Whether there are any.
+  bool imposes_motion() const;
   /// What they jump by after @p begin and until @p end; empty if they do not.
   Vector imposed_jumps(const double begin, const double end) const;
 

@@ -133,10 +133,8 @@ EquilibriumResult AlphaScheme::solve_linearized(const Step &step, const LineStat
   contacts.set_matrix(symmetric);
   change.setZero(unknowns.size());
   EquilibriumResult result = contacts.solve(
-      problem, from, problem.imposed - loads.imposed(time) + loads.imposed(from.time),
-      {step.motion - reach * step.velocity - unknowns, reach, p.gamma / ratio,
-       loads.may_jump(from.time, time)},
-      change, response);
+      problem, from, loads,
+      {step.motion - reach * step.velocity - unknowns, reach, p.gamma / ratio}, change, response);
   result.no_equilibrium = false;
   return result;
 }

@@ -171,11 +171,10 @@ EquilibriumResult AlphaScheme::solve(EquilibriumProblem &problem, const Step &st
                                      ContactResponse &response) {
   if (!p.impulses)
     return return_mapping->solve(problem, from.contacts, to.unknowns, response);
-  const double reach = step.h * p.beta / p.gamma, end = problem.end;
-  return contacts.solve(
-      problem, from, loads.imposed(from.time),
-      {step.motion - reach * step.velocity, reach, p.gamma / ratio, loads.may_jump(from.time, end)},
-      to.unknowns, response);
+  const double reach = step.h * p.beta / p.gamma;
+  return contacts.solve(problem, from, loads,
+                        {step.motion - reach * step.velocity, reach, p.gamma / ratio}, to.unknowns,
+                        response);
 }
 
 void AlphaScheme::finish_motion(const Step &step, LineState &to) {

@@ -9,7 +9,8 @@
 namespace frictionbeam {
 
 namespace {
-constexpr double far = 1e30; // [m]
+constexpr double far = 1e30;       // [m]
+constexpr double no_corner = 1e-6; ///< of a step: what is behind a corner at its start
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 } // namespace
@@ -75,18 +76,32 @@ Vector ImpulseContacts::impulses() const {
 }
 
 void ImpulseContacts::set_ground_rates(const EquilibriumProblem &problem, const LineState &from,
-                                       const Vector &imposed_before, const bool may_jump) {
+                                       const LoadCourse &loads, const double at_end) {
   const bool is_next = from.time != step_begin, follows = from.time == step_end;
-  if (is_next)
-    ground_rate_before = ground_rate;
-  ground_rate.resize(kinds.size());
-  const Vector motion = problem.imposed - imposed_before;
-  for (unsigned int i = 0; i < kinds.size(); ++i)
-    ground_rate[i] = model.contacts[i].strain(motion) / problem.increment.length;
-  if ((is_next && !follows) || may_jump)
-    ground_rate_before = ground_rate;
+  if (!is_next && problem.end == step_end)
+    return;
   step_begin = from.time;
   step_end = problem.end;
+  if (is_next)
+    ground_rate_before.swap(ground_rate);
+  ground_rate.assign(kinds.size(), Contact::Strains::Zero());
+  if (ground_rate_before.empty() || !loads.imposes_motion())
+    ground_rate_before = ground_rate;
+  if (!loads.imposes_motion())
+    return;
+  using Side = LoadCourse::Side;
+  const double h = problem.increment.length;
+  const Vector before = loads.imposed_rates(step_begin, Side::after, h);
+  Vector rate = loads.imposed_rates(step_end, Side::before, h);
+  if (!loads.may_jump(step_begin + no_corner * h, step_end))
+    rate =
+        (loads.imposed(step_end) - loads.imposed(step_begin)) / h + (1. - at_end) * (rate - before);
+  const bool begins_anew = (is_next && !follows) || loads.may_jump(step_begin, step_end);
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    ground_rate[i] = model.contacts[i].strain(rate);
+    if (begins_anew)
+      ground_rate_before[i] = model.contacts[i].strain(before);
+  }
 }
 
 bool ImpulseContacts::test_reversals(const LineState &from, const Vector &imposed,
@@ -146,9 +161,9 @@ void ImpulseContacts::set_laws(const EquilibriumProblem &problem, const LineStat
 }
 
 EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const LineState &from,
-                                         const Vector &imposed_before, const Relation &relation,
+                                         const LoadCourse &loads, const Relation &relation,
                                          Vector &unknowns, ContactResponse &response) {
-  set_ground_rates(problem, from, imposed_before, relation.may_jump);
+  set_ground_rates(problem, from, loads, relation.at_end);
   set_laws(problem, from, relation);
   problem.overrides = &overrides;
   // Where supports share a force that the line does not tell apart, each keeps what it had.

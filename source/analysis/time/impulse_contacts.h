@@ -16,7 +16,8 @@ namespace frictionbeam {
  * A step whose displacements and velocities at its end hang together by q = base + reach v is a
  * static problem A q = b + H^T r in the displacements. What is rigid in a contact that takes part
  * (it was closed, or its gap, with half a step's motion, is) obeys Newton's law of impact and
- * Coulomb's law of friction on v, the ground's being its mean over the step:
+ * Coulomb's law of friction on v at the end of the step, with a velocity of the ground there that
+ * takes contacts along by the ground's own motion:
  *   0 <= u_N + e u_N(before) perp P_N >= 0,   |P_T| <= f P_N,  against u_T,
  * which is the law of a static contact with another gap and another position of its slip. Elements
  * of finite stiffness, normal forces of platens and contacts of nodes without mass keep their laws
@@ -32,18 +33,17 @@ public:
   void set_matrix(const SparseMatrix &matrix);
 
   struct Relation {
-    Vector base;           ///< of the unknowns
-    double reach = 0.;     ///< [s]
-    double share = 0.;     ///< of r that acts on average over the step
-    bool may_jump = false; ///< velocities of the ground, in the step or at its start
+    Vector base;         ///< of the unknowns
+    double reach = 0.;   ///< [s]
+    double share = 0.;   ///< of r that acts on average over the step
+    double at_end = 0.5; ///< weight of the velocity at the end in the mean one over the step
   };
   /**
    * Solve. @param problem with matrix, right hand side, imposed motions, times
-   * @param imposed_before motions imposed at the start of the step
    * @param unknowns in: a first guess
    */
   EquilibriumResult solve(EquilibriumProblem &problem, const LineState &from,
-                          const Vector &imposed_before, const Relation &relation, Vector &unknowns,
+                          const LoadCourse &loads, const Relation &relation, Vector &unknowns,
                           ContactResponse &response);
 
   /// What the solver keeps, and the last step; the matrix must have been set before reading.
@@ -70,10 +70,14 @@ private:
     bool is_exact = false, rigid_normal = false, rigid_shear = false;
     FrictionThreshold law{};
   };
-  /// Rates of the contacts' strains by the motion that is imposed, means over a step: of this one,
-  /// and before it, of the step that ends where this one begins; after a jump, the same.
+  /// Rates of the contacts' strains by the motion g that is imposed, at the end of a step: with
+  /// at_end, a, of the relation,
+  ///   g1* = (g1 - g0)/h + (1 - a) (g1' - g0'),
+  /// so that the mean a g1* + (1 - a) g0* of two steps is, but for O(h^2) that does not add up,
+  /// what the ground moves by. (g1' itself would let a contact that stays closed creep away from
+  /// it.) And before the step: of the one that ends where this one begins; after a jump, g0'.
   void set_ground_rates(const EquilibriumProblem &problem, const LineState &from,
-                        const Vector &imposed_before, const bool may_jump);
+                        const LoadCourse &loads, const double at_end);
   /// The laws of this step on displacements: gap -(H base)_N + reach e u_N^- and slip from
   /// (H base)_T, both with the ground's motion, of what is rigid and takes part (doc/dynamics.md,
   /// "Rigid contact on velocities").

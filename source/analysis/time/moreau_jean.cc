@@ -119,10 +119,10 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
   ContactResponse response;
   to.unknowns = from.unknowns;
   take_over_contacts(from, to);
-  report.result = contacts.solve(problem, from, loads.imposed(from.time),
-                                 {from.unknowns + step.h * (1. - theta) * from.velocity,
-                                  step.h * theta, theta, loads.may_jump(from.time, time)},
-                                 to.unknowns, response);
+  report.result = contacts.solve(
+      problem, from, loads,
+      {from.unknowns + step.h * (1. - theta) * from.velocity, step.h * theta, theta, theta},
+      to.unknowns, response);
   if (!report.result.converged)
     return report;
 

@@ -91,9 +91,7 @@ EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, cons
   problem.force_so_far = step.without_force();
   change.setZero(step.moved.size());
   EquilibriumResult result = contacts.solve(
-      problem, state, problem.imposed - loads.imposed(time) + loads.imposed(state.time),
-      {h / 2. * state.velocity - step.moved, h / 2., 0.5, loads.may_jump(state.time, time)}, change,
-      response);
+      problem, state, loads, {h / 2. * state.velocity - step.moved, h / 2., 0.5}, change, response);
   result.no_equilibrium = false;
   return result;
 }
