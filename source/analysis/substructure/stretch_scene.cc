@@ -30,6 +30,9 @@ std::vector<RoutePoint> route_of(const PipePath &path, const SolidStretch &stret
   return route;
 }
 
+/// In lengths r sqrt(r/t): a bend hardly feels how a rest beyond presses the wall oval.
+constexpr double felt_from = 4.;
+
 bool pushes_from_one_side(const FrictionSupport &support) {
   return support.law == "coulomb" && !is_of_a_pair(support.kind) && support.kind != "rod" &&
          support.kind != "snubber" && support.ground.empty() && support.normal_force == 0. &&
@@ -98,8 +101,16 @@ StretchScene::StretchScene(const Scene &whole, const LineMesh &of, const SolidSt
 
 void StretchScene::add_rests(const Scene &whole, const LineMesh &of, const SolidStretch &stretch) {
   const PipePath path(scene.pipes.front(), scene.units);
-  const MeshedPipe &chain = line.pipes.front();
-  const double outer = scene.sections[scene.pipes.front().section].outer_radius;
+  const Section &section = scene.sections[scene.pipes.front().section];
+  const MeshedPipe &meshed = of.pipes[stretch.pipe];
+  const double length = section.decay_length(), end = path.length(), outer = section.outer_radius;
+  const std::array<double, 2> room = {
+      {stretch.anchored[0] ? 2. * outer : 0., end - (stretch.anchored[1] ? 2. * outer : 0.)}};
+  // Where neither an anchor nor another bend ends it.
+  const double tangent = (1. - 1e-9) * scene.solid.reach * length;
+  const std::array<bool, 2> is_cut = {
+      {!stretch.anchored[0] && run_at(path, 0.)[1] >= tangent,
+       !stretch.anchored[1] && end - run_at(path, end)[0] >= tangent}};
   std::vector<std::array<double, 2>> taken;
   for (unsigned int i = 0; i < whole.supports.size(); ++i) {
     const FrictionSupport &support = whole.supports[i];
@@ -107,28 +118,30 @@ void StretchScene::add_rests(const Scene &whole, const LineMesh &of, const Solid
       continue;
     const double half = (support.width > 0. ? support.width : 2. * outer) / 2.;
     for (unsigned int k = 0; k < of.supports[i].size(); ++k) {
-      const Site &site = of.supports[i][k];
-      const auto at = std::find(vertices.begin(), vertices.end(), site.vertex);
-      if (at == vertices.end() ||
+      Site site = of.supports[i][k];
+      const auto at = std::find(meshed.vertices.begin(), meshed.vertices.end(), site.vertex);
+      if (at == meshed.vertices.end() ||
           std::abs(push_of(support, site.tangent) * site.tangent) > square_enough)
         continue;
-      const unsigned int vertex = at - vertices.begin();
-      const double s = chain.s[vertex];
+      const double s = meshed.s[at - meshed.vertices.begin()] - stretch.from;
       const std::array<double, 2> patch = {{s - half, s + half}}, run = run_at(path, s);
-      const double before = stretch.anchored[0] ? 2. * outer : 0.,
-                   behind = stretch.anchored[1] ? 2. * outer : 0.;
-      if (patch[0] < run[0] || patch[1] > run[1] || patch[0] < before ||
-          patch[1] > path.length() - behind ||
+      const std::string name =
+          support.name + (of.supports[i].size() > 1 ? "." + std::to_string(k + 1) : "");
+      const double outside = std::max(is_cut[0] ? -patch[0] : 0., is_cut[1] ? patch[1] - end : 0.);
+      if (outside > 0. && scene.solid.reach * length + outside < felt_from * length + 2. * half) {
+        near_rests.push_back(name);
+        wanted_reach = std::max(wanted_reach, scene.solid.reach + outside / length);
+      }
+      if (patch[0] < std::max(room[0], run[0]) || patch[1] > std::min(room[1], run[1]) ||
           std::any_of(taken.begin(), taken.end(), [&](const std::array<double, 2> &other) {
             return patch[0] < other[1] && patch[1] > other[0];
           }))
         continue;
       taken.push_back(patch);
-      Site own = site;
-      own.vertex = vertex;
+      site.vertex = std::find(vertices.begin(), vertices.end(), site.vertex) - vertices.begin();
       scene.supports.push_back(support);
-      scene.supports.back().name += "." + std::to_string(k + 1);
-      line.supports.push_back({own});
+      scene.supports.back().name = name;
+      line.supports.push_back({site});
     }
   }
 }

@@ -20,6 +20,9 @@ struct StretchScene {
   LineMesh line;
   std::vector<unsigned int> vertices; ///< of the whole line
   unsigned int first_cell = 0;        ///< of the whole pipe
+  /// Rests beside the stretch that bends would feel, and the Solid/Reach that takes them in.
+  std::vector<std::string> near_rests;
+  double wanted_reach = 0.;
 
 private:
   void add_rests(const Scene &whole, const LineMesh &of, const SolidStretch &stretch);

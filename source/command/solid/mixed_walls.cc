@@ -92,6 +92,10 @@ std::vector<std::string> MixedWalls::in_words() const {
     if (!wall->wall.patches.empty())
       text += ", pressed on " + std::to_string(wall->wall.patches.size()) +
               (wall->wall.patches.size() == 1 ? " patch by a rest" : " patches by rests");
+    if (!wall->own.near_rests.empty())
+      text += "; the oval that " + join(wall->own.near_rests) +
+              " beside it would press into the wall is left out, Solid/Reach = " +
+              rounded_number(std::ceil(wall->own.wanted_reach * 10.) / 10., 3) + " takes it in";
     if (stretch.is_short)
       text +=
           "; a bend, an anchor or the pipe's end leaves less straight pipe beside it than asked";

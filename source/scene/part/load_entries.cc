@@ -163,7 +163,7 @@ const LoadWord load_kinds[] = {
      &parse_seismic},
     {"wind",
      Load::Kind::wind,
-     "on the pipe's outer diameter",
+     "on the pipe's outer diameter, over its insulation",
      {"Wind", "Shape factor", "Pipes"},
      &parse_wind}};
 
@@ -207,7 +207,8 @@ void declare_load(ParameterReader &in) {
   in.declare_text(
       "Wind", "0 0 0", "x y z [Pa]",
       "Dynamic pressure of the wind, rho v^2/2, in its direction. A pipe feels the part "
-      "across it: q C D |w| w, w that part of the unit vector.");
+      "across it: q C D |w| w, w that part of the unit vector, D the diameter over its "
+      "insulation.");
   in.declare_number("Shape factor", 0.7, "-", 0., 10., "C of wind; 0.7 is usual for cylinders.");
   in.declare_text("Pipes", "", "names of pipes, separated by commas",
                   "Of temperature, pressure, line force and wind; empty: all.");
