@@ -85,9 +85,14 @@ std::vector<Contact> contacts_of(const Scene &scene, const Frame &frame) {
         const Vec down = -contact.normal; // the element's axis, from the pipe to the ground
         contact.t2 = across(down);
         contact.t1 = down.cross(contact.t2);
-        const double lever = support.rotations == Support::Rotations::none       ? 0.
-                             : support.rotations == Support::Rotations::averaged ? 0.5
-                                                                                 : 1.;
+        const bool averaged = support.rotations == Support::Rotations::averaged;
+        // Of two ends of which one is a free point, the other has the whole lever arm.
+        const auto part = [&](const int other) {
+          return ground >= 0 && !frame.turns(other) ? 1. : 0.5;
+        };
+        const double lever = support.rotations == Support::Rotations::none ? 0.
+                             : averaged                                    ? part(ground)
+                                                                           : 1.;
         contact.rows.setZero(3, frame.n());
         add_rows(contact, places[p].node, lever * length * down, 1.);
         contact.twist_row.setZero(frame.n());
@@ -95,8 +100,8 @@ std::vector<Contact> contacts_of(const Scene &scene, const Frame &frame) {
             contact.normal.cast<Real>().transpose();
         if (ground >= 0) { // what of the way is across the normal is a rigid arm of that pipe
           add_rows(contact, ground, way - way.dot(n) * n, -1.);
-          if (support.rotations == Support::Rotations::averaged)
-            add_turns(contact, ground, 0.5 * length * down);
+          if (averaged)
+            add_turns(contact, ground, part(places[p].node) * length * down);
           contact.twist_row.segment<3>(6 * ground + 3) = -contact.normal.cast<Real>().transpose();
         }
         contact.ground_motion = support.ground_motion;

@@ -249,12 +249,9 @@ void Frame::hold() {
           if (load.given[i][c])
             at[point_node.at(load.at[i].first)].push_back(Vec6::Unit(c));
   }
-  std::set<int> with_turns; // free points have no rotations
-  for (const Member &member : members)
-    with_turns.insert(member.node.begin(), member.node.end());
   for (int v = 0; v < n() / 6; ++v)
     for (int c = 0; c < 6; ++c)
-      if (!scene.free_motions[c] || (c >= 3 && with_turns.count(v) == 0))
+      if (!scene.free_motions[c] || (c >= 3 && !turns(v)))
         at[v].push_back(Vec6::Unit(c));
   basis = Matrix::Zero(n(), n());
   int columns = 0;
@@ -269,6 +266,12 @@ void Frame::hold() {
             at[v].empty() ? Vec6(Vec6::Unit(i)) : Vec6(eigen.eigenvectors().col(i));
   }
   basis.conservativeResize(n(), columns);
+}
+
+bool Frame::turns(const int node) const {
+  return std::any_of(members.begin(), members.end(), [&](const Member &member) {
+    return std::count(member.node.begin(), member.node.end(), node) > 0;
+  });
 }
 
 Vector Frame::imposed(const std::vector<Real> &factors) const {

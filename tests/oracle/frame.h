@@ -42,6 +42,7 @@ public:
   int node_of(const std::string &point) const { return point_node.at(point); }
   const std::vector<Vec> &positions() const { return nodes; }
   std::vector<Place> places(const Support &support) const;
+  bool turns(int node) const; ///< has rotations, which points that no pipe reaches have not
   int n() const { return 6 * static_cast<int>(nodes.size()); }
 
   const Matrix &stiffness() const { return K; }

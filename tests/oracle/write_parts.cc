@@ -106,8 +106,11 @@ void Writer::support(const Support &s) {
   } else if (!s.holds_exactly() && s.kind != "snubber") {
     if (!normal_is_way) // else it is the distance
       set(out, "Length", text(s.length / l));
-    if (s.rotations != Support::Rotations::none)
-      set(out, "Rotations", s.rotations == Support::Rotations::pipe ? "pipe" : "averaged");
+    if (s.rotations != Support::Rotations::none || !s.ground.empty())
+      set(out, "Rotations",
+          s.rotations == Support::Rotations::pipe   ? "pipe"
+          : s.rotations == Support::Rotations::none ? "none"
+                                                    : "averaged");
     if (s.torsional_rigidity > 0.)
       set(out, "Torsion", "true");
     number(out, "Torsional rigidity", s.torsional_rigidity / (f * l * l));
