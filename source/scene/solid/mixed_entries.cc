@@ -34,12 +34,8 @@ void parse_mixed(const ParameterReader &in, Scene &scene) {
   for (const std::string &point : in.list("At"))
     scene.asked_points.push_back({solid_at, point});
   scene.solid.reach = in.number("Reach");
-  if (in.list("At").empty()) {
-    if (in.given("Reach") && scene.model != ModelKind::automatic)
-      in.fail("Reach", "no Reach without At: of a mixed model",
-              "At = all bends, or removing the entry");
+  if (in.list("At").empty())
     return;
-  }
   if (scene.model == ModelKind::solid || scene.model == ModelKind::continuum)
     in.fail("At", "no At with Model = " + std::string(row_of(model_kinds, scene.model).word),
             "Model = line, whose pipes are solid there");

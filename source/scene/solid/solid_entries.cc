@@ -278,7 +278,7 @@ void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
                             "use it.");
   in.enter("Solid");
   for (const char *entry : {"Degree", "Cells around", "Cells through", "Cells per bend",
-                            "First cell", "Longest cell", "Anchors", "Most unknowns"})
+                            "First cell", "Longest cell", "Anchors", "Most unknowns", "Reach"})
     if (in.given(entry)) {
       scene.remarks.push_back("Section Solid is not used with Model = " +
                               std::string(row_of(model_kinds, scene.model).word) + ".");
@@ -295,6 +295,9 @@ void check_solid(ParameterReader &in, Scene &scene) {
   if (scene.is_solid()) {
     SolidCheck(in, scene).all();
     remark_on_pairs(in, scene);
+    in.enter("Solid");
+    if (in.given("Reach"))
+      scene.remarks.push_back("Section Solid: its Reach is not used without At.");
   } else if (!is_mixed && scene.model != ModelKind::automatic)
     remark_on_solid_entries(in, scene);
 }
