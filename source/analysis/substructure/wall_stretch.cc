@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/substructure/wall_stretch.h"
 
+#include "analysis/algebra/elastic_system.h"
 #include "mesh/solid/wall_layout.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -116,12 +117,6 @@ ContinuumVector WallStretch::balanced(ContinuumVector forces, const Vector6 &res
   return forces;
 }
 
-void WallStretch::solve(std::vector<ContinuumVector> &fields) {
-  AssertThrow(system->solve_all(fields), ExcInternalError());
-  for (ContinuumVector &field : fields)
-    body.constraints.distribute(field);
-}
-
 Eigen::VectorXd WallStretch::relative(const ContinuumVector &displacement) const {
   Vector6 base = Vector6::Zero();
   if (!has_held_end())
@@ -177,10 +172,12 @@ void WallStretch::solve_fields(const std::vector<Vector6> &resultants) {
     of_loads[l] = balanced(std::move(of_loads[l]), resultants[l]);
   for (unsigned int p = 0; p < wall.patches.size(); ++p)
     of_rests.push_back(sections[wall.patches[p].vertex].pressure(wall, body, p));
-  system = make_condensed_system(body);
-  for (std::vector<ContinuumVector> *const fields : {&of_forces, &of_loads, &of_rests})
-    solve(*fields);
-  system.reset();
+  const std::unique_ptr<ContinuumSystem> system = make_condensed_system(body);
+  for (std::vector<ContinuumVector> *const fields : {&of_forces, &of_loads, &of_rests}) {
+    AssertThrow(system->solve_all(*fields), ExcInternalError());
+    for (ContinuumVector &field : *fields)
+      body.constraints.distribute(field);
+  }
 }
 
 Eigen::MatrixXd WallStretch::directions(const Eigen::MatrixXd &stiffness) const {
@@ -188,8 +185,8 @@ Eigen::MatrixXd WallStretch::directions(const Eigen::MatrixXd &stiffness) const 
   for (unsigned int p = 0; p < of_rests.size(); ++p) {
     const Eigen::VectorXd n = push(p), kn = stiffness * n;
     Eigen::VectorXd forces = stiffness * relative(of_rests[p]);
-    forces -=
-        n.dot(forces) / n.dot(kn) * kn; // its own section is where it is without force along n
+    // Its own section is taken to be where no force along n holds it.
+    forces -= n.dot(forces) / n.dot(kn) * kn;
     B += forces * n.transpose();
   }
   return B;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/algebra/elastic_system.h"
 #include "analysis/substructure/section_motion.h"
 #include "mesh/solid/solid_stretches.h"
 #include "model/body/wall_loads.h"
@@ -80,8 +79,6 @@ private:
   Matrix6 carried(const unsigned int section) const;
   /// Forces in balance: what is given, and the opposite of its resultant on the reference.
   ContinuumVector balanced(ContinuumVector forces, const Vector6 &resultant) const;
-  /// Displacements of forces, in their places.
-  void solve(std::vector<ContinuumVector> &fields);
   /// The fields of unit forces, loads and rests.
   void solve_fields(const std::vector<Vector6> &resultants);
   /// Resultants of the loads on cells about the reference.
@@ -102,7 +99,6 @@ private:
   std::vector<unsigned int> rings; ///< of the sections
   unsigned int reference = 0;      ///< among them
   std::vector<SectionMotion> sections;
-  std::unique_ptr<ContinuumSystem> system;
   /// Fields; of rests in the order of the wall's patches.
   std::vector<ContinuumVector> of_forces, of_loads, of_rests;
   Eigen::MatrixXd inverse;      ///< (B^T F B)^-1
