@@ -37,7 +37,7 @@ std::array<Vector3, 6> tractions(const double A, const double I, const Vector3 &
 
 SectionMotion::SectionMotion(const PipeWall &wall, const ContinuumBody<3> &body,
                              const unsigned int ring)
-    : centre(wall.rings[ring].centre) {
+    : centre(wall.rings[ring].centre), tangent(wall.rings[ring].tangent) {
   const WallRing &at = wall.rings[ring];
   const unsigned int layer = ring == 0 ? 0 : ring - 1, face = ring == 0 ? 4 : 5;
   const double A = wall.area(), I = wall.inertia();
@@ -103,9 +103,12 @@ ContinuumVector SectionMotion::pressure(const PipeWall &wall, const ContinuumBod
     values.reinit(cell, outside);
     cell->get_dof_indices(dofs);
     for (const unsigned int q : values.quadrature_point_indices()) {
+      const Vector3 arm = values.quadrature_point(q) - centre,
+                    across = arm - (arm * tangent) * tangent;
+      if (-inwards * across < wall.patches[patch].least_cosine() * across.norm())
+        continue;
       area += values.JxW(q);
-      moment +=
-          values.JxW(q) * cross_product_3d(Vector3(values.quadrature_point(q) - centre), inwards);
+      moment += values.JxW(q) * cross_product_3d(arm, inwards);
       for (unsigned int i = 0; i < dofs.size(); ++i)
         forces(dofs[i]) += values.JxW(q) * values.shape_value(i, q) *
                            inwards[body.fe.system_to_component_index(i).first];

@@ -32,6 +32,7 @@ public:
 
 private:
   Point3 centre;
+  Vector3 tangent;
   std::array<ContinuumVector, 6> columns;
 };
 

@@ -32,11 +32,8 @@ ContinuumContact contact_on(const Scene &scene, const Model &line, const PipeWal
   contact.part = patch.part;
   contact.law = support.law;
   contact.parameters = support.parameters_of(patch.site);
-  contact.patch = ContinuumPatch{{{axes.x, axes.z, axes.y}},
-                                 ring.centre,
-                                 ring.tangent,
-                                 patch.outward,
-                                 patch.is_collar ? -2. : std::cos(patch_half_arc * (1. + 1e-6))};
+  contact.patch = ContinuumPatch{
+      {{axes.x, axes.z, axes.y}}, ring.centre, ring.tangent, patch.outward, patch.least_cosine()};
   return contact;
 }
 

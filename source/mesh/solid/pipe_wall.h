@@ -30,6 +30,9 @@ struct WallPatch {
   Vector3 outward;           ///< unit, across the pipe, from its axis to the middle of the patch
 
   bool covers(const double s) const { return s >= from && s <= to; }
+  /// Of the angle between outward and what of the faces of its part belongs to it, for faces that
+  /// are cut by its edge are there as a whole.
+  double least_cosine() const { return is_collar ? -2. : std::cos(patch_half_arc * (1. + 1e-6)); }
 };
 
 /**
