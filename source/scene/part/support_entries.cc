@@ -111,11 +111,12 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
                     "Of the friction element. Rigidity over length is stiffness; with Rotations it "
                     "is the lever arm as well. Not given, it is 1 m in all units, and with Ground "
                     "the distance to that point.");
-  in.declare_choice("Rotations", Rotations::none, rotations,
-                    "Rotations of the pipe in the shear strain: none; averaged over the element "
-                    "(moment T l/2 on the pipe); the pipe's own (T l: contact at its surface, with "
-                    "Length its radius). Averaged, unless it is given, with Ground: nothing else "
-                    "carries the couple T l between two pipes.");
+  in.declare_choice(
+      "Rotations", Rotations::none, rotations,
+      "Rotations of the pipe in the shear strain: none; averaged over the element "
+      "(moment T l/2 on the pipe); the pipe's own (T l: contact at its surface, with "
+      "Length its radius). Averaged, unless it is given, with Ground and Kinematics = "
+      "linear: nothing else carries the couple T l between two pipes.");
   in.declare_flag("Torsion", false, "Torsional stiffness about the normal, from the law.");
   in.declare_number("Normal force", 0., "N", 0., 1e300,
                     "Of a platen that is pressed onto the pipe; 0: the ground stands still.");
@@ -229,13 +230,15 @@ void parse_ground(const ParameterReader &in, Scene &scene, FrictionSupport &supp
     support.length = 0.;
   if (on_pipe) {
     check_point(in, "Ground", support.ground, scene);
-    if (!in.given("Rotations"))
+    const bool may_turn = scene.kinematics == Kinematics::linear; // large ones know none
+    if (!in.given("Rotations") && may_turn)
       support.rotations = Rotations::averaged;
-    else if (support.rotations == Rotations::none && support.kind != "rod")
+    if (support.rotations == Rotations::none && support.kind != "rod" && support.kind != "snubber")
       scene.remarks.push_back("Support " + support.name +
                               ": with Rotations = none the couple of its friction T, T times the "
                               "distance to Ground, is on neither pipe, so that moments are not in "
-                              "balance: try averaged or pipe.");
+                              "balance: try " +
+                              (may_turn ? "averaged or pipe." : "Kinematics = linear."));
     const auto &points = support.placement.points;
     if (std::count(points.begin(), points.end(), support.ground) > 0)
       in.fail("Ground", "another point than those of At", "a point of another pipe");
