@@ -89,35 +89,49 @@ SectionMotion::Vector6 SectionMotion::motion(const ContinuumVector &displacement
 ContinuumVector SectionMotion::pressure(const PipeWall &wall, const ContinuumBody<3> &body,
                                         const unsigned int patch) const {
   constexpr unsigned int outside = 1, first_patch = 4; // face of a cell, part of the boundary
-  const Vector3 inwards = -wall.patches[patch].outward;
+  const WallPatch &at = wall.patches[patch];
   FEFaceValues<3> values(body.mapping, body.fe, QGauss<2>(body.fe.degree + 2),
                          update_values | update_quadrature_points | update_JxW_values);
-  ContinuumVector forces;
-  body.reinit(forces);
-  double area = 0.;
-  Vector3 moment;
   std::vector<types::global_dof_index> dofs(body.fe.n_dofs_per_cell());
+  const auto add = [&](const double weight, const Vector3 &direction, const unsigned int q,
+                       ContinuumVector &to) {
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      to(dofs[i]) +=
+          weight * values.shape_value(i, q) * direction[body.fe.system_to_component_index(i).first];
+  };
+  // What presses, and as much as it presses along the radius as an even push outwards.
+  ContinuumVector forces, widening;
+  body.reinit(forces);
+  body.reinit(widening);
+  double area = 0., along_radius = 0., ring_area = 0.;
+  Vector3 moment;
   for (const auto &cell : body.dof_handler.active_cell_iterators()) {
-    if (!cell->at_boundary(outside) || cell->face(outside)->boundary_id() != first_patch + patch)
+    const unsigned int layer = wall.layer_of(cell->index());
+    const double middle = 0.5 * (wall.rings[layer].s + wall.rings[layer + 1].s);
+    if (!cell->at_boundary(outside) || !at.covers(middle))
       continue;
+    const bool is_pressed = cell->face(outside)->boundary_id() == first_patch + patch;
     values.reinit(cell, outside);
     cell->get_dof_indices(dofs);
     for (const unsigned int q : values.quadrature_point_indices()) {
       const Vector3 arm = values.quadrature_point(q) - centre,
-                    across = arm - (arm * tangent) * tangent;
-      if (-inwards * across < wall.patches[patch].least_cosine() * across.norm())
+                    across = arm - (arm * tangent) * tangent, radius = across / across.norm();
+      ring_area += values.JxW(q);
+      add(values.JxW(q), radius, q, widening);
+      const double cosine = at.outward * radius;
+      if (!is_pressed || cosine < at.least_cosine())
         continue;
       area += values.JxW(q);
-      moment += values.JxW(q) * cross_product_3d(arm, inwards);
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        forces(dofs[i]) += values.JxW(q) * values.shape_value(i, q) *
-                           inwards[body.fe.system_to_component_index(i).first];
+      along_radius += values.JxW(q) * cosine;
+      moment -= values.JxW(q) * cross_product_3d(arm, at.outward);
+      add(-values.JxW(q), at.outward, q, forces);
     }
   }
   Assert(area > 0., ExcMessage("a patch without faces"));
+  forces.add(along_radius / ring_area, widening);
   forces /= area;
   for (unsigned int d = 0; d < 3; ++d)
-    forces.add(-inwards[d], columns[d], -moment[d] / area, columns[3 + d]);
+    forces.add(at.outward[d], columns[d], -moment[d] / area, columns[3 + d]);
   return forces;
 }
 

@@ -26,7 +26,9 @@ public:
   void add_forces(const Vector6 &forces, ContinuumVector &to) const;
   Vector6 motion(const ContinuumVector &displacement) const;
   /// Forces in balance: a unit force as a pressure on a patch of the wall, inwards, less the same
-  /// on this section.
+  /// on this section and less what of it acts along the radius, spread evenly round the pipe. They
+  /// do work on how the patch moves into the wall beside the section and beside what the wall
+  /// widens by, as it does by heat and pressure.
   ContinuumVector pressure(const PipeWall &wall, const ContinuumBody<3> &body,
                            const unsigned int patch) const;
 

@@ -172,12 +172,17 @@ void WallStretch::solve_fields(const std::vector<Vector6> &resultants) {
     of_loads[l] = balanced(std::move(of_loads[l]), resultants[l]);
   for (unsigned int p = 0; p < wall.patches.size(); ++p)
     of_rests.push_back(sections[wall.patches[p].vertex].pressure(wall, body, p));
+  const std::vector<ContinuumVector> presses = of_rests;
   const std::unique_ptr<ContinuumSystem> system = make_condensed_system(body);
   for (std::vector<ContinuumVector> *const fields : {&of_forces, &of_loads, &of_rests}) {
     AssertThrow(system->solve_all(*fields), ExcInternalError());
     for (ContinuumVector &field : *fields)
       body.constraints.distribute(field);
   }
+  rest_motions.resize(presses.size(), of_loads.size());
+  for (unsigned int p = 0; p < presses.size(); ++p)
+    for (unsigned int l = 0; l < of_loads.size(); ++l)
+      rest_motions(p, l) = presses[p] * of_loads[l];
 }
 
 Eigen::MatrixXd WallStretch::directions(const Eigen::MatrixXd &stiffness) const {
@@ -217,7 +222,9 @@ SolidPart WallStretch::superelement() {
                         B = directions(stiffness), G = relation();
   inverse = inverse_of(B.transpose() * F * B);
   part.stiffness = G.transpose() * inverse * G;
-  free_motions = B.transpose() * relative(of_loads);
+  free_motions = relative(of_loads);
+  for (unsigned int p = 0; p < of_rests.size(); ++p)
+    free_motions += push(p) * rest_motions.row(p);
   for (unsigned int l = 0; l < of_loads.size(); ++l) {
     Eigen::VectorXd on_sections = G.transpose() * (inverse * free_motions.col(l));
     on_sections.segment<6>(6 * reference) += on_reference[l];

@@ -43,6 +43,9 @@ private:
  * and positive still. Left out is how the wall gives way under the rest while no section moves, as
  * it is under the line's other rests; so e is taken along n of the rest's own section to be what no
  * force there belongs to.
+ * Loads move the patch beside the section, too, by d, the work of P - W n on their field, and so
+ * the line's motion along n is n.q + (F^-1 e).(q - U x) + d x, U x being the sections' motions.
+ * Widening is left out of P, e and d, as the line's other rests do not know it.
  */
 class WallStretch {
 public:
@@ -102,7 +105,8 @@ private:
   /// Fields; of rests in the order of the wall's patches.
   std::vector<ContinuumVector> of_forces, of_loads, of_rests;
   Eigen::MatrixXd inverse;      ///< (B^T F B)^-1
-  Eigen::MatrixXd free_motions; ///< B^T times relative ones, of each load (columns)
+  Eigen::MatrixXd rest_motions; ///< d of each rest (rows) by each load
+  Eigen::MatrixXd free_motions; ///< relative ones of each load (columns), those of rests with d
 };
 
 } // namespace frictionbeam
