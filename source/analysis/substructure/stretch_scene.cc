@@ -2,6 +2,7 @@
 #include "analysis/substructure/wall_stretch.h"
 
 #include "mesh/solid/patch_layout.h"
+#include "model/line/point_loads.h"
 #include "scene/support_pair.h"
 
 #include <algorithm>
@@ -96,6 +97,12 @@ StretchScene::StretchScene(const Scene &whole, const LineMesh &of, const SolidSt
     vertices.push_back(meshed.vertices[i]);
   }
   line.pipes = {chain};
+  for (const Load &load : whole.loads) {
+    at_sections.push_back(std::vector<Motion>(vertices.size(), Motion{}));
+    for (const auto &[vertex, force] : point_loads(whole, of, load))
+      if (const auto at = std::find(vertices.begin(), vertices.end(), vertex); at != vertices.end())
+        at_sections.back()[at - vertices.begin()] = force;
+  }
   add_rests(whole, of, stretch);
 }
 

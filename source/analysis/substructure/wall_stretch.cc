@@ -146,6 +146,18 @@ Eigen::VectorXd WallStretch::push(const unsigned int rest) const {
   return result;
 }
 
+Eigen::MatrixXd WallStretch::on_sections() const {
+  const unsigned int n_loads = of_rests.empty() ? 0 : own.at_sections.size();
+  Eigen::MatrixXd result(6 * (sections.size() - 1), n_loads);
+  for (unsigned int l = 0; l < n_loads; ++l)
+    for (unsigned int i = 0, row = 0; i < sections.size(); ++i)
+      if (i != reference) {
+        result.block<6, 1>(row, l) = Eigen::Map<const Vector6>(own.at_sections[l][i].data());
+        row += 6;
+      }
+  return result;
+}
+
 Eigen::MatrixXd WallStretch::relation() const {
   const unsigned int n = sections.size();
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(6 * (n - 1), 6 * n);
@@ -225,10 +237,15 @@ SolidPart WallStretch::superelement() {
   free_motions = relative(of_loads);
   for (unsigned int p = 0; p < of_rests.size(); ++p)
     free_motions += push(p) * rest_motions.row(p);
+  point_forces = on_sections();
+  if (point_forces.cols() > 0)
+    free_motions += B.transpose() * F * point_forces;
   for (unsigned int l = 0; l < of_loads.size(); ++l) {
-    Eigen::VectorXd on_sections = G.transpose() * (inverse * free_motions.col(l));
-    on_sections.segment<6>(6 * reference) += on_reference[l];
-    part.forces.push_back(on_sections);
+    Eigen::VectorXd patches = inverse * free_motions.col(l);
+    if (point_forces.cols() > 0)
+      patches -= point_forces.col(l);
+    part.forces.push_back(G.transpose() * patches);
+    part.forces.back().segment<6>(6 * reference) += on_reference[l];
   }
   return part;
 }
@@ -236,7 +253,10 @@ SolidPart WallStretch::superelement() {
 ContinuumVector WallStretch::displacement(const Eigen::VectorXd &motions,
                                           const std::vector<double> &factors) const {
   const Eigen::Map<const Eigen::VectorXd> x(factors.data(), factors.size());
-  const Eigen::VectorXd amplitudes = inverse * (relation() * motions - free_motions * x);
+  const Eigen::VectorXd pushes = inverse * (relation() * motions - free_motions * x);
+  Eigen::VectorXd amplitudes = pushes;
+  if (point_forces.cols() > 0)
+    amplitudes += point_forces * x;
   ContinuumVector field;
   body.reinit(field);
   for (unsigned int k = 0; k < of_forces.size(); ++k)
@@ -244,7 +264,7 @@ ContinuumVector WallStretch::displacement(const Eigen::VectorXd &motions,
   for (unsigned int l = 0; l < of_loads.size(); ++l)
     field.add(factors[l], of_loads[l]);
   for (unsigned int p = 0; p < of_rests.size(); ++p)
-    field.add(push(p).dot(amplitudes), of_rests[p]);
+    field.add(push(p).dot(pushes), of_rests[p]);
   Vector6 rigid = motions.segment<6>(6 * reference);
   if (!has_held_end())
     rigid -= sections[reference].motion(field);

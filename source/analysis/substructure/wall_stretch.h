@@ -19,6 +19,9 @@ struct StretchScene {
   LineMesh line;
   std::vector<unsigned int> vertices; ///< of the whole line
   unsigned int first_cell = 0;        ///< of the whole pipe
+  /// Forces and moments at points of each load at factor one, which act on the sections there: by
+  /// load and vertex.
+  std::vector<std::vector<Motion>> at_sections;
   /// Rests beside the stretch that bends would feel, and the Solid/Reach that takes them in.
   std::vector<std::string> near_rests;
   double wanted_reach = 0.;
@@ -45,6 +48,8 @@ private:
  * force there belongs to.
  * Loads move the patch beside the section, too, by d, the work of P - W n on their field, and so
  * the line's motion along n is n.q + (F^-1 e).(q - U x) + d x, U x being the sections' motions.
+ * Forces p at points act on sections, not on patches, though the line puts them on the same motion:
+ * U gets F p and the line p less, which is the same without rests.
  * Widening is left out of P, e and d, as the line's other rests do not know it.
  */
 class WallStretch {
@@ -82,6 +87,8 @@ private:
   Matrix6 carried(const unsigned int section) const;
   /// Forces in balance: what is given, and the opposite of its resultant on the reference.
   ContinuumVector balanced(ContinuumVector forces, const Vector6 &resultant) const;
+  /// Forces at points that act on sections, among those of unit forces: columns, one each load.
+  Eigen::MatrixXd on_sections() const;
   /// The fields of unit forces, loads and rests.
   void solve_fields(const std::vector<Vector6> &resultants);
   /// Resultants of the loads on cells about the reference.
@@ -105,6 +112,7 @@ private:
   /// Fields; of rests in the order of the wall's patches.
   std::vector<ContinuumVector> of_forces, of_loads, of_rests;
   Eigen::MatrixXd inverse;      ///< (B^T F B)^-1
+  Eigen::MatrixXd point_forces; ///< p of each load (columns); none without rests
   Eigen::MatrixXd rest_motions; ///< d of each rest (rows) by each load
   Eigen::MatrixXd free_motions; ///< relative ones of each load (columns), those of rests with d
 };

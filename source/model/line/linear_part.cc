@@ -4,6 +4,7 @@
 #include "base/user_error.h"
 #include "model/line/modal_damping.h"
 #include "model/line/pipe_element.h"
+#include "model/line/point_loads.h"
 #include "model/line/spring_extension.h"
 #include "model/unknowns/couplings.h"
 
@@ -177,15 +178,7 @@ void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
                                   const Discretization &discretization, const ReducedSpace &space) {
   for (unsigned int l = 0; l < scene.loads.size(); ++l) {
     const Load &load = scene.loads[l];
-    if (load.kind == Load::Kind::force)
-      for (const Load::AtPoint &at : load.at)
-        for (unsigned int c = 0; c < 6; ++c)
-          nodal_loads[l][mesh.points.at(at.point)][c] += at.value[c];
-    if (load.kind == Load::Kind::weight)
-      for (const PointMass &mass : scene.masses)
-        for (const std::string &point : mass.points)
-          for (unsigned int d = 0; d < 3; ++d)
-            nodal_loads[l][mesh.points.at(point)][d] += mass.mass * load.vector[d];
+    nodal_loads[l] = point_loads(scene, mesh, load);
     for (const auto &[vertex, force] : nodal_loads[l])
       for (unsigned int c = 0; c < 6; ++c) {
         const auto dof = discretization.vertex_dofs().index(vertex, c);
