@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/bend_models.h"
 #include "accuracy/bend_flexibility_table.h"
-#include "accuracy/difference.h"
+#include "accuracy/pipes/bend_variants.h"
 
 #include "base/processes.h"
-#include "mesh/pipe_of_each_bend.h"
 #include "mesh/places_on_pipe.h"
 #include "mesh/solid/solid_stretches.h"
 #include "model/unknowns/discretization.h"
@@ -13,8 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 
 namespace frictionbeam::accuracy {
 
@@ -89,6 +86,12 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
                      {neighbours.at(room.pipe, room.to), room.to - bend.start - bend.length}}};
   const double diameter = 2. * section.outer_radius;
   model.tangent = std::min(model.tangents[0].length, model.tangents[1].length) / diameter;
+  model.ends = {{bend.begin, bend.end}};
+  // Measured: r/t = 10 to 40, R/r = 3 to 10, nu = 0 to 0.45 (doc/solid.md, "Pressure in bends").
+  constexpr double of_bending = 0.45;
+  model.more_turn = of_bending * r * r / (bend.radius * bend.radius);
+  model.turn_by_pressure = r * section.inertia / (2. * section.wall * bend.radius) *
+                           cross_product_3d(bend.inward, bend.first_tangent);
   const BendRatios ratios = ratios_of_walls({model.h, bend.radius / r, model.angle, model.tangent});
   model.by_rule = bend_flexibility(pipe, section, scene.materials[pipe.material], bend.radius);
   model.in_plane = flexibility_of_wall(scene, pipe, model.h, bend.radius, ratios.in_plane);
@@ -116,95 +119,6 @@ std::string in_words(const BendModel &bend) {
          ") times as a solid by doc/solid.md";
 }
 
-using Flexibility = double BendModel::*;
-
-/// How far the rule of a bend may be off.
-double error(const BendModel &bend, const Flexibility by) {
-  return std::abs(std::log(bend.*by / bend.by_rule)) + bend.off;
-}
-
-/// That of the wall, or as much further from the rule as it may be off.
-double furthest(const BendModel &bend, const Flexibility by) {
-  return bend.*by < bend.by_rule ? bend.*by * std::exp(-bend.off) : bend.*by * std::exp(bend.off);
-}
-
-/// The scene with some of its bends as flexible as walls.
-class Variants {
-public:
-  using Bends = std::vector<const BendModel *>;
-
-  Variants(const Scene &whole, const Results &beams, const BendModels &models, const SolveAs &solve)
-      : scene(whole), beams(beams), solve(solve) {
-    for (unsigned int p = 0; p < whole.pipes.size(); ++p)
-      pieces.push_back({p});
-    bool has_several = false;
-    for (const BendModel &bend : models.judged)
-      has_several = ++n_bends[bend.pipe] > 1 || has_several;
-    if (has_several)
-      cut_pipes(whole);
-  }
-
-  /// Whether a bend has a flexibility of its own, and not one of its pipe.
-  bool is_alone(const BendModel &bend) const {
-    return pieces[bend.pipe].size() > 1 || n_bends.at(bend.pipe) == 1;
-  }
-
-  /// What walls change in the quantities.
-  Difference change(const Bends &walls, const Flexibility by, const std::string &what) const {
-    return between(beams, solve(with(walls, by, 1.), what));
-  }
-
-  /// What walls change that are off by a part, per part.
-  double change_per_part(const Bends &walls) const {
-    constexpr double part = 0.1;
-    const std::string what = "solid bends as flexible as their walls";
-    const Results now = solve(with(walls, &BendModel::in_plane, 1.), what),
-                  off = solve(with(walls, &BendModel::in_plane, 1. + part),
-                              what + ", and " + rounded_number(100. * part, 2) + " % more");
-    return between(off, now).value / part;
-  }
-
-private:
-  /// Each bend a pipe, if the line stays the same.
-  void cut_pipes(const Scene &whole) {
-    constexpr double same = 1e-6;
-    std::vector<unsigned int> owner;
-    Scene cut = with_pipe_of_each_bend(whole, owner);
-    if (!(between(solve(cut, "each bend a pipe of its own"), beams).value <= same))
-      return;
-    scene = std::move(cut);
-    pieces.assign(whole.pipes.size(), {});
-    for (unsigned int p = 0; p < owner.size(); ++p)
-      pieces[owner[p]].push_back(p);
-  }
-  /// A pipe has one flexibility, that of the bend that its rule misses most.
-  Scene with(const Bends &walls, const Flexibility by, const double times) const {
-    std::map<unsigned int, const BendModel *> worst;
-    for (const BendModel *const wall : walls) {
-      const std::vector<unsigned int> &pipes = pieces[wall->pipe];
-      const BendModel *&of_pipe = worst[pipes.size() > 1 ? pipes[wall->number] : pipes.front()];
-      if (of_pipe == nullptr || error(*wall, by) > error(*of_pipe, by))
-        of_pipe = wall;
-    }
-    Scene variant = scene;
-    for (const auto &[pipe, wall] : worst)
-      variant.pipes[pipe].bend_flexibility = {BendFlexibility::Rule::given,
-                                              times * furthest(*wall, by)};
-    return variant;
-  }
-  Difference between(const Results &coarse, const Results &fine) const {
-    if (coarse.status != RunStatus::converged || fine.status != RunStatus::converged)
-      return {std::numeric_limits<double>::infinity(), "equilibrium"};
-    return largest(differences(scene, coarse, fine));
-  }
-
-  Scene scene;                                   ///< in which bends are pipes, if that may be
-  std::map<unsigned int, unsigned int> n_bends;  ///< judged ones of each pipe
-  std::vector<std::vector<unsigned int>> pieces; ///< of each pipe of the whole scene
-  const Results &beams;
-  const SolveAs &solve;
-};
-
 /// A bend, and what a quantity changes by if it alone is as flexible as its wall.
 struct Alone {
   const BendModel *bend;
@@ -214,14 +128,14 @@ struct Alone {
 
 /// Make as few solid as leave no more than a tolerance by the others together.
 /// @return what they leave
-double choose_solids(const Variants &variants, const double tolerance, const double all,
+double choose_solids(const BendVariants &variants, const double tolerance, const double all,
                      std::vector<Alone> &bends) {
   std::stable_sort(bends.begin(), bends.end(),
                    [](const Alone &a, const Alone &b) { return a.change.value > b.change.value; });
   double left = all;
   for (std::size_t n = 1; n <= bends.size() && left > tolerance; ++n) {
     bends[n - 1].is_solid = true;
-    Variants::Bends others;
+    BendVariants::Bends others;
     for (std::size_t i = n; i < bends.size(); ++i)
       others.push_back(bends[i].bend);
     const std::string what = "bends but " + std::to_string(n) + " as flexible as walls";
@@ -270,8 +184,9 @@ double error_of_joint(const Alone &bend, const std::vector<Alone> &all) {
 }
 
 /// The bends that are to be solid, and what they leave.
-void take_solids(const Variants &variants, const std::vector<Alone> &bends, ModelOfPipes &answer) {
-  Variants::Bends solid;
+void take_solids(const BendVariants &variants, const std::vector<Alone> &bends,
+                 ModelOfPipes &answer) {
+  BendVariants::Bends solid;
   for (const Alone &one : bends)
     if (one.is_solid) {
       solid.push_back(one.bend);
@@ -343,7 +258,7 @@ ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const doub
     answer.reason = "no bend of the scene can be a solid";
     return answer;
   }
-  const Variants variants(scene, beams, models, solve);
+  const BendVariants variants(scene, beams, models, solve);
   std::vector<const BendModel *> all;
   for (const BendModel &bend : models.judged)
     all.push_back(&bend);

@@ -30,7 +30,12 @@ struct BendModel {
   /// plane and across it of a solid wall (ratios_of_walls(); von Karman's excess over one scaled
   /// for h > 1).
   double by_rule = 1., in_plane = 1., across = 1.;
-  double off = 0.;        ///< part that the last two may be off
+  double off = 0.; ///< part that the last two may be off
+  std::array<Point3, 2> ends;
+  /// What the line turns by pressure, as moments per flexibility and pressure: I times a curvature,
+  /// E left out, for it is in both [m3]; and the part of it by which a wall turns more.
+  Vector3 turn_by_pressure;
+  double more_turn = 0.;
   double stiffening = 1.; ///< by pressure, in all three, which no solid part has
 };
 

@@ -86,7 +86,7 @@ std::optional<WallAtSupport> wall_under(const Scene &scene, const std::vector<Pi
     wall->softer = 4. / 3.;
     wall->stiffer =
         stiffer_near_anchors(scene, paths[p], 2. * section.outer_radius, support.placement);
-    wall->strains = free_strains(scene, pipe);
+    wall->strains = hoop_strains(scene, pipe);
     wall->slides_outside = support.rotations == FrictionSupport::Rotations::none;
   }
   return wall;
@@ -166,13 +166,21 @@ double value_at(const Growth &growth, const double time) {
 
 } // namespace
 
-std::vector<double> free_strains(const Scene &scene, const Pipe &pipe) {
+std::vector<double> hoop_strains(const Scene &scene, const Pipe &pipe) {
+  const Section &section = scene.sections[pipe.section];
+  const Material &material = scene.materials[pipe.material];
+  const double by_pressure = ((section.outer_radius - section.wall / 2.) / section.wall -
+                              material.poissons_ratio * section.bore_area() / section.area) /
+                             material.youngs_modulus;
   std::vector<double> strains;
-  for (const Load &load : scene.loads)
-    strains.push_back(load.kind == Load::Kind::temperature && load.is_on(pipe.name)
-                          ? scene.materials[pipe.material].thermal_strain(
-                                load.installation, load.installation + load.value)
-                          : 0.);
+  for (const Load &load : scene.loads) {
+    const bool acts = load.is_on(pipe.name);
+    strains.push_back(
+        acts && load.kind == Load::Kind::temperature
+            ? material.thermal_strain(load.installation, load.installation + load.value)
+        : acts && load.kind == Load::Kind::pressure ? load.value * by_pressure
+                                                    : 0.);
+  }
   return strains;
 }
 

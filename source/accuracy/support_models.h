@@ -5,8 +5,9 @@
 
 namespace frictionbeam::accuracy {
 
-/// Free strain of a pipe by each load of the scene.
-std::vector<double> free_strains(const Scene &scene, const Pipe &pipe);
+/// What a pipe's circumference grows by by each load of the scene, nothing holding it: heat, and
+/// pressure with the thrust of closed ends, p r/(E t) - nu p A_bore/(E A), r the mean radius.
+std::vector<double> hoop_strains(const Scene &scene, const Pipe &pipe);
 /// What of it there is at the end of a step.
 double strain_in(const Scene &scene, const std::vector<double> &strains, const Frame &frame);
 
@@ -15,7 +16,7 @@ struct WallAtSupport {
   unsigned int support = 0;    ///< in Scene::supports
   double stiffness = 0.;       ///< of the wall [N/m]
   double radius = 0.;          ///< outer, of the pipe [m]
-  std::vector<double> strains; ///< free strain of its pipe by each load of the scene
+  std::vector<double> strains; ///< hoop_strains() of its pipe
   /// By how many times the wall may be softer or stiffer than that; what holds the section round
   /// nearby stiffens it.
   double softer = 1., stiffer = 1.;

@@ -132,11 +132,9 @@ MemberLoad Frame::load_on(const Member &member, const std::vector<Real> &factors
       sum.strain += stretch;
       sum.pressure += factors[l] * load.value;
       const double R = member.curve.radius, r = f.radius - f.wall / 2.;
-      if (R > 0.) // Bourdon: MEL 10-66, eq. 3-29, less what stretching does to 1/R
-        sum.curvature +=
-            stretch / R - factors[l] * load.value * pi * std::pow(r, 4) /
-                              (2. * modulus(material) * f.inertia * (pipe.rigid ? 1000. : 1.)) *
-                              (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (R * R)) / R;
+      if (R > 0.) // Bourdon, by membrane theory of the torus
+        sum.curvature -= factors[l] * load.value * r /
+                         (2. * modulus(material) * f.wall * (pipe.rigid ? 1000. : 1.) * R);
     }
   }
   return sum;

@@ -222,7 +222,7 @@ private:
     const bool is_held = scene.solid.anchors == SolidSettings::Anchors::held;
     const double unsheared = (is_held ? 0.7 : 0.3) * wall.t, length = wall.length_of_bending(),
                  way = place.after > place.before ? 1. : -1.;
-    const std::vector<double> strains = free_strains(scene, pipe);
+    const std::vector<double> strains = hoop_strains(scene, pipe);
     const std::string point = add_point(position);
     in_each_step([&](const Frame &frame) {
       const Forces forces = forces_at(frame, place, position);

@@ -18,7 +18,8 @@ enum class HeldAs { sections, rings };
  * - The force R of a guide bends the ring that it acts on, whose mean moves by
  *   R sqrt(r/t) (1 - 1.6 t/r) 0.051/(E t), and turns the pipe behind it by nu r^2/2 R/(E I).
  * - An anchor that holds the radius, too (Solid/Anchors = held), is as if nu^2/B of the pipe did
- *   not bend, and heat and N move what is beyond it by nu (alpha dT - nu N/(E A))/B along the pipe.
+ *   not bend, and what the wall would widen by, e by heat and pressure, moves what is beyond it by
+ *   nu (e - nu N/(E A))/B along the pipe.
  * - The wall at an anchor does not shear over 0.3 t, or 0.7 t if it holds the radius (measured).
  * Straight pipes only; anchors at ends of pipes; no place where a
  * support with friction or a gap stands, too.

@@ -55,6 +55,25 @@ double disagreement(const WallStretch &wall, const SolidPart &part, const Frame 
   return difference / largest;
 }
 
+/// Quantities that are stresses of a beam's wall where the wall is a solid.
+std::vector<std::string> nominal_stresses(const Scene &scene, const Results &results,
+                                          const std::vector<SolidPart> &parts) {
+  const auto is_in_a_part = [&](const std::string &where) {
+    return std::any_of(results.points.begin(), results.points.end(), [&](const PointInfo &point) {
+      return point.name == where &&
+             std::any_of(parts.begin(), parts.end(), [&](const SolidPart &part) {
+               return std::count(part.vertices.begin(), part.vertices.end(), point.vertex) > 0;
+             });
+    });
+  };
+  std::vector<std::string> names;
+  for (const Quantity &quantity : scene.quantities)
+    if (quantity.is(QuantityKind::Of::fibre) && quantity.kind().unit == std::string("Pa") &&
+        (quantity.where.empty() || is_in_a_part(quantity.where)))
+      names.push_back(quantity.name);
+  return names;
+}
+
 } // namespace
 
 MixedWalls::MixedWalls(const Scene &scene, const LineMesh &mesh) : scene(scene) {
@@ -195,6 +214,11 @@ void MixedWalls::report(const LoadSequence &sequence, Results &results) {
                                       "is cut, whose free end gives way too far (a larger "
                                       "Solid/Reach takes them in)."
                                     : "."));
+  if (const auto nominal = nominal_stresses(scene, results, parts); !nominal.empty())
+    results.remarks.push_back(
+        frictionbeam::join(nominal) + (nominal.size() == 1 ? " is" : " are") +
+        " by the section forces of a beam, without what ovalizes and bends the solid wall there: "
+        "largest_wall_stress and wall.csv have its stress.");
   const double Pa = scene.units.factor("Pa");
   results.quantities.push_back({"largest_ovality", "-", "", ovality, {}, {}});
   results.quantities.push_back(

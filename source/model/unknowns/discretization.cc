@@ -145,14 +145,11 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
     *rigidity *= stiffer;
   profile.pressure_strain /= stiffer;
   if (bend.arc_centre) {
-    // The Bourdon effect: pressure straightens a bend (MEL 10-66, eq. 3-29). The change of
-    // curvature holds what stretching alone does to 1/R, at an angle that stays the same.
-    const double r = section.outer_radius - section.wall / 2., nu = material.poissons_ratio;
+    // The Bourdon effect: pressure opens a bend by p r/(2 E t) of its angle, for membrane forces
+    // stretch a torus without a jump at its crowns then and only then (doc/theory.md).
+    const double r = section.outer_radius - section.wall / 2.;
     if (section.wall > 0.)
-      profile.pressure_curvature =
-          -numbers::PI * r * r * r * r / (2. * stiffer * E * section.inertia) *
-              (2. - 2. * nu + (3. + 1.5 * nu) * r * r / (bend.radius * bend.radius)) / bend.radius +
-          profile.pressure_strain / bend.radius;
+      profile.pressure_curvature = -r / (2. * stiffer * E * section.wall * bend.radius);
     profile.arc_centre = bend.arc_centre;
   }
   profile.bore_area = section.bore_area();

@@ -88,8 +88,8 @@ private:
     in.enter("");
     in.fail_section("subsection " + kind + " " + parts.front().name,
                     "no " + kind + " with Model = " + model() +
-                        ": a solid pipe knows routes, anchors, weight, temperature, pressure, line "
-                        "forces and forces at points",
+                        ": a solid pipe knows routes, anchors and other restraints, rests, guides, "
+                        "stops, weight, temperature, pressure, line forces and forces at points",
                     "Model = line");
   }
 
@@ -138,7 +138,7 @@ void SolidCheck::check_settings() {
 }
 
 void SolidCheck::check_parts() {
-  refuse_parts(scene.springs, "Spring"); // hangers are springs as well
+  refuse_parts(scene.springs, "Spring or Hanger");
   refuse_parts(scene.hangers, "Hanger");
   refuse_parts(scene.masses, "Mass");
   refuse_parts(scene.joints, "Joint");

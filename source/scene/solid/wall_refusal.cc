@@ -12,6 +12,13 @@ std::optional<WallRefusal> wall_refusal(const Scene &scene, const Pipe &pipe,
   if (section.wall == 0.)
     return WallRefusal{of_section, "Wall", "section '" + section.name + "' by its area and inertia",
                        "an Outer diameter and a Wall", "Outer diameter and Wall"};
+  if (section.wall >= section.outer_radius)
+    return WallRefusal{of_section, "Wall", "a Wall of half the diameter", "a Wall with a bore",
+                       "a smaller Wall"};
+  const Material &material = scene.materials[pipe.material];
+  if (material.poissons_ratio >= 0.5)
+    return WallRefusal{"Material " + material.name, "Poisson's ratio", "Poisson's ratio = 0.5",
+                       "less than 0.5 of a solid, whose volume could not change else,", "0.499"};
   if (pipe.end_section)
     return WallRefusal{of_pipe, "End section", "a reducer", "one Section all along",
                        "one Section all along"};
