@@ -11,12 +11,15 @@ namespace {
 
 /// Of what a branch holds, beside the body's stiffness: c of the proximal law.
 constexpr double stiffness_of_branch = 1e6;
-/// The same of the step that comes before all others where no front is sought.
-constexpr double stiffness_of_approach = 3e-2;
+/// The same of the step that comes before all others where no front is sought, around forces or
+/// none.
+constexpr double stiffness_of_approach = 3e-2, stiffness_from_no_forces = 1e-2;
 /// Steps in all, and in a row without half as many changes as ever before.
 constexpr unsigned int most_predictions = 20, most_steps_in_vain = 2;
 constexpr unsigned int fewest_contacts = 100; ///< that a front is worth being sought among
-constexpr unsigned int most_to_finish = 15, most_doublings_of_pause = 6;
+constexpr unsigned int most_to_finish = 15, most_of_few = 30, most_doublings_of_pause = 6;
+/// Of the energy in a step from there. With 1, steps are cut short at kinks, and 4 cycles.
+constexpr double most_rise_of_few = 2.;
 
 /// Where forces alone tell it.
 ContactStatus branch_by_forces(const Check::Point &point) {
@@ -189,18 +192,18 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
 Outcome ActiveSet::solve_few(const bool is_first, const double factor, Vector &x,
                              Response &response, Result &result) {
   // In motion states hardly change from step to step, and factors are kept.
-  const auto is_pressed = [](const Strains &stress) { return stress[0] != 0.; };
-  if (equations.is_in_motion() ||
-      std::none_of(proximal.centre.begin(), proximal.centre.end(), is_pressed))
+  if (equations.is_in_motion())
     return Outcome::stalled;
+  const bool has_forces = std::any_of(proximal.centre.begin(), proximal.centre.end(),
+                                      [](const Strains &stress) { return stress[0] != 0.; });
   const std::vector<Strains> centre = proximal.centre;
   if (is_first && kept.motion.size() == x.size())
     x = kept.motion;
-  proximal.stiffness_factor = stiffness_of_approach;
+  proximal.stiffness_factor = has_forces ? stiffness_of_approach : stiffness_from_no_forces;
   Outcome outcome = Outcome::stalled;
   if (newton.approach(x, response, result)) {
     proximal.stiffness_factor = factor;
-    outcome = newton.solve_together(most_to_finish, x, response, result);
+    outcome = newton.solve_together(most_of_few, x, response, result, 0., most_rise_of_few);
   }
   if (outcome == Outcome::solved && !equations.is_held(response, result))
     outcome = Outcome::stalled;

@@ -192,7 +192,8 @@ void Newton::eliminate_centre(Response &response, std::vector<Strains> &step) co
 }
 
 Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Response &response,
-                               Result &result, const double nothing_to_gain) {
+                               Result &result, const double nothing_to_gain,
+                               const double most_rise) {
   std::vector<Strains> step(contacts.size());
   equations.evaluate(x, response);
   double before = equations.energy_together(response);
@@ -273,7 +274,7 @@ Outcome Newton::solve_together(const unsigned int most_iterations, Vector &x, Re
       equations.evaluate_on_step(length, x, response);
       return equations.energy_together(response);
     };
-    before = take_step_of_both(go, before, stalls);
+    before = take_step_of_both(go, most_rise * before, stalls);
   }
 }
 

@@ -34,9 +34,12 @@ public:
    * contact by contact. The line search is on the energy
    * (g - S x - H^T r)^2 / diag S + (R - r)^2 / (c k_d).
    * @param nothing_to_gain forces that x and the centre leave by rounding and are not worth a step
+   * @param most_rise of that energy in a step: above 1, kinks are crossed that a step must else be
+   * cut short for, and more iterations may cycle
    */
   Outcome solve_together(const unsigned int most_iterations, Vector &x, Response &response,
-                         Result &result, const double nothing_to_gain = 0.);
+                         Result &result, const double nothing_to_gain = 0.,
+                         const double most_rise = 1.);
 
   /// Whether solve_together() stalled at a solution of the contact laws because of rounding, which
   /// is too large beside the forces to be excused.
