@@ -326,6 +326,7 @@ Vector CondensedParts::condense(const Vector &forces) const {
 }
 
 Vector CondensedParts::expand(const Vector &kept_unknowns, const Vector &forces) const {
+  const bool has_forces = !forces.isZero(0.);
   Vector result(place_of.size());
   for (unsigned int k = 0; k < kept.size(); ++k)
     result[kept[k]] = kept_unknowns[k];
@@ -333,8 +334,10 @@ Vector CondensedParts::expand(const Vector &kept_unknowns, const Vector &forces)
     Vector border(part.border.size());
     for (std::size_t b = 0; b < part.border.size(); ++b)
       border[b] = kept_unknowns[part.border[b]];
-    const Vector motion =
-        part.factors->solve(part.inner(forces) - part.factors->to_border * border);
+    const Factors &of_part = *part.factors;
+    const Vector motion = has_forces || of_part.cholesky
+                              ? of_part.solve(part.inner(forces) - of_part.to_border * border)
+                              : Vector(-(of_part.influence * border));
     if (part.in_one_run)
       result.segment(part.inside.front(), part.inside.size()) = motion;
     else

@@ -8,7 +8,7 @@
 namespace frictionbeam {
 
 CondensedLine::CondensedLine(const Model &model)
-    : model(model), K(model.linear.stiffness()),
+    : model(model), K(model.linear.stiffness()), without_zeros(K.pruned()), diagonal(K.diagonal()),
       line(contact::condense_parts(K, ExactMethod::kept_unknowns(model.contacts))),
       S(line->matrix()), values(S.nonZeros()) {
   for (int u = 0; u < line->n_unknowns(); ++u)
@@ -26,7 +26,7 @@ CondensedLine::CondensedLine(const Model &model)
     all[k] = k;
   solver = std::make_unique<contact::ExactSolver>(
       ExactMethod::settings_of(model.scene.solver), contact::SiteList(sites),
-      contact::condense_parts(S, all), kept_of(K.diagonal()));
+      contact::condense_parts(S, all), kept_of(diagonal));
   fresh = solver->warm_start();
 }
 
@@ -99,8 +99,15 @@ void CondensedLine::condense_stiffness() {
     for (const int j : group)
       is_in_group[j] = false;
   }
-  for (std::size_t p = 0; p < values.size(); ++p)
-    S.valuePtr()[p] = static_cast<double>(values[p]);
+  for (int row = 0; row < S.rows(); ++row) {
+    first_used.push_back(used.size());
+    for (int p = S.outerIndexPtr()[row]; p < S.outerIndexPtr()[row + 1]; ++p)
+      if (S.valuePtr()[p] != 0.) { // else directions that have nothing to do with each other
+        used.push_back(p);
+        S.valuePtr()[p] = static_cast<double>(values[p]);
+      }
+  }
+  first_used.push_back(used.size());
 }
 
 void CondensedLine::condense_loads() {
@@ -137,8 +144,8 @@ EquilibriumResult CondensedLine::solve(const LineState &from, const StaticIncrem
     Vector left(unknowns.size());
     for (int row = 0; row < S.rows(); ++row) {
       long double sum = problem.right_hand_side[row];
-      for (int p = S.outerIndexPtr()[row]; p < S.outerIndexPtr()[row + 1]; ++p) {
-        const int column = S.innerIndexPtr()[p];
+      for (int k = first_used[row]; k < first_used[row + 1]; ++k) {
+        const int p = used[k], column = S.innerIndexPtr()[p];
         sum -= values[p] * (static_cast<long double>(unknowns[column]) + low[column]);
       }
       left[row] = static_cast<double>(sum);
@@ -161,18 +168,17 @@ bool CondensedLine::complete(LineState &state) const {
   Vector imposed;
   model.space.expand(state.unknowns, imposed);
   imposed = state.dofs - imposed;
-  const Vector all = line->expand(kept_of(state.unknowns), Vector::Zero(K.rows())) +
-                     sum_of(motions, state.load_factors);
-  state.unknowns = all;
+  state.unknowns = line->expand(kept_of(state.unknowns), Vector::Zero(K.rows())) +
+                   sum_of(motions, state.load_factors);
   model.space.expand(state.unknowns, state.dofs);
   state.dofs += imposed;
-  const contact::Problem problem{K, LoadCourse(model).forces(state.load_factors)};
+  const contact::Problem problem{without_zeros, LoadCourse(model).forces(state.load_factors)};
   const contact::Balance balance(problem, model.contacts);
   ContactResponse response;
   response.stress = state.contact_stress;
-  const Vector left = balance.left(all, Vector::Zero(all.size()), response);
+  const Vector left = balance.left(state.unknowns, Vector::Zero(K.rows()), response);
   return left.lpNorm<Eigen::Infinity>() <=
-         balance.tolerance(model.scene.solver.tolerance, K.diagonal(), all, response);
+         balance.tolerance(model.scene.solver.tolerance, diagonal, state.unknowns, response);
 }
 
 void CondensedLine::transfer(Archive &archive) {

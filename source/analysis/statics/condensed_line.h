@@ -42,10 +42,14 @@ private:
 
   const Model &model;
   const SparseMatrix &K;
+  const SparseMatrix without_zeros; ///< K, two thirds of which are zeros along the axes
+  const Vector diagonal;            ///< of K
   std::unique_ptr<const contact::Condensation> line;
   std::vector<int> kept; ///< unknowns
   SparseMatrix S;        ///< rounded
   Extended values;       ///< of S
+  std::vector<int> used; ///< places in S of what is not zero, row by row
+  std::vector<int> first_used;
   /// Of what is always there and of each load: forces on kept unknowns, motions of the others.
   std::vector<Vector> forces, motions;
   std::vector<contact::Site> sites;
