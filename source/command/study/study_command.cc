@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <iostream>
 #include <set>
 #include <thread>
@@ -220,15 +221,18 @@ void run_study(const StudyCase &of, const Variables &variables, const Sampling &
 } // namespace
 
 int study_command(const RunOptions &options) {
-  const Sampling &sampling = load_sampling();
   LawLibrary laws;
   laws.load_builtin();
   StudyCase of;
   of.options = options;
   of.scene = read_scene(options.parameter_file, options.overrides, laws);
   check_scene(of.scene);
+  // Its many libraries are opened while the case is solved, whose own are open by now.
+  std::future<const Sampling *> opening =
+      std::async(std::launch::async, []() { return &load_sampling(); });
   of.scene = with_sized_hangers(of.scene, laws);
   const Results nominal = solve_nominal(of, laws);
+  const Sampling &sampling = *opening.get();
   of.names = names_of(nominal);
   ParameterFile file(options.parameter_file);
   for (const std::string &setting : options.overrides)
