@@ -343,10 +343,11 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
                 part * (meshed.s[pipe_cell.position + 1] - meshed.s[pipe_cell.position]);
     station.position = arc.point(psi);
     arc.shapes(psi, shapes, slopes);
-    const Tensor<1, 6> clamped =
-        arc.clamped_motion(psi, load.line_force, load.axial_strain, load.curvature);
+    Tensor<1, 6> clamped; // at the nodes there is none
+    if (!station.is_node())
+      clamped = arc.clamped_motion(psi, load.line_force, load.axial_strain, load.curvature);
     for (unsigned int c = 0; c < 6; ++c) {
-      station.displacement[c] = station.is_node() ? 0. : clamped[c];
+      station.displacement[c] = clamped[c];
       for (unsigned int j = 0; j < 12; ++j)
         station.displacement[c] += shapes(c, j) * motions[j];
     }
