@@ -56,7 +56,7 @@ SectionForces::SectionForces(const Model &model)
     }
 }
 
-SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned int index) const {
+SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned int index) {
   const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
   const auto cell = model.discretization.pipe_cell(index);
   PipeElement element(model.discretization);
@@ -64,13 +64,14 @@ SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned 
   const bool is_arc = element.arc().has_value();
   const Vector3 chord = cell->vertex(1) - cell->vertex(0);
   const LocalAxes axes((pipe_cell.reversed ? -1. : 1.) * chord);
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); // into the axes that the start speaks of
-  if (!is_arc)
-    for (unsigned int d = 0; d < 3; ++d) {
-      turn(0, d) = axes.x[d];
-      turn(1, d) = axes.y[d];
-      turn(2, d) = axes.z[d];
-    }
+  Eigen::Matrix3d turn; // into the axes that the start speaks of
+  const std::array<Vector3, 3> rows =
+      is_arc ? std::array<Vector3, 3>{{element.arc()->tangent(0.), element.arc()->inward(0.),
+                                       element.arc()->axis()}}
+             : std::array<Vector3, 3>{{axes.x, axes.y, axes.z}};
+  for (unsigned int row = 0; row < 3; ++row)
+    for (unsigned int d = 0; d < 3; ++d)
+      turn(row, d) = rows[row][d];
   const unsigned int first = pipe_cell.reversed && !is_arc ? 6 : 0;
   // The section force acts on the face that looks away from the start.
   Eigen::Matrix<double, 6, 12> pick = Eigen::Matrix<double, 6, 12>::Zero();
@@ -95,7 +96,7 @@ SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned 
   kind.sum.setZero();
   kind.spacing = chord.norm() / (per_cell - 1);
   if (is_arc)
-    kind.arc_stations = stations_of(*element.arc(), pipe_cell.reversed);
+    kind.arc = find_arc(stations_of(*element.arc(), pipe_cell.reversed, turn));
   kind.inertia.setZero();
   if (!model.linear.mass().nonZeros()) // of a static scene
     return kind;
@@ -114,9 +115,9 @@ SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned 
   return kind;
 }
 
-std::vector<SectionForces::Matrix6x12> SectionForces::stations_of(const ArcBeam &arc,
-                                                                  const bool reversed) const {
-  std::vector<Matrix6x12> stations;
+SectionForces::ArcStations SectionForces::stations_of(const ArcBeam &arc, const bool reversed,
+                                                      const Eigen::Matrix3d &turn) const {
+  ArcStations stations;
   for (unsigned int i = 0; i < per_cell; ++i) {
     const double part = static_cast<double>(i) / (per_cell - 1),
                  psi = arc.angle() * (reversed ? 1. - part : part), side = reversed ? -1. : 1.;
@@ -127,9 +128,27 @@ std::vector<SectionForces::Matrix6x12> SectionForces::stations_of(const ArcBeam 
       station.col(j) << F * there.x, F * there.y, F * there.z, M * there.x, M * there.y,
           M * there.z;
     }
+    for (unsigned int of = 0; of < 12; of += 3)
+      station.middleCols<3>(of) = (station.middleCols<3>(of) * turn.transpose()).eval();
     stations.push_back(side * station);
   }
   return stations;
+}
+
+int SectionForces::find_arc(const ArcStations &stations) {
+  constexpr std::ptrdiff_t most_compared = 50; // the last ones
+  const auto first = arcs.end() - std::min<std::ptrdiff_t>(arcs.size(), most_compared);
+  const auto like = std::find_if(first, arcs.end(), [&](const ArcStations &known) {
+    for (unsigned int i = 0; i < per_cell; ++i)
+      if (!((known[i] - stations[i]).lpNorm<Eigen::Infinity>() <=
+            alike * known[i].lpNorm<Eigen::Infinity>()))
+        return false;
+    return true;
+  });
+  const int place = like - arcs.begin();
+  if (like == arcs.end())
+    arcs.push_back(stations);
+  return place;
 }
 
 void SectionForces::sum_loads(const std::vector<double> &factors) {
@@ -151,9 +170,14 @@ void SectionForces::find_accelerations(const LineState &state) {
 }
 
 const double *SectionForces::forces_of(const Kind &kind, const CellCourse &start) {
-  if (!kind.arc_stations.empty()) {
-    for (unsigned int i = 0; i < per_cell; ++i)
-      Eigen::Map<Eigen::Matrix<double, 6, 1>>(buffer.data() + 6 * i) = kind.arc_stations[i] * start;
+  if (kind.arc >= 0) {
+    for (unsigned int i = 0; i < per_cell; ++i) {
+      const Matrix6x12 &station = arcs[kind.arc][i];
+      Eigen::Matrix<double, 6, 1> force = start[0] * station.col(0);
+      for (unsigned int j = 1; j < 12; ++j)
+        force += start[j] * station.col(j);
+      Eigen::Map<Eigen::Matrix<double, 6, 1>>(buffer.data() + 6 * i) = force;
+    }
     return buffer.data();
   }
   const double qx = start[6], qy = start[7], qz = start[8];

@@ -39,7 +39,7 @@ public:
     for (unsigned int i = 0; i < cells.size(); ++i) {
       const Kind &kind = kinds[cells[i].kind];
       const CellCourse start = course_now(kind, cells[i], state.dofs);
-      if (kind.arc_stations.empty() && skip(i, bounds_of(kind, start)))
+      if (kind.arc < 0 && skip(i, bounds_of(kind, start)))
         continue;
       use(i * per_cell, forces_of(kind, start), per_cell);
     }
@@ -50,24 +50,29 @@ private:
   using Matrix6x12 = Eigen::Matrix<double, 6, 12>;
 
   /// Cells of equal length, direction, section and loads. The course of a straight one is in its
-  /// local axes, of an arc in global axes from the deal.II cell's beginning.
+  /// local axes, of an arc in t, n, b where the deal.II cell begins.
   struct Kind {
-    Matrix6x12 start;                     ///< forces there of unit motions
-    PipeElement::Matrix12 inertia;        ///< courses of unit accelerations
-    std::vector<CellCourse> loads;        ///< of each load at factor 1
-    std::vector<Matrix6x12> arc_stations; ///< of an arc: forces at each station; empty: straight
-    double spacing = 0.;                  ///< of stations [m]
-    CellCourse sum;                       ///< of the loads at present
+    Matrix6x12 start;              ///< forces there of unit motions
+    PipeElement::Matrix12 inertia; ///< courses of unit accelerations
+    std::vector<CellCourse> loads; ///< of each load at factor 1
+    int arc = -1;                  ///< among those that differ; -1: straight
+    double spacing = 0.;           ///< of stations [m]
+    CellCourse sum;                ///< of the loads at present
   };
+  /// Forces at each station of an arc, in its own axes, of unit courses.
+  using ArcStations = std::vector<Matrix6x12>;
   struct Cell {
     unsigned int kind = 0;
     std::array<unsigned int, 12> dofs{};
   };
 
-  Kind make_kind(const Model &model, const unsigned int index) const;
-  /// Forces at each station of an arc, in its own axes, of unit ones at the start.
+  Kind make_kind(const Model &model, const unsigned int index);
   /// @param reversed whether the route goes against the deal.II cell
-  std::vector<Matrix6x12> stations_of(const ArcBeam &arc, const bool reversed) const;
+  /// @param turn into t, n, b where the cell begins
+  ArcStations stations_of(const ArcBeam &arc, const bool reversed,
+                          const Eigen::Matrix3d &turn) const;
+  /// Place of those like them among the arcs, to which they are added if there are none.
+  int find_arc(const ArcStations &stations);
   void sum_loads(const std::vector<double> &factors);
   /// Empty where nothing moves.
   void find_accelerations(const LineState &state);
@@ -102,7 +107,8 @@ private:
   const Model &model;
   const unsigned int per_cell; ///< stations
   std::vector<Kind> kinds;
-  std::vector<Cell> cells; ///< in the order of the frames' stations
+  std::vector<ArcStations> arcs; ///< that differ: all bends of one radius have a few
+  std::vector<Cell> cells;       ///< in the order of the frames' stations
   std::vector<double> buffer;
   Vector accelerations; ///< of all degrees of freedom, a + alpha v
 };
