@@ -111,6 +111,18 @@ std::vector<ResultName> names_of(const Results &results) {
   return names;
 }
 
+bool has_names(const Results &results, const std::vector<ResultName> &names) {
+  std::size_t n = 0;
+  bool are_equal = true;
+  for_each(results, [&](const Of of, const std::string &name, const std::string &step, const char *,
+                        const unsigned int component, const double) {
+    are_equal = are_equal && n < names.size() && names[n].of == of && names[n].name == name &&
+                names[n].step == step && names[n].component == component;
+    ++n;
+  });
+  return are_equal && n == names.size();
+}
+
 std::vector<double> numbers_of(const Results &results) {
   std::vector<double> numbers;
   for_each(results, [&](const Of, const std::string &, const std::string &, const char *,

@@ -37,6 +37,7 @@ std::string column_name(const ResultName &name);
 
 /// What a run's results say, in an order that equal scenes have in common.
 std::vector<ResultName> names_of(const Results &results);
+bool has_names(const Results &results, const std::vector<ResultName> &names);
 /// The numbers to these names.
 std::vector<double> numbers_of(const Results &results);
 

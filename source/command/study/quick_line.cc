@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace frictionbeam::study {
 
@@ -33,6 +34,20 @@ unsigned int place_of_step(const Scene &scene, const std::string &name) {
   return step - scene.steps.begin();
 }
 
+/// Step at whose end a quantity is taken.
+unsigned int step_of(const Quantity &quantity, const Scene &scene) {
+  return quantity.step.empty() ? scene.steps.size() - 1 : place_of_step(scene, quantity.step);
+}
+
+bool are_equal(const StressPoint &one, const StressPoint &other) {
+  const auto numbers = [](const StressPoint &p) {
+    return std::make_tuple(p.part, p.diameter, p.wall, p.corrosion, p.bend_radius, p.youngs_modulus,
+                           p.stiffening_pressure, p.tee, p.pad, p.crotch_radius, p.run_diameter,
+                           p.run_wall, p.run_corrosion, p.allowable_cold, p.allowable_hot);
+  };
+  return numbers(one) == numbers(other);
+}
+
 } // namespace
 
 bool QuickLine::can_do(const Scene &scene) {
@@ -49,12 +64,7 @@ QuickLine::QuickLine(const Model &model)
       builder(model, true), section_forces(model), values(scene.quantities.size()) {
   results.units = scene.units;
   const std::vector<Station> line = builder.stations();
-  for (const Station &station : line) {
-    auto &of_node = dofs.emplace_back();
-    for (unsigned int c = 0; c < 6; ++c)
-      of_node[c] = station.is_node() ? model.discretization.vertex_dofs().index(station.vertex, c)
-                                     : dealii::numbers::invalid_dof_index;
-  }
+  forces.assign(scene.steps.size(), std::vector<double>(6 * line.size()));
   for (unsigned int step = 0; step < scene.steps.size(); ++step) {
     Frame &frame = results.frames.emplace_back();
     frame.name = scene.steps[step].name;
@@ -65,12 +75,25 @@ QuickLine::QuickLine(const Model &model)
   if (scene.stress.code.empty())
     return;
   evaluation = std::make_unique<StressEvaluation>(scene, model.mesh, results);
+  find_points();
   for (const std::string &step : scene.stress.sustained)
     add_case("sustained", "", step);
   for (const std::string &step : scene.stress.occasional)
     add_case("occasional", "", step);
   for (const auto &[from, to] : scene.stress.expansion)
     add_case("expansion", from, to);
+}
+
+void QuickLine::find_points() {
+  for (const Station &station : results.frames.front().line) {
+    const StressPoint point = evaluation->point(station);
+    const auto like = std::find_if(points.begin(), points.end(), [&](const StressPoint &known) {
+      return are_equal(known, point);
+    });
+    point_of.push_back(like - points.begin());
+    if (like == points.end())
+      points.push_back(point);
+  }
 }
 
 void QuickLine::add_case(const std::string &kind, const std::string &from, const std::string &to) {
@@ -82,29 +105,33 @@ void QuickLine::add_case(const std::string &kind, const std::string &from, const
   if (of.is_range)
     of.from = place_of_step(scene, from);
   const StressCode &code = evaluation->code;
-  for (const Station &station : results.frames.front().line) {
-    const StressPoint point = evaluation->point(station);
-    of.points.push_back(point);
+  std::vector<double> allowed;
+  for (const StressPoint &point : points) {
+    of.formulas.push_back(of.is_range ? code.expansion_range(point) : code.sustained(point));
+    allowed.push_back(of.is_range           ? 0.
+                      : kind == "sustained" ? code.allowed(StressLimit::sustained, point)
+                                            : code.allowed(StressLimit::occasional, point));
+  }
+  for (std::size_t i = 0; i < point_of.size(); ++i) {
+    const Station &station = results.frames.front().line[i];
     of.axes.push_back(
         evaluation->axes(station, of.is_range ? 0. : pressure_in(scene, to, station.pipe)));
-    of.formulas.push_back(of.is_range ? code.expansion_range(point) : code.sustained(point));
-    of.allowed.push_back(of.is_range           ? 0.
-                         : kind == "sustained" ? code.allowed(StressLimit::sustained, point)
-                                               : code.allowed(StressLimit::occasional, point));
+    of.allowed.push_back(allowed[point_of[i]]);
   }
 }
 
 void QuickLine::set_forces(const LineState &state, Frame &frame) {
+  std::vector<double> &of_step = forces[frame.step];
   section_forces.evaluate(
       state, [](const unsigned int, const SectionForces::Bounds &) { return false; },
-      [&](const unsigned int first, const double *const forces, const unsigned int n) {
-        for (unsigned int i = 0; i < n; ++i)
-          std::copy(forces + 6 * i, forces + 6 * (i + 1), frame.line[first + i].force.begin());
+      [&](const unsigned int first, const double *const of_cell, const unsigned int n) {
+        std::copy_n(of_cell, 6 * n, of_step.begin() + 6 * first);
       });
-  for (std::size_t i = 0; i < frame.line.size(); ++i)
-    for (unsigned int c = 0; c < 6; ++c)
-      if (dofs[i][c] != dealii::numbers::invalid_dof_index)
-        frame.line[i].displacement[c] = state.dofs[dofs[i][c]];
+  if (std::any_of(scene.quantities.begin(), scene.quantities.end(), [&](const Quantity &one) {
+        return one.is(Of::section) && step_of(one, scene) == frame.step;
+      }))
+    for (std::size_t i = 0; i < frame.line.size(); ++i)
+      std::copy_n(of_step.begin() + 6 * i, 6, frame.line[i].force.begin());
 }
 
 void QuickLine::observe(const unsigned int step, const LineState &state) {
@@ -116,9 +143,7 @@ void QuickLine::observe(const unsigned int step, const LineState &state) {
   set_forces(state, frame);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Quantity &quantity = scene.quantities[i];
-    if (!quantity.is(Of::stress) &&
-        step ==
-            (quantity.step.empty() ? scene.steps.size() - 1 : place_of_step(scene, quantity.step)))
+    if (!quantity.is(Of::stress) && step == step_of(quantity, scene))
       values[i] = evaluate(quantity, frame, state);
   }
 }
@@ -147,20 +172,19 @@ double QuickLine::force_of_holder(const Quantity &quantity, const Frame &frame,
 }
 
 void QuickLine::evaluate(const Case &of, std::vector<double> &stress) const {
-  const std::vector<Station> &line = results.frames[of.step].line,
-                             &before = results.frames[of.from].line;
-  stress.resize(line.size());
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    Motion force = line[i].force;
-    for (unsigned int c = 0; c < 6 && of.is_range; ++c)
-      force[c] -= before[i].force[c];
-    stress[i] = of.formulas[i](of.axes[i].forces(force.data()));
+  const double *at = forces[of.step].data(), *before = forces[of.from].data();
+  stress.resize(point_of.size());
+  for (std::size_t i = 0; i < stress.size(); ++i, at += 6, before += 6) {
+    Motion force;
+    for (unsigned int c = 0; c < 6; ++c)
+      force[c] = of.is_range ? at[c] - before[c] : at[c];
+    stress[i] = of.formulas[point_of[i]](of.axes[i].forces(force.data()));
   }
 }
 
 void QuickLine::find_stresses() {
   results.stresses.clear();
-  std::vector<double> sustained(results.frames.front().line.size(), 0.), stress;
+  std::vector<double> sustained(point_of.size(), 0.), stress;
   for (const Case &of : cases) {
     evaluate(of, stress);
     if (of.kind == "sustained")
@@ -173,7 +197,8 @@ void QuickLine::find_stresses() {
     one.stress = stress;
     one.allowed = of.allowed;
     for (std::size_t i = 0; i < stress.size() && of.is_range; ++i)
-      one.allowed[i] = evaluation->code.allowed(StressLimit::range, of.points[i], sustained[i]);
+      one.allowed[i] =
+          evaluation->code.allowed(StressLimit::range, points[point_of[i]], sustained[i]);
     for (unsigned int i = 0; i < stress.size(); ++i)
       if (stress[i] / one.allowed[i] > stress[one.worst] / one.allowed[one.worst])
         one.worst = i;

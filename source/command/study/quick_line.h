@@ -31,15 +31,16 @@ private:
     std::string kind, name;
     unsigned int step = 0, from = 0;
     bool is_range = false;
-    std::vector<StressCode::Formula> formulas;
+    std::vector<StressCode::Formula> formulas; ///< of each of the points
     std::vector<StressEvaluation::Axes> axes;
     std::vector<double> allowed; ///< of a range: with nothing sustained
-    std::vector<StressPoint> points;
   };
 
+  void find_points();
   void add_case(const std::string &kind, const std::string &from, const std::string &to);
   /// Stress at all stations of its frames [Pa].
   void evaluate(const Case &of, std::vector<double> &stress) const;
+  /// Forces of all stations; the frame gets them where a quantity of its step asks for some.
   void set_forces(const LineState &state, Frame &frame);
   double evaluate(const Quantity &quantity, const Frame &frame, const LineState &state);
   double force_of_holder(const Quantity &quantity, const Frame &frame, const LineState &state);
@@ -52,10 +53,12 @@ private:
   Collector collector;
   FrameBuilder builder;
   SectionForces section_forces;
-  std::vector<std::array<dealii::types::global_dof_index, 6>> dofs; ///< of stations at nodes
-  std::unique_ptr<StressEvaluation> evaluation;                     ///< null without a code
-  std::vector<Case> cases;                   ///< as evaluate_stresses() has them
-  std::vector<std::optional<double>> values; ///< beside Scene::quantities, SI
+  std::vector<std::vector<double>> forces;      ///< by step: six of each station, as in Station
+  std::unique_ptr<StressEvaluation> evaluation; ///< null without a code
+  std::vector<StressPoint> points;              ///< all different ones
+  std::vector<unsigned int> point_of;           ///< of each station, among these
+  std::vector<Case> cases;                      ///< as evaluate_stresses() has them
+  std::vector<std::optional<double>> values;    ///< beside Scene::quantities, SI
 };
 
 } // namespace frictionbeam::study

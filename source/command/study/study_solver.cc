@@ -131,7 +131,7 @@ Run run_of(const StudyCase &of, const std::vector<StepReport> &steps, const bool
       run.reason = "step " + steps.back().step + ": " + steps.back().remark;
     return run;
   }
-  if (names_of(results) != of.names) {
+  if (!has_names(results, of.names)) {
     run.outcome = Outcome::refused;
     run.reason = "it has other supports, steps or quantities than the case";
     return run;
