@@ -35,9 +35,12 @@ Vector7 free_forces(const CorotationalBeam &beam, const PipeElement &element,
  * (O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467, doi:10.1007/BF02440162). B of a rigid motion is
  * zero, so that forces without resultant stay so.
  *
- * The two differ by the square of the angle turned times the change of the deformations. Where
- * these hardly change, by that square of themselves or by rounding, the correction fades out: the
- * energy is then wrong by the fourth power of the angle times what the cell stores.
+ * The two differ by the square of the angle turned times the change of the deformations, in the
+ * turns of the ends alone: of lengths (l1^2 - l0^2)/(l0 + l1) is both. What rounding leaves between
+ * them there would go with the axial force, and where a stiff bar hardly stretches by all its
+ * digits. Where the deformations hardly change, by that square of themselves or by rounding, the
+ * correction fades out: the energy is then wrong by the fourth power of the angle times what the
+ * cell stores.
  */
 Vector7 energy_correction(const CorotationalBeam &beam, const Vector7 &moved, const Vector7 &before,
                           const Vector7 &after, const double angle, const Vector7 &s) {
@@ -45,11 +48,13 @@ Vector7 energy_correction(const CorotationalBeam &beam, const Vector7 &moved, co
   Vector7 least = Vector7::Constant(rounding);
   least[0] *= beam.length_at_rest();
   const Vector7 direction = beam.stiffness() * moved;
+  Vector7 missed = after - before - moved;
+  missed[0] = 0.;
   const double size = moved.dot(direction), square = angle * angle,
                smallest =
                    least.dot(beam.stiffness() * least) +
                    square * square * (before + after).dot(beam.stiffness() * (before + after)) / 4.;
-  return direction * ((after - before - moved).dot(s) * size / (size * size + smallest * smallest));
+  return direction * (missed.dot(s) * size / (size * size + smallest * smallest));
 }
 
 /// The rotation between two poses.
