@@ -34,10 +34,10 @@ Beam::Matrix12 stiffness() {
   return K;
 }
 
-Eigen::Matrix3d turn(const Eigen::Vector3d &vector) {
+Eigen::Quaterniond turn(const Eigen::Vector3d &vector) {
   return vector.norm() == 0.
-             ? Eigen::Matrix3d::Identity()
-             : Eigen::AngleAxisd(vector.norm(), vector.normalized()).toRotationMatrix();
+             ? Eigen::Quaterniond::Identity()
+             : Eigen::Quaterniond(Eigen::AngleAxisd(vector.norm(), vector.normalized()));
 }
 
 /// Ends moved on by a translation or a spin, 12 of them.
@@ -52,11 +52,11 @@ Beam::Ends moved(Beam::Ends ends, const Beam::Vector12 &by) {
 
 int main() {
   const Beam beam(chord, Eigen::Matrix3d::Identity(), stiffness());
-  const Eigen::Matrix3d R = turn({0.4, -1.1, 2.});
+  const Eigen::Quaterniond R = turn({0.4, -1.1, 2.});
   const auto rigid = beam.deform({R * chord - chord, {R, R}});
   CHECK_NEAR(rigid.d.norm(), 0., 1e-14);
-  CHECK_NEAR((rigid.axes - R).norm(), 0., 1e-14);
-  CHECK_NEAR(beam.deform({1.1 * R * chord - chord, {R, R}}).d[0], 0.2, 1e-13);
+  CHECK_NEAR((rigid.axes - R.toRotationMatrix()).norm(), 0., 1e-14);
+  CHECK_NEAR(beam.deform({1.1 * (R * chord) - chord, {R, R}}).d[0], 0.2, 1e-13);
 
   const Beam::Ends ends{{0.1, 0.5, -0.3}, {turn({0.1, 0.2, 0.3}), turn({-0.1, 0.1, 0.4})}};
   const Beam::Deformed at = beam.deform(ends);
@@ -72,12 +72,19 @@ int main() {
     const auto after = beam.deform(moved(ends, by)), before = beam.deform(moved(ends, -by));
     CHECK_NEAR(((after.d - before.d) / (2. * h) - B.col(i)).norm(), 0., 1e-8);
   }
+  // B^T and B without making B.
+  const Beam::Vector12 motion = Beam::Vector12::LinSpaced(-0.3, 0.8);
+  for (const double length : {at.length, 1.1 * at.length}) {
+    const auto scaled = beam.derivative(at, length);
+    CHECK_NEAR((beam.on_ends(at, length, s) - scaled.transpose() * s).norm() / s.norm(), 0., 1e-14);
+    CHECK_NEAR((beam.of_motion(at, length, motion) - scaled * motion).norm(), 0., 1e-14);
+  }
   CHECK_NEAR((B.transpose() * s).head<3>().dot(Eigen::Vector3d::Ones()) +
                  (B.transpose() * s).segment<3>(6).dot(Eigen::Vector3d::Ones()),
              0., 1e-11); // forces on the ends are in equilibrium
 
   // The same forces whatever axes a round section has across its own, however far its ends turn.
-  const Beam other(chord, turn({0.7, 0., 0.}), stiffness());
+  const Beam other(chord, turn({0.7, 0., 0.}).toRotationMatrix(), stiffness());
   for (const Beam::Ends &far :
        {ends, Beam::Ends{{-0.4, 0.9, -0.8}, {turn({0.6, -0.9, 1.2}), turn({-0.5, 1.1, -0.4})}}}) {
     const auto one = beam.deform(far), two = other.deform(far);

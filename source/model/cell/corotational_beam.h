@@ -32,7 +32,7 @@ public:
   /// What the ends have done: translations relative to each other and rotations.
   struct Ends {
     Eigen::Vector3d relative; ///< translation of the second less that of the first [m]
-    Eigen::Matrix3d turn[2];
+    Eigen::Quaterniond turn[2];
   };
   /// The cell in its frame.
   struct Deformed {
@@ -71,6 +71,10 @@ public:
    *   derivative, the mean of those before and after for the difference over a time step
    */
   Matrix7_12 derivative(const Deformed &at, const double length) const;
+  /// B^T s, without making B.
+  Vector12 on_ends(const Deformed &at, const double length, const Vector7 &s) const;
+  /// B motion, likewise.
+  Vector7 of_motion(const Deformed &at, const double length, const Vector12 &motion) const;
   /// Change of B^T s with translations and spins at constant s, without the small terms of a frame
   /// that twists against its ends.
   Matrix12 geometric_stiffness(const Deformed &at, const Vector7 &s) const;
@@ -81,6 +85,7 @@ private:
 
   const Eigen::Vector3d chord;
   const Eigen::Matrix3d rest;
+  const Eigen::Quaterniond rest_turn;
   Eigen::Matrix<double, 12, 7> motions;
   Eigen::Matrix<double, 7, 7> K;
 };

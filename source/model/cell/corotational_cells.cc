@@ -192,7 +192,7 @@ CorotationalBeam::Ends CorotationalCells::ends(const Cell &cell, const Pose &pos
   for (unsigned int d = 0; d < 3; ++d)
     result.relative[d] = pose.dofs[cell.dofs[6 + d]] - pose.dofs[cell.dofs[d]];
   for (unsigned int end = 0; end < 2; ++end)
-    result.turn[end] = turn(pose, cell.vertices[end]).toRotationMatrix();
+    result.turn[end] = turn(pose, cell.vertices[end]);
   return result;
 }
 
@@ -242,30 +242,34 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   }
   if (viscous != 0.)
     s += viscous * (beam.stiffness() * deformed);
-  const CorotationalBeam::Matrix7_12 B = beam.derivative(mean, (before.length + after.length) / 2.);
-  CorotationalBeam::Matrix7_12 B_after = B;
-  const bool wants_stiffness = !step.without_stiffness;
+  const double length = (before.length + after.length) / 2.;
+  Vector12 change = Vector12::Zero();
   if (is_step) {
-    if (wants_stiffness)
-      B_after = beam.derivative(after, after.length);
-    Vector12 change;
     double angle = 0.;
     for (int end = 0; end < 2; ++end) {
       const unsigned int v = cell.vertices[end];
       const Vector3d turned = cayley_vector(between_turns(turn(from, v), turn(to, v)));
-      if (wants_stiffness)
-        B_after.middleCols<3>(6 * end + 3) =
-            (B_after.middleCols<3>(6 * end + 3) * cayley_spin(turned)).eval();
       change.segment<3>(6 * end) = part(to.dofs, v, 0) - part(from.dofs, v, 0);
       change.segment<3>(6 * end + 3) = turned;
       angle = std::max(angle, turned.norm());
     }
-    s += energy_correction(beam, B * change, before.d, after.d, angle, s);
+    s += energy_correction(beam, beam.of_motion(mean, length, change), before.d, after.d, angle, s);
   }
-  answer.internal = B.transpose() * s;
-  answer.free = B.transpose() * free;
-  if (wants_stiffness) { // lazily, for Eigen's blocked products are slow on matrices this small
+  answer.internal = beam.on_ends(mean, length, s);
+  answer.free.setZero();
+  if (!free.isZero(0.))
+    answer.free = beam.on_ends(mean, length, free);
+  if (!step.without_stiffness) {
+    const CorotationalBeam::Matrix7_12 B = beam.derivative(mean, length);
+    CorotationalBeam::Matrix7_12 B_after = B;
+    if (is_step) {
+      B_after = beam.derivative(after, after.length);
+      for (const int turned : {3, 9})
+        B_after.middleCols<3>(turned) =
+            (B_after.middleCols<3>(turned) * cayley_spin(change.segment<3>(turned))).eval();
+    }
     stiffness += 2. * viscous * beam.stiffness();
+    // Lazily, for Eigen's blocked products are slow on matrices this small.
     const CorotationalBeam::Matrix7_12 on_deformations = stiffness.lazyProduct(B_after);
     answer.stiffness = beam.geometric_stiffness(mean, s);
     answer.stiffness += B.transpose().lazyProduct(on_deformations);
@@ -305,7 +309,7 @@ LineCells::CellState CorotationalCells::state_of(const unsigned int index, const
   const Vector7 forces = sections.has(index)
                              ? cell.beam.on_deformations(sections.forces(index, *pose.sections))
                              : Vector7(cell.beam.stiffness() * deformed.d - free);
-  state.ends = cell.beam.derivative(deformed, deformed.length).transpose() * forces - loads;
+  state.ends = cell.beam.on_ends(deformed, deformed.length, forces) - loads;
   state.motions = cell.beam.motions_of(deformed.d);
   state.frame = CellFrame{deformed.axes * cell.beam.axes_at_rest().transpose(),
                           to_eigen(Vector3(discretization.vertices()[cell.vertices[0]])),
@@ -320,7 +324,7 @@ Vector12 CorotationalCells::motions_of_cell(const unsigned int index, const Pose
   Vector12 of_ends;
   for (int i = 0; i < 12; ++i)
     of_ends[i] = motion[cell.dofs[i]];
-  return cell.beam.motions_of(cell.beam.derivative(deformed, deformed.length) * of_ends);
+  return cell.beam.motions_of(cell.beam.of_motion(deformed, deformed.length, of_ends));
 }
 
 LineCells::Unbent CorotationalCells::unbent(const Pose &pose) const {

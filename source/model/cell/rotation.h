@@ -78,13 +78,33 @@ inline Eigen::Vector3d rotation_vector_near(const Eigen::Quaterniond &rotation,
   return (angle + whole_turn * std::round((near.dot(axis) - angle) / whole_turn)) * axis;
 }
 
+/// (1 - x cot x)/(2 x)^2 with x half the angle, given its square; by its series where digits
+/// cancel.
+inline double second_of_vector_per_spin(const double square) {
+  if (square < 0.01) // the next term is below 1e-17 of the first
+    return (1. + square / 60. * (1. + square / 42. * (1. + square / 40. * (1. + square / 39.6)))) /
+           12.;
+  const double half = std::sqrt(square) / 2.;
+  return (1. - half / std::tan(half)) / square;
+}
+
 /// Change of the rotation vector per spin of the rotation.
 inline Eigen::Matrix3d vector_per_spin(const Eigen::Vector3d &vector) {
-  const double angle = vector.norm(), half = angle / 2.;
-  const double second = angle > 1e-3 ? (1. - half / std::tan(half)) / (angle * angle)
-                                     : (1. + angle * angle / 60.) / 12.;
   const Eigen::Matrix3d cross = skew(vector);
-  return Eigen::Matrix3d::Identity() - cross / 2. + second * cross * cross;
+  return Eigen::Matrix3d::Identity() - cross / 2. +
+         second_of_vector_per_spin(vector.squaredNorm()) * cross * cross;
+}
+
+/// vector_per_spin(vector) v, and the transposed matrix times v.
+inline Eigen::Vector3d times_vector_per_spin(const Eigen::Vector3d &vector,
+                                             const Eigen::Vector3d &v) {
+  const Eigen::Vector3d once = vector.cross(v);
+  return v - once / 2. + second_of_vector_per_spin(vector.squaredNorm()) * vector.cross(once);
+}
+inline Eigen::Vector3d transposed_vector_per_spin(const Eigen::Vector3d &vector,
+                                                  const Eigen::Vector3d &v) {
+  const Eigen::Vector3d once = vector.cross(v);
+  return v + once / 2. + second_of_vector_per_spin(vector.squaredNorm()) * vector.cross(once);
 }
 
 } // namespace frictionbeam
