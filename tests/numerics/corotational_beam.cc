@@ -97,11 +97,30 @@ int main() {
         0., 1e-13);
   }
 
+  // The tangent of the forces, all ends moved by themselves; without what a frame does that twists
+  // against its ends, so nearly undeformed.
+  const Beam::Ends near{{0.01, 0.02, -0.03}, {turn({0.01, 0.02, 0.01}), turn({-0.01, 0.01, 0.02})}};
+  const Beam::Ends carried{R * (chord + near.relative) - chord,
+                           {R * near.turn[0], R * near.turn[1]}};
+  const Beam::Deformed there = beam.deform(carried);
+  const auto by_ends = beam.derivative(there, there.length);
+  const Beam::Matrix12 tangent =
+      by_ends.transpose() * beam.stiffness() * by_ends +
+      Beam::of_ends(beam.geometric_stiffness(there, beam.stiffness() * there.d));
+  for (int i = 0; i < 12; ++i) {
+    const auto force = [&](const double by) -> Beam::Vector12 {
+      const auto moved_on = beam.deform(moved(carried, by * Beam::Vector12::Unit(i)));
+      return beam.on_ends(moved_on, moved_on.length, beam.stiffness() * moved_on.d);
+    };
+    CHECK_NEAR(((force(h) - force(-h)) / (2. * h) - tangent.col(i)).norm() / tangent.norm(), 0.,
+               1e-4);
+  }
+
   // A straight cell under tension P: translations across feel P/l.
   Beam::Vector7 tension = Beam::Vector7::Zero();
   tension[0] = 7.;
-  const auto G = beam.geometric_stiffness(
-      beam.deform({Eigen::Vector3d::Zero(), {turn({0, 0, 0}), turn({0, 0, 0})}}), tension);
+  const auto G = Beam::of_ends(beam.geometric_stiffness(
+      beam.deform({Eigen::Vector3d::Zero(), {turn({0, 0, 0}), turn({0, 0, 0})}}), tension));
   CHECK_NEAR(G(1, 1), 7. / 2., 1e-12);
   CHECK_NEAR(G(1, 7), -7. / 2., 1e-12);
   return check::report();

@@ -234,14 +234,14 @@ bool iterate(const unsigned int most, const std::function<EquilibriumResult()> &
   return inner.converged;
 }
 
-namespace {
-
-/// Size of a vector that may have no entries: where all is held.
-double largest_of(const Vector &vector) {
-  return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.;
+double largest_diagonal(const SparseMatrix &matrix) {
+  double largest = 0.;
+  for (int i = 0; i < matrix.rows(); ++i)
+    for (SparseMatrix::InnerIterator entry(matrix, i); entry; ++entry)
+      if (entry.col() == i)
+        largest = std::max(largest, std::abs(entry.value()));
+  return largest;
 }
-
-} // namespace
 
 Pose with_other_digits(const Model &model, const Pose &pose, const bool of_places) {
   constexpr double digits = 4. * std::numeric_limits<double>::epsilon();
@@ -260,7 +260,7 @@ Pose with_other_digits(const Model &model, const Pose &pose, const bool of_place
   return model.cells.moved(pose, nudge);
 }
 
-bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
+bool is_balanced(const Model &model, const double stiffness, const double size,
                  const double largest, const Pose &pose, const std::function<double()> &measure,
                  const double scale) {
   // A solution that runs away has rounding errors of any size: they excuse nothing then.
@@ -269,8 +269,7 @@ bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int d = 0; d < 3; ++d)
       moved = std::max(moved, std::abs(pose.dofs[model.discretization.vertex_dofs().index(v, d)]));
-  const double by_metre =
-                   8. * std::numeric_limits<double>::epsilon() * largest_of(stiffness.diagonal()),
+  const double by_metre = 8. * std::numeric_limits<double>::epsilon() * stiffness,
                rounding = by_metre * moved;
   if (size <= std::max(model.scene.solver.tolerance * largest,
                        std::min(rounding, contact::most_excused * std::max(largest, scale))))

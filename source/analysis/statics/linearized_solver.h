@@ -103,13 +103,17 @@ bool iterate(const unsigned int most, const std::function<EquilibriumResult()> &
 /// @param of_places whether displacements have those of places, as on the way of a time step
 Pose with_other_digits(const Model &model, const Pose &pose, const bool of_places);
 
+/// Largest entry of a diagonal by size; 0 where all is held.
+double largest_diagonal(const SparseMatrix &matrix);
+
 /// Whether residual forces of a pose count as zero: below the tolerance times the largest force,
 /// below the rounding error of the stiffness times the motion, up to 1e-8 of the largest force, or
 /// below what rounding of the pose makes of the line's forces.
+/// @param stiffness largest_diagonal() of the line's
 /// @param measure of that; asked if nothing else excuses the residual
 /// @param scale [N] of what goes without forces: free strains that the line follows, the momentum
 /// in free flight. What rounding may excuse is a part of it where it is larger than all forces
-bool is_balanced(const Model &model, const SparseMatrix &stiffness, const double size,
+bool is_balanced(const Model &model, const double stiffness, const double size,
                  const double largest, const Pose &pose, const std::function<double()> &measure,
                  const double scale);
 

@@ -163,7 +163,7 @@ bool AlphaScheme::is_solved(const Step &step, const double time_of_laws,
         step.factors, there);
     return largest(there.forces - step.balance.forces);
   };
-  return is_balanced(model, step.matrix, size, force, step.pose, rounding, scale);
+  return is_balanced(model, largest_diagonal(step.matrix), size, force, step.pose, rounding, scale);
 }
 
 void AlphaScheme::add_change(const Vector &change, const Step &step, Vector &unknowns) const {

@@ -4,6 +4,7 @@
 #include "analysis/statics/slope_search.h"
 #include "analysis/time/step_helpers.h"
 #include "base/interruption.h"
+#include "model/unknowns/line_extent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,9 +73,21 @@ double NonlinearMotion::rounding_of(const Step &step) const {
   return 2. * (beside.forces - step.balance.forces).lpNorm<Eigen::Infinity>();
 }
 
+double NonlinearMotion::digits_of(const Step &step) const {
+  double place = largest_coordinate(model.discretization);
+  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
+    for (unsigned int d = 0; d < 3; ++d)
+      place =
+          std::max(place, std::abs(step.to.dofs[model.discretization.vertex_dofs().index(v, d)]));
+  constexpr double negligible = 1e-12; // of the largest force
+  return std::min(std::numeric_limits<double>::epsilon() * step.stiffness * place,
+                  negligible * step.largest);
+}
+
 EquilibriumResult NonlinearMotion::solve_linearized(const LineState &state, const LoadCourse &loads,
                                                     const double time, Step &step, Vector &change,
                                                     ContactResponse &response) {
+  step.stiffness = largest_diagonal(step.matrix);
   if (model.contacts.size() == 0) {
     EquilibriumProblem problem{{step.matrix, step.residual}, step.to.dofs};
     return linearized.solve(problem, state.contacts, change, response);
@@ -114,7 +127,7 @@ bool NonlinearMotion::is_solved(const Step &step, const Vector &left,
   const double scale = std::max(largest, step.without_force());
   result.residual = scale > 0. ? size / scale : size;
   return is_balanced(
-      model, step.matrix, size, largest, step.to, [&]() { return rounding_of(step); }, scale);
+      model, step.stiffness, size, largest, step.to, [&]() { return rounding_of(step); }, scale);
 }
 
 EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCourse &loads,
@@ -126,7 +139,9 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
   double size_before = 0.;
   for (;;) {
     interruption::end_if_overdue();
-    evaluate(state, judged ? Matrix::none : Matrix::tangent, step);
+    // The factors of the step's first pose mostly do not do well: then both are asked at once.
+    const bool is_second = is_smooth && judged && result.iterations == 1;
+    evaluate(state, !judged || is_second ? Matrix::tangent : Matrix::none, step);
     if (step.balance.failed || !step.residual.allFinite()) {
       result.remark = step.balance.failed ? "a section that yields or creeps has no answer"
                                           : "the iteration diverges";
@@ -135,15 +150,18 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
     bool by_last_factors = false;
     if (judged) {
       const Vector left = unbalanced(step, response);
-      // Factors that do well go on to rounding, for momentum and energy of the whole.
-      const bool is_good = is_solved(step, left, response, result);
       const double size = left.lpNorm<Eigen::Infinity>();
-      by_last_factors = is_smooth && size > 0. && size <= (is_good ? at_all : well) * size_before;
-      result.converged = is_good && !by_last_factors;
-      if (result.converged)
-        return result;
+      // Factors that do well go on to rounding, for momentum and energy of the whole.
+      const bool may_go_on = is_smooth && size > digits_of(step);
+      by_last_factors = may_go_on && size <= well * size_before;
+      if (!by_last_factors && is_solved(step, left, response, result)) {
+        by_last_factors = may_go_on && size <= at_all * size_before;
+        result.converged = !by_last_factors;
+        if (result.converged)
+          return result;
+      }
       size_before = size;
-      if (!by_last_factors)
+      if (!by_last_factors && !is_second)
         evaluate(state, Matrix::tangent, step);
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
       // is left to its own, so that only the contacts' share converges more slowly.

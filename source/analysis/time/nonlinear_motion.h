@@ -46,6 +46,7 @@ private:
     bool is_answered = false; ///< whether it has been asked within this step
     Vector residual;          ///< but for the contacts at the end
     SparseMatrix matrix;      ///< less its derivative by `moved`
+    double stiffness = 0.;    ///< largest on the diagonal of that which was factored last [N/m]
     double largest = 0.;      ///< force [N]
     double momentum = 0.;     ///< at its beginning, over half the step [N]
 
@@ -55,6 +56,8 @@ private:
   enum class Matrix { none, tangent };
   /// @param matrix none: that of the step stays as it is
   void evaluate(const LineState &state, const Matrix matrix, Step &step) const;
+  /// What the last digit of the places makes of the residual, or of the largest force [N].
+  double digits_of(const Step &step) const;
   /// What rounding of the pose at its end makes of the residual.
   double rounding_of(const Step &step) const;
   EquilibriumResult solve_linearized(const LineState &state, const LoadCourse &loads,

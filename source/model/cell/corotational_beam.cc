@@ -8,14 +8,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Columns of a matrix on ends in the cell's frame, to those in global axes: times E^T in blocks.
-template <typename Matrix>
-void from_global(Matrix &matrix, const Matrix3d &axes) {
-  for (int block = 0; block < 4; ++block)
-    matrix.template middleCols<3>(3 * block) =
-        (matrix.template middleCols<3>(3 * block) * axes.transpose()).eval();
-}
-
 /// Cosine and sine of an angle and of its half, which is of at most pi/2.
 struct Angle {
   double cosine = 1., sine = 0., cosine_of_half = 1., sine_of_half = 0.;
@@ -87,34 +79,45 @@ CorotationalBeam::Deformed CorotationalBeam::deform(const Ends &ends) const {
   return result;
 }
 
-CorotationalBeam::Matrix3_12 CorotationalBeam::frame_spin(const Deformed &at) const {
-  const double l = at.length;
-  Matrix3_12 spin = Matrix3_12::Zero();
-  spin(1, 2) = 1. / l;
-  spin(1, 8) = -1. / l;
-  spin(2, 1) = -1. / l;
-  spin(2, 7) = 1. / l;
-  for (int end = 0; end < 2; ++end) {
-    const Vector3d &by = at.twist_by_spin[end];
-    spin.block<1, 3>(0, 6 * end + 3) += by.transpose() / 2.;
-    spin.row(0) -= (by[1] * spin.row(1) + by[2] * spin.row(2)) / 2.;
-  }
+CorotationalBeam::Matrix3_9 CorotationalBeam::frame_spin(const Deformed &at) const {
+  const Vector3d twist = (at.twist_by_spin[0] + at.twist_by_spin[1]) / (2. * at.length);
+  Matrix3_9 spin = Matrix3_9::Zero();
+  spin(0, 1) = -twist[2];
+  spin(0, 2) = twist[1];
+  spin(1, 2) = -1. / at.length;
+  spin(2, 1) = 1. / at.length;
+  spin.block<1, 3>(0, 3) = at.twist_by_spin[0].transpose() / 2.;
+  spin.block<1, 3>(0, 6) = at.twist_by_spin[1].transpose() / 2.;
   return spin;
+}
+
+CorotationalBeam::Matrix7_9 CorotationalBeam::derivative_by_relative(const Deformed &at,
+                                                                     const double length) const {
+  const Matrix3_9 frame = frame_spin(at);
+  Matrix7_9 B;
+  B.row(0) << at.chord.transpose() / length, Eigen::Matrix<double, 1, 6>::Zero();
+  for (int end = 0; end < 2; ++end) {
+    const Matrix3d by_spin = vector_per_spin(at.d.segment<3>(1 + 3 * end));
+    for (int block = 0; block < 3; ++block) {
+      Matrix3d in_frame = block == 1 + end ? by_spin : Matrix3d(Matrix3d::Zero());
+      if (block == 0) // the frame's spin has no more than these
+        for (int i = 1; i < 3; ++i)
+          in_frame.col(i) = -frame(0, i) * by_spin.col(0) - frame(3 - i, i) * by_spin.col(3 - i);
+      else
+        for (int i = 0; i < 3; ++i)
+          in_frame.col(i) -= frame(0, 3 * block + i) * by_spin.col(0);
+      B.block<3, 3>(1 + 3 * end, 3 * block).noalias() = in_frame * at.axes.transpose();
+    }
+  }
+  return B;
 }
 
 CorotationalBeam::Matrix7_12 CorotationalBeam::derivative(const Deformed &at,
                                                           const double length) const {
-  const Matrix3_12 frame = frame_spin(at);
-  Matrix7_12 B = Matrix7_12::Zero();
-  for (int end = 0; end < 2; ++end) {
-    auto rows = B.middleRows<3>(1 + 3 * end);
-    rows = -frame;
-    rows.middleCols<3>(6 * end + 3) += Matrix3d::Identity();
-    rows = (vector_per_spin(at.d.segment<3>(1 + 3 * end)) * rows).eval();
-  }
-  from_global(B, at.axes);
-  B.block<1, 3>(0, 0) = -at.chord.transpose() / length;
-  B.block<1, 3>(0, 6) = at.chord.transpose() / length;
+  const Matrix7_9 by_relative = derivative_by_relative(at, length);
+  Matrix7_12 B;
+  B << -by_relative.leftCols<3>(), by_relative.middleCols<3>(3), by_relative.leftCols<3>(),
+      by_relative.rightCols<3>();
   return B;
 }
 
@@ -155,46 +158,58 @@ CorotationalBeam::Vector7 CorotationalBeam::of_motion(const Deformed &at, const 
   return result;
 }
 
-CorotationalBeam::Matrix12 CorotationalBeam::geometric_stiffness(const Deformed &at,
-                                                                 const Vector7 &s) const {
-  const Matrix3_12 frame = frame_spin(at);
-  const double l = at.length;
-  // Moments on spins of the ends relative to E, then what of the forces on the ends they are.
-  Vector3d moment[2], sum = Vector3d::Zero();
-  Vector12 forces = Vector12::Zero();
-  Matrix12 result = Matrix12::Zero();
-  Matrix3_12 of_both = Matrix3_12::Zero();
+CorotationalBeam::Matrix9 CorotationalBeam::geometric_stiffness(const Deformed &at,
+                                                                const Vector7 &s) const {
+  const Matrix3_9 frame = frame_spin(at);
+  // Moments on spins of the ends relative to E, then what of the forces they are.
+  Vector3d moment[2];
+  Matrix3d S[2];
   for (int end = 0; end < 2; ++end) {
     const Vector3d M = s.segment<3>(1 + 3 * end);
-    moment[end] = vector_per_spin(at.d.segment<3>(1 + 3 * end)).transpose() * M;
-    sum += moment[end];
-    forces.segment<3>(6 * end + 3) = moment[end];
-    // The moment's own change with the rotation vector, to first order: (e - F)^T S (e - F), e the
-    // end's spin, F that of the frame.
-    const Matrix3d S = -skew(M) / 2.;
-    const Matrix3_12 of_frame = S * frame;
-    result.middleRows<3>(6 * end + 3) -= of_frame;
-    result.middleCols<3>(6 * end + 3) -= frame.transpose() * S;
-    result.block<3, 3>(6 * end + 3, 6 * end + 3) += S;
-    of_both += of_frame;
+    moment[end] = transposed_vector_per_spin(at.d.segment<3>(1 + 3 * end), M);
+    S[end] = -skew(M) / 2.;
   }
-  result += frame.transpose().lazyProduct(of_both);
-  forces -= frame.transpose() * sum;
-  // The frame turns with all that it carries, and lever arms grow with the chord.
-  for (int block = 0; block < 4; ++block)
-    result.middleRows<3>(3 * block) -= skew(forces.segment<3>(3 * block)) * frame;
-  const Vector12 levers = (frame.row(1) * sum[1] + frame.row(2) * sum[2]).transpose() / l;
-  result.col(0) -= levers;
-  result.col(6) += levers;
-  for (int d = 1; d < 3; ++d)
-    for (int a = 0; a < 2; ++a)
-      for (int b = 0; b < 2; ++b)
-        result(6 * a + d, 6 * b + d) += (a == b ? s[0] : -s[0]) / l;
-  from_global(result, at.axes);
-  Matrix12 turned;
-  for (int block = 0; block < 4; ++block)
-    turned.middleRows<3>(3 * block) = at.axes * result.middleRows<3>(3 * block);
+  const Vector3d sum = moment[0] + moment[1];
+  // A moment's own change with the rotation vector, to first order: (e - F)^T S (e - F), e the
+  // end's spin, F that of the frame; and the frame turns with all that it carries.
+  Matrix9 result = Matrix9::Zero();
+  Eigen::Matrix<double, 9, 3> by_frame = frame.transpose().lazyProduct(S[0] + S[1]);
+  for (int end = 0; end < 2; ++end) {
+    const int spins = 3 + 3 * end;
+    result.middleCols<3>(spins) = -frame.transpose().lazyProduct(S[end]);
+    result.block<3, 3>(spins, spins) += S[end];
+    by_frame.middleRows<3>(spins) -=
+        S[end] + skew(moment[end] - sum[0] / 2. * at.twist_by_spin[end]);
+  }
+  by_frame.topRows<3>() += skew(frame.leftCols<3>().transpose() * sum);
+  for (int i = 1; i < 3; ++i) // the frame's spin has no more than these
+    result.col(i) += frame(0, i) * by_frame.col(0) + frame(3 - i, i) * by_frame.col(3 - i);
+  for (int i = 3; i < 9; ++i)
+    result.col(i) += frame(0, i) * by_frame.col(0);
+  // Lever arms grow with the chord.
+  const double l = at.length;
+  result(1, 0) += sum[2] / (l * l);
+  result(2, 0) -= sum[1] / (l * l);
+  result(1, 1) += s[0] / l;
+  result(2, 2) += s[0] / l;
+  Matrix9 turned;
+  for (int i = 0; i < 9; i += 3)
+    for (int j = 0; j < 9; j += 3) {
+      const Matrix3d columns = result.block<3, 3>(i, j) * at.axes.transpose();
+      turned.block<3, 3>(i, j).noalias() = at.axes * columns;
+    }
   return turned;
+}
+
+CorotationalBeam::Matrix12 CorotationalBeam::of_ends(const Matrix9 &by_relative) {
+  constexpr int blocks[4] = {0, 3, 0, 6};
+  constexpr double signs[4] = {-1., 1., 1., 1.};
+  Matrix12 result;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      result.block<3, 3>(3 * i, 3 * j) =
+          signs[i] * signs[j] * by_relative.block<3, 3>(blocks[i], blocks[j]);
+  return result;
 }
 
 } // namespace frictionbeam

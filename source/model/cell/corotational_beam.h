@@ -28,6 +28,9 @@ public:
   using Vector12 = Eigen::Matrix<double, 12, 1>;
   using Matrix12 = Eigen::Matrix<double, 12, 12>;
   using Matrix7_12 = Eigen::Matrix<double, 7, 12>;
+  /// By the translation of the second end relative to the first, and the spins of both.
+  using Matrix9 = Eigen::Matrix<double, 9, 9>;
+  using Matrix7_9 = Eigen::Matrix<double, 7, 9>;
 
   /// What the ends have done: translations relative to each other and rotations.
   struct Ends {
@@ -71,17 +74,20 @@ public:
    *   derivative, the mean of those before and after for the difference over a time step
    */
   Matrix7_12 derivative(const Deformed &at, const double length) const;
+  Matrix7_9 derivative_by_relative(const Deformed &at, const double length) const;
   /// B^T s, without making B.
   Vector12 on_ends(const Deformed &at, const double length, const Vector7 &s) const;
   /// B motion, likewise.
   Vector7 of_motion(const Deformed &at, const double length, const Vector12 &motion) const;
   /// Change of B^T s with translations and spins at constant s, without the small terms of a frame
   /// that twists against its ends.
-  Matrix12 geometric_stiffness(const Deformed &at, const Vector7 &s) const;
+  Matrix9 geometric_stiffness(const Deformed &at, const Vector7 &s) const;
+  /// A stiffness of the ends.
+  static Matrix12 of_ends(const Matrix9 &by_relative);
 
 private:
-  using Matrix3_12 = Eigen::Matrix<double, 3, 12>;
-  Matrix3_12 frame_spin(const Deformed &at) const; ///< G^T, all in E
+  using Matrix3_9 = Eigen::Matrix<double, 3, 9>;
+  Matrix3_9 frame_spin(const Deformed &at) const; ///< G^T, all in E
 
   const Eigen::Vector3d chord;
   const Eigen::Matrix3d rest;

@@ -221,19 +221,29 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   const double viscous = step.duration > 0. ? scene.time.stiffness_damping / step.duration : 0.;
   const Cell &cell = cells[index];
   const CorotationalBeam &beam = cell.beam;
-  const CorotationalBeam::Deformed before = beam.deform(ends(cell, from)),
-                                   mean = is_step ? beam.deform(ends(cell, half)) : before,
-                                   after = is_step ? beam.deform(ends(cell, to)) : before;
+  const CorotationalBeam::Deformed after = beam.deform(ends(cell, to)),
+                                   mean = is_step ? beam.deform(ends(cell, half)) : after;
+  Vector7 d_before = after.d;
+  double length_before = after.length;
+  if (is_step) {
+    Eigen::Map<Eigen::Matrix<double, 8, 1>> at_start(answer.at_start);
+    if (std::isnan(at_start[7])) {
+      const CorotationalBeam::Deformed before = beam.deform(ends(cell, from));
+      at_start << before.d, before.length;
+    }
+    d_before = at_start.head<7>();
+    length_before = at_start[7];
+  }
   Vector7 free;
   answer.dofs = cell.dofs;
   answer.loads = on_line(cell, mean.axes, factors, free);
-  const Vector7 deformed = after.d - before.d;
-  Vector7 s = beam.stiffness() * (before.d + after.d) / 2. - free;
+  const Vector7 deformed = after.d - d_before;
+  Vector7 s = beam.stiffness() * (d_before + after.d) / 2. - free;
   Matrix7 stiffness = beam.stiffness();
   answer.free_work = free.dot(deformed);
   if (sections.has(index)) {
     PipeSections::Answer inelastic;
-    const Vector7 began = step.began ? beam.deform(ends(cell, *step.began)).d : before.d;
+    const Vector7 began = step.began ? beam.deform(ends(cell, *step.began)).d : d_before;
     integrate_sections(index, beam.motions_of(began), beam.motions_of(after.d), step, factors,
                        answer, inelastic, after.axes * beam.axes_at_rest().transpose());
     s = beam.on_deformations(is_step ? Vector12((inelastic.before + inelastic.after) / 2.)
@@ -242,7 +252,7 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
   }
   if (viscous != 0.)
     s += viscous * (beam.stiffness() * deformed);
-  const double length = (before.length + after.length) / 2.;
+  const double length = (length_before + after.length) / 2.;
   Vector12 change = Vector12::Zero();
   if (is_step) {
     double angle = 0.;
@@ -253,26 +263,28 @@ void CorotationalCells::answer(const unsigned int index, const Step &step,
       change.segment<3>(6 * end + 3) = turned;
       angle = std::max(angle, turned.norm());
     }
-    s += energy_correction(beam, beam.of_motion(mean, length, change), before.d, after.d, angle, s);
+    s += energy_correction(beam, beam.of_motion(mean, length, change), d_before, after.d, angle, s);
   }
   answer.internal = beam.on_ends(mean, length, s);
   answer.free.setZero();
   if (!free.isZero(0.))
     answer.free = beam.on_ends(mean, length, free);
   if (!step.without_stiffness) {
-    const CorotationalBeam::Matrix7_12 B = beam.derivative(mean, length);
-    CorotationalBeam::Matrix7_12 B_after = B;
+    const CorotationalBeam::Matrix7_9 B = beam.derivative_by_relative(mean, length);
+    CorotationalBeam::Matrix7_9 B_after = B;
     if (is_step) {
-      B_after = beam.derivative(after, after.length);
-      for (const int turned : {3, 9})
-        B_after.middleCols<3>(turned) =
-            (B_after.middleCols<3>(turned) * cayley_spin(change.segment<3>(turned))).eval();
+      B_after = beam.derivative_by_relative(after, after.length);
+      for (int end = 0; end < 2; ++end)
+        B_after.middleCols<3>(3 + 3 * end) =
+            (B_after.middleCols<3>(3 + 3 * end) * cayley_spin(change.segment<3>(6 * end + 3)))
+                .eval();
     }
     stiffness += 2. * viscous * beam.stiffness();
     // Lazily, for Eigen's blocked products are slow on matrices this small.
-    const CorotationalBeam::Matrix7_12 on_deformations = stiffness.lazyProduct(B_after);
-    answer.stiffness = beam.geometric_stiffness(mean, s);
-    answer.stiffness += B.transpose().lazyProduct(on_deformations);
+    const CorotationalBeam::Matrix7_9 on_deformations = stiffness.lazyProduct(B_after);
+    CorotationalBeam::Matrix9 by_relative = beam.geometric_stiffness(mean, s);
+    by_relative += B.transpose().lazyProduct(on_deformations);
+    answer.stiffness = CorotationalBeam::of_ends(by_relative);
   }
   answer.damping = viscous * deformed.dot(beam.stiffness() * deformed);
 }

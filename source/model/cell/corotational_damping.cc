@@ -37,7 +37,7 @@ void CorotationalCells::find_damped_modes() {
         ends_moved[k] = dofs[cells[j].dofs[k]];
       mode_forces.col(m).segment<7>(7 * j) =
           beam.stiffness() *
-          (beam.derivative(beam.deform(ends(cells[j], rest)), beam.length_at_rest()) * ends_moved);
+          beam.of_motion(beam.deform(ends(cells[j], rest)), beam.length_at_rest(), ends_moved);
     }
     for (unsigned int j = 0; j < scene.springs.size(); ++j)
       for (unsigned int c = 0; c < 6; ++c)

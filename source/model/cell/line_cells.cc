@@ -84,7 +84,12 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
       balance.sections = sections_at_rest;
     of_cell.sections = &balance.sections;
   }
-  for (unsigned int i = 0; i < discretization.pipe_cells().size(); ++i) {
+  const unsigned int n_cells = discretization.pipe_cells().size();
+  const bool keeps_start = turns_far() && &step.from != &step.to;
+  if (keeps_start && !(step.is_near_last && balance.at_start.cols() == n_cells))
+    balance.at_start.setConstant(8, n_cells, std::numeric_limits<double>::quiet_NaN());
+  for (unsigned int i = 0; i < n_cells; ++i) {
+    of_cell.at_start = keeps_start ? balance.at_start.col(i).data() : nullptr;
     answer(i, step, factors, of_cell);
     if (!step.without_stiffness)
       add_stiffness(i, of_cell, balance.stiffness);

@@ -73,6 +73,8 @@ public:
     bool failed = false;    ///< whether a section has no answer
     double section_error =
         0.; ///< what the increment's length leaves in a section's stress, a share
+    /// Of cells that turn, a column each, where a time step begins: what they need of it.
+    Eigen::Matrix<double, 8, Eigen::Dynamic> at_start;
   };
   /// A motion from one pose to another.
   struct Step {
@@ -88,8 +90,8 @@ public:
     const Pose *began = nullptr;
     bool is_trial = false;          ///< whether sections answer elastically to the increment
     bool without_stiffness = false; ///< leave Balance::stiffness as it is
-    /// Whether Balance::sections are the answer at another pose of this very increment: sections
-    /// look for theirs from there.
+    /// Whether the balance is the answer at another pose of this very increment: sections look for
+    /// theirs from there, and the start is the same.
     bool is_near_last = false;
   };
   /**
@@ -201,6 +203,7 @@ protected:
     double free_work = 0., damping = 0., section_error = 0.;
     bool failed = false;
     Vector *sections = nullptr; ///< states at the end, where there are any
+    double *at_start = nullptr; ///< of Balance, in a time step
   };
   virtual void answer(const unsigned int cell, const Step &step, const std::vector<double> &factors,
                       CellAnswer &answer) const = 0;
