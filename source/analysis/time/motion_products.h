@@ -13,10 +13,11 @@ namespace frictionbeam {
 void multiply(const SparseMatrix &matrix, const Vector &vector, Vector &product);
 
 /// The product of one matrix with a vector that may be asked for again: with the vectors of the
-/// last two it is at hand.
+/// last two it is at hand. Of a line along the axes two thirds of the matrix are zeros, which need
+/// not be read.
 class KeptProduct {
 public:
-  explicit KeptProduct(const SparseMatrix &matrix) : matrix(matrix) {}
+  explicit KeptProduct(const SparseMatrix &matrix);
 
   const Vector &operator()(const Vector &vector) {
     for (const int i : {newest, 1 - newest})
@@ -26,12 +27,14 @@ public:
       }
     newest = 1 - newest;
     vectors[newest] = vector;
-    multiply(matrix, vector, products[newest]);
+    multiply(has_zeros ? without_zeros : matrix, vector, products[newest]);
     return products[newest];
   }
 
 private:
   const SparseMatrix &matrix;
+  bool has_zeros;             ///< most of it
+  SparseMatrix without_zeros; ///< then
   int newest = 0;
   Vector vectors[2], products[2];
 };
