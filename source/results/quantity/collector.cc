@@ -112,7 +112,9 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
     case Of::wall:
       return value_of_wall(model, quantity, state);
     case Of::line:
-      return builder.momentum_and_energy(state)[kind.component];
+      if (!momentum_and_energy)
+        momentum_and_energy = builder.momentum_and_energy(state);
+      return (*momentum_and_energy)[kind.component];
     case Of::exact:
       return largest_error;
     case Of::supports:
@@ -273,7 +275,7 @@ bool Collector::needs_line(const unsigned int step, const unsigned int increment
 
 void Collector::observe(const unsigned int step, const unsigned int increment,
                         const unsigned int n_increments, const LineState &state) {
-  frame_is_current = false;
+  forget_state();
   const bool start = n_increments == 0, last = !start && increment == n_increments;
   for (History &history : results.histories) {
     history.time.push_back(state.time);
@@ -346,13 +348,13 @@ void Collector::put_out(const LineState &state, const bool keep) {
   if (!keep)
     return;
   results.frames.push_back(std::move(frame));
-  frame_is_current = false;
+  forget_state();
 }
 
 void Collector::transfer(Archive &archive) {
   archive(results.frames, results.histories, results.remarks, pending, is_put_out, current_step,
           current_increment, previous_time, last_output, largest_error, contacts_before);
-  frame_is_current = false;
+  forget_state();
 }
 
 void Collector::finish(const LineState &state) {

@@ -5,7 +5,9 @@
 #include "analysis/increment/motion_piece.h"
 #include "results/frame/frame_builder.h"
 
+#include <array>
 #include <functional>
+#include <optional>
 
 namespace frictionbeam {
 
@@ -89,6 +91,11 @@ private:
   double of_support(const Quantity &quantity,
                     const std::function<double(const unsigned int)> &number) const;
   const Frame &current_frame(const LineState &state);
+  /// What is kept of the state at hand: another one comes.
+  void forget_state() {
+    frame_is_current = false;
+    momentum_and_energy.reset();
+  }
   void put_out(const LineState &state, const bool keep);
   bool output_is_due(const LoadStep &step, const double time, const bool last) const;
 
@@ -98,6 +105,7 @@ private:
   FrameBuilder builder;
   std::vector<Pending> pending; ///< beside Scene::quantities
   Frame frame;
+  std::optional<std::array<double, 7>> momentum_and_energy; ///< of the state at hand
   bool frame_is_current = false, is_put_out = true;
   unsigned int current_step = 0, current_increment = 0;
   ContactsBefore contacts_before; ///< the increment at hand

@@ -140,7 +140,7 @@ void Collector::observe_piece(const MotionPiece &piece) {
     sizes[k] = pending[followed[k]].largest;
   const SmoothCourses courses(
       [&](const double time) {
-        frame_is_current = false;
+        forget_state();
         const LineState &state = piece.state_at(time);
         Eigen::VectorXd values(followed.size());
         for (std::size_t k = 0; k < followed.size(); ++k) // without corners
@@ -162,7 +162,7 @@ void Collector::observe_piece(const MotionPiece &piece) {
         }
         return true;
       });
-  frame_is_current = false;
+  forget_state();
   for (std::size_t k = 0; k < followed.size(); ++k)
     follow(followed[k], courses, k, piece);
 }
