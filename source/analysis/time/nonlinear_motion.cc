@@ -54,8 +54,10 @@ void NonlinearMotion::evaluate(const LineState &state, const Matrix matrix, Step
       2. / h * step.imposed_impulse;
   step.residual = 2. * (step.balance.forces + model.contacts.platen_forces()) - inertia;
   contacts.take_elastic_forces(state, 1., step.residual);
-  if (wants_matrix)
-    step.matrix = step.balance.stiffness + 4. * (1. + lost) / (h * h) * line.mass();
+  if (wants_matrix) {
+    step.matrix = step.balance.stiffness;
+    add_within(4. * (1. + lost) / (h * h), line.mass(), step.matrix);
+  }
   line.add_rotary(step.from, step.to, step.change, step.velocity, h, step.residual,
                   wants_matrix ? &step.matrix : nullptr);
   step.largest = std::max(2. * step.balance.largest, inertia.lpNorm<Eigen::Infinity>());
@@ -132,16 +134,20 @@ bool NonlinearMotion::is_solved(const Step &step, const Vector &left,
 
 EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCourse &loads,
                                          const double time, Step &step, ContactResponse &response) {
-  constexpr double well = 0.02, at_all = 0.5; // makes an iteration the residual smaller
+  // Makes an iteration the residual smaller: the first, with factors of another pose; any other;
+  // one that goes on to rounding.
+  constexpr double well_at_first = 1e-3, well = 0.02, at_all = 0.5;
   EquilibriumResult result;
   Vector change;
   bool judged = false; // whether the contacts' forces are those at the pose
   double size_before = 0.;
+  unsigned int again = 0;
   for (;;) {
     interruption::end_if_overdue();
-    // The factors of the step's first pose mostly do not do well: then both are asked at once.
-    const bool is_second = is_smooth && judged && result.iterations == 1;
-    evaluate(state, !judged || is_second ? Matrix::tangent : Matrix::none, step);
+    // Where the step before had to have other factors, a pose is asked for both at once: to the
+    // same answer, at less cost.
+    const bool looks_ahead = is_smooth && judged && result.iterations == factored_again;
+    evaluate(state, !judged || looks_ahead ? Matrix::tangent : Matrix::none, step);
     if (step.balance.failed || !step.residual.allFinite()) {
       result.remark = step.balance.failed ? "a section that yields or creeps has no answer"
                                           : "the iteration diverges";
@@ -153,16 +159,23 @@ EquilibriumResult NonlinearMotion::solve(const LineState &state, const LoadCours
       const double size = left.lpNorm<Eigen::Infinity>();
       // Factors that do well go on to rounding, for momentum and energy of the whole.
       const bool may_go_on = is_smooth && size > digits_of(step);
-      by_last_factors = may_go_on && size <= well * size_before;
+      by_last_factors =
+          may_go_on && size <= (result.iterations == 1 ? well_at_first : well) * size_before;
       if (!by_last_factors && is_solved(step, left, response, result)) {
         by_last_factors = may_go_on && size <= at_all * size_before;
         result.converged = !by_last_factors;
-        if (result.converged)
+        if (result.converged) {
+          factored_again = again;
           return result;
+        }
       }
       size_before = size;
-      if (!by_last_factors && !is_second)
-        evaluate(state, Matrix::tangent, step);
+      if (!by_last_factors) {
+        if (!looks_ahead)
+          evaluate(state, Matrix::tangent, step);
+        if (again == 0)
+          again = result.iterations;
+      }
       // The contacts are solved with a symmetric matrix. What the line itself makes of their forces
       // is left to its own, so that only the contacts' share converges more slowly.
       if (model.contacts.size() > 0 && model.cells.turns_far() &&

@@ -88,6 +88,8 @@ private:
   ImpulseContacts contacts;
   LinearizedSolver linearized;
   std::vector<Vector> inertia; ///< LineCells::inertia() of each load that has any
+  /// After how many iterations the last step had to have other factors; 0: not at all.
+  unsigned int factored_again = 0;
 };
 
 } // namespace frictionbeam

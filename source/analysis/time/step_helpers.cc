@@ -20,6 +20,18 @@ SparseMatrix regular_mass(const SparseMatrix &mass) {
   return result;
 }
 
+void add_within(const double factor, const SparseMatrix &matrix, SparseMatrix &sum) {
+  for (int row = 0; row < matrix.rows(); ++row) {
+    SparseMatrix::InnerIterator place(sum, row);
+    for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry) {
+      while (place && place.col() < entry.col())
+        ++place;
+      AssertThrow(place && place.col() == entry.col(), dealii::ExcInternalError());
+      place.valueRef() += factor * entry.value();
+    }
+  }
+}
+
 void arrive(const Model &model, const LoadCourse &loads, const double time,
             const LoadCourse::Factors &factors, const Vector &imposed, LineState &to) {
   model.space.expand(to.unknowns, to.dofs);

@@ -11,6 +11,9 @@ std::vector<bool> unknowns_with_mass(const SparseMatrix &mass);
 /// The mass matrix, regular: 1 on the diagonal where there is no mass.
 SparseMatrix regular_mass(const SparseMatrix &mass);
 
+/// sum += factor matrix, whose pattern is within that of the sum; rows in the order of columns.
+void add_within(const double factor, const SparseMatrix &matrix, SparseMatrix &sum);
+
 /// Set what a state has at the end of a step, at @p time, beside its unknowns and their rates: all
 /// degrees of freedom, the loads' factors before any jump there and their derivatives.
 void arrive(const Model &model, const LoadCourse &loads, const double time,

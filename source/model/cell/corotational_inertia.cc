@@ -29,10 +29,8 @@ void CorotationalCells::add_mass() {
 
 std::vector<types::global_dof_index>
 CorotationalCells::rotations_of(const unsigned int vertex) const {
-  std::vector<types::global_dof_index> dofs;
-  for (unsigned int d = 0; d < 3; ++d)
-    dofs.push_back(discretization.vertex_dofs().index(vertex, 3 + d));
-  return dofs;
+  const VertexDofs &dofs = discretization.vertex_dofs();
+  return {dofs.index(vertex, 3), dofs.index(vertex, 4), dofs.index(vertex, 5)};
 }
 
 void CorotationalCells::add_rotary(const Pose &from, const Pose &to, const Vector &change,
