@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "accuracy/bend_models.h"
 #include "accuracy/difference.h"
+#include "accuracy/pipes/bend_model.h"
 
 #include <map>
 

@@ -37,6 +37,8 @@ private:
   void add_points(const unsigned int pipe);
   /// From where a bend or anchor or the pipe's beginning is before a stretch to one behind it.
   std::array<double, 2> room_of(const SolidStretch &stretch) const;
+  /// A place along a pipe, or that of a point of the scene that is as good as there.
+  double nearest_point(const unsigned int pipe, const double s) const;
   /// Take straight pipe on either side, as far as there is.
   void extend(SolidStretch &stretch) const;
   /// One stretch for those that meet.
@@ -44,6 +46,11 @@ private:
   /// Places of the anchors of a pipe along it.
   std::vector<double> anchors(const unsigned int pipe) const {
     return places_of_anchors(scene, paths[pipe], same * outer(pipe));
+  }
+  bool is_anchor(const unsigned int pipe, const double s) const {
+    const std::vector<double> held = anchors(pipe);
+    return std::any_of(held.begin(), held.end(),
+                       [&](const double at) { return std::abs(at - s) <= same * outer(pipe); });
   }
   std::vector<double> places(const unsigned int pipe, const std::string &point) const {
     return places_of(scene, paths[pipe], point, same * outer(pipe));
@@ -101,6 +108,18 @@ void StretchLayout::add_points(const unsigned int pipe) {
       stretch.pipe = pipe;
       stretch.from = stretch.to = s;
       stretch.name = point;
+      if (is_anchor(pipe, s)) { // a part on each side that has pipe
+        const bool has_pipe_before = s > same * outer(pipe),
+                   has_pipe_behind = s < paths[pipe].length() - same * outer(pipe);
+        if (has_pipe_before) {
+          stretch.anchored = {{false, true}};
+          stretches.push_back(stretch);
+          stretch.name += "_behind";
+        }
+        stretch.anchored = {{true, false}};
+        if (!has_pipe_behind)
+          continue;
+      }
       stretches.push_back(stretch);
     }
 }
@@ -116,9 +135,9 @@ std::array<double, 2> StretchLayout::room_of(const SolidStretch &stretch) const 
         high = std::min(high, segment.start);
     }
   for (const double s : anchors(stretch.pipe)) {
-    if (s <= stretch.from + tolerance)
+    if (s <= stretch.from + tolerance && !(stretch.anchored[1] && s >= stretch.to - tolerance))
       low = std::max(low, s);
-    if (s >= stretch.to - tolerance)
+    if (s >= stretch.to - tolerance && !(stretch.anchored[0] && s <= stretch.from + tolerance))
       high = std::min(high, s);
   }
   return {{low, high}};
@@ -132,8 +151,24 @@ void StretchLayout::extend(SolidStretch &stretch) const {
   // No sliver of a pipe beside it.
   const double from = stretch.from - tangent, to = stretch.to + tangent;
   stretch.is_short = from < low - tolerance || to > high + tolerance;
-  stretch.from = from < low + outer(stretch.pipe) / 2. ? low : from;
-  stretch.to = to > high - outer(stretch.pipe) / 2. ? high : to;
+  stretch.from = from < low + outer(stretch.pipe) / 2. ? low : nearest_point(stretch.pipe, from);
+  stretch.to = to > high - outer(stretch.pipe) / 2. ? high : nearest_point(stretch.pipe, to);
+}
+
+double StretchLayout::nearest_point(const unsigned int pipe, const double s) const {
+  std::vector<double> named;
+  for (const PipePath::RoutePlace &place : paths[pipe].route_points())
+    named.push_back(place.s);
+  for (const NamedPoint &point : scene.points)
+    for (const double at : paths[pipe].all_places(point.position, same * outer(pipe)))
+      named.push_back(at);
+  double result = s, nearest = outer(pipe) / 10.; // shorter layers of cells are not worth it
+  for (const double at : named)
+    if (std::abs(at - s) < nearest) {
+      nearest = std::abs(at - s);
+      result = at;
+    }
+  return result;
 }
 
 void StretchLayout::join(std::vector<SolidStretch> &all) const {
@@ -143,19 +178,15 @@ void StretchLayout::join(std::vector<SolidStretch> &all) const {
   std::vector<SolidStretch> joined;
   for (const SolidStretch &stretch : all) {
     const double tolerance = same * outer(stretch.pipe);
-    const std::vector<double> held = anchors(stretch.pipe);
-    const auto is_anchor = [&](const double s) {
-      return std::any_of(held.begin(), held.end(),
-                         [&](const double at) { return std::abs(at - s) <= tolerance; });
-    };
     if (!joined.empty() && joined.back().pipe == stretch.pipe &&
-        stretch.from <= joined.back().to + tolerance && !is_anchor(stretch.from)) {
+        stretch.from <= joined.back().to + tolerance && !is_anchor(stretch.pipe, stretch.from)) {
       joined.back().to = std::max(joined.back().to, stretch.to);
       joined.back().name += "_" + stretch.name;
       joined.back().is_short = joined.back().is_short || stretch.is_short;
     } else
       joined.push_back(stretch);
-    joined.back().anchored = {is_anchor(joined.back().from), is_anchor(joined.back().to)};
+    joined.back().anchored = {is_anchor(stretch.pipe, joined.back().from),
+                              is_anchor(stretch.pipe, joined.back().to)};
   }
   all = joined;
 }

@@ -98,8 +98,7 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text(
       "Fixed", kind == "restraint" ? "ux, uy, uz" : "ux, uy, uz, rx, ry, rz",
       "motions out of ux, uy, uz, rx, ry, rz",
-      "Of anchor and restraint, along and about the axes. Unless it is given, an anchor "
-      "holds all six and a restraint ux, uy and uz.");
+      "Of anchor and restraint, along and about the axes. Not given: ux, uy, uz of a restraint.");
   declare_axes(in, "Of Fixed.");
   in.declare_text("Law", default_law(kind), join(laws.names(LawKind::support)),
                   "Of the friction element. Its parameters are entries of the support.");
@@ -150,12 +149,12 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   for (int i = 0; i < law.n_parameters; ++i) {
     const LawParameter &p = law.parameters[i];
     double value = p.default_value;
-    std::string meaning = "Law " + std::string(law.name) + ": " + p.meaning + ".";
-    if (std::string(p.name) == "Friction coefficient") {
+    const bool is_friction = std::string(p.name) == "Friction coefficient";
+    if (is_friction)
       value = friction_of(in.raw("Pad", "none"), kind_of(kind).slides ? value : 0.);
-      meaning += " Guides, stops and rods have none unless it is given.";
-    }
-    in.declare_number(p.name, value, p.unit, p.minimum, p.maximum, meaning);
+    in.declare_number(p.name, value, p.unit, p.minimum, p.maximum,
+                      "Law " + std::string(law.name) + ": " + p.meaning + "." +
+                          (is_friction ? " Guides and stops have none unless it is given." : ""));
   }
 }
 
