@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/steps/step_tree.h"
 
+#include <cmath>
+
 namespace frictionbeam {
 
 std::optional<unsigned int> step_before(const Scene &scene, const unsigned int step) {
@@ -27,6 +29,11 @@ bool picks(const Combination::Kind kind) {
          kind == Combination::Kind::minimum;
 }
 
+/// Whether each number of a combination is a size, to which the sign of a factor means nothing.
+bool is_size(const Combination::Kind kind) {
+  return kind == Combination::Kind::srss || kind == Combination::Kind::absolute;
+}
+
 /// How many states of the line a case is; 0 of a difference, or of what a spectrum does.
 double states_in(const Scene &scene, const std::string &name, unsigned int &n_steps) {
   for (const LoadStep &step : scene.steps)
@@ -40,7 +47,7 @@ double states_in(const Scene &scene, const std::string &name, unsigned int &n_st
     double sum = 0., last = 0.;
     for (const auto &[part, factor] : combination.cases) {
       last = factor * states_in(scene, part, n_steps);
-      sum += last;
+      sum += is_size(combination.kind) ? std::abs(last) : last;
     }
     return combination.kind == Combination::Kind::range ? 0. : picks(combination.kind) ? last : sum;
   }

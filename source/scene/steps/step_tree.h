@@ -16,7 +16,8 @@ bool is_branch(const Scene &scene, const unsigned int step);
 bool is_returned_to(const Scene &scene, const unsigned int step);
 
 /// Whether a case has one state of the line in it, and what adds to it: a step, or a sum (srss,
-/// absolute) whose factors of steps, and of cases that are such, add up to about 1.
+/// absolute, by the factors' sizes) whose factors of steps, and of cases that are such, add up to
+/// about 1.
 bool is_state(const Scene &scene, const std::string &name);
 /// Whether what a state may be at most (capacities, allowable loads) says something of a case: of a
 /// state, and of what the spectra do alone; not of a difference, of two states together, and of
