@@ -251,6 +251,8 @@ TimeStep AlphaScheme::advance(const LineState &from, const LoadCourse &loads, co
     report.energy = account_nonlinear(step, from, loads, to);
     report.energy += account_contacts(model, from, to, work);
   }
+  if (p.impulses)
+    report.energy += contacts.work_beyond_motion();
   if (to.auxiliary.size() > 0)
     report.error =
         step.h * step.h / 12. * (to.auxiliary - from.auxiliary).lpNorm<Eigen::Infinity>() + jump;

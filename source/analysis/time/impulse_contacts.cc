@@ -163,6 +163,9 @@ void ImpulseContacts::set_laws(const EquilibriumProblem &problem, const LineStat
 EquilibriumResult ImpulseContacts::solve(EquilibriumProblem &problem, const LineState &from,
                                          const LoadCourse &loads, const Relation &relation,
                                          Vector &unknowns, ContactResponse &response) {
+  constexpr double rounding = 1e-12;
+  const double half = problem.increment.length / 2.;
+  motion_is_mean = std::abs(relation.reach - half) <= rounding * half;
   set_ground_rates(problem, from, loads, relation.at_end);
   set_laws(problem, from, relation);
   problem.overrides = &overrides;
@@ -205,7 +208,30 @@ void ImpulseContacts::take_impulses(const LineState &from, const double share, c
   }
 }
 
-void ImpulseContacts::add_histories(const LineState &from, const double step, LineState &to) const {
+void ImpulseContacts::take_mean_velocities(const LineState &from, const double step,
+                                           const LineState &to) {
+  for (unsigned int i = 0; i < kinds.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    const Contact::Strains line =
+                               step / 2. * contact.strain_by_unknowns(from.velocity + to.velocity),
+                           ground = step / 2. * (ground_rate_before[i] + ground_rate[i]),
+                           motion = to.contacts.strain[i] - from.contacts.strain[i],
+                           of_line = contact.strain_by_unknowns(to.unknowns - from.unknowns);
+    beyond[i] = part(i, line + ground - motion, true);
+    const Contact::Strains work =
+        contact.weight * contact_work[i].mean_stress.cwiseProduct(beyond[i]);
+    of_impulses.impact += work[0];
+    of_impulses.dissipated += work[1] + work[2];
+    of_impulses.external += contact.weight * contact_work[i].mean_stress.dot(
+                                                 part(i, ground - (motion - of_line), true));
+  }
+}
+
+void ImpulseContacts::add_histories(const LineState &from, const double step, LineState &to) {
+  beyond.assign(kinds.size(), Contact::Strains::Zero());
+  of_impulses = {};
+  if (!motion_is_mean)
+    take_mean_velocities(from, step, to);
   for (unsigned int i = 0; i < kinds.size(); ++i) {
     const Contact &contact = model.contacts[i];
     const double normal = contact.share() * -contact_work[i].mean_stress[0];
@@ -214,7 +240,7 @@ void ImpulseContacts::add_histories(const LineState &from, const double step, Li
     if (!kinds[i].is_exact)
       continue;
     const FrictionThreshold &law = kinds[i].law;
-    const Contact::Strains change = to.contacts.strain[i] - from.contacts.strain[i],
+    const Contact::Strains change = to.contacts.strain[i] - from.contacts.strain[i] + beyond[i],
                            force_change = part(i, to.contact_stress[i], false) -
                                           part(i, from.contact_stress[i], false);
     const double slip_y = change[1] - force_change[1] / law.shear_rigidity_y,

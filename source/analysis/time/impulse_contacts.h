@@ -62,8 +62,11 @@ public:
   Vector rigid_forces(const LineState &state) const;
   /// Mean forces of the last step, for the energy account.
   const std::vector<ContactWork> &work() const { return contact_work; }
+  /// What their account leaves out: an impulse P takes P . (u0 + u1)/2, u the velocities before and
+  /// after, whatever the scheme makes of the motion in between. Known after add_histories().
+  const EnergyAccount &work_beyond_motion() const { return of_impulses; }
   /// Add the energy, wear and impulse of the step to the contacts' histories.
-  void add_histories(const LineState &from, const double step, LineState &to) const;
+  void add_histories(const LineState &from, const double step, LineState &to);
 
 private:
   struct Kind {
@@ -86,6 +89,8 @@ private:
   /// then replace. @param share of r that acts on average over the step
   void take_impulses(const LineState &from, const double share, const double step,
                      ContactResponse &response);
+  /// Find what h (u0 + u1)/2 is beyond the motion of the step.
+  void take_mean_velocities(const LineState &from, const double step, const LineState &to);
   /// Have contacts that slip against the direction of the step before, which have been at rest in
   /// between, overcome static friction first. @return whether there are any that did not
   bool test_reversals(const LineState &from, const Vector &imposed, const Vector &unknowns);
@@ -102,6 +107,9 @@ private:
   ContactState shifted;
   std::vector<Contact::Strains> rigid_impulse; ///< of each contact, of the last solution
   std::vector<ContactWork> contact_work;
+  bool motion_is_mean = true;           ///< of the last step: that by the mean of both velocities
+  std::vector<Contact::Strains> beyond; ///< it, of h (u0 + u1)/2
+  EnergyAccount of_impulses;            ///< their work there
 };
 
 } // namespace frictionbeam

@@ -136,6 +136,7 @@ TimeStep MoreauJean::advance(const LineState &from, const LoadCourse &loads, con
       model, from, to,
       {step.stiff_before, stiff(to.unknowns), step.momentum_before, momentum(to.velocity)},
       step.forces_before, step.forces, contacts.work());
+  report.energy += contacts.work_beyond_motion();
   if (from.unknowns.size() > 0)
     report.error =
         step.h * step.h / 12. * (to.auxiliary - from.auxiliary).lpNorm<Eigen::Infinity>();
