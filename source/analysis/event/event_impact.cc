@@ -269,9 +269,20 @@ void EventIntegrator::meet_jump_of_ground(const LoadCourse &loads, EnergyAccount
   }
 }
 
+bool EventIntegrator::leaves_or_strikes() const {
+  for (unsigned int i = 0; i < states.size(); ++i) {
+    const EventContact &contact = line.contacts[i];
+    if (states[i].is_closed() && contact.normal == EventContact::Normal::rigid &&
+        contact.moves[0] &&
+        std::abs(contact.displacement(velocity)[0]) > rounding_of_rate * fastest)
+      return true;
+  }
+  return false;
+}
+
 bool EventIntegrator::meet_ground(const LoadCourse &loads, const double length,
                                   EnergyAccount &energy, LineState &to) {
-  if (!line.ground_moves)
+  if (!line.ground_moves && !(begins && leaves_or_strikes()))
     return false;
   const std::vector<EventState> before = states;
   const Vector velocity_before = velocity;

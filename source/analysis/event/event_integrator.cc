@@ -55,7 +55,7 @@ void EventIntegrator::start(LineState &state, const LoadCourse &loads) {
     find_limits();
   bounces.assign(states.size(), {});
   at_rest_on_ground = false;
-  ground_may_jump = true;
+  ground_may_jump = begins = true;
   imposed_rates = state.load_rates; // those before
 }
 
@@ -303,6 +303,7 @@ double EventIntegrator::next_motion(const LoadCourse &loads, const double longes
       length = compute_motion(loads, longest);
     if (meet_ground(loads, length, energy, to))
       length = compute_motion(loads, longest);
+    begins = false;
   }
   while (!goes_straight_on && find_curves()) // one that turns may turn another
     length = compute_motion(loads, longest);

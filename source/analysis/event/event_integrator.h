@@ -154,8 +154,11 @@ private:
   /// At an instant at which a velocity that a load imposes may have jumped, the jump's impulse.
   /// @return whether there is any
   bool meet_imposed_jump(const double length, EnergyAccount &energy);
-  /// At an instant at which the ground or its velocity may have jumped, rigid contacts that are
-  /// closed strike, let go or slide. @return whether anything changes
+  /// Whether a rigid contact that is closed has a velocity along its normal, as an initial one
+  /// gives it that a static step has closed.
+  bool leaves_or_strikes() const;
+  /// At an instant at which the ground or its velocity, or the line's may have jumped, rigid
+  /// contacts that are closed strike, let go or slide. @return whether anything changes
   bool meet_ground(const LoadCourse &loads, const double length, EnergyAccount &energy,
                    LineState &to);
   /// A jump of what is imposed opens rigid contacts that it takes apart, and has the others slip.
@@ -214,6 +217,7 @@ private:
   std::string failure;                  ///< why it has ended
   double motion_length = 0.;            ///< of the motion at hand, for x = 1 [s]
   bool ground_may_jump = true;          ///< at present
+  bool begins = false;                  ///< at the first instant of a step
   bool at_rest_on_ground = false;       ///< what is closed, to the error of the steps before
   std::vector<Bounces> bounces;         ///< by contact
   bool goes_straight_on = false;        ///< slip along curves that is not resolved
