@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 namespace frictionbeam {
 
@@ -123,6 +124,19 @@ void open_and_mesh(const Scene &scene, const int dim) {
   refuse_too_many_cells(scene, count(dim));
 }
 
+/// gmsh drops the last line of a geometry without a word, if no line end is behind it.
+void refuse_unended_line(const std::string &file) {
+  if (std::filesystem::path(file).extension() != ".geo")
+    return;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);)
+    if (in.eof() && line.find_first_not_of(" \t\r") != std::string::npos)
+      throw UserError("Mesh/File: gmsh would not see the last line of '" + file +
+                      "'.\n  read:    '" + line.substr(0, 80) +
+                      "' without a line end behind it\n  allowed: lines that all end\n  "
+                      "try:     an empty line at the end of the file");
+}
+
 } // namespace
 
 void open_own_mesh(const Scene &scene, const int dim) {
@@ -130,6 +144,7 @@ void open_own_mesh(const Scene &scene, const int dim) {
   if (!std::filesystem::exists(file))
     throw UserError("Mesh/File: there is no file '" + file +
                     "'. Give its path from the folder of the parameter file.");
+  refuse_unended_line(file);
   ChildLimits limits;
   limits.seconds = 60. + scene.mesh.most_cells / 5e3; // gmsh makes some 1e5 cells a second
   limits.bytes = 8e9 + 2e3 * scene.mesh.most_cells;
