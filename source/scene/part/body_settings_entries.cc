@@ -41,7 +41,7 @@ void declare_continuum(ParameterReader &in) {
   in.declare_choice("Linear solver", LinearSolver::automatic, linear_solvers, "");
   in.declare_count("Increments", 1, 1,
                    "Of each step. Friction depends on the path: 1 applies a step's loads at once.");
-  in.declare_count("Dimension", 2, 2, "Of a generated slab: 2, or 3 with its width.", 3);
+  in.declare_count("Dimension", 2, 2, "Of a body; of a generated slab 3 with its width.", 3);
 }
 
 void parse_continuum(const ParameterReader &in, Scene &scene) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/number_text.h"
 #include "scene/law_entries.h"
 #include "scene/part/parts.h"
 #include "scene/part/pipe_library.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
@@ -190,6 +192,23 @@ void set_shear_area(const ParameterReader &in, const double D, const double t, S
     section.shear_area *= in.si("m2");
 }
 
+/// A pipe has one diameter and one wall, whatever its law could be told.
+/// @param D, t outer diameter and wall of the section [m]
+void check_size_of_law(const ParameterReader &in, const LawDescription &law, const double D,
+                       const double t) {
+  constexpr double rounding = 1e-6; // of nominal sizes, and of units
+  const std::pair<std::string, double> sizes[] = {{"Outside diameter", D}, {"Wall thickness", t}};
+  const std::vector<std::string> entries = law_entries(law);
+  for (const auto &[entry, size] : sizes)
+    if (D > 0. && std::count(entries.begin(), entries.end(), entry) > 0 && in.given(entry) &&
+        std::abs(in.number(entry) - size) > rounding * size)
+      in.fail(entry,
+              "in the law of a section that has a diameter and a wall, the same: " +
+                  exact_number(size / in.si("m")),
+              "leaving it out: the law takes it from Outer diameter and Wall, or Size",
+              in.text(entry));
+}
+
 } // namespace
 
 void parse_section(const ParameterReader &in, const LawLibrary &laws, const std::string &name,
@@ -216,11 +235,29 @@ void parse_section(const ParameterReader &in, const LawLibrary &laws, const std:
   section.added_mass = in.number("Added mass") + section.filling();
   section.law = in.text("Law");
   const LawDescription &law = laws.find(section.law);
+  if (section.is_inelastic())
+    check_size_of_law(in, law, D, t);
   for (int i = 0; section.is_inelastic() && i < law.n_parameters; ++i)
     section.law_parameters.push_back(in.given(law.parameters[i].name)
                                          ? std::optional<double>(in.number(law.parameters[i].name))
                                          : std::nullopt);
   scene.sections.push_back(section);
+}
+
+void print_laws(std::ostream &out, const LawLibrary &laws) {
+  for (const LawKind kind : {LawKind::section, LawKind::support})
+    for (const std::string &name : laws.names(kind)) {
+      if (name == Section().law) // which has no entries of its own
+        continue;
+      const LawDescription &law = laws.find(name);
+      out << "\n# Entries of a " << (kind == LawKind::section ? "Section" : "Support")
+          << " with Law = " << name << " (" << law.reference << "):\n";
+      for (int i = 0; i < law.n_parameters; ++i) {
+        const LawParameter &p = law.parameters[i];
+        out << "#   " << p.name << " = " << p.default_value << " [" << p.unit << "] " << p.meaning
+            << '\n';
+      }
+    }
 }
 
 } // namespace parts

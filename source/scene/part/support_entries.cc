@@ -384,16 +384,4 @@ void parse_support(const ParameterReader &in, const LawLibrary &laws, const std:
   }
 }
 
-void print_laws(std::ostream &out, const LawLibrary &laws) {
-  for (const std::string &name : laws.names(LawKind::support)) {
-    const LawDescription &law = laws.find(name);
-    out << "\n# Entries of a Support with Law = " << name << " (" << law.reference << "):\n";
-    for (int i = 0; i < law.n_parameters; ++i) {
-      const LawParameter &p = law.parameters[i];
-      out << "#   " << p.name << " = " << p.default_value << " [" << p.unit << "] " << p.meaning
-          << '\n';
-    }
-  }
-}
-
 } // namespace frictionbeam::parts
