@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "command/command_line.h"
 
+#include "base/number_text.h"
 #include "base/user_error.h"
 #include "results/file/summary.h"
 #include "scene/read_scene.h"
@@ -21,6 +22,17 @@ const char *const exit_status =
     "3 a mistake of the program's own; 4 results cannot be written, as on a full disk; "
     "5 solved, but a check of the report fails ('Fail on = checks' in section Output); "
     "130 and 143 ended by SIGINT and SIGTERM, with a checkpoint for --resume.";
+
+/// As CLI::Range, which shows small bounds as 0.
+CLI::Validator between(const double least, const double most) {
+  const auto fault = [=](const std::string &text) -> std::string {
+    double value = 0.;
+    if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most)
+      return "";
+    return "Value " + text + " not in range " + exact_number(least) + " to " + exact_number(most);
+  };
+  return CLI::Validator(fault, "", "");
+}
 
 /// Options of `spectrum` and `record`.
 void declare_spectra(CLI::App &spectrum, CLI::App &record, SpectrumOptions &options) {
@@ -189,7 +201,7 @@ void declare(CLI::App &app, CommandLine &line) {
       ->add_option("--tolerance", line.contact.tolerance,
                    "Of both residuals, from 1e-15 to 1e-2 (1e-8 if not given)")
       ->type_name("NUMBER")
-      ->check(CLI::Range(1e-15, 1e-2));
+      ->check(between(1e-15, 1e-2));
   contact
       ->add_option("--time-limit", line.contact.time_limit,
                    "Seconds after which the best so far is written, with exit status 2 (none if "

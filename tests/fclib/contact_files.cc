@@ -194,6 +194,11 @@ void Tests::broken_files() const {
   write(file, problem);
   refused({"Entry 3", "positive semidefinite"});
   problem = good;
+  problem.W(0, 3) = 0.5;
+  problem.W(3, 0) = -0.5;
+  write(file, problem);
+  refused({"W is not symmetric", "0.5 in row 0, column 3", "-0.5 in row 3, column 0"});
+  problem = good;
   problem.W = MatrixXd::Ones(4, 6);
   write(file, problem);
   refused({"W is 4 x 6", "it must be square"});
@@ -226,6 +231,7 @@ void Tests::broken_files() const {
     const program::Run refused = program::execute({program, "contact", option, file.string()});
     CHECK(refused.exit_status == 1);
     CHECK(contains(refused.output, "not understood"));
+    CHECK(option != "--tolerance=2" || contains(refused.output, "range 1e-15 to 0.01"));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "results/file/hdf5_file.h"
 
 #include "base/child_process.h"
+#include "base/number_text.h"
 #include "base/user_error.h"
 #include "results/file/output_file.h"
 
@@ -40,6 +41,7 @@ public:
     problem.friction = read_friction(n / problem.dimension);
     for (int i = 0; i < n; ++i)
       check_diagonal("W", i, problem.W.coeff(i, i));
+    check_symmetric("W", problem.W);
     return problem;
   }
 
@@ -59,10 +61,8 @@ public:
     problem.friction = read_friction(n / problem.dimension);
     for (int i = 0; i < n_unknowns; ++i)
       check_diagonal("M", i, problem.M.coeff(i, i));
-    const SparseMatrix transposed = problem.M.transpose();
-    if (SparseMatrix(problem.M - transposed).norm() > 1e-8 * problem.M.norm())
-      fail("M is not symmetric.");
-    problem.M = SparseMatrix(problem.M + transposed) / 2.; // and so is its pattern
+    check_symmetric("M", problem.M);
+    problem.M = SparseMatrix(problem.M + SparseMatrix(problem.M.transpose())) / 2.; // its pattern
     return problem;
   }
 
@@ -103,6 +103,31 @@ private:
     if (entry < 0.)
       fail("Entry " + std::to_string(i) + " (counted from 0) of the diagonal of " + name + " is " +
            std::to_string(entry) + "; " + name + " must be positive semidefinite.");
+  }
+
+  /// To 1e-8 of the matrix, as the solver asks for.
+  void check_symmetric(const std::string &name, const SparseMatrix &matrix) const {
+    const SparseMatrix apart = matrix - SparseMatrix(matrix.transpose());
+    if (!(apart.norm() > 1e-8 * matrix.norm()))
+      return;
+    int row = 0, column = 0;
+    double most = 0.;
+    for (int j = 0; j < apart.outerSize(); ++j)
+      for (SparseMatrix::InnerIterator entry(apart, j); entry; ++entry)
+        if (std::abs(entry.value()) > most) {
+          most = std::abs(entry.value());
+          row = std::min(entry.row(), entry.col());
+          column = std::max(entry.row(), entry.col());
+        }
+    const auto place = [&](const int i, const int j) {
+      return rounded_number(matrix.coeff(i, j), 6) + " in row " + std::to_string(i) + ", column " +
+             std::to_string(j);
+    };
+    fail(name + " is not symmetric: it has " + place(row, column) + " and " + place(column, row) +
+         " (counted from 0), where a symmetric " + name + " has the same. See that " +
+         (name == "W" ? "W = H^T M^-1 H is taken with one H on both sides, and u = W r + q with "
+                        "motions and forces along the same axes."
+                      : "both of its triangles are written."));
   }
 
   void check_size(const std::string &name, const std::size_t size, const std::size_t expected,
