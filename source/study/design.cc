@@ -14,18 +14,6 @@ namespace {
 
 constexpr double most_runs = 1e6; // whose results have a place in memory
 
-/// Probabilities of a variable's levels in a factorial design.
-std::vector<double> levels_of(const Variation &variation) {
-  const std::size_t n_values = variation.values.size();
-  const std::size_t n = n_values > 0 ? n_values : variation.levels;
-  std::vector<double> levels;
-  for (std::size_t k = 0; k < n; ++k)
-    levels.push_back(n_values == 0 && variation.shape == Variation::Shape::uniform
-                         ? static_cast<double>(k) / (n - 1)
-                         : (k + 0.5) / n);
-  return levels;
-}
-
 /// Every combination; the last variable changes fastest.
 Points factorial(const Variables &variables) {
   Points points = {{}};

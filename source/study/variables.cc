@@ -17,6 +17,8 @@ using Shape = Variation::Shape;
 
 /// Beyond this probability no value is ever drawn, so that none has to be allowed.
 constexpr double never = 1e-9;
+/// Probability of a value between the outermost ones, which is no whole number but by chance.
+constexpr double anywhere = 0.3819660113;
 
 [[noreturn]] void fail(const Variation &variation, const std::string &read,
                        const std::string &allowed, const std::string &hint) {
@@ -295,24 +297,41 @@ std::vector<std::string> Variables::settings_of(const unsigned int v, const doub
   return result;
 }
 
-void Variables::check(const Read &read) const {
-  for (unsigned int v = 0; v < variations.size(); ++v) {
-    const std::size_t n = variations[v].values.size();
-    std::vector<double> probabilities = {0., 1.};
-    if (n > 0) {
-      probabilities.clear();
-      for (std::size_t k = 0; k < n; ++k)
-        probabilities.push_back((k + 0.5) / n);
-    }
-    for (const double u : probabilities) {
+std::vector<double> levels_of(const Variation &variation) {
+  const std::size_t n_values = variation.values.size();
+  const std::size_t n = n_values > 0 ? n_values : variation.levels;
+  std::vector<double> levels;
+  for (std::size_t k = 0; k < n; ++k)
+    levels.push_back(n_values == 0 && variation.shape == Shape::uniform
+                         ? static_cast<double>(k) / (n - 1)
+                         : (k + 0.5) / n);
+  return levels;
+}
+
+namespace {
+/// Probabilities of values that stand for all that a method draws.
+std::vector<double> tried(const Variation &variation, const StudyMethod method) {
+  if (variation.shape == Shape::list || method == StudyMethod::factorial)
+    return levels_of(variation);
+  if (method == StudyMethod::morris)
+    return {0., 1. / 3., 2. / 3., 1.};
+  return {0., 1., anywhere};
+}
+} // namespace
+
+void Variables::check(const Read &read, const StudyMethod method) const {
+  for (unsigned int v = 0; v < variations.size(); ++v)
+    for (const double u : tried(variations[v], method)) {
       try {
         read(settings_of(v, u));
       } catch (const UserError &error) {
         throw UserError(variations[v].origin + ": a value of it is not allowed (" +
-                        in_words(variations[v]) + ")\n" + error.what());
+                        in_words(variations[v]) + ")\n" + error.what() +
+                        (u == anywhere ? "; whole numbers and other words go into a list, as in "
+                                         "Values = 1, 2, 3"
+                                       : ""));
       }
     }
-  }
 }
 
 std::string in_words(const Variation &variation) {

@@ -58,9 +58,10 @@ public:
 
   /// Reads the scene with further options of --set.
   using Read = std::function<void(const std::vector<std::string> &)>;
-  /// Try the outermost values of each section Vary, all of a list.
+  /// Try what a method takes of each section Vary: all of a list and of levels, else the outermost
+  /// values and one between, which is not allowed where an entry is a whole number.
   /// @throws UserError that names the section, if an entry does not allow one of them
-  void check(const Read &read) const;
+  void check(const Read &read, const StudyMethod method) const;
 
 private:
   /// Of one section Vary alone.
@@ -72,6 +73,9 @@ private:
   std::vector<Variable> list;
   std::set<std::string> frictionless;
 };
+
+/// Probabilities of a variable's levels in a factorial design; of a list, of its values.
+std::vector<double> levels_of(const Variation &variation);
 
 /// "normal, mean 0.3, deviation 0.05, cut at 0.1 and 0.5", for a table.
 std::string in_words(const Variation &variation);

@@ -239,10 +239,16 @@ int study_command(const RunOptions &options) {
     file.apply(setting);
   const Variables variables(of.scene, file, laws, places_of(of.scene, nominal), sampling);
   variables.check(
-      [&](const std::vector<std::string> &settings) { read_variant(of, settings, laws); });
+      [&](const std::vector<std::string> &settings) { read_variant(of, settings, laws); },
+      of.scene.study.method);
   find_what_is_shared(variables, of);
   StudyResults study = make_runs(of, variables, sampling);
   study.nominal = numbers_of(nominal);
+  for (const Variation &variation : of.scene.study.variations)
+    if (const auto *const section = file.find("Vary " + variation.name);
+        study.settings.method != StudyMethod::factorial && section && section->find("Levels"))
+      study.remarks.push_back("Vary " + variation.name + ": its Levels are of Method = factorial " +
+                              "and are not used with " + study.settings.row().word + ".");
 
   const std::string folder =
       options.output_directory.empty()
