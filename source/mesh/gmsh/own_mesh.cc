@@ -124,17 +124,22 @@ void open_and_mesh(const Scene &scene, const int dim) {
   refuse_too_many_cells(scene, count(dim));
 }
 
-/// gmsh drops the last line of a geometry without a word, if no line end is behind it.
+/// Of the last line of a geometry gmsh takes the first statement alone and drops the others without
+/// a word, if no line end is behind it.
 void refuse_unended_line(const std::string &file) {
   if (std::filesystem::path(file).extension() != ".geo")
     return;
   std::ifstream in(file);
-  for (std::string line; std::getline(in, line);)
-    if (in.eof() && line.find_first_not_of(" \t\r") != std::string::npos)
-      throw UserError("Mesh/File: gmsh would not see the last line of '" + file +
-                      "'.\n  read:    '" + line.substr(0, 80) +
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t first = line.find(';'),
+                      next = first < line.size() ? line.find_first_not_of(" \t\r", first + 1)
+                                                 : std::string::npos;
+    if (in.eof() && next != std::string::npos && line.compare(next, 2, "//") != 0)
+      throw UserError("Mesh/File: gmsh would not see the end of the last line of '" + file +
+                      "'.\n  read:    '" + line.substr(next, 80) +
                       "' without a line end behind it\n  allowed: lines that all end\n  "
                       "try:     an empty line at the end of the file");
+  }
 }
 
 } // namespace

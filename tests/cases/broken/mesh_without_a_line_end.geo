@@ -1,5 +1,4 @@
 Point(1) = {0, 0, 0};
 Point(2) = {1, 0, 0};
 Line(1) = {1, 2};
-Physical Curve("main") = {1};
-Physical Point("A") = {1};
+Physical Curve("main") = {1}; Physical Point("A") = {1};
