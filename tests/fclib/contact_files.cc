@@ -181,27 +181,20 @@ void Tests::broken_files() const {
   std::ofstream(file) << "no HDF5\n";
   refused({"cannot be opened as HDF5", "h5ls"});
 
-  Problem problem = good;
-  problem.mu[1] = -0.5;
-  write(file, problem);
-  refused({"mu of contact 1", "-0.5", "it must be 0 or more"});
-  problem = good;
-  problem.q[2] = std::nan("");
-  write(file, problem);
-  refused({"/fclib_local/vectors/q has an entry that is not finite"});
-  problem = good;
-  problem.W(3, 3) = -1.;
-  write(file, problem);
-  refused({"Entry 3", "positive semidefinite"});
-  problem = good;
-  problem.W(0, 3) = 0.5;
-  problem.W(3, 0) = -0.5;
-  write(file, problem);
-  refused({"W is not symmetric", "0.5 in row 0, column 3", "-0.5 in row 3, column 0"});
-  problem = good;
-  problem.W = MatrixXd::Ones(4, 6);
-  write(file, problem);
-  refused({"W is 4 x 6", "it must be square"});
+  const auto changed = [&](const auto &change, const std::vector<std::string> &parts) {
+    Problem problem = good;
+    change(problem);
+    write(file, problem);
+    refused(parts);
+  };
+  changed([](Problem &one) { one.mu[1] = -0.5; },
+          {"mu of contact 1", "-0.5", "it must be 0 or more"});
+  changed([](Problem &one) { one.q[2] = std::nan(""); },
+          {"/fclib_local/vectors/q has an entry that is not finite"});
+  changed([](Problem &one) { one.W(3, 3) = -1.; }, {"Entry 3", "positive semidefinite"});
+  changed([](Problem &one) { one.W(3, 0) = -(one.W(0, 3) = 0.5); },
+          {"W is not symmetric", "0.5 in row 0, column 3", "-0.5 in row 3, column 0"});
+  changed([](Problem &one) { one.W = MatrixXd::Ones(4, 6); }, {"W is 4 x 6", "it must be square"});
   write(file, good, -1, [](StoredMatrix &W) { W.i[3] = 7; });
   refused({"row 7, column 3", "outside of its 4"});
   write(file, good, -1, [](StoredMatrix &W) { W.p[4] = 9; });
