@@ -70,7 +70,7 @@ private:
   /// Of the cells of the present mesh, and in its row of the table.
   void estimate_errors(const ContinuumSequence<dim> &sequence);
   /// What changes of the quantities are relative to at least: a hundredth of the largest of their
-  /// kind, of the ends of zones a hundredth of the body.
+  /// kind at the end of any step, of the ends of zones a hundredth of the body.
   std::vector<double> least_scales() const;
   /// Largest error of a quantity on the last of several meshes, estimated from its changes, which
   /// shall form a geometric series.
@@ -89,6 +89,7 @@ private:
   Checkpoint checkpoint;
   std::optional<Archive> saved; ///< of the sequence that solve() goes on with
   std::vector<ContinuumLevel> levels;
+  std::vector<double> sizes;  ///< largest of each quantity at the ends of the steps, on this mesh
   double untouched = 0.;      ///< relative error by cells of the first mesh that are left
   double seconds_before = 0.; ///< of the runs that were cut
   dealii::Vector<float> estimate;
@@ -103,15 +104,17 @@ Solution<dim> AdaptiveRun<dim>::solve(const ContinuumGuess *guess) {
     sequence.transfer(*saved);
   saved.reset();
   solution.converged = sequence.run(guess, [&]() { pause(sequence); });
-  std::vector<ContactRow> last_rows;
-  for (const ContinuumState &state : sequence.ends()) {
-    last_rows = contact_rows(body, sequence.contacts(), state);
-    solution.rows.insert(solution.rows.end(), last_rows.begin(), last_rows.end());
-  }
-  const ContinuumState &last = sequence.ends().back();
   ContinuumLevel &level = solution.level;
-  for (const ContinuumQuantity &quantity : body.continuum.quantities)
-    level.quantities.push_back(evaluate_quantity(body, last, last_rows, quantity));
+  level.quantities.resize(body.continuum.quantities.size());
+  sizes.assign(level.quantities.size(), 0.);
+  for (const ContinuumState &state : sequence.ends()) {
+    const std::vector<ContactRow> rows = contact_rows(body, sequence.contacts(), state);
+    solution.rows.insert(solution.rows.end(), rows.begin(), rows.end());
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      level.quantities[i] = evaluate_quantity(body, state, rows, body.continuum.quantities[i]);
+      sizes[i] = std::max(sizes[i], std::abs(level.quantities[i]));
+    }
+  }
   for (std::size_t i = 0; i < level.quantities.size(); ++i)
     if (!std::isfinite(level.quantities[i]))
       throw UserError("Quantity " + body.continuum.quantities[i].name +
@@ -204,7 +207,7 @@ std::vector<double> AdaptiveRun<dim>::least_scales() const {
     double largest = is_length(quantity) ? size : 0.;
     for (std::size_t j = 0; j < quantities.size() && !is_length(quantity); ++j)
       if (unit_of(quantities[j]) == unit_of(quantity) && !is_length(quantities[j]))
-        largest = std::max(largest, std::abs(levels.back().quantities[j]));
+        largest = std::max(largest, sizes[j]);
     result.push_back(least_share * largest);
   }
   return result;

@@ -176,7 +176,8 @@ void parse_subject(const ParameterReader &in, const std::string &text, const Con
   if (kind->at == BodyQuantityKind::At::x && !to_number(words[2], quantity.x))
     fail_form(in, quantity.name, text);
   if (quantity.component >= body.dimension)
-    in.fail(quantity.name, "ux and uy in a plane body", "mean_uy", "'" + words[0] + "'");
+    in.fail(quantity.name, "ux and uy in a plane body",
+            "mean_uy, or Continuum/Dimension = 3 of a body in space", "'" + words[0] + "'");
   check_contact_part(in, quantity.name, quantity, body);
 }
 

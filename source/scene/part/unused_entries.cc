@@ -229,6 +229,23 @@ void remark_on_sections(ParameterReader &in, Scene &scene) {
               "without a Spectrum", scene);
 }
 
+/// What a body has no use of, though the file may have it.
+void remark_on_body(ParameterReader &in, Scene &scene) {
+  in.enter("");
+  if (in.raw("Scene", "") != "body")
+    return;
+  for (const char *const entry : {"Friction multipliers", "Monitors"})
+    if (in.given(entry))
+      scene.remarks.push_back(std::string(entry) + " is not used with Scene = body.");
+  in.enter("Output");
+  if (scene.output.contact_problems)
+    remark_on(in, "Output", {"Write contact problems"}, "with Scene = body", scene);
+  in.enter("Body");
+  if (scene.continuum && scene.continuum->dimension == 2)
+    remark_on(in, "Body", {"Torsional rigidity", "Patch radius", "Shear rigidity ratio"},
+              "in the plane, in which nothing turns or slides across it", scene);
+}
+
 } // namespace
 
 bool has_creep(const ParameterReader &in) {
@@ -248,6 +265,7 @@ void remark_on_unused(ParameterReader &in, Scene &scene) {
   }
   remark_on_parts(in, has_motion, scene);
   remark_on_sections(in, scene);
+  remark_on_body(in, scene);
   remark_on_catalogue(in, scene);
   remark_on_initial(scene);
   remark_on_moved_points(scene);
