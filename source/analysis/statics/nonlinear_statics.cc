@@ -143,7 +143,8 @@ bool NonlinearStatics::is_solved(Approach &at, const ContactResponse &response,
                          at.factors, beside);
     return (beside.forces - at.balance.forces).lpNorm<Eigen::Infinity>();
   };
-  return is_balanced(model, largest_diagonal(at.balance.stiffness), size, at.largest, at.pose, rounding, scale);
+  return is_balanced(model, largest_diagonal(at.balance.stiffness), size, at.largest, at.pose,
+                     rounding, scale);
 }
 
 bool NonlinearStatics::follows_creep(const Approach &at, EquilibriumResult &result) {
