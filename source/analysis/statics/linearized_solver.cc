@@ -265,12 +265,8 @@ bool is_balanced(const Model &model, const double stiffness, const double size,
                  const double scale) {
   // A solution that runs away has rounding errors of any size: they excuse nothing then.
   constexpr double most_rounding = 2e-7;
-  double moved = 0.;
-  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
-    for (unsigned int d = 0; d < 3; ++d)
-      moved = std::max(moved, std::abs(pose.dofs[model.discretization.vertex_dofs().index(v, d)]));
   const double by_metre = 8. * std::numeric_limits<double>::epsilon() * stiffness,
-               rounding = by_metre * moved;
+               rounding = by_metre * largest_displacement(model.discretization, pose.dofs);
   if (size <= std::max(model.scene.solver.tolerance * largest,
                        std::min(rounding, contact::most_excused * std::max(largest, scale))))
     return true;

@@ -147,9 +147,8 @@ Eigen::VectorXd WallStretch::push(const unsigned int rest) const {
 }
 
 Eigen::MatrixXd WallStretch::on_sections() const {
-  const unsigned int n_loads = of_rests.empty() ? 0 : own.at_sections.size();
-  Eigen::MatrixXd result(6 * (sections.size() - 1), n_loads);
-  for (unsigned int l = 0; l < n_loads; ++l)
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(6 * (sections.size() - 1), own.at_sections.size());
+  for (unsigned int l = 0; l < result.cols() && !of_rests.empty(); ++l)
     for (unsigned int i = 0, row = 0; i < sections.size(); ++i)
       if (i != reference) {
         result.block<6, 1>(row, l) = Eigen::Map<const Vector6>(own.at_sections[l][i].data());
@@ -170,7 +169,7 @@ Eigen::MatrixXd WallStretch::relation() const {
   return G;
 }
 
-void WallStretch::solve_fields(const std::vector<Vector6> &resultants) {
+Eigen::MatrixXd WallStretch::solve_fields(const std::vector<Vector6> &resultants) {
   for (unsigned int i = 0; i < sections.size(); ++i)
     for (unsigned int c = 0; c < 6 && i != reference; ++c) {
       const Vector6 unit = Vector6::Unit(c);
@@ -191,10 +190,11 @@ void WallStretch::solve_fields(const std::vector<Vector6> &resultants) {
     for (ContinuumVector &field : *fields)
       body.constraints.distribute(field);
   }
-  rest_motions.resize(presses.size(), of_loads.size());
+  Eigen::MatrixXd of_rests_by_loads(presses.size(), of_loads.size());
   for (unsigned int p = 0; p < presses.size(); ++p)
     for (unsigned int l = 0; l < of_loads.size(); ++l)
-      rest_motions(p, l) = presses[p] * of_loads[l];
+      of_rests_by_loads(p, l) = presses[p] * of_loads[l];
+  return of_rests_by_loads;
 }
 
 Eigen::MatrixXd WallStretch::directions(const Eigen::MatrixXd &stiffness) const {
@@ -228,7 +228,7 @@ SolidPart WallStretch::superelement() {
   part.vertices = own.vertices;
   part.cell_loads = cell_loads();
   const std::vector<Vector6> on_reference = resultants(part);
-  solve_fields(on_reference);
+  const Eigen::MatrixXd rest_motions = solve_fields(on_reference);
 
   const Eigen::MatrixXd F = relative(of_forces), stiffness = inverse_of(F),
                         B = directions(stiffness), G = relation();
@@ -238,13 +238,9 @@ SolidPart WallStretch::superelement() {
   for (unsigned int p = 0; p < of_rests.size(); ++p)
     free_motions += push(p) * rest_motions.row(p);
   point_forces = on_sections();
-  if (point_forces.cols() > 0)
-    free_motions += B.transpose() * F * point_forces;
+  free_motions += B.transpose() * F * point_forces;
   for (unsigned int l = 0; l < of_loads.size(); ++l) {
-    Eigen::VectorXd patches = inverse * free_motions.col(l);
-    if (point_forces.cols() > 0)
-      patches -= point_forces.col(l);
-    part.forces.push_back(G.transpose() * patches);
+    part.forces.push_back(G.transpose() * (inverse * free_motions.col(l) - point_forces.col(l)));
     part.forces.back().segment<6>(6 * reference) += on_reference[l];
   }
   return part;
@@ -254,9 +250,7 @@ ContinuumVector WallStretch::displacement(const Eigen::VectorXd &motions,
                                           const std::vector<double> &factors) const {
   const Eigen::Map<const Eigen::VectorXd> x(factors.data(), factors.size());
   const Eigen::VectorXd pushes = inverse * (relation() * motions - free_motions * x);
-  Eigen::VectorXd amplitudes = pushes;
-  if (point_forces.cols() > 0)
-    amplitudes += point_forces * x;
+  const Eigen::VectorXd amplitudes = pushes + point_forces * x;
   ContinuumVector field;
   body.reinit(field);
   for (unsigned int k = 0; k < of_forces.size(); ++k)

@@ -87,10 +87,11 @@ private:
   Matrix6 carried(const unsigned int section) const;
   /// Forces in balance: what is given, and the opposite of its resultant on the reference.
   ContinuumVector balanced(ContinuumVector forces, const Vector6 &resultant) const;
-  /// Forces at points that act on sections, among those of unit forces: columns, one each load.
+  /// Forces at points that act on sections, among those of unit forces, of each load (columns);
+  /// zero without rests, where it is all the same.
   Eigen::MatrixXd on_sections() const;
-  /// The fields of unit forces, loads and rests.
-  void solve_fields(const std::vector<Vector6> &resultants);
+  /// Find the fields of unit forces, loads and rests. @return d of each rest (rows) by each load
+  Eigen::MatrixXd solve_fields(const std::vector<Vector6> &resultants);
   /// Resultants of the loads on cells about the reference.
   std::vector<Vector6> resultants(const SolidPart &part) const;
   /// Motions of all sections but the reference relative to it.
@@ -112,8 +113,7 @@ private:
   /// Fields; of rests in the order of the wall's patches.
   std::vector<ContinuumVector> of_forces, of_loads, of_rests;
   Eigen::MatrixXd inverse;      ///< (B^T F B)^-1
-  Eigen::MatrixXd point_forces; ///< p of each load (columns); none without rests
-  Eigen::MatrixXd rest_motions; ///< d of each rest (rows) by each load
+  Eigen::MatrixXd point_forces; ///< p of each load (columns)
   Eigen::MatrixXd free_motions; ///< relative ones of each load (columns), those of rests with d
 };
 

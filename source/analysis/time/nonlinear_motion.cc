@@ -76,11 +76,8 @@ double NonlinearMotion::rounding_of(const Step &step) const {
 }
 
 double NonlinearMotion::digits_of(const Step &step) const {
-  double place = largest_coordinate(model.discretization);
-  for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
-    for (unsigned int d = 0; d < 3; ++d)
-      place =
-          std::max(place, std::abs(step.to.dofs[model.discretization.vertex_dofs().index(v, d)]));
+  const double place = std::max(largest_coordinate(model.discretization),
+                                largest_displacement(model.discretization, step.to.dofs));
   constexpr double negligible = 1e-12; // of the largest force
   return std::min(std::numeric_limits<double>::epsilon() * step.stiffness * place,
                   negligible * step.largest);

@@ -18,6 +18,15 @@ inline double largest_coordinate(const Discretization &discretization) {
   return largest;
 }
 
+/// Largest component of a displacement of the line's vertices, among all degrees of freedom [m].
+inline double largest_displacement(const Discretization &discretization, const Vector &dofs) {
+  double largest = 0.;
+  for (unsigned int v = 0; v < discretization.n_line_vertices(); ++v)
+    for (unsigned int d = 0; d < 3; ++d)
+      largest = std::max(largest, std::abs(dofs[discretization.vertex_dofs().index(v, d)]));
+  return largest;
+}
+
 /// Longest edge of the box along the axes that holds the line at rest [m].
 inline double line_extent(const Discretization &discretization) {
   double longest = 0.;
