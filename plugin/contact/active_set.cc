@@ -3,6 +3,7 @@
 #include <frictionbeam/disc_projection.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace frictionbeam::contact {
@@ -189,6 +190,13 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
   return outcome;
 }
 
+Vector ActiveSet::like_before(Response &response) {
+  equations.evaluate(Vector::Zero(kept.motion.size()), response);
+  const double stored = kept.motion.dot(equations.S * kept.motion),
+               done = equations.forces_left(response).dot(kept.motion);
+  return stored > 0. ? std::clamp(std::round(done / stored), -1., 1.) * kept.motion : kept.motion;
+}
+
 Outcome ActiveSet::solve_few(const bool is_first, const double factor, Vector &x,
                              Response &response, Result &result) {
   // In motion states hardly change from step to step, and factors are kept.
@@ -197,9 +205,9 @@ Outcome ActiveSet::solve_few(const bool is_first, const double factor, Vector &x
   const bool has_forces = std::any_of(proximal.centre.begin(), proximal.centre.end(),
                                       [](const Strains &stress) { return stress[0] != 0.; });
   const std::vector<Strains> centre = proximal.centre;
-  if (is_first && kept.motion.size() == x.size())
-    x = kept.motion;
   proximal.stiffness_factor = has_forces ? stiffness_of_approach : stiffness_from_no_forces;
+  if (is_first && kept.motion.size() == x.size())
+    x = like_before(response);
   Outcome outcome = Outcome::stalled;
   if (newton.approach(x, response, result)) {
     proximal.stiffness_factor = factor;

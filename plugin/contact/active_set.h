@@ -53,11 +53,17 @@ public:
 
 private:
   /**
-   * Without a front, from the motion and around the forces of the increment before: one step on
-   * soft proximal contacts, most of which keep their states, from where solve_together() goes on.
+   * Without a front, from a motion like_before() and around the forces of the increment before: one
+   * step on soft proximal contacts, most of which keep their states, from where solve_together()
+   * goes on.
    */
   Outcome solve_few(const bool is_first, const double factor, Vector &x, Response &response,
                     Result &result);
+  /**
+   * The motion m of the increment before, as it was, turned about, or none, whichever is nearest to
+   * what the change f of the loads would make of it without contacts: f.m / m.Sm times m.
+   */
+  Vector like_before(Response &response);
   /// To forces and x at which the branches stay as they are. @return whether they do
   bool predict(Vector &x, Response &response, Result &result);
   std::vector<ContactStatus> first_branches(const Response &response) const;

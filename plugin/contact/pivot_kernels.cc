@@ -139,11 +139,20 @@ template <int n_pivots>
 [[gnu::always_inline]] inline void solve_upper_of(const double *const pairs, const int stride,
                                                   const int width, const double *const diagonal,
                                                   double *const x) {
+  const double *row = pairs;
+  for (int p = 0; p < width; ++p, row += 2 * stride) { // what is known, row by row for itself
+    FourNumbers sum = {0., 0., 0., 0.};
+    int k = width;
+    for (; k + 1 < stride; k += 2)
+      sum += at<FourNumbers>(row + 2 * k) * FourNumbers{x[k], x[k], x[k + 1], x[k + 1]};
+    if (k < stride)
+      sum[0] += row[2 * k] * x[k];
+    x[p] -= sum[0] + sum[2];
+  }
   for (int p = width - 1; p >= 0; --p) {
-    const double *const row = pairs + 2 * p * stride;
+    row = pairs + 2 * p * stride;
     double value = x[p];
-#pragma GCC unroll 4
-    for (int k = p + 1; k < stride; ++k)
+    for (int k = p + 1; k < width; ++k)
       value -= row[2 * k] * x[k];
     x[p] = value / diagonal[p];
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -35,7 +36,8 @@ class Sampling {
 public:
   virtual ~Sampling() = default;
 
-  virtual double quantile(const Distribution &distribution, const double probability) const = 0;
+  /// The distribution's quantiles by their probability.
+  virtual std::function<double(double)> quantiles(const Distribution &distribution) const = 0;
 
   virtual Points random(const unsigned int n_runs, const unsigned int n_variables,
                         const unsigned int seed) const = 0;

@@ -193,14 +193,29 @@ std::optional<double> factor_of_all(const std::vector<Variable::Entry> &entries)
   return is_one ? std::optional<double>(entries.front().factor) : std::nullopt;
 }
 
+std::function<double(double)> quantiles_of(const Variation &variation, const Sampling &sampling) {
+  if (variation.shape == Shape::list)
+    return {};
+  Distribution distribution;
+  distribution.kind = variation.shape == Shape::uniform  ? Distribution::Kind::uniform
+                      : variation.shape == Shape::normal ? Distribution::Kind::normal
+                                                         : Distribution::Kind::log_normal;
+  distribution.mean = variation.mean;
+  distribution.deviation = variation.deviation;
+  distribution.from = variation.from;
+  distribution.to = variation.to;
+  return sampling.quantiles(distribution);
+}
+
 } // namespace
 
 Variables::Variables(const Scene &scene, const ParameterFile &file, const LawLibrary &laws,
                      const PlacesOfSupports &places, const Sampling &sampling)
-    : variations(scene.study.variations), sampling(sampling) {
+    : variations(scene.study.variations) {
   const Entries entries(scene, file, laws, places);
   std::set<std::string> taken;
   for (unsigned int v = 0; v < variations.size(); ++v) {
+    quantiles.push_back(quantiles_of(variations[v], sampling));
     Variable common{variations[v].name, {}, {}, v};
     for (const std::string &path : variations[v].entries) {
       refuse_what_cannot_vary(variations[v], path);
@@ -226,20 +241,13 @@ Variables::Variables(const Scene &scene, const ParameterFile &file, const LawLib
   frictionless = entries.without_friction();
 }
 
-double Variables::quantile(const Variation &variation, const double u) const {
-  Distribution distribution;
-  distribution.kind = variation.shape == Shape::uniform  ? Distribution::Kind::uniform
-                      : variation.shape == Shape::normal ? Distribution::Kind::normal
-                                                         : Distribution::Kind::log_normal;
-  distribution.mean = variation.mean;
-  distribution.deviation = variation.deviation;
-  distribution.from = variation.from;
-  distribution.to = variation.to;
+double Variables::quantile(const unsigned int v, const double u) const {
+  const Variation &variation = variations[v];
   if (u <= 0. && std::isfinite(variation.from))
     return variation.from;
   if (u >= 1. && std::isfinite(variation.to))
     return variation.to;
-  return sampling.quantile(distribution, std::clamp(u, never, 1. - never));
+  return quantiles[v](std::clamp(u, never, 1. - never));
 }
 
 namespace {
@@ -254,7 +262,7 @@ double Variables::value(const std::size_t i, const double u) const {
   const Variation &of = variation(i);
   const double scale = list[i].of_all.value_or(1.);
   if (of.shape != Shape::list)
-    return quantile(of, u) * scale;
+    return quantile(list[i].variation, u) * scale;
   const std::size_t place = place_in_list(of.values.size(), u);
   double number = 0.;
   const bool are_numbers =

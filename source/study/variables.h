@@ -66,10 +66,10 @@ public:
 private:
   /// Of one section Vary alone.
   std::vector<std::string> settings_of(const unsigned int v, const double u) const;
-  double quantile(const Variation &variation, const double u) const;
+  double quantile(const unsigned int v, const double u) const;
 
   std::vector<Variation> variations;
-  const Sampling &sampling;
+  std::vector<std::function<double(double)>> quantiles; ///< of each section Vary; none of a list
   std::vector<Variable> list;
   std::set<std::string> frictionless;
 };

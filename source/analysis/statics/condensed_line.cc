@@ -159,15 +159,12 @@ EquilibriumResult CondensedLine::solve(const LineState &from, const StaticIncrem
                     unknowns, response);
   for (unsigned int k = 0; k < kept.size(); ++k)
     to.unknowns[kept[k]] = unknowns[k];
-  model.space.expand(to.unknowns, to.dofs);
-  to.dofs += imposed;
+  to.dofs = imposed;
   return result;
 }
 
 bool CondensedLine::complete(LineState &state) const {
-  Vector imposed;
-  model.space.expand(state.unknowns, imposed);
-  imposed = state.dofs - imposed;
+  const Vector imposed = state.dofs;
   state.unknowns = line->expand(kept_of(state.unknowns), Vector::Zero(K.rows())) +
                    sum_of(motions, state.load_factors);
   model.space.expand(state.unknowns, state.dofs);

@@ -18,10 +18,11 @@ public:
   /// Begin another run: the contacts' laws may have other numbers, nothing is remembered.
   void begin();
 
-  /// As Statics::solve(), but of the unknowns those of contacts alone, also in @p from.
+  /// As Statics::solve(), but of the unknowns those of contacts alone, also in @p from; of the
+  /// displacements those that are imposed alone.
   EquilibriumResult solve(const LineState &from, const StaticIncrement &increment, LineState &to,
                           ContactResponse &response);
-  /// The motions of all unknowns, of the state at the end of an increment.
+  /// The motions of all unknowns, of the state at the end of an increment, as solve() left it.
   /// @return whether the forces on all of them balance, to the tolerance
   bool complete(LineState &state) const;
 

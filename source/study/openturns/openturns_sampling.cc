@@ -80,16 +80,19 @@ OT::LowDiscrepancyExperiment sobol_experiment(const unsigned int n_runs,
 
 class OpenTurnsSampling final : public Sampling {
 public:
-  double quantile(const Distribution &distribution, const double probability) const override {
+  std::function<double(double)> quantiles(const Distribution &distribution) const override {
     const OT::Distribution whole = uncut(distribution);
     if (distribution.kind == Distribution::Kind::uniform ||
         (std::isinf(distribution.from) && std::isinf(distribution.to)))
-      return whole.computeScalarQuantile(probability);
+      return [whole](const double probability) { return whole.computeScalarQuantile(probability); };
     // By the distribution's own functions: F^-1(F(a) + p (F(b) - F(a))).
-    const double below = std::isinf(distribution.from) ? 0. : whole.computeCDF(distribution.from),
-                 above = std::isinf(distribution.to) ? 1. : whole.computeCDF(distribution.to);
-    const double value = whole.computeScalarQuantile(below + probability * (above - below));
-    return std::min(std::max(value, distribution.from), distribution.to);
+    const double from = distribution.from, to = distribution.to,
+                 below = std::isinf(from) ? 0. : whole.computeCDF(from),
+                 above = std::isinf(to) ? 1. : whole.computeCDF(to);
+    return [=](const double probability) {
+      return std::clamp(whole.computeScalarQuantile(below + probability * (above - below)), from,
+                        to);
+    };
   }
 
   Points random(const unsigned int n_runs, const unsigned int n_variables,
