@@ -2,6 +2,8 @@
 #include "analysis/algebra/coarse_factorization.h"
 #include "model/body/body_cell_matrices.h"
 
+#include <algorithm>
+
 namespace frictionbeam {
 
 using namespace dealii;
@@ -25,8 +27,11 @@ CoarseFactorization<dim>::CoarseFactorization(const ContinuumBody<dim> &body,
   for (const auto dof : owned)
     if (constraints.is_constrained(dof))
       entries.push_back({static_cast<unsigned int>(dof), static_cast<unsigned int>(dof), 1.});
+  place = Eigen::VectorXi::LinSpaced(owned.size(), 0, owned.size() - 1);
+  const Eigen::VectorXi order = sparse_order(sum_of_all(entries), 0);
+  for (int i = 0; i < order.size(); ++i)
+    place[order[i]] = i;
   stiffness = sum_of_all(entries);
-  factors.analyzePattern(stiffness);
 }
 
 template <int dim>
@@ -34,8 +39,10 @@ Eigen::SparseMatrix<double>
 CoarseFactorization<dim>::sum_of_all(const std::vector<Entry> &own) const {
   std::vector<Eigen::Triplet<double>> triplets;
   for (const auto &part : Utilities::MPI::all_gather(communicator, own))
-    for (const Entry &entry : part)
-      triplets.emplace_back(entry.row, entry.column, entry.value);
+    for (const Entry &entry : part) {
+      const auto [column, row] = std::minmax(place[entry.row], place[entry.column]);
+      triplets.emplace_back(row, column, entry.value);
+    }
   Sparse sum(owned.size(), owned.size());
   sum.setFromTriplets(triplets.begin(), triplets.end());
   return sum;
@@ -50,21 +57,25 @@ bool CoarseFactorization<dim>::factorize(const std::vector<NodeBlock<dim>> &bloc
         if (block.dofs[a] >= block.dofs[b] && block.stiffness(a, b) != 0.)
           entries.push_back({static_cast<unsigned int>(block.dofs[a]),
                              static_cast<unsigned int>(block.dofs[b]), block.stiffness(a, b)});
-  const Sparse sum = stiffness + sum_of_all(entries); // of dofs that a cell couples: its pattern
-  factors.factorize(sum);
-  return factors.info() == Eigen::Success;
+  constexpr double shift = 1e-9; // of a body that nothing holds, whose stiffness has no inverse
+  Sparse sum = stiffness + sum_of_all(entries); // of dofs that a cell couples: its pattern
+  if (factors.compute(sum, 0))
+    return true;
+  sum.diagonal() *= 1. + shift;
+  return factors.compute(sum, 0);
 }
 
 template <int dim>
 void CoarseFactorization<dim>::solve(Vector &x, const Vector &b) const {
   std::vector<double> right(owned.size(), 0.), all(owned.size());
   for (const auto dof : owned)
-    right[dof] = b(dof);
+    right[place[dof]] = b(dof);
   Utilities::MPI::sum(right, communicator, all);
-  const Eigen::VectorXd solution =
-      factors.solve(Eigen::Map<const Eigen::VectorXd>(all.data(), all.size()));
+  Eigen::MatrixXd solution = Eigen::Map<const Eigen::VectorXd>(all.data(), all.size());
+  factors.solve_lower(solution);
+  factors.solve_upper(solution);
   for (const auto dof : owned)
-    x(dof) = solution[dof];
+    x(dof) = solution(place[dof], 0);
 }
 
 template class CoarseFactorization<2>;

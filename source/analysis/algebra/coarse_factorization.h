@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/algebra/block_cholesky.h"
 #include "analysis/algebra/elastic_operator.h"
-
-#include <Eigen/SparseCholesky>
 
 namespace frictionbeam {
 
@@ -33,13 +32,14 @@ private:
       archive &row &column &value;
     }
   };
-  /// The entries of all processes, added up in the lower triangle.
+  /// The entries of all processes, added up in the lower triangle, in the order of elimination.
   Sparse sum_of_all(const std::vector<Entry> &own) const;
 
   const MPI_Comm communicator;
   const dealii::IndexSet owned;
-  Sparse stiffness; ///< lower triangle; 1 on the diagonal of hanging and held dofs
-  Eigen::SimplicialLDLT<Sparse> factors;
+  Eigen::VectorXi place; ///< of each dof in the order of elimination
+  Sparse stiffness;      ///< lower triangle; 1 on the diagonal of hanging and held dofs
+  BlockCholesky factors;
 };
 
 } // namespace frictionbeam

@@ -187,13 +187,16 @@ CondensedSystem::Dense CondensedSystem::tangent(const std::vector<Block> &blocks
 bool CondensedSystem::solve_columns(const std::vector<Block> &blocks, const bool symmetric,
                                     Dense &y) const {
   factors.solve_lower(y);
-  const Dense &L = factors.last_block();
-  const Dense right = L.triangularView<Eigen::Lower>() * y.bottomRows(n_contact),
-              contact = symmetric ? Dense(Eigen::LDLT<Dense>(tangent(blocks)).solve(right))
-                                  : Dense(Eigen::PartialPivLU<Dense>(tangent(blocks)).solve(right));
-  if (!contact.allFinite())
-    return false;
-  y.bottomRows(n_contact) = L.transpose().triangularView<Eigen::Upper>() * contact;
+  if (n_contact > 0) { // products of matrices without rows end in a division by zero
+    const Dense &L = factors.last_block();
+    const Dense right = L.triangularView<Eigen::Lower>() * y.bottomRows(n_contact),
+                contact = symmetric
+                              ? Dense(Eigen::LDLT<Dense>(tangent(blocks)).solve(right))
+                              : Dense(Eigen::PartialPivLU<Dense>(tangent(blocks)).solve(right));
+    if (!contact.allFinite())
+      return false;
+    y.bottomRows(n_contact) = L.transpose().triangularView<Eigen::Upper>() * contact;
+  }
   factors.solve_upper(y);
   return true;
 }

@@ -7,18 +7,21 @@ using namespace dealii;
 
 namespace {
 
-/// Unknowns from which multigrid pays in 3D, and unknowns of linear elements on the first mesh up
-/// to which it does: each of Newton's steps factors these.
+/// Unknowns from which multigrid pays in 3D, and those of linear elements on the first mesh up to
+/// which it does, by themselves or as a part of all: each of Newton's steps factors these.
 constexpr types::global_dof_index least_multigrid = 3000, most_coarsest = 3000;
+constexpr unsigned int least_coarsening = 4;
 template <int dim>
 constexpr types::global_dof_index most_direct = dim == 2 ? 60000 : 15000;
 
 /// Whether the mesh hierarchy is one that multigrid was made for.
 template <int dim>
 bool suits_multigrid(const ContinuumBody<dim> &body) {
-  return dim == 3 && body.dof_handler.n_dofs() >= least_multigrid &&
-         dim * body.mesh.vertices.size() <= most_coarsest && body.mesh.manifolds.empty() &&
-         body.continuum.sections.empty();
+  const types::global_dof_index n = body.dof_handler.n_dofs(),
+                                coarsest = dim * body.mesh.vertices.size();
+  return dim == 3 && n >= least_multigrid &&
+         (coarsest <= most_coarsest || coarsest <= n / least_coarsening) &&
+         body.mesh.manifolds.empty() && body.continuum.sections.empty();
 }
 
 } // namespace

@@ -15,8 +15,10 @@ constexpr Word<Refinement> refinements[] = {
 using LinearSolver = ContinuumSettings::LinearSolver;
 constexpr Word<LinearSolver> linear_solvers[] = {
     {"auto", LinearSolver::automatic,
-     "multigrid from 3,000 unknowns in 3D, where the first mesh has at most 1,000 nodes and no "
-     "curved cells; else direct, but under mpirun amg from 60,000 unknowns in 2D, 15,000 in 3D"},
+     "multigrid from 3,000 unknowns in 3D, where the first mesh has at most 1,000 nodes or its "
+     "linear elements a quarter of the unknowns, and no curved cells; else direct, but under "
+     "mpirun "
+     "amg from 60,000 unknowns in 2D, 15,000 in 3D"},
     {"direct", LinearSolver::direct,
      "factorization (with mpirun: Amesos KLU, which works on one process)"},
     {"multigrid", LinearSolver::multigrid,

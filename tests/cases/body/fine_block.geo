@@ -1,0 +1,21 @@
+// The same block with cells of half the height: 1,755 nodes.
+Point(1) = {0, 0, 0};
+Point(2) = {7, 0, 0};
+Point(3) = {7, 6, 0};
+Point(4) = {0, 6, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve{1, 3} = 8;
+Transfinite Curve{2, 4} = 7;
+Transfinite Surface{1};
+Recombine Surface{1};
+block[] = Extrude {0, 0, 2} { Surface{1}; Layers{4}; Recombine; };
+Physical Surface("ground") = {1};
+Physical Surface("top") = {block[0]};
+Physical Surface("left") = {block[5]};
+Physical Point("corner") = {1};
+Physical Volume("body") = {block[1]};
