@@ -107,8 +107,9 @@ struct Section {
   double filling() const;
 };
 
-/// The section of a reducer, @p part of its way from @p begin to @p end: diameter and wall change
-/// evenly, and so do the insulation's thickness and the densities of contents and insulation.
+/// The section of a reducer, @p part of its way from @p begin to @p end: diameter, wall and
+/// corrosion allowance change evenly, and so do the insulation's thickness, the densities of
+/// contents and insulation and the ratio of area to shear area.
 Section between(const Section &begin, const Section &end, const double part);
 
 struct RoutePoint {

@@ -30,6 +30,29 @@ std::array<double, 15> numbers_of(const StressPoint &p) {
            p.allowable_hot}};
 }
 
+/// Of the pipes at a vertex but its branch those of the run: what passes through, or goes on
+/// straight in another one; all of them where nothing does.
+std::vector<unsigned int> run_of(const LineMesh &mesh, const unsigned int vertex,
+                                 const unsigned int branch) {
+  constexpr double straight = 0.1; // sine
+  std::vector<unsigned int> all, run;
+  for (unsigned int p = 0; p < mesh.pipes.size(); ++p)
+    if (const auto &at = mesh.pipes[p].vertices;
+        p != branch && std::count(at.begin(), at.end(), vertex) > 0)
+      all.push_back(p);
+  for (const unsigned int p : all) {
+    const auto &at = mesh.pipes[p].vertices;
+    const Vector3 along = tangent_at(mesh, p, vertex);
+    const bool goes_on = std::any_of(all.begin(), all.end(), [&](const unsigned int other) {
+      return other != p &&
+             cross_product_3d(along, tangent_at(mesh, other, vertex)).norm() < straight;
+    });
+    if (goes_on || (at.front() != vertex && at.back() != vertex))
+      run.push_back(p);
+  }
+  return run.empty() ? all : run;
+}
+
 } // namespace
 
 std::vector<StressEvaluation::TeeSite> StressEvaluation::find_tees(const Scene &scene,
@@ -37,21 +60,20 @@ std::vector<StressEvaluation::TeeSite> StressEvaluation::find_tees(const Scene &
   std::vector<TeeSite> sites;
   for (const Tee &tee : scene.tees) {
     const unsigned int vertex = mesh.points.at(tee.point);
-    TeeSite site{&tee, vertex, Vector3(), 0, 0};
-    std::optional<unsigned int> run;
-    for (unsigned int p = 0; p < scene.pipes.size(); ++p) {
-      const auto &vertices = mesh.pipes[p].vertices;
-      if (scene.pipes[p].name == tee.branch)
-        site.branch = p;
-      else if (!run && std::count(vertices.begin(), vertices.end(), vertex) > 0)
-        run = p;
+    const auto named = std::find_if(scene.pipes.begin(), scene.pipes.end(),
+                                    [&](const Pipe &pipe) { return pipe.name == tee.branch; });
+    const unsigned int branch = named != scene.pipes.end() ? named - scene.pipes.begin() : 0;
+    std::vector<unsigned int> runs = run_of(mesh, vertex, branch);
+    if (runs.empty()) // its branch is all there is
+      runs = {branch};
+    for (const unsigned int run : runs) {
+      TeeSite site{&tee, vertex, Vector3(), branch, run};
+      const Vector3 normal =
+          cross_product_3d(tangent_at(mesh, run, vertex), tangent_at(mesh, branch, vertex));
+      if (normal.norm() > no_direction)
+        site.normal = normal / normal.norm();
+      sites.push_back(site);
     }
-    site.run = run.value_or(site.branch);
-    const Vector3 normal =
-        cross_product_3d(tangent_at(mesh, site.run, vertex), tangent_at(mesh, site.branch, vertex));
-    if (normal.norm() > no_direction)
-      site.normal = normal / normal.norm();
-    sites.push_back(site);
   }
   return sites;
 }
@@ -67,7 +89,7 @@ const Frame *StressEvaluation::frame_of(const std::string &step) const {
   return found;
 }
 
-StressPoint StressEvaluation::point(const Station &station) const {
+StressPoint StressEvaluation::point_of_pipe(const Station &station) const {
   const Pipe &pipe = scene.pipes[station.pipe];
   const Material &material = scene.materials[pipe.material];
   const Section section = section_at(scene, station);
@@ -83,17 +105,50 @@ StressPoint StressEvaluation::point(const Station &station) const {
     point.part = StressPart::bend;
     point.bend_radius = station.bend_radius;
   }
-  if (const TeeSite *const site = tee_at(station)) {
-    const Section &run = scene.sections[scene.pipes[site->run].section];
-    point.part = station.pipe == site->branch ? StressPart::branch_of_tee : StressPart::run_of_tee;
-    point.tee = site->tee->kind;
-    point.pad = site->tee->pad;
-    point.crotch_radius = site->tee->crotch_radius;
-    point.run_diameter = 2. * run.outer_radius;
-    point.run_wall = run.wall;
-    point.run_corrosion = run.corrosion;
-  }
   return point;
+}
+
+StressPoint StressEvaluation::point_at(const TeeSite &site, const Station &station) const {
+  const Section &run = scene.sections[scene.pipes[site.run].section];
+  StressPoint point = point_of_pipe(station);
+  point.part = station.pipe == site.branch ? StressPart::branch_of_tee : StressPart::run_of_tee;
+  point.tee = site.tee->kind;
+  point.pad = site.tee->pad;
+  point.crotch_radius = site.tee->crotch_radius;
+  point.run_diameter = 2. * run.outer_radius;
+  point.run_wall = run.wall;
+  point.run_corrosion = run.corrosion;
+  return point;
+}
+
+StressPoint StressEvaluation::point(const Station &station) const {
+  const TeeSite *const site = tee_at(station);
+  return site != nullptr ? point_at(*site, station) : point_of_pipe(station);
+}
+
+const StressEvaluation::TeeSite *StressEvaluation::tee_at(const Station &station) const {
+  std::vector<const TeeSite *> at;
+  const auto take = [&](const auto &is_of) {
+    for (const TeeSite &site : tees)
+      if (site.vertex == station.vertex && is_of(site) == station.pipe)
+        at.push_back(&site);
+  };
+  take([](const TeeSite &site) { return site.branch; });
+  if (at.empty())
+    take([](const TeeSite &site) { return site.run; });
+  const TeeSite *worst = nullptr;
+  double largest = 0.;
+  for (const TeeSite *const site : at) {
+    if (at.size() == 1)
+      return site;
+    const StressFactors factors = code.intensification(point_at(*site, station));
+    if (const double size = std::max(factors.in_plane, factors.out_of_plane);
+        worst == nullptr || size > largest) {
+      worst = site;
+      largest = size;
+    }
+  }
+  return worst;
 }
 
 void StressEvaluation::check(const std::vector<Station> &line) const {
@@ -116,22 +171,21 @@ void StressEvaluation::check(const std::vector<Station> &line) const {
 
 Vector3 StressEvaluation::normal_of_tee(const Scene &scene, const LineMesh &mesh,
                                         const Station &station) {
-  const std::vector<TeeSite> tees = find_tees(scene, mesh);
-  const TeeSite *const tee = find_tee(tees, station);
-  return tee != nullptr ? tee->normal : Vector3();
+  Vector3 normal;
+  for (const TeeSite &site : find_tees(scene, mesh))
+    if (site.vertex == station.vertex) {
+      if (site.branch == station.pipe)
+        return site.normal;
+      if (site.run == station.pipe && normal.norm() == 0.)
+        normal = site.normal;
+    }
+  return normal;
 }
 
 StressEvaluation::Axes StressEvaluation::axes(const Station &station, const double pressure) const {
-  const Vector3 normal = tee_at(station) != nullptr ? tee_at(station)->normal : station.bend_axis;
+  const TeeSite *const site = tee_at(station);
+  const Vector3 normal = site != nullptr ? site->normal : station.bend_axis;
   return {station.y * normal, station.z * normal, pressure};
-}
-
-const StressEvaluation::TeeSite *StressEvaluation::find_tee(const std::vector<TeeSite> &tees,
-                                                            const Station &station) {
-  for (const TeeSite &site : tees)
-    if (site.vertex == station.vertex)
-      return &site;
-  return nullptr;
 }
 
 } // namespace frictionbeam

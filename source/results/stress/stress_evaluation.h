@@ -47,7 +47,7 @@ public:
   const StressCode code;
 
 private:
-  /// Where tees stand: the vertex' position, the normal of their plane, run and branch.
+  /// Where a tee stands: its vertex, the normal of its plane, its branch and one pipe of its run.
   struct TeeSite {
     const Tee *tee;
     unsigned int vertex;
@@ -55,8 +55,12 @@ private:
     unsigned int branch, run;
   };
   static std::vector<TeeSite> find_tees(const Scene &scene, const LineMesh &mesh);
-  static const TeeSite *find_tee(const std::vector<TeeSite> &tees, const Station &station);
-  const TeeSite *tee_at(const Station &station) const { return find_tee(tees, station); }
+  /// What the station's pipe is there, without a tee.
+  StressPoint point_of_pipe(const Station &station) const;
+  StressPoint point_at(const TeeSite &site, const Station &station) const;
+  /// The tee that counts for a station: of a branch its own, of a run that with the largest
+  /// factors; null where there is none.
+  const TeeSite *tee_at(const Station &station) const;
 
   const std::vector<TeeSite> tees;
 };

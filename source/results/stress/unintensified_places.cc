@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace frictionbeam {
 
@@ -26,9 +27,17 @@ std::vector<std::vector<Vector3>> legs_of(const Scene &scene, const LineMesh &me
   return legs;
 }
 
-bool has_tee(const Scene &scene, const LineMesh &mesh, const unsigned int vertex) {
-  return std::any_of(scene.tees.begin(), scene.tees.end(),
-                     [&](const Tee &tee) { return mesh.points.at(tee.point) == vertex; });
+/// How many of the legs at a vertex are those of a tee's run or of branches with a section Tee.
+std::size_t legs_of_tees(const Scene &scene, const LineMesh &mesh, const unsigned int vertex) {
+  std::set<std::string> branches;
+  for (const Tee &tee : scene.tees)
+    if (mesh.points.at(tee.point) == vertex)
+      branches.insert(tee.branch);
+  std::size_t n = branches.empty() ? 0 : 2;
+  for (unsigned int p = 0; p < scene.pipes.size(); ++p)
+    if (const auto &at = mesh.pipes[p].vertices; branches.count(scene.pipes[p].name) > 0)
+      n += at.front() == vertex || at.back() == vertex ? 1 : 2;
+  return n;
 }
 
 std::string name_of(const Scene &scene, const LineMesh &mesh, const unsigned int vertex) {
@@ -49,7 +58,7 @@ std::string unintensified_places(const Scene &scene, const LineMesh &mesh) {
     const auto &at = legs[vertex];
     const bool is_branch = at.size() > 2,
                is_corner = at.size() == 2 && at[0] * at[1] > -std::cos(straight);
-    if ((is_branch || is_corner) && !has_tee(scene, mesh, vertex))
+    if ((is_branch || is_corner) && at.size() > legs_of_tees(scene, mesh, vertex))
       (is_branch ? branches : corners).push_back(name_of(scene, mesh, vertex));
   }
   if (branches.empty() && corners.empty())
