@@ -51,6 +51,8 @@ std::string EventIntegrator::remark() const {
 void EventIntegrator::start(LineState &state, const LoadCourse &loads) {
   state.acceleration = state.auxiliary = Vector::Zero(state.unknowns.size());
   read_states(state, loads);
+  for (EventState &contact : states)
+    contact.given = contact.offset;
   if (velocity.isZero(0.))
     find_limits();
   bounces.assign(states.size(), {});

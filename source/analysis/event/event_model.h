@@ -20,11 +20,12 @@ struct EventState {
   /// At rest since a static step, with friction at its limit to the accuracy of statics.
   bool at_limit = false;
   double offset = 0.; ///< by which a rigid contact that is closed misses its gap, as is [m]
+  double given = 0.;  ///< the same at the beginning of a step, of which those before are judged [m]
   double began = -1.; ///< when slip on a rigid surface began from rest [s]
 
   bool is_closed() const { return status != ContactStatus::open; }
   void transfer(Archive &archive) {
-    archive(status, plastic, direction, curved, at_limit, offset, began);
+    archive(status, plastic, direction, curved, at_limit, offset, given, began);
   }
 };
 
