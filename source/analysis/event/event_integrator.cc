@@ -324,6 +324,10 @@ TimeStep EventIntegrator::advance(const LineState &from, const LoadCourse &loads
   step.result.converged = true;
   to = from;
   to.events.clear();
+  for (unsigned int i = 0; begins && i < states.size(); ++i) // slide at once, or rest since statics
+    if (states[i].is_closed() && line.contacts[i].has_friction && line.contacts[i].rigid_shear &&
+        from.contact_status[i] != ContactStatus::open && from.contact_status[i] != states[i].status)
+      to.events.push_back({present, i, states[i].status});
   bool changed = false;
   unsigned int n_pieces = 0;
   double progress = present;

@@ -76,7 +76,9 @@ void LoadSequence::set_initial_motion(const bool displaced) {
   };
   if (displaced)
     set(&InitialCondition::displacement, current.unknowns);
-  set(&InitialCondition::velocity, current.velocity);
+  const auto &steps = model.scene.steps;
+  if (!displaced || (!steps.empty() && steps.front().transient))
+    set(&InitialCondition::velocity, current.velocity);
 }
 
 void LoadSequence::check_initial_gaps() const {

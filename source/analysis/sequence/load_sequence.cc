@@ -117,8 +117,12 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
     const Factors target = target_of(declared_step);
     course.begin_step(position.step, position.from, target, position.start,
                       declared_step.transient ? declared_step.ramp : declared_step.duration);
-    if (declared_step.transient && !is_resumed && !has_moved_before(model.scene, position.step))
+    if (declared_step.transient && !is_resumed && position.step > 0 &&
+        !model.scene.initial.empty() && !has_moved_before(model.scene, position.step)) {
       set_initial_motion(false);
+      current.events.clear();
+      observer({position.step, 0, 0}, current); // its velocity has changed
+    }
     const bool reduced = is_resumed
                              ? reduction && reduction->is_within_step()
                              : model.scene.time.reduction.modes != ReductionSettings::Modes::all;

@@ -84,6 +84,8 @@ void Envelope::observe(const unsigned int step, const unsigned int increment,
 }
 
 void Envelope::begin(const unsigned int step, const LineState &state) {
+  if (!results.envelopes.empty() && results.envelopes.back().step == step)
+    results.envelopes.pop_back(); // the step begins with another state than the one before ended
   results.envelopes.emplace_back();
   StepEnvelope &envelope = results.envelopes.back();
   envelope.step = step;

@@ -106,13 +106,11 @@ void Collector::follow_back(const Quantity &quantity, const LineState &state, Pe
   const double rounding = same_instant_of_time * std::abs(state.time);
   if (quantity.to <= state.time + rounding)
     course.since = std::numeric_limits<double>::infinity(); // it has ended with the step before
-  else if (quantity.from >= state.time - rounding) {
-    course = {};
+  else {
+    if (quantity.from >= state.time - rounding)
+      course = {};
     course.since = state.time;
     follow(quantity, state, course);
-  } else {
-    course.previous = evaluate(quantity, state);
-    course.since = state.time;
   }
 }
 
