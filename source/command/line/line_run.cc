@@ -10,6 +10,7 @@
 #include "results/quantity/wall_quantities.h"
 #include "results/spectrum/modal_csv.h"
 #include "results/spectrum/spectrum_response.h"
+#include "results/stress/inner_pressure.h"
 #include "results/stress/stresses.h"
 #include "results/table/model_tables.h"
 #include "results/text.h"

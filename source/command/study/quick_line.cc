@@ -4,6 +4,7 @@
 #include "model/line_model.h"
 #include "results/quantity/point_forces.h"
 #include "results/quantity/shown_quantity.h"
+#include "results/stress/inner_pressure.h"
 #include "results/stress/stresses.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "results/frame/derived_cases.h"
 
 #include "model/cell/line_cells.h"
+#include "results/stress/inner_pressure.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
 #include "scene/steps/step_tree.h"

@@ -4,7 +4,6 @@
 
 #include "results/stress/stresses.h"
 #include "results/text.h"
-#include "scene/steps/history_origins.h"
 #include "scene/steps/step_tree.h"
 
 #include <algorithm>
@@ -28,50 +27,6 @@ void find_worst(StressCase &result) {
 }
 
 } // namespace
-
-namespace {
-
-/// What the history of a load makes of it in a step: at the end of a static one, the largest size
-/// at corners and at a thousand instants of a transient one.
-double size_by_history(const Scene &scene, const unsigned int step, const unsigned int load) {
-  const TimeFunction &history = scene.loads[load].history;
-  if (!history.is_given())
-    return 1.;
-  double begin = -HistoryOrigins(scene, step).loads[load]; // in the history's own time
-  for (unsigned int s = 0; s < step; ++s)
-    begin += scene.steps[s].duration;
-  const double duration = scene.steps[step].duration, end = begin + duration;
-  double largest = std::abs(history(end));
-  if (!scene.steps[step].transient)
-    return largest;
-  for (const double corner : history.breaks)
-    if (corner >= begin && corner <= end)
-      largest =
-          std::max({largest, std::abs(history.before(corner)), std::abs(history.after(corner))});
-  for (unsigned int i = 0; i < 1000; ++i)
-    largest = std::max(largest, std::abs(history(begin + i * duration / 1000.)));
-  return largest;
-}
-
-} // namespace
-
-double pressure_in(const Scene &scene, const std::string &step, const unsigned int pipe) {
-  double largest = 0.;
-  for (unsigned int s = 0; s < scene.steps.size(); ++s)
-    if (scene.steps[s].name == step)
-      for (const auto &[l, factor] : scene.steps[s].loads) {
-        const Load &load = scene.loads[l];
-        const auto &pipes = load.pipes;
-        if (load.kind == Load::Kind::pressure &&
-            (pipes.empty() || std::count(pipes.begin(), pipes.end(), scene.pipes[pipe].name) > 0))
-          largest = std::max(largest, std::abs(factor * load.value) * size_by_history(scene, s, l));
-      }
-  for (const Combination &combination : scene.combinations)
-    if (combination.name == step)
-      for (const auto &part : combination.cases)
-        largest = std::max(largest, pressure_in(scene, part.first, pipe));
-  return largest;
-}
 
 namespace {
 

@@ -23,9 +23,6 @@ evaluate_stresses(const Scene &scene, const LineMesh &mesh, const Results &resul
 std::string check_stress_code(const Scene &scene, const LineMesh &mesh,
                               const std::vector<Station> &line);
 
-/// Largest pressure of a step's loads in a pipe [Pa]; of a combination, of its cases.
-double pressure_in(const Scene &scene, const std::string &step, const unsigned int pipe);
-
 /// Nozzle limits and the restraints that they are for, as places in Scene::nozzles and
 /// Results::restraints.
 std::vector<std::pair<unsigned int, unsigned int>> nozzle_sites(const Scene &scene,
