@@ -144,6 +144,43 @@ void out_of_time() {
   CHECK(!solution.converged && solution.out_of_time && solution.residual.own_scale > 1e-10);
 }
 
+/// Between two stops that overlap by 1, and pressed on ground that does not give: no forces solve
+/// it, however large they grow, whatever the units, and whatever else there is.
+void no_solution(const double of_W, const double of_q) {
+  Eigen::MatrixXd between(2, 4);
+  between << 1., 0., -1., 0., 0., 1., 0., 1.;
+  LocalProblem stops;
+  stops.dimension = 2;
+  stops.W = Eigen::MatrixXd(of_W * between.transpose() * between).sparseView(0., 0.);
+  stops.q = of_q * Eigen::Vector4d(-1., 0., -1., 0.);
+  stops.friction = Eigen::VectorXd::Constant(2, 0.3);
+  const LocalSolution squeezed = solve_local_contact(stops, 1e-8);
+  CHECK(!squeezed.converged && squeezed.residual.own_scale > 0.1);
+  Eigen::VectorXd huge(4);
+  huge << 1., 0., 1., 0.;
+  CHECK(!evaluate_residual(stops, 1e15 * of_q / of_W * huge).holds(1e-8));
+
+  LocalProblem rigid = one_contact({-of_q, 3. * of_q, 4. * of_q});
+  rigid.W = of_W * rigid.W;
+  rigid.W.coeffRef(0, 0) = 0.;
+  CHECK(!solve_local_contact(rigid, 1e-8).converged);
+
+  // Beside them, and not coupled with them, contacts that are solved, of another size.
+  LocalProblem both = stops;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int column = 0; column < 4; ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(stops.W, column); entry; ++entry)
+      entries.emplace_back(entry.row(), column, entry.value());
+  entries.emplace_back(4, 4, of_W);
+  entries.emplace_back(5, 5, of_W);
+  both.W.resize(6, 6);
+  both.W.setFromTriplets(entries.begin(), entries.end());
+  both.q.resize(6);
+  both.q << stops.q, -1e9 * of_q, 0.;
+  both.friction = Eigen::VectorXd::Constant(3, 0.3);
+  CHECK(!solve_local_contact(both, 1e-8).converged);
+}
+
 } // namespace
 
 int main() {
@@ -169,6 +206,9 @@ int main() {
   for (unsigned int seed = 1; seed <= 20; ++seed)
     one_small_force(seed);
   tall_stack();
+  for (const double of_W : {1., 1e-3, 1e-6, 1e-9, 1e-12})
+    for (const double of_q : {1., 1e-3, 1e-6})
+      no_solution(of_W, of_q);
   out_of_time();
   return check::report();
 }

@@ -17,8 +17,10 @@ struct LocalResidual {
   double rounding = 0.;
   /// Largest of a contact on its own scale, whatever the units: with rho = 1/W_NN of the contact,
   /// ||r - P(r - rho u)|| / max(|r|, rho |u|, 1e-12 rho (|W| |r| + |q|)), where P is onto r_N >= 0
-  /// and then onto the disc mu r_N. What rounding of the reactions makes of u, 8 eps (|W| |r| +
-  /// |q|), does not count.
+  /// and then onto the disc mu r_N; and of its motion, ||(r - P)/rho|| relative to the largest |q|
+  /// of the contacts that W couples it with, for where there is no solution r grows without bound,
+  /// and anything is small beside it. What rounding of the reactions makes of u, 8 eps (|W| |r| +
+  /// |q|), does not count, up to 1e-3 of that |q|.
   double own_scale = 0.;
   unsigned int worst_contact = 0; ///< that has it
 

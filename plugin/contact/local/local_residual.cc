@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace frictionbeam::contact {
@@ -47,14 +49,40 @@ VectorXd sum_up(const LocalProblem &problem, const VectorXd &r, VectorXd &size) 
   return result;
 }
 
+/// Of each contact the largest |q| among all that it is coupled with, itself included: how far its
+/// problem has to move.
+VectorXd distances(const LocalProblem &problem) {
+  const unsigned int d = problem.dimension;
+  std::vector<unsigned int> root(problem.n_contacts());
+  std::iota(root.begin(), root.end(), 0u);
+  const auto root_of = [&](unsigned int i) {
+    while (root[i] != i)
+      i = root[i] = root[root[i]];
+    return i;
+  };
+  for (Eigen::Index column = 0; column < problem.W.cols(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(problem.W, column); entry; ++entry)
+      if (entry.value() != 0.)
+        root[root_of(entry.row() / d)] = root_of(column / d);
+  VectorXd largest = VectorXd::Zero(problem.n_contacts()), result = largest;
+  for (unsigned int i = 0; i < problem.n_contacts(); ++i) {
+    double &of_all = largest[root_of(i)];
+    of_all = std::max(of_all, problem.q.segment(d * i, d).lpNorm<Eigen::Infinity>());
+  }
+  for (unsigned int i = 0; i < problem.n_contacts(); ++i)
+    result[i] = largest[root_of(i)];
+  return result;
+}
+
 template <int d>
 LocalResidual residual_of(const LocalProblem &problem, const VectorXd &reactions) {
   using Point = Eigen::Matrix<double, d, 1>;
-  constexpr double rounding_factor = 8. * std::numeric_limits<double>::epsilon(), least = 1e-12;
+  constexpr double rounding_factor = 8. * std::numeric_limits<double>::epsilon(), least = 1e-12,
+                   most_excused = 1e-3; // of the distance, by rounding
   LocalResidual result;
   VectorXd size;
   const VectorXd motions = sum_up(problem, reactions, size),
-                 stiffness = diagonal_stiffness(problem);
+                 stiffness = diagonal_stiffness(problem), distance = distances(problem);
   LawProjection law;
   law.project(problem, reactions - stiffness.cwiseProduct(motions));
   double cone = 0., rounding = 0.;
@@ -67,14 +95,18 @@ LocalResidual residual_of(const LocalProblem &problem, const VectorXd &reactions
     cone += (r - project_on_cone<d>(r - modified, mu)).squaredNorm();
     rounding += r.squaredNorm() + std::pow((1. + mu) * terms.norm(), 2);
 
-    const double of_terms = k.cwiseProduct(terms).norm(),
-                 error = std::max(0., (r - law.point.segment<d>(d * i)).norm() -
-                                          rounding_factor * of_terms),
-                 scale = std::max({r.norm(), k.cwiseProduct(u).norm(), least * of_terms});
-    if (scale > 0. && !(error / scale <= result.own_scale)) {
-      result.own_scale = error / scale;
-      result.worst_contact = i;
-    }
+    const Point apart = r - law.point.segment<d>(d * i);
+    const double of_terms = k.cwiseProduct(terms).norm(), excused = rounding_factor * terms.norm(),
+                 error = std::max(0., apart.norm() - rounding_factor * of_terms),
+                 scale = std::max({r.norm(), k.cwiseProduct(u).norm(), least * of_terms}),
+                 motion_error = std::max(0., apart.cwiseQuotient(k).norm() -
+                                                 std::min(excused, most_excused * distance[i]));
+    // Forces may be as large as they like; what they leave of q does not become less by it.
+    for (const auto &[left, of] : {std::pair(error, scale), std::pair(motion_error, distance[i])})
+      if (of > 0. && !(left / of <= result.own_scale)) {
+        result.own_scale = left / of;
+        result.worst_contact = i;
+      }
   }
   const double q_norm = problem.q.norm(), reference = q_norm > 0. ? q_norm : 1.;
   result.natural_map = std::sqrt(cone) / reference;
