@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 
 namespace frictionbeam {
 
@@ -13,6 +15,34 @@ namespace {
 /// Whether a law is compiled with what version 2 tells of sections: an older one ends before it.
 bool tells_of_sections(const LawDescription &law) {
   return law.interface_version >= 2 && law.kind == LawKind::section;
+}
+
+std::string text_of(const double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// Parameters that a law can be given, before it is asked anything.
+const std::vector<double> &checked(const LawDescription &law,
+                                   const std::vector<double> &parameters) {
+  const auto refuse = [&](const std::string &read, const std::string &allowed,
+                          const std::string &attempt) {
+    throw std::invalid_argument("The law '" + std::string(law.name) + "' is given " + read +
+                                "\n  allowed: " + allowed + "\n  try:     " + attempt);
+  };
+  if (parameters.size() != static_cast<std::size_t>(law.n_parameters))
+    refuse(std::to_string(parameters.size()) + " parameters",
+           std::to_string(law.n_parameters) + " of them, in the law's order", "law_parameters()");
+  for (int p = 0; p < law.n_parameters; ++p) {
+    const LawParameter &parameter = law.parameters[p];
+    if (!(parameters[p] >= parameter.minimum && parameters[p] <= parameter.maximum))
+      refuse("'" + std::string(parameter.name) + "' of " + text_of(parameters[p]),
+             text_of(parameter.minimum) + " to " + text_of(parameter.maximum) + " " +
+                 parameter.unit,
+             "its default, " + text_of(parameter.default_value));
+  }
+  return parameters;
 }
 
 } // namespace
@@ -24,7 +54,7 @@ unsigned int n_internal_variables(const LawDescription &law,
 }
 
 BoundLaw::BoundLaw(const LawDescription &law, const std::vector<double> &parameters)
-    : law(&law), values(parameters),
+    : law(&law), values(checked(law, parameters)),
       n_variables(frictionbeam::n_internal_variables(law, parameters)) {
   if (law.threshold == nullptr)
     return;

@@ -26,6 +26,8 @@ class BoundLaw {
 public:
   BoundLaw() = default;
   /// @param law must outlive this.
+  /// @throws std::invalid_argument if the parameters are more or fewer than the law's, or out of
+  /// bounds
   BoundLaw(const LawDescription &law, const std::vector<double> &parameters);
 
   bool is_set() const { return law != nullptr; } ///< false of a BoundLaw without a law

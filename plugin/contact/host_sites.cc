@@ -19,8 +19,11 @@ public:
 
   [[noreturn]] void operator()(const std::string &read, const std::string &allowed,
                                const std::string &attempt) const {
-    throw std::invalid_argument("Contact " + std::to_string(contact) + " (counted from 0): " +
-                                read + "\n  allowed: " + allowed + "\n  try:     " + attempt);
+    because(read + "\n  allowed: " + allowed + "\n  try:     " + attempt);
+  }
+  /// @param why all three
+  [[noreturn]] void because(const std::string &why) const {
+    throw std::invalid_argument("Contact " + std::to_string(contact) + " (counted from 0): " + why);
   }
 
 private:
@@ -44,21 +47,11 @@ BoundLaw law_of(const Contact &contact, const Refusal &refuse) {
   if (law.kind != LawKind::support)
     refuse(std::string("its law '") + law.name + "' is one of sections", "a law of kind `support`",
            "LawLibrary::names(LawKind::support) lists them");
-  if (contact.parameters.size() != static_cast<std::size_t>(law.n_parameters))
-    refuse("its law '" + std::string(law.name) + "' is given " +
-               std::to_string(contact.parameters.size()) + " parameters",
-           std::to_string(law.n_parameters) + " of them, in the law's order",
-           "default_parameters() and parameter_index()");
-  for (int p = 0; p < law.n_parameters; ++p) {
-    const LawParameter &parameter = law.parameters[p];
-    const double value = contact.parameters[p];
-    if (!(value >= parameter.minimum && value <= parameter.maximum))
-      refuse("'" + std::string(parameter.name) + "' is " + text_of(value),
-             text_of(parameter.minimum) + " to " + text_of(parameter.maximum) + " " +
-                 parameter.unit,
-             "its default, " + text_of(parameter.default_value));
+  try {
+    return BoundLaw(law, contact.parameters);
+  } catch (const std::invalid_argument &fault) {
+    refuse.because(fault.what());
   }
-  return BoundLaw(law, contact.parameters);
 }
 
 /// Rows: the normal and two directions across.

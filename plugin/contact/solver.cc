@@ -31,6 +31,37 @@ Contact contact_of(const std::vector<unsigned int> &first, const std::vector<uns
   return contact;
 }
 
+Settings checked(const Settings &settings) {
+  for (const double tolerance : {settings.tolerance, settings.contact_tolerance})
+    if (!(tolerance > 0. && tolerance < 1.))
+      throw std::invalid_argument("A tolerance of " + std::to_string(tolerance) +
+                                  "\n  allowed: above 0 and below 1\n  try:     1e-10 of the "
+                                  "forces, 1e-8 of the contact laws, which are the defaults");
+  return settings;
+}
+
+void check_increment(const Increment &increment, const std::size_t n_contacts) {
+  if (!std::isfinite(increment.time) || !(increment.length >= 0.) ||
+      !std::isfinite(increment.length))
+    throw std::invalid_argument(
+        "An increment to the time " + std::to_string(increment.time) + " s of length " +
+        std::to_string(increment.length) +
+        " s\n  allowed: numbers, the length 0 or above\n  try:     a length "
+        "of 0 in statics");
+  const std::vector<double> &temperatures = increment.temperatures;
+  if (!temperatures.empty() && temperatures.size() != n_contacts)
+    throw std::invalid_argument(
+        "An increment with " + std::to_string(temperatures.size()) +
+        " temperatures\n  allowed: " + std::to_string(n_contacts) +
+        ", one for each contact, or none\n  try:     none, where laws do not depend on it");
+  for (std::size_t i = 0; i < temperatures.size(); ++i)
+    if (!std::isfinite(temperatures[i]))
+      throw std::invalid_argument("The temperature of contact " + std::to_string(i) +
+                                  " (counted from 0) is " + std::to_string(temperatures[i]) +
+                                  "\n  allowed: numbers [degC]\n  try:     the temperature at the "
+                                  "end of the increment");
+}
+
 /// Stored in the elastic part of a contact whose law has a closed form [J].
 double stored_in(const Site &site, const Strains &stress) {
   const FrictionThreshold &law = site.law.closed_form();
@@ -57,7 +88,7 @@ class Solver::Implementation {
 public:
   Implementation(System of_host, const std::vector<Contact> &contacts, const Settings &settings)
       : system(std::move(of_host)), host(system, contacts), sites(host.sites),
-        exact(settings, sites, system.condense(host.unknowns()), system.diagonal),
+        exact(checked(settings), sites, system.condense(host.unknowns()), system.diagonal),
         ground(contacts.size(), Strains::Zero()) {}
 
   /// Unknowns of a vector on the host's dofs.
@@ -102,7 +133,12 @@ Vector Solver::Implementation::unknowns_of(const Vector &on_dofs) const {
         ", one for each dof of the host\n  try:     a vector without ghosts");
   Vector result(system.n_unknowns());
   for (int u = 0; u < result.size(); ++u)
-    result[u] = on_dofs[system.dof_of[u]];
+    if (result[u] = on_dofs[system.dof_of[u]]; !std::isfinite(result[u]))
+      throw std::invalid_argument("A vector whose entry of dof " +
+                                  std::to_string(system.dof_of[u]) + " is " +
+                                  std::to_string(result[u]) +
+                                  "\n  allowed: numbers\n  try:     the right hand side as it was "
+                                  "assembled, before the solver");
   return result;
 }
 
@@ -174,8 +210,13 @@ void Solver::move_ground(const std::vector<Vector3> &displacement) {
         ", one displacement for each contact\n  try:     zeros where it rests");
   for (std::size_t i = 0; i < of.ground.size(); ++i) {
     of.ground[i].setZero();
-    if (!displacement.empty())
-      of.ground[i].head<3>() = of.host.frames[i] * displacement[i];
+    if (displacement.empty())
+      continue;
+    if (!displacement[i].allFinite())
+      throw std::invalid_argument("The ground of contact " + std::to_string(i) +
+                                  " (counted from 0) moves by what is no number\n  allowed: "
+                                  "numbers [m]\n  try:     zeros where it rests");
+    of.ground[i].head<3>() = of.host.frames[i] * displacement[i];
   }
 }
 
@@ -254,6 +295,7 @@ Report Solver::solve(const Vector &f, const ContactMemory &before, Vector &u, Co
                      const Increment &increment) {
   Implementation &of = *implementation;
   of.check_memory(before);
+  check_increment(increment, of.sites.size());
   const Vector forces = of.unknowns_of(f), q_before = of.unknowns_of(u);
   Vector q = q_before;
   Response response;

@@ -11,6 +11,17 @@ namespace frictionbeam::contact {
 
 namespace {
 
+void check_numbers(const SparseMatrix &matrix) {
+  for (int i = 0; i < matrix.outerSize(); ++i)
+    for (SparseMatrix::InnerIterator entry(matrix, i); entry; ++entry)
+      if (!std::isfinite(entry.value()))
+        throw std::invalid_argument("The matrix has an entry that is no number, " +
+                                    std::to_string(entry.value()) + " at (" + std::to_string(i) +
+                                    ", " + std::to_string(entry.col()) +
+                                    "), counted in unknowns\n  allowed: numbers\n  try:     the "
+                                    "matrix as it was assembled");
+}
+
 /// Where the matrix is not that of a symmetric bilinear form.
 void check_symmetry(const SparseMatrix &matrix) {
   constexpr double rounding = 1e-9;
@@ -133,6 +144,7 @@ void complete(System &system) {
                                 " columns\n  allowed: a square matrix of " +
                                 std::to_string(system.n_unknowns()) +
                                 " unknowns\n  try:     the matrix of all bodies at once");
+  check_numbers(system.matrix);
   check_symmetry(system.matrix);
   // The method wants both entries of each pair, and a diagonal.
   SparseMatrix identity(system.n_unknowns(), system.n_unknowns());

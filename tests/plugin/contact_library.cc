@@ -311,7 +311,7 @@ void bad_input() {
   refused("it has no law", with([](C &c) { c.law = nullptr; }));
   refused("is one of sections", with([](C &c) { c.law = &laws().find("elastic_section"); }));
   refused("is given 1 parameters", with([](C &c) { c.parameters = {0.3}; }));
-  refused("'Friction coefficient' is -1", with([](C &c) { c.parameters = coulomb(-1.); }));
+  refused("'Friction coefficient' of -1", with([](C &c) { c.parameters = coulomb(-1.); }));
   refused("its area is -2", with([](C &c) { c.area = -2.; }));
   refused("its gap is nan", with([](C &c) { c.gap = std::nan(""); }));
   refused("it names dof 7", with([](C &c) { c.dofs[0] = 7; }));

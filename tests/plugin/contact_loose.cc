@@ -119,6 +119,55 @@ void what_does_not_fit() {
   CHECK(is_local_refused(wrong));
 }
 
+/// What is no number, or not as long as there are contacts, is refused where it comes in.
+void what_is_no_number() {
+  const auto none = {std::nan(""), HUGE_VAL};
+  const std::vector<contact::Contact> contacts = {on_wall({0., 0., -1.}, 0.3)};
+  contact::Solver solver(contact::system_of(stiffness(1e3)), contacts);
+  const contact::ContactMemory memory = solver.initial_memory();
+  const auto is_refused_at = [&](const Vector &f, const Vector &at,
+                                 const contact::Increment &increment) {
+    Vector u = at;
+    contact::ContactMemory after = memory;
+    return is_refused([&]() { solver.solve(f, memory, u, after, increment); });
+  };
+  const Vector f = Vector3(0., 0., -1.), u = Vector::Zero(3);
+  CHECK(!is_refused_at(f, u, {1., 1., {20.}}));
+  CHECK(is_refused_at(f, u, {1., -1.}) && is_refused_at(f, u, {1., 1., {20., 20.}}));
+  for (const double x : none) {
+    const Vector wrong = Vector3(0., x, 0.);
+    CHECK(is_refused_at(wrong, u, {}) && is_refused_at(f, wrong, {}));
+    CHECK(is_refused_at(f, u, {x}) && is_refused_at(f, u, {0., x}));
+    CHECK(is_refused_at(f, u, {0., 0., {x}}));
+    CHECK(is_refused([&]() { solver.initial_memory(wrong); }));
+    CHECK(is_refused([&]() { solver.move_ground({wrong}); }));
+    Vector v = u;
+    CHECK(is_refused([&]() { solver.strike(wrong, {true}, 0., v); }));
+    v = wrong;
+    CHECK(is_refused([&]() { solver.strike(f, {true}, 0., v); }));
+    CHECK(is_refused([&]() { contact::system_of(stiffness(x)); }));
+  }
+  for (const double tolerance : {std::nan(""), -1., 0., 1e3}) {
+    const auto with = [&](const contact::Settings &settings) {
+      contact::Solver(contact::system_of(stiffness(1e3)), contacts, settings);
+    };
+    CHECK(is_refused([&]() { with({tolerance, 1e-8}); }));
+    CHECK(is_refused([&]() { with({1e-10, tolerance}); }));
+  }
+}
+
+/// A law is bound to as many parameters as it has, within their bounds.
+void bound_laws() {
+  const LawDescription &law = laws.find("coulomb");
+  std::vector<double> parameters = default_parameters(law);
+  CHECK(!is_refused([&]() { BoundLaw(law, parameters); }));
+  CHECK(is_refused([&]() { BoundLaw(law, {}); }));
+  for (const double x : {std::nan(""), -1.}) {
+    parameters[parameter_index(law, "Friction coefficient")] = x;
+    CHECK(is_refused([&]() { BoundLaw(law, parameters); }));
+  }
+}
+
 } // namespace
 
 int main() {
@@ -126,5 +175,7 @@ int main() {
   walls_that_press_on_each_other();
   what_can_be_held();
   what_does_not_fit();
+  what_is_no_number();
+  bound_laws();
   return check::report();
 }
