@@ -125,6 +125,12 @@ void FE_Line::check_straight(const Cell &cell, const Quadrature<1> &quadrature,
                              const MappingOutput &mapping_output) const {
   const Tensor<1, 3> axis = cell->vertex(1) - cell->vertex(0);
   const double length = axis.norm();
+  AssertThrow(length > 0., ExcMessage("\n  read:    " + get_name() + " on a cell of length " +
+                                      std::to_string(length) + ", from vertex " +
+                                      std::to_string(cell->vertex_index(0)) + " to " +
+                                      std::to_string(cell->vertex_index(1)) +
+                                      "\n  allowed: a length above zero"
+                                      "\n  try:     one vertex in place of two\n"));
   bool is_straight = true; // points without weights compare as straight: their JxW is no number
   for (unsigned int q = 0; q < mapping_output.JxW_values.size(); ++q)
     if (std::abs(mapping_output.JxW_values[q] - quadrature.weight(q) * length) >

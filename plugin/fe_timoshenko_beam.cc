@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/fe_timoshenko_beam.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -9,7 +10,15 @@ namespace frictionbeam {
 using namespace dealii;
 
 FE_TimoshenkoBeam::FE_TimoshenkoBeam(const std::vector<double> &shear_flexibility)
-    : FE_Line(6), shear_flexibility(shear_flexibility) {}
+    : FE_Line(6), shear_flexibility(shear_flexibility) {
+  for (unsigned int id = 0; id < shear_flexibility.size(); ++id)
+    AssertThrow(shear_flexibility[id] >= 0. && std::isfinite(shear_flexibility[id]),
+                ExcMessage("\n  read:    a shear flexibility of " +
+                           std::to_string(shear_flexibility[id]) + " m2, of material " +
+                           std::to_string(id) +
+                           "\n  allowed: zero, for a beam that does not shear, or above"
+                           "\n  try:     12 EI/GA\n"));
+}
 
 std::string FE_TimoshenkoBeam::get_name() const {
   std::ostringstream name;

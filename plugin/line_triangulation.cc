@@ -4,6 +4,7 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <set>
@@ -321,6 +322,18 @@ private:
 std::vector<CellOrigin> create_line_triangulation(const std::vector<Point<3>> &vertices,
                                                   const std::vector<LineCell> &cells,
                                                   Triangulation<1, 3> &triangulation) {
+  for (unsigned int v = 0; v < vertices.size(); ++v)
+    for (unsigned int d = 0; d < 3; ++d)
+      AssertThrow(std::isfinite(vertices[v][d]),
+                  ExcMessage("Vertex " + std::to_string(v) + " of the line is at " +
+                             std::to_string(vertices[v][d]) + " in direction " + std::to_string(d) +
+                             ". Coordinates are numbers."));
+  for (unsigned int i = 0; i < cells.size(); ++i)
+    for (const unsigned int v : cells[i].vertices)
+      AssertThrow(v < vertices.size(),
+                  ExcMessage("Cell " + std::to_string(i) + " of the line names vertex " +
+                             std::to_string(v) + " of " + std::to_string(vertices.size()) +
+                             ". They are counted from 0."));
   for (unsigned int i = 0; i < cells.size(); ++i)
     AssertThrow(vertices[cells[i].vertices[0]].distance(vertices[cells[i].vertices[1]]) > 0.,
                 ExcMessage("Cell " + std::to_string(i) + " of the line has length zero."));

@@ -20,7 +20,7 @@ namespace frictionbeam {
  *    pipe's (CellOrigin::reversed);
  *  - torsion: chi is resisted (psi_x enters).
  * With rotations or torsion there are six degrees of freedom per vertex, and the ground's rotations
- * are to be fixed by the caller (constrain_vertex_dofs()). One Gauss point is exact.
+ * are to be fixed by the caller (VertexDofs::constrain()). One Gauss point is exact.
  *
  * It is meant for dealii::hp::FECollection beside FE_TimoshenkoBeam: common degrees of freedom at a
  * shared vertex are identified.

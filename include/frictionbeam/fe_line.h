@@ -15,7 +15,7 @@ namespace frictionbeam {
  * on the cell's tangent and length, which FEValues hands in with the cell.
  *
  * Limits, all of deal.II 9.4 with non-primitive elements: no
- * VectorTools::interpolate_boundary_values (use constrain_vertex_dofs()), no
+ * VectorTools::interpolate_boundary_values (use VertexDofs::constrain()), no
  * DoFTools::map_dofs_to_support_points; second derivatives are not offered; FEValues views return
  * only the first component (use generalized_strain()).
  *

@@ -331,6 +331,31 @@ void data_out() {
   CHECK(n_points == 5);
 }
 
+/// A cell of length zero, shear flexibilities that are none.
+void nonsense() {
+  deal_II_exceptions::disable_abort_on_exception();
+  const auto is_refused = [](const auto &act) {
+    try {
+      act();
+    } catch (const ExceptionBase &) {
+      return true;
+    }
+    return false;
+  };
+  for (const double s : {-1., std::nan(""), HUGE_VAL})
+    CHECK(is_refused([&]() { FE_TimoshenkoBeam({0.1, s}); }));
+  CHECK(!is_refused([]() { FE_TimoshenkoBeam({0.1, 0.}); }));
+  const FE_TimoshenkoBeam fe;
+  Cantilever line({length}, fe);
+  const auto values = [&]() {
+    FEValues<1, 3>(fe, QGauss<1>(2), update_values | update_gradients | update_JxW_values)
+        .reinit(line.dofs.begin_active());
+  };
+  CHECK(!is_refused(values));
+  line.triangulation.begin_active()->vertex(1) = line.triangulation.begin_active()->vertex(0);
+  CHECK(is_refused(values));
+}
+
 } // namespace
 
 int main() {
@@ -344,5 +369,6 @@ int main() {
   local_axes();
   tee();
   data_out();
+  nonsense();
   return check::report();
 }

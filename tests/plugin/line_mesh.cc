@@ -278,6 +278,8 @@ int main() {
 
   const Point<3> o, x(1, 0, 0), y(0, 1, 0);
   refused({o, x, x}, {{{{0, 1}}, 0}, {{{1, 2}}, 0}}, "Cell 1 of the line has length zero");
+  refused({o, x}, {{{{0, 5}}, 0}}, "Cell 0 of the line names vertex 5 of 2");
+  refused({o, Point<3>(0, std::nan(""), 0)}, {{{{0, 1}}, 0}}, "Vertex 1 of the line is at nan");
   refused({o, x, y}, {{{{0, 1}}, 0}}, "Vertex 2 of the line belongs to no cell");
   // Two rings with one vertex in common: each wants the first cell there to be its own.
   const Point<3> z(0, 0, 1);
