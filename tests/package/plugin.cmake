@@ -55,6 +55,27 @@ run(${CMAKE_COMMAND} -S ${doc}/examples/contact_host -B ${WORK}/contact-host
   -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_DISABLE_FIND_PACKAGE_deal.II=ON -DCMAKE_CXX_FLAGS=-Werror)
 run(${CMAKE_COMMAND} --build ${WORK}/contact-host)
 run(${WORK}/contact-host/contact_host)
+# Flags by which Eigen aligns or allocates otherwise than in the library: those of a sanitizer do no harm
+# by the target; those of another processor are refused, and work where the library has them, too.
+set(host ${WORK}/contact-host-sanitized)
+run(${CMAKE_COMMAND} -S ${doc}/examples/contact_host -B ${host} -DCMAKE_PREFIX_PATH=${prefix}
+  -DCMAKE_DISABLE_FIND_PACKAGE_deal.II=ON "-DCMAKE_CXX_FLAGS=-Werror -fsanitize=address")
+run(${CMAKE_COMMAND} --build ${host})
+run(${host}/contact_host)
+execute_process(COMMAND uname -m OUTPUT_VARIABLE machine OUTPUT_STRIP_TRAILING_WHITESPACE)
+set(compile g++ -std=c++17 -fsyntax-only -I${prefix}/include -isystem ${EIGEN})
+set(source ${doc}/examples/contact_host/contact_host.cc)
+refused("Build FrictionBeam with this program's flags" ${compile} -fsanitize=address ${source})
+if(machine STREQUAL "x86_64")
+  refused("Build FrictionBeam with this program's flags" ${compile} -mavx ${source})
+  run(${CMAKE_COMMAND} -S ${ROOT} -B ${WORK}/with-avx -DFRICTIONBEAM_APPLICATION=OFF -DCMAKE_CXX_FLAGS=-mavx)
+  file(GLOB_RECURSE package ${WORK}/with-avx/frictionbeam.pc)
+  file(READ ${package} text)
+  if(NOT text MATCHES "-DFRICTIONBEAM_EIGEN_ALIGNMENT=32")
+    message(FATAL_ERROR "built with -mavx the package does not say how Eigen aligns: ${text}")
+  endif()
+  run(${compile} -mavx -DEIGEN_MALLOC_ALREADY_ALIGNED=0 -DFRICTIONBEAM_EIGEN_ALIGNMENT=32 ${source})
+endif()
 
 # The flavour is that of the build type, and a program never loads both.
 set(project ${CMAKE_CURRENT_LIST_DIR}/flavour)
