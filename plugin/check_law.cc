@@ -2,11 +2,16 @@
 #include <frictionbeam/law_conformance.h>
 #include <frictionbeam/law_library.h>
 
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+
+#include <unistd.h>
 
 namespace {
 
@@ -96,7 +101,22 @@ void print_reached(const LawDescription &law, const LawReach &reached) {
               << (law.n_parameters > 0 ? "; other parameters may: " + names_of(law) : "") << '\n';
 }
 
+/// What is said of the law at hand if it ends the program, by an exception or a wrong address.
+char last_words[512] = "";
+
+void say_and_end(int) {
+  // Nothing else may be called in a signal's handler.
+  const auto written = write(STDERR_FILENO, last_words, std::strlen(last_words));
+  _exit(written < 0 ? 2 : 1);
+}
+
 bool conforms(const LawDescription &law, const std::vector<double> &parameters) {
+  std::snprintf(last_words, sizeof(last_words),
+                "%s does not conform: it ends the program, by an exception that leaves integrate() "
+                "or a wrong address\n",
+                law.name);
+  for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL})
+    std::signal(signal, say_and_end);
   LawReach reached;
   const auto violations = check_law(law, parameters, reached);
   for (const auto &violation : violations)
@@ -115,6 +135,8 @@ bool all_conform(const std::vector<std::string> &words) {
              "'LAW.so' before it");
     if (words[i].compare(0, 1, "-") == 0)
       refuse("'" + words[i] + "'", "--help, libraries of laws, and NAME=VALUE", "--help");
+    if (words[i].empty())
+      refuse("a word without a letter", "libraries of laws, and NAME=VALUE", "--help");
     const LawDescription &law = library.load(words[i++]);
     std::vector<double> parameters = default_parameters(law);
     for (; i < words.size() && is_parameter(words[i]); ++i)

@@ -66,7 +66,77 @@ public:
       check_energy(increment.strain, dt);
   }
 
+  /// A law of supports tells no stored energy. On a way from where it is open back to there it
+  /// stores nothing: the work of its stress is what it dissipates, but for what it lets go at once
+  /// where it breaks loose.
+  void check_support(const double magnitude) {
+    if (law.kind != LawKind::support)
+      return;
+    for (const double time : {0., time_increment})
+      for (const double across : {0.1, 1.})
+        for (const double turn : {1., -1.}) {
+          const double once = made_energy(magnitude, across * magnitude, turn, time, 100),
+                       twice = made_energy(magnitude, across * magnitude, turn, time, 200);
+          // What the increments make of it halves with them.
+          if (std::abs(2. * twice - once) > most_lost && std::abs(twice) > most_lost / 2.)
+            violated("on a way that begins and ends open, its stress does other work than it "
+                     "dissipates: " +
+                     std::string(twice > 0.
+                                     ? "its dissipation is too large, or it makes energy out "
+                                       "of nothing"
+                                     : "its dissipation is too small"));
+        }
+  }
+
 private:
+  static constexpr double most_lost = 0.1; ///< of the work that was done either way
+
+  /// Dissipation less work of the stress, over the sum of what the work moved, along a way: closed,
+  /// around a square across the normal, opened. 0 if it is not open at either end.
+  /// @param time each side takes
+  double made_energy(const double normal, const double across, const double turn, const double time,
+                     const int n_steps) {
+    const std::vector<Vector> corners = {{normal, 0., 0., 0.},      {-normal, 0., 0., 0.},
+                                         {-normal, across, 0., 0.}, {-normal, across, across, 0.},
+                                         {-normal, 0., across, 0.}, {-normal, 0., 0., 0.},
+                                         {normal, 0., 0., 0.}};
+    Increment increment = from_rest();
+    increment.strain = corners[0];
+    Result last = evaluate(increment, LawTangent::none, 0.);
+    const auto is_free = [](const Result &result) {
+      return result.status == LawStatus::ok && result.contact == ContactStatus::open &&
+             size(result.stress) == 0.;
+    };
+    if (!is_free(last))
+      return 0.;
+    double made = 0., moved = 0.;
+    for (std::size_t corner = 1; corner < corners.size(); ++corner)
+      for (int step = 1; step <= n_steps; ++step) {
+        const double place = double(step) / n_steps;
+        increment.previous_strain = increment.strain;
+        for (int i = 0; i < law.n_strains; ++i)
+          increment.strain[i] = (i == 2 ? turn : 1.) * ((1. - place) * corners[corner - 1][i] +
+                                                        place * corners[corner][i]);
+        increment.old_state = last.state;
+        increment.time += time / n_steps;
+        const Result now = evaluate(increment, LawTangent::none, time / n_steps);
+        if (now.status != LawStatus::ok)
+          return 0.;
+        if (now.contact == ContactStatus::stick && // nothing twists
+            now.dissipation > 1e-9 * size(now.stress) * size(increment.strain))
+          violated("it says that it sticks, and dissipates");
+        for (int i = 0; i < law.n_strains; ++i) {
+          const double work = (last.stress[i] + now.stress[i]) / 2. *
+                              (increment.strain[i] - increment.previous_strain[i]);
+          made -= work;
+          moved += std::abs(work);
+        }
+        made += now.dissipation;
+        last = now;
+      }
+    return is_free(last) && moved > 0. ? made / moved : 0.;
+  }
+
   void check_elastic_bound(const Increment &increment) {
     if (law.elastic_bound == nullptr)
       return;
@@ -191,12 +261,26 @@ private:
       violated("a tangent is written with LawTangent::none, where there may be no room for it");
     if (!all_finite(elastic.tangent))
       violated("the elastic tangent is not finite, or not written");
+    if (!is_section)
+      check_elastic_tangent(elastic.tangent);
     if (increment.old_state != before.old_state)
       violated("the old state is written: write new_state only");
     if (result.dissipation < -1e-12 * size(result.stress) * size(increment.strain))
       violated("dissipation is negative");
     check_commit(increment, result);
     check_tangent(increment, result);
+  }
+
+  /// That of a support is a stiffness: symmetric, and nothing makes energy by it.
+  void check_elastic_tangent(const Vector &C) {
+    const int n = law.n_strains;
+    const double rounding = 1e-9 * size(C);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        if (std::abs(C[n * i + j] - C[n * j + i]) > rounding || C[n * i + i] < -rounding ||
+            C[n * i + j] * C[n * i + j] >
+                C[n * i + i] * C[n * j + j] + rounding * std::abs(C[n * i + j]))
+          return violated("the elastic tangent is no stiffness: it is not symmetric, or negative");
   }
 
   void check_commit(const Increment &increment, const Result &result) {
@@ -296,6 +380,8 @@ std::vector<std::string> check_law(const LawDescription &law, const std::vector<
   for (const double magnitude : {1e-6, 1e-4, 1e-3, 1e-2})
     for (const unsigned int seed : {1u, 2u, 3u})
       checker.check_section(magnitude, seed);
+  for (const double magnitude : {1e-6, 1e-3, 0.1, 1.})
+    checker.check_support(magnitude);
   reached = checker.reached;
   if (reached.increments == 0)
     checker.violations.push_back("it fails in every increment of the test");

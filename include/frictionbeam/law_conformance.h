@@ -31,6 +31,9 @@ struct LawReach {
  *  - the old state is not written, and all results are written and finite,
  *  - no more internal variables are written than these parameters need,
  *  - it does not fail everywhere,
+ *  - of a law of supports: on a way from where it is open back to there the work of the stress is
+ * the dissipation, to the first order of the increment and to a tenth, what sticks dissipates
+ * nothing, and the elastic tangent is symmetric and nowhere negative,
  *  - of a law of sections: where its elastic bound is below 1 it answers by its elastic tangent and
  *    keeps a state of zero; if it tells what it stores, then the work of the stress is what that
  *    gains and the dissipation, to the first order of the increment; many at once are what each is,

@@ -77,7 +77,14 @@ enum class Fault {
   writes_old_state,
   not_finite,
   always_fails,
-  writes_unasked_tangent
+  writes_unasked_tangent,
+  drives,
+  makes_energy,
+  keeps_quiet,
+  boasts,
+  says_stick,
+  no_stiffness,
+  no_symmetry
 };
 
 /// The law coulomb with one fault.
@@ -125,6 +132,34 @@ public:
     case Fault::writes_unasked_tangent:
       out.tangent[0] = 3.;
       break;
+    case Fault::drives: // the friction pushes on the way that it slips
+      for (int i = 1; i < 3; ++i)
+        out.stress[i] *= -1.;
+      break;
+    case Fault::makes_energy: // around a way in the plane
+      if (out.contact != ContactStatus::open) {
+        out.stress[1] += 0.5 * in.parameters[1] * in.strain[2];
+        out.stress[2] -= 0.5 * in.parameters[1] * in.strain[1];
+      }
+      break;
+    case Fault::keeps_quiet:
+      out.dissipation = 0.;
+      break;
+    case Fault::boasts:
+      out.dissipation *= 3.;
+      break;
+    case Fault::says_stick:
+      if (out.contact == ContactStatus::slip)
+        out.contact = ContactStatus::stick;
+      break;
+    case Fault::no_stiffness:
+      if (in.tangent == LawTangent::elastic)
+        out.tangent[0] = -7.;
+      break;
+    case Fault::no_symmetry:
+      if (in.tangent == LawTangent::elastic)
+        out.tangent[6] += in.parameters[1];
+      break;
     }
     return status;
   }
@@ -141,7 +176,8 @@ void faults(const LawDescription &coulomb) {
     LawDescription description = coulomb;
     description.law = &law;
     description.symmetric_tangent = symmetric;
-    return check_law(description, default_parameters(coulomb));
+    return check_law(description,
+                     law_parameters(coulomb, {{"Axial rigidity", 1e6}, {"Shear rigidity", 1e6}}));
   };
   const auto named = [&](const std::vector<std::string> &found, const std::string &words) {
     bool is_named = false;
@@ -153,7 +189,8 @@ void faults(const LawDescription &coulomb) {
   };
   CHECK(violations(Fault::none).empty());
   named(violations(Fault::negative_dissipation), "dissipation is negative");
-  CHECK(violations(Fault::negative_dissipation).size() == 1);
+  named(violations(Fault::negative_dissipation), "its dissipation is too small");
+  CHECK(violations(Fault::negative_dissipation).size() == 2);
   named(violations(Fault::slip_of_wrong_sign), "is the slip of the wrong sign?");
   named(violations(Fault::slip_of_wrong_sign), "internal variable 0 goes on changing");
   named(violations(Fault::slip_not_kept), "stress 1 changes when evaluated again");
@@ -166,6 +203,12 @@ void faults(const LawDescription &coulomb) {
   named(violations(Fault::always_fails), "fails");
   named(violations(Fault::writes_unasked_tangent), "LawTangent::none");
   named(violations(Fault::none, true), "announced as symmetric");
+  for (const Fault fault : {Fault::drives, Fault::makes_energy, Fault::boasts})
+    named(violations(fault), "or it makes energy out of nothing");
+  named(violations(Fault::keeps_quiet), "its dissipation is too small");
+  named(violations(Fault::says_stick), "it says that it sticks, and dissipates");
+  named(violations(Fault::no_stiffness), "the elastic tangent is no stiffness");
+  named(violations(Fault::no_symmetry), "the elastic tangent is no stiffness");
 }
 
 /// The law coulomb with another closed form.
