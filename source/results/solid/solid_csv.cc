@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -45,7 +46,8 @@ void write_wall_csv(const Scene &scene, const PipeWall &wall, const std::vector<
       const std::string head = csv_field(scene.steps[frame.step].name) + ',' +
                                csv_field(scene.pipes[pipe].name) + ',' +
                                exact_number((at.s - wall.pipe_start[pipe]) / m);
-      double least = 0., largest = 0.;
+      constexpr double none = std::numeric_limits<double>::infinity();
+      double least = none, largest = -none;
       for (const auto &surface : ring.stress)
         for (const WallStress &point : surface) {
           least = std::min(least, point.axial);
