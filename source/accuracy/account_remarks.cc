@@ -24,7 +24,8 @@ void add_remarks(const AccountInWords &of, Results &results) {
       account.reached
           ? "Accuracy: the quantities are estimated to be known to " +
                 rounded_number(account.estimate, 2) + ", " + rounded_number(account.demanded, 2) +
-                " is demanded; chosen: " +
+                " is demanded" + (account.left_out.empty() ? "" : ", but for what is left out") +
+                "; chosen: " +
                 (chosen.empty() ? "nothing, since there is nothing to choose"
                                 : settings_in_words(chosen)) +
                 "."

@@ -265,8 +265,14 @@ ModelKind AccuracyControl::choose_bends() {
   model = ModelKind::line;
   if (const std::string why = accuracy::why_not_mixed(scene); !why.empty()) {
     account.model_reason = "what beams leave out of bends is not estimated where " + why;
+    if (!scene.pipes.empty())
+      account.left_out.push_back("what walls of pipes change in bends and at supports: it is not "
+                                 "estimated where " +
+                                 why);
     return model;
   }
+  if (this_process() > 0) // a line is the first one's
+    return model;
   pipes = accuracy::choose_pipe_model(accuracy::with_arcs(scene),
                                       {demanded, most_of_model, early_share},
                                       [this](const Scene &one, const std::string &what) {
@@ -318,6 +324,7 @@ Results AccuracyControl::solve_solid_bends(Results line) {
     Results results = solve_with(settings);
     chosen = settings;
     account.model = "line with solid bends";
+    account.left_out.push_back(accuracy::left_out_of_walls());
     return results;
   } catch (const UserError &error) { // what only the walls' own scene shows
     scene = as_line;

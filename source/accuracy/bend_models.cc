@@ -3,7 +3,6 @@
 #include "accuracy/bend_flexibility_table.h"
 #include "accuracy/pipes/bend_variants.h"
 
-#include "base/processes.h"
 #include "mesh/places_on_pipe.h"
 #include "mesh/solid/solid_stretches.h"
 #include "model/unknowns/discretization.h"
@@ -246,7 +245,7 @@ std::string why_not_mixed(const Scene &scene) {
     return "its pipes have no routes";
   if (any(scene.loads, [](const Load &load) { return load.kind == Load::Kind::wind; }))
     return "there is wind";
-  return n_processes() > 1 ? "there are several processes" : "";
+  return "";
 }
 
 ModelOfPipes model_of_pipes(const Scene &scene, const Results &beams, const double tolerance,

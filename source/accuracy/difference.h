@@ -28,6 +28,9 @@ Difference largest(const std::vector<Difference> &differences);
 /// Names of the quantities that do not count, and why, for the user.
 std::vector<std::string> left_out(const Scene &scene);
 
+/// The same of what solid pipes have beside them.
+std::string left_out_of_walls();
+
 /// Quantities that only the model has that is not solved.
 std::vector<std::string> left_out_by(const ModelKind model, const Scene &scene);
 

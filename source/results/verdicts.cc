@@ -231,8 +231,11 @@ std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
   std::vector<Verdict> told;
   solution(results).tell(told);
   if (results.accuracy)
-    told.push_back({"accuracy", "all quantities", "", results.accuracy->estimate,
-                    results.accuracy->demanded, "-", results.accuracy->reached, "accuracy"});
+    told.push_back(
+        {"accuracy",
+         results.accuracy->left_out.empty() ? "all quantities" : "quantities but those left out",
+         "", results.accuracy->estimate, results.accuracy->demanded, "-", results.accuracy->reached,
+         "accuracy"});
   energy(scene, results).tell(told);
   balance(results).tell(told);
   stress(results).tell(told);

@@ -241,8 +241,7 @@ SolvedScene WallRefinement::run(const RunOptions &options, const ReadScene &read
     results = std::move(finer);
   }
   account.left_out = accuracy::left_out(scene);
-  account.left_out.push_back("largest_ovality and largest_wall_stress: where a held section or a "
-                             "patch's edge bends the wall, stress has no bound on finer meshes");
+  account.left_out.push_back(accuracy::left_out_of_walls());
   account.chosen = settings();
   account.chosen.push_back(std::to_string(mesh.left.middles.size()) + " layers along the pipes");
   if (!limit.empty())

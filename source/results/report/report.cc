@@ -69,7 +69,10 @@ std::string status_box(const Results &results) {
                in_words(results.known.increments) + ", time step " +
                in_words(results.known.time_step) + ", cells " + in_words(results.known.cells) + ".";
     if (results.accuracy && !std::isnan(results.accuracy->estimate))
-      sentence += " The quantities are estimated to be known to " + accuracy_in_words(results);
+      sentence +=
+          " The quantities" +
+          std::string(results.accuracy->left_out.empty() ? "" : ", but for what is left out,") +
+          " are estimated to be known to " + accuracy_in_words(results);
     break;
   case RunStatus::no_equilibrium:
     word = "\u26a0 No equilibrium";
