@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A run of a body that is ended by SIGKILL, SIGTERM and SIGINT, each on a finer mesh, and resumed
-// each time shall leave the same files as one that was not, to the last byte, and the same summary
-// but for its cost. By one process, or by two under mpirun, of which the first one gets the signal.
+// A run of a body that is ended by SIGKILL, SIGTERM and SIGINT, each on a finer mesh or in a later
+// step, and resumed each time shall leave the same files as one that was not, to the last byte, and
+// the same summary but for its cost. By one process, or by two under mpirun, of which the first one
+// gets the signal.
 //   resume_body "PROGRAM" | "MPIRUN --options PROGRAM" CASE.prm [--set "Section/Entry = value"]...
 #include "cut_runs.h"
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// End the run that is at work in @p folder by @p signal, some increments after its checkpoint has
-/// grown: on a finer mesh than the one where it was begun.
+/// grown: on a finer mesh than the one where it was begun, or in a later step.
 /// @return whether that was done before the run had @p ended
 bool end_on_finer_mesh(const fs::path &folder, const int signal, const bool &ended) {
   const fs::path checkpoint = folder / "unfinished" / "checkpoint.bin";

@@ -9,6 +9,7 @@
 #include "model/line_model.h"
 #include "model/mechanism.h"
 #include "results/file/body_vtu.h"
+#include "results/file/checkpoint.h"
 #include "results/file/csv_writer.h"
 #include "results/quantity/collector.h"
 #include "results/quantity/shown_quantity.h"
@@ -36,7 +37,8 @@ public:
       : scene(scene), results(results), line(scene, laws),
         wall(build_pipe_wall(scene, line.model().mesh, halved)),
         body_scene(scene_of_wall(scene, line.model(), wall)), body(body_scene, wall.mesh),
-        loads(scene, line.model().mesh, wall, body), collector(line.model(), results, {}) {
+        loads(scene, line.model().mesh, wall, body), collector(line.model(), results, {}),
+        checkpoint(body) {
     results.cost.mesh_seconds = wall_clock.wall_time();
     results.remarks = line.model().mesh.remarks;
     for (const std::string &warning : check_mechanisms(line.model()))
@@ -58,6 +60,8 @@ public:
   WallErrors errors() const;
 
 private:
+  /// After an increment: write a checkpoint if it is time, and end if a signal came.
+  void pause();
   void read_states();
   void report(const bool converged);
   void add_quantities();
@@ -74,22 +78,34 @@ private:
   ContinuumBody<3> body;
   const WallLoads loads;
   const Collector collector; ///< of the quantities, in the words of a line
+  Checkpoint checkpoint;
   std::unique_ptr<ContinuumSequence<3>> sequence;
   std::vector<WallFrame> frames;
   double support_imbalance = 0.; ///< largest of all frames
 };
 
 void SolidRun::run() {
-  const bool converged = sequence->run(nullptr, [&]() {
-    const int signal = Utilities::MPI::max(interruption::received(), body.communicator);
-    if (signal != 0)
-      throw Interrupted(signal, "Interrupted in step " + sequence->reports().back().step + ".");
-  });
+  if (scene.output.resume)
+    if (std::optional<Archive> saved = checkpoint.read())
+      sequence->transfer(*saved);
+  const bool converged = sequence->run(nullptr, [&]() { pause(); });
   read_states();
   report(converged);
   add_quantities();
   doubt_stresses();
   write();
+}
+
+void SolidRun::pause() {
+  const int signal = interruption::received();
+  if ((signal != 0 || checkpoint.is_due()) && !scene.takes_many_runs()) {
+    Archive archive;
+    sequence->transfer(archive);
+    checkpoint.write(archive);
+  }
+  if (signal != 0)
+    throw Interrupted(signal, "Interrupted at time " + rounded_number(sequence->time()) +
+                                  " of step " + sequence->reports().back().step + ".");
 }
 
 WallErrors SolidRun::errors() const {
