@@ -33,7 +33,7 @@ void add_remarks(const AccountInWords &of, Results &results) {
                 " is not reached; the estimate, which shall be below that by a factor of " +
                 rounded_number(of.margin, 2) + ", is " +
                 (std::isnan(account.estimate) ? "not known" : rounded_number(account.estimate, 2)) +
-                " with " + settings_in_words(chosen) + ".");
+                (chosen.empty() ? "" : " with " + settings_in_words(chosen)) + ".");
   if (of.model_was_chosen)
     results.remarks.push_back("Model = auto: solved as a " + account.model + ", since " +
                               account.model_reason +

@@ -378,7 +378,8 @@ int run_case(const RunOptions &options) {
   }
   if (this_process() == 0) {
     print_summary(std::cout, solved.scene, solved.results);
-    std::cout << "Results are in " << folder << ", the report is report.html\n";
+    std::cout << "Results are in " << folder
+              << (solved.scene.output.report ? ", the report is report.html\n" : "\n");
   }
   if (solved.results.status != RunStatus::converged) {
     if (options.quiet && this_process() == 0)

@@ -108,7 +108,7 @@ void check_can_be_solid(const Scene &scene) {
                     "\n  "
                     "allowed: auto or direct with Model = solid\n  try:     to leave it out");
   if (n_processes() > 1)
-    throw UserError("Walls of pipes are solved by one process.\n  read:    Model = solid under "
+    throw UserError("Walls of pipes are solved by one process.\n  read:    solid pipes under "
                     "mpirun\n  allowed: one process\n  try:     without mpirun");
   if (scene.restraints.empty())
     throw UserError("Nothing holds the solid pipe.\n  read:    no anchor\n  allowed: anchors, and "

@@ -26,6 +26,7 @@ private:
   };
   /// The straight run that a segment is a part of.
   Run run_of(const WallSegment &segment) const;
+  void check_width(const WallPatch &patch) const;
   void check_on_run(const WallPatch &patch, const double s) const;
   void check_anchors(const WallPatch &patch) const;
   /// Where round the pipe the patch is; of a collar, where along it as well.
@@ -49,6 +50,15 @@ PatchLayout::Run PatchLayout::run_of(const WallSegment &segment) const {
   for (unsigned int next = number + 1; next < wall.segments.size() && is_straight(next); ++next)
     run.end = wall.segments[next].start + wall.segments[next].path.length;
   return run;
+}
+
+void PatchLayout::check_width(const WallPatch &patch) const {
+  const double least = 4. * one_place * wall.outer; // a ring in its middle, and one at each edge
+  if (patch.to - patch.from < least)
+    throw UserError("Support " + scene.supports[patch.support].name +
+                    ": its patch is narrower than rings of cells can be.\n  read:    Width = " +
+                    text(patch.to - patch.from) + "\n  allowed: Width = " + text(least) +
+                    " or more\n  try:     the width of the shoe, or no Width: one diameter");
 }
 
 void PatchLayout::check_on_run(const WallPatch &patch, const double s) const {
@@ -127,6 +137,7 @@ WallPatch PatchLayout::patch(const unsigned int support, const unsigned int site
                s = wall.s_of(line, patch.vertex);
   patch.from = s - width / 2.;
   patch.to = s + width / 2.;
+  check_width(patch);
   check_on_run(patch, s);
   check_anchors(patch);
   lay_across(push_of(of, at.tangent), s, patch);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/solid/solid_stretches.h"
 
+#include "base/number_text.h"
 #include "base/user_error.h"
 #include "mesh/places_on_pipe.h"
 #include "scene/file/parameter_reader.h"
@@ -62,6 +63,8 @@ private:
     return scene.pipes[pipe].name + "_at_" +
            to_text(std::round(s / scene.units.factor("m") * 1e3) / 1e3);
   }
+  /// Those of routes and Points.
+  std::vector<std::string> names_on_pipes() const;
   void check_found() const;
   /// @throws UserError for a pipe whose wall cannot be a solid
   void check_pipe(const Pipe &pipe, const double bend_radius) const;
@@ -191,12 +194,28 @@ void StretchLayout::join(std::vector<SolidStretch> &all) const {
   all = joined;
 }
 
+std::vector<std::string> StretchLayout::names_on_pipes() const {
+  std::vector<std::string> names;
+  for (const PipePath &path : paths)
+    for (const PipePath::RoutePlace &place : path.route_points())
+      if (!place.name.empty())
+        names.push_back(place.name);
+  for (const NamedPoint &point : scene.points)
+    for (unsigned int pipe = 0; pipe < paths.size(); ++pipe)
+      if (!places(pipe, point.name).empty()) {
+        names.push_back(point.name);
+        break;
+      }
+  return names;
+}
+
 void StretchLayout::check_found() const {
   for (const std::string &point : asked)
     if (found.count(point) == 0 && point != all_bends)
       throw UserError("Solid/At names a point that is on no pipe.\n  read:    '" + point +
                       "'\n  allowed: points of routes, corners of bends among them, and Points on "
-                      "pipes, or all bends\n  try:     all bends");
+                      "pipes, or all bends: " +
+                      first_of(names_on_pipes()) + "\n  try:     all bends");
 }
 
 void StretchLayout::check_pipe(const Pipe &pipe, const double bend_radius) const {

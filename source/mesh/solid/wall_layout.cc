@@ -17,7 +17,6 @@ using namespace dealii;
 
 namespace {
 
-constexpr double one_place = 1e-3; ///< of the outer radius: places that have one ring
 constexpr double growth = 0.5;     ///< of a straight run's cells, of the distance
 constexpr double no_corner = 1e-6; ///< of two tangents
 

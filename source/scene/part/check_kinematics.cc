@@ -14,6 +14,9 @@ bool is_of_beams(const Scene &scene) {
   return scene.model == ModelKind::line ||
          (scene.model == ModelKind::automatic && !scene.continuum);
 }
+std::string in_words(const ModelKind model) {
+  return "Model = " + std::string(row_of(model_kinds, model).word);
+}
 } // namespace
 
 void check_kinematics(const ParameterReader &in, const Scene &scene) {
@@ -26,7 +29,7 @@ void check_kinematics(const ParameterReader &in, const Scene &scene) {
   const auto any = [](const auto &parts, const auto &is) {
     return std::any_of(parts.begin(), parts.end(), is);
   };
-  refuse(!is_of_beams(scene), "Model = continuum", "Model = line");
+  refuse(!is_of_beams(scene), in_words(scene.model), "Model = line");
   refuse(!scene.solver.has_tangent(), "Method = elastic",
          "Method = exact or newton in section Solver");
   refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");
@@ -197,7 +200,7 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
     if (is_there)
       in.fail("Law", "elastic_section with " + what, hint, section.law + " with " + what);
   };
-  refuse(!is_of_beams(scene), "Model = continuum", "Model = line");
+  refuse(!is_of_beams(scene), in_words(scene.model), "Model = line");
   refuse(!scene.solver.has_tangent(), "Method = elastic",
          "Method = exact or newton in section Solver");
   refuse(scene.output.contact_problems, "Write contact problems", "false in section Output");
