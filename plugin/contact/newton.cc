@@ -95,9 +95,14 @@ bool Newton::slides_away(const Vector &x, Response &response) {
 }
 
 bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response) {
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    if (!proximal.gives_utmost(i, response, equations.strain_of(i, motion)))
+  constexpr double nothing = 1e-12; // of the motion: a contact that it leaves where it is
+  const double size = motion.lpNorm<Eigen::Infinity>();
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const Strains rate = equations.strain_of(i, motion);
+    if (contacts[i].length * rate.lpNorm<Eigen::Infinity>() > nothing * size &&
+        !proximal.gives_utmost(i, response, rate))
       return false;
+  }
   if (!is_proved) { // once for these loads
     motion_of_proof = find_free_motion(contacts, equations.unknowns_of_contacts(), S, diagonal,
                                        equations.loads, motion)

@@ -73,6 +73,24 @@ void what_can_be_held() {
   CHECK(w[2] >= (1. - 1e-3) * 0.5 * std::hypot(w[0], w[1])); // and no friction takes it
 }
 
+/// What neither a stiffness nor a contact holds moves freely, beside a body that is held.
+void what_nothing_holds() {
+  contact::SparseMatrix K(4, 4);
+  for (int i = 0; i < 3; ++i)
+    K.insert(i, i) = 1e3;
+  contact::Solver solver(contact::system_of(K), {on_wall({0., 0., -1.}, 0.3)});
+  const contact::ContactMemory before = solver.initial_memory();
+  contact::ContactMemory after = before;
+  Vector u, loads(4);
+  loads << 1., 0., -100., 1.;
+  const contact::Report pushed = solver.solve(loads, before, u, after);
+  CHECK(pushed.no_equilibrium && pushed.free_motion.size() == 4);
+  if (pushed.no_equilibrium)
+    CHECK(pushed.free_motion[3] > 1e9 * pushed.free_motion.head(3).norm());
+  loads[3] = 0.;
+  CHECK(solver.solve(loads, before, u, after).converged);
+}
+
 template <typename Act>
 bool is_refused(const Act &act) {
   try {
@@ -174,6 +192,7 @@ int main() {
   laws.load_builtin();
   walls_that_press_on_each_other();
   what_can_be_held();
+  what_nothing_holds();
   what_does_not_fit();
   what_is_no_number();
   bound_laws();
