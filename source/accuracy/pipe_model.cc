@@ -61,6 +61,18 @@ void judge_held_sections(const Scene &scene, const Results &beams, const SolveAs
                          " is not known of it.");
 }
 
+/// What sections do at the points whose motions are asked for.
+void judge_points(const Scene &scene, const Results &beams, PipeModel &model) {
+  const Change change = change_between(scene, with_sections_at_points(scene, beams), beams);
+  if (beams.status != RunStatus::converged || change.value == 0.)
+    return;
+  model.error += change.value;
+  model.judged.push_back(
+      "Points: that a bent section changes its shape and a ring of the wall gives "
+      "way under a force " +
+      change.in_words + " (Model = solid has it).");
+}
+
 /// What walls at supports change, and how supports as elastic as walls would do.
 class SupportsJudge {
 public:
@@ -160,6 +172,7 @@ PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const
                            rounded_number(bends.per_part * of_cells, 2) + " by their cells.");
   }
   judge_held_sections(scene, beams, solve, model);
+  judge_points(scene, beams, model);
   SupportsJudge(scene, beams, solve)
       .judge(shares.of_model * shares.demanded, most_of_all * shares.demanded, model);
   if (!(model.error <= most_of_all * shares.demanded)) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace frictionbeam::accuracy {
@@ -184,17 +185,19 @@ std::vector<double> hoop_strains(const Scene &scene, const Pipe &pipe) {
   return strains;
 }
 
-double strain_in(const Scene &scene, const std::vector<double> &strains, const Frame &frame) {
+std::vector<double> factors_in(const Scene &scene, const Frame &frame) {
   const HistoryOrigins origins(scene, frame.step);
-  double strain = 0.;
+  std::vector<double> factors(scene.loads.size(), 0.);
   for (const auto &[load, factor] : scene.steps[frame.step].loads) {
-    if (load >= strains.size())
-      continue; // was added since
     const TimeFunction &history = scene.loads[load].history;
-    strain += factor * strains[load] *
-              (history.is_given() ? history(frame.time - origins.loads[load]) : 1.);
+    factors[load] += factor * (history.is_given() ? history(frame.time - origins.loads[load]) : 1.);
   }
-  return strain;
+  return factors;
+}
+
+double strain_in(const Scene &scene, const std::vector<double> &strains, const Frame &frame) {
+  const std::vector<double> factors = factors_in(scene, frame); // some were added since
+  return std::inner_product(strains.begin(), strains.end(), factors.begin(), 0.);
 }
 
 WallsAtSupports walls_at_supports(const Scene &scene) {

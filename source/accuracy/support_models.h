@@ -8,6 +8,8 @@ namespace frictionbeam::accuracy {
 /// What a pipe's circumference grows by by each load of the scene, nothing holding it: heat, and
 /// pressure with the thrust of closed ends, p r/(E t) - nu p A_bore/(E A), r the mean radius.
 std::vector<double> hoop_strains(const Scene &scene, const Pipe &pipe);
+/// Factors of the loads at the end of a step.
+std::vector<double> factors_in(const Scene &scene, const Frame &frame);
 /// What of it there is at the end of a step.
 double strain_in(const Scene &scene, const std::vector<double> &strains, const Frame &frame);
 

@@ -4,6 +4,7 @@
 #include "accuracy/support_models.h"
 #include "mesh/places_on_pipe.h"
 #include "model/unknowns/reduced_space.h"
+#include "results/quantity/shown_quantity.h"
 #include "scene/support_pair.h"
 
 #include <algorithm>
@@ -80,7 +81,39 @@ public:
     return std::move(scene);
   }
 
+  /// Of the section at a point, against the line.
+  std::optional<Motion> motion_of_section(const Point3 &position, const Frame &frame) const {
+    const auto place = place_at(position);
+    if (!place || is_supported(position) ||
+        std::any_of(beams.restraints.begin(), beams.restraints.end(),
+                    [&](const auto &one) { return one.position.distance(position) < same_place; }))
+      return {};
+    const Wall wall(scene, scene.pipes[place->pipe]);
+    constexpr double of_edge = 4.;
+    const Forces forces = forces_at(frame, *place, position);
+    const Vector3 pushed = loads_at(frame, *place, position),
+                  moved = wall.mean_by_curvature() / wall.EI *
+                              dealii::cross_product_3d(forces.moment, place->tangent) +
+                          (place->is_end ? of_edge : 1.) * wall.compliance_of_ring() * pushed,
+                  turned = wall.mean_by_curvature() / wall.EI *
+                           dealii::cross_product_3d(place->tangent, forces.shear);
+    return Motion{{moved[0], moved[1], moved[2], turned[0], turned[1], turned[2]}};
+  }
+
 private:
+  /// Across the pipe.
+  Vector3 loads_at(const Frame &frame, const Place &place, const Point3 &position) const {
+    const std::vector<double> factors = factors_in(scene, frame);
+    Vector3 sum;
+    for (unsigned int l = 0; l < scene.loads.size(); ++l)
+      if (scene.loads[l].kind == Load::Kind::force)
+        for (const Load::AtPoint &at : scene.loads[l].at)
+          for (const PointInfo &point : beams.points)
+            if (point.name == at.point && point.position.distance(position) < same_place)
+              sum += factors[l] * Vector3({at.value[0], at.value[1], at.value[2]});
+    return sum - (sum * place.tangent) * place.tangent;
+  }
+
   /// Whether a contact stands there, which an imposed motion would push against.
   bool is_supported(const Point3 &position) const {
     return std::any_of(beams.supports.begin(), beams.supports.end(),
@@ -257,7 +290,41 @@ private:
   std::vector<PipePath> paths;
 };
 
+/// Size of what a motion adds to a quantity, in the quantity's SI unit.
+double part_in(const Quantity &quantity, const Motion &motion) {
+  const unsigned int c = quantity.kind().component;
+  if (quantity.is(QuantityKind::Of::motion))
+    return std::abs(quantity.scale * motion[c]);
+  const bool turns = c == static_cast<unsigned int>(Directed::rotation);
+  if (!turns && c != static_cast<unsigned int>(Directed::displacement))
+    return 0.;
+  const unsigned int first = turns ? 3 : 0;
+  const Vector3 both({motion[first], motion[first + 1], motion[first + 2]}),
+      along({quantity.direction[0], quantity.direction[1], quantity.direction[2]});
+  return std::abs(quantity.scale) *
+         (quantity.along == Quantity::Along::direction ? std::abs(both * along) : both.norm());
+}
+
 } // namespace
+
+Results with_sections_at_points(const Scene &scene, Results beams) {
+  const Results as_beams = beams;
+  const HeldSections sections(scene, as_beams, HeldAs::sections);
+  for (const Quantity &quantity : scene.quantities) {
+    if (!quantity.is(QuantityKind::Of::motion) && !quantity.is(QuantityKind::Of::directed))
+      continue;
+    const std::string &step = quantity.step.empty() ? scene.steps.back().name : quantity.step;
+    for (const PointInfo &point : as_beams.points)
+      for (const Frame &frame : as_beams.frames)
+        if (point.name == quantity.where && frame.end_of_step && frame.step < scene.steps.size() &&
+            scene.steps[frame.step].name == step)
+          if (const auto motion = sections.motion_of_section(point.position, frame))
+            for (QuantityResult &result : beams.quantities)
+              if (result.name == quantity.name)
+                result.value += part_in(quantity, *motion) / scene.units.factor(unit_of(quantity));
+  }
+  return beams;
+}
 
 Scene with_held_sections(Scene scene, const Results &beams, const HeldAs as) {
   return HeldSections(std::move(scene), beams, as).hold();

@@ -27,4 +27,12 @@ enum class HeldAs { sections, rings };
  */
 Scene with_held_sections(Scene scene, const Results &beams, const HeldAs as);
 
+/**
+ * The answer of beams whose quantities are changed by what the sections of a solid pipe do at named
+ * points of straight pipes that nothing holds, by the same thin wall: the mean of a bent section is
+ * off the line and turned by nu r^2/2 times its curvature and shear, and moved as a guide's ring is
+ * by a force on it; at a free end four times as far, as a long cylinder bends at its edge.
+ */
+Results with_sections_at_points(const Scene &scene, Results beams);
+
 } // namespace frictionbeam::accuracy
