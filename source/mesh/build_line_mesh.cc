@@ -250,28 +250,6 @@ void remark_on_springs(const Scene &scene, LineMesh &mesh) {
   }
 }
 
-/// @throws UserError where both ends of a spring or of a support on a pipe are one place of the
-/// line under two names: what joins a place to itself carries nothing.
-void check_ends(const Scene &scene, const LineMesh &mesh) {
-  const auto refuse = [](const std::string &entry, const std::string &other, const std::string &one,
-                         const std::string &advice) {
-    throw UserError(entry + "\n  read:    '" + other + "', which is the place of '" + one +
-                    "' on a pipe: one node, whatever else stands there\n  allowed: another "
-                    "place than At\n  try:     " +
-                    advice);
-  };
-  for (const Spring &spring : scene.springs)
-    if (!spring.other.empty() && mesh.points.at(spring.point) == mesh.points.at(spring.other))
-      refuse("Spring " + spring.name + "/To", spring.other, spring.point,
-             "no 'To', and no support there: the spring is then between the pipe and the ground; "
-             "or, between two pipes, a Joint");
-  for (const FrictionSupport &support : scene.supports)
-    for (const std::string &point : support.placement.points)
-      if (!support.ground.empty() && mesh.points.at(point) == mesh.points.at(support.ground))
-        refuse("Support " + part_name(support) + "/Ground", support.ground, point,
-               "a point on another pipe, which does not meet this one there");
-}
-
 /// @throws UserError if a support has numbers for a place that it does not stand at
 void check_places(const FrictionSupport &support, const std::size_t n_places) {
   if (support.parameters_at.empty() || support.parameters_at.rbegin()->first < n_places)
@@ -292,7 +270,6 @@ LineMesh build_line_mesh(const Scene &scene) {
   add_free_points(scene, mesh);
   check_asked_points(scene, mesh);
   check_tees(scene, mesh);
-  check_ends(scene, mesh);
   remark_on_springs(scene, mesh);
   const Placer placer(scene, mesh);
   for (const FrictionSupport &support : scene.supports) {
