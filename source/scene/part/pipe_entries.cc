@@ -70,10 +70,8 @@ void declare_pipe(ParameterReader &in) {
       "Mass", -1., "kg", -1., 1e300,
       "Of the pipe's own, of a valve, instead of its metal's; contents and insulation "
       "come on top. -1: by density.");
-  in.declare_number(
-      "Bend radius", 0., "m", 0., 1e300,
-      "Of a pipe from Mesh/File that is one bend: its nodes, three or more, lie on an arc of this "
-      "radius, within a hundredth, and it is what a bend of a route is. 0: it is straight.");
+  in.declare_number("Bend radius", 0., "m", 0., 1e300,
+                    "Of a pipe from Mesh/File that is a bend; 0: it is straight.");
 }
 
 namespace {
