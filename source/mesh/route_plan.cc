@@ -27,12 +27,12 @@ std::vector<PipePath> paths_of(const Scene &scene) {
   return paths;
 }
 
-/// The number of cells, from a quotient of lengths, which nodes of a file miss by some 1e-8.
+/// The number of cells, from a quotient of lengths.
 int whole(const double cells) {
   if (cells > most)
     throw UserError("Mesh: 'Cell length' or 'Cells per bend' makes more than ten million cells of "
                     "one straight run or bend. Give longer or fewer ones.");
-  return std::max(1, static_cast<int>(std::ceil(cells - 1e-6)));
+  return std::max(1, static_cast<int>(std::ceil(cells - 1e-9)));
 }
 
 double extent(const std::vector<PipePath> &paths) {
@@ -184,6 +184,18 @@ public:
     }
     return result;
   }
+
+private:
+  bool is_solid(const unsigned int pipe, const double s) const {
+    return std::any_of(solid.begin(), solid.end(), [&](const SolidStretch &stretch) {
+      return stretch.pipe == pipe && stretch.from < s && s < stretch.to;
+    });
+  }
+  /// One cell, whose stiffness is that of a solid: each vertex costs that six solutions.
+  static void take_whole(RoutePiece &piece) {
+    piece.n_cells = 1;
+    piece.is_arc = piece.bends() && piece.length() > smallest_arc * piece.segment->radius;
+  }
   /// @param cell_length of the longest one [m]; 0: no bound
   void divide(RoutePiece &piece, const bool is_reducer, const double cell_length) const {
     piece.n_cells = straight_cells(scene.mesh, piece, cell_length);
@@ -200,18 +212,6 @@ public:
       piece.n_cells = n;
       piece.is_arc = true;
     }
-  }
-
-private:
-  bool is_solid(const unsigned int pipe, const double s) const {
-    return std::any_of(solid.begin(), solid.end(), [&](const SolidStretch &stretch) {
-      return stretch.pipe == pipe && stretch.from < s && s < stretch.to;
-    });
-  }
-  /// One cell, whose stiffness is that of a solid: each vertex costs that six solutions.
-  static void take_whole(RoutePiece &piece) {
-    piece.n_cells = 1;
-    piece.is_arc = piece.bends() && piece.length() > smallest_arc * piece.segment->radius;
   }
 
   const Scene &scene;
@@ -234,10 +234,6 @@ double tolerance_of(const Scene &scene, const std::vector<PipePath> &paths) {
 }
 
 } // namespace
-
-void divide(const Scene &scene, const Pipe &pipe, RoutePiece &piece) {
-  Divider(scene, {}).divide(piece, pipe.end_section.has_value(), scene.mesh.cell_length);
-}
 
 RoutePlan::RoutePlan(const Scene &scene)
     : axes(paths_of(scene)), same(tolerance_of(scene, axes)), meetings(scene, axes, same) {
