@@ -195,10 +195,10 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
   if (hanger.stiffness > 0. && hanger.cold_load == 0.)
     in.fail("Cold load", "a load > 0 beside a stiffness, or neither for a sized hanger",
             "the cold load, or removing 'Stiffness'");
-  parse_item_of_hanger(in, scene, hanger);
   if (!hanger.constant && hanger.cold_load > 0. && hanger.stiffness == 0.)
     in.fail("Stiffness", "a stiffness > 0 beside a Cold load, or neither for a sized hanger",
             "the stiffness; removing 'Cold load', which sizes both; or Kind = constant");
+  parse_item_of_hanger(in, scene, hanger);
   hanger.largest_variation = in.number("Variation");
   hanger.weight_step = in.text("Weight step");
   hanger.hot_step = in.text("Hot step");
