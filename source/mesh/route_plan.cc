@@ -3,7 +3,6 @@
 #include "mesh/solid/solid_stretches.h"
 
 #include "base/user_error.h"
-#include "scene/bed_cells.h"
 #include "scene/in_units.h"
 #include "scene/solid/mixed_entries.h"
 
@@ -94,22 +93,7 @@ public:
   std::vector<std::vector<double>> s;
   const double tolerance; ///< [m]
 
-  /// Longest cell where a bed carries a pipe at this place [m]; 0: none does.
-  double bed_cell(const unsigned int pipe, const double at) const {
-    double longest = 0.;
-    for (const Bed &bed : beds)
-      if (bed.pipe == pipe && bed.from < at && at < bed.to)
-        longest = longest > 0. ? std::min(longest, bed.cell) : bed.cell;
-    return longest;
-  }
-
 private:
-  struct Bed {
-    unsigned int pipe;
-    double from, to, cell; ///< [m]
-  };
-  std::vector<Bed> beds;
-
   void add_repeated(const Scene &scene, const std::vector<PipePath> &paths,
                     const Placement &placement) {
     if (placement.pipe.empty())
@@ -128,11 +112,6 @@ private:
       if (placement.every > 0.)
         for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i)
           s[p].push_back(from + i * placement.every);
-      if (placement.continuous && to > from) {
-        s[p].insert(s[p].end(), {from, to});
-        beds.push_back(
-            {p, from, to, bed_cell_length(scene.sections[scene.pipes[p].section], to - from)});
-      }
     }
   }
 };
@@ -143,12 +122,11 @@ constexpr double smallest_arc = 1e-4;
 /// Each cell feels the wind across its chord: arcs of this angle [rad] miss 1e-4 of it.
 constexpr double longest_arc_in_wind = 0.03;
 
-/// @param longest cell of straight runs [m]; 0: no bound
-int straight_cells(const MeshSettings &settings, const RoutePiece &piece, const double longest) {
+int straight_cells(const MeshSettings &settings, const RoutePiece &piece) {
   const double cells = piece.bends() ? settings.cells_per_bend * piece.length() /
                                            piece.segment->radius / (numbers::PI / 2.)
-                       : longest > 0. ? piece.length() / longest
-                                      : 1.;
+                       : settings.cell_length > 0. ? piece.length() / settings.cell_length
+                                                   : 1.;
   return whole(cells);
 }
 
@@ -176,9 +154,7 @@ public:
         if (is_solid(p, 0.5 * (begin + end)))
           take_whole(piece);
         else
-          divide(piece, scene.pipes[p].end_section.has_value(),
-                 scene.mesh.cell_length > 0. ? scene.mesh.cell_length
-                                             : breaks.bed_cell(p, 0.5 * (begin + end)));
+          divide(piece, scene.pipes[p].end_section.has_value());
         result[p].push_back(piece);
       }
     }
@@ -196,15 +172,14 @@ private:
     piece.n_cells = 1;
     piece.is_arc = piece.bends() && piece.length() > smallest_arc * piece.segment->radius;
   }
-  /// @param cell_length of the longest one [m]; 0: no bound
-  void divide(RoutePiece &piece, const bool is_reducer, const double cell_length) const {
-    piece.n_cells = straight_cells(scene.mesh, piece, cell_length);
+  void divide(RoutePiece &piece, const bool is_reducer) const {
+    piece.n_cells = straight_cells(scene.mesh, piece);
     if (is_reducer)
       piece.n_cells = std::max<int>(piece.n_cells, scene.mesh.cells_of_reducer);
     if (!scene.mesh.arcs || !piece.bends())
       return;
     const double radius = piece.segment->radius;
-    double longest = cell_length > 0. ? cell_length : piece.length();
+    double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length();
     if (windy)
       longest = std::min(longest, longest_arc_in_wind * radius);
     const int n = std::max(whole(piece.length() / longest), mass_on_chords ? piece.n_cells : 1);

@@ -26,8 +26,7 @@ void declare_mesh(ParameterReader &in) {
                   "points. Empty: the routes are meshed.");
   in.declare_number(
       "Cell length", 0., "m", 0., 1e300,
-      "Longest cell of a straight run, and of an arc; 0: one cell from point to point, and on a "
-      "continuous bed, which carries at nodes, a hundredth of the bed or two diameters.");
+      "Longest cell of a straight run, and of an arc; 0: one cell from point to point.");
   in.declare_choice("Mesher", Mesher::automatic, meshers, "");
   const bool cut = !in.raw("Cells per bend", "").empty();
   in.declare_choice("Bends", !cut, bends, "Of routes.");
