@@ -108,8 +108,8 @@ struct Section {
 };
 
 /// The section of a reducer, @p part of its way from @p begin to @p end: diameter, wall and
-/// corrosion allowance change evenly, and so do the insulation's thickness, the densities of
-/// contents and insulation and the ratio of area to shear area.
+/// corrosion allowance change evenly, and so do the insulation's thickness and the densities of
+/// contents and insulation.
 Section between(const Section &begin, const Section &end, const double part);
 
 struct RoutePoint {

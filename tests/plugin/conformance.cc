@@ -1,5 +1,4 @@
-// check_law shall accept every built-in law, with parameters for each of its branches, and name the
-// fault of laws that are made wrong here on purpose.
+// check_law() accepts built-in laws in each of their branches, and names the faults of wrong ones.
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <frictionbeam/law_closed_form.h>
 #include <frictionbeam/law_conformance.h>

@@ -232,10 +232,6 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
   if (!in.text("End section").empty())
     pipe.end_section =
         in.find("End section", in.text("End section"), names(scene.sections), "section");
-  if (pipe.end_section && scene.sections[*pipe.end_section].rotary_inertia !=
-                              scene.sections[pipe.section].rotary_inertia)
-    in.fail("End section", "a section with the same 'Rotary inertia' as the first",
-            "the same in both", in.text("End section"));
   pipe.rigid = in.flag("Rigid");
   if (in.number("Mass") >= 0.)
     pipe.total_mass = in.number("Mass");
