@@ -3,9 +3,10 @@
 
 #include <frictionbeam/law_closed_form.h>
 
+#include "number_text.h"
+
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace frictionbeam {
@@ -15,12 +16,6 @@ namespace {
 /// Whether a law is compiled with what version 2 tells of sections: an older one ends before it.
 bool tells_of_sections(const LawDescription &law) {
   return law.interface_version >= 2 && law.kind == LawKind::section;
-}
-
-std::string text_of(const double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 /// Parameters that a law can be given, before it is asked anything.

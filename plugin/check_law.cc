@@ -2,13 +2,14 @@
 #include <frictionbeam/law_conformance.h>
 #include <frictionbeam/law_library.h>
 
+#include "number_text.h"
+
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 
 #include <unistd.h>
@@ -39,12 +40,6 @@ std::string names_of(const LawDescription &law) {
   for (int i = 0; i < law.n_parameters; ++i)
     names += std::string(i == 0 ? "" : ", ") + law.parameters[i].name;
   return names.empty() ? "none" : names;
-}
-
-std::string text_of(const double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 
 /// Set the parameter that @p word, NAME=VALUE, says.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "host_sites.h"
 
+#include "../number_text.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 namespace frictionbeam::contact {
@@ -30,11 +31,7 @@ private:
   const unsigned int contact;
 };
 
-std::string text_of(const double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
+using frictionbeam::text_of;
 
 std::string text_of(const Vector3 &v) {
   return "(" + text_of(v[0]) + ", " + text_of(v[1]) + ", " + text_of(v[2]) + ")";

@@ -305,23 +305,35 @@ double part_in(const Quantity &quantity, const Motion &motion) {
          (quantity.along == Quantity::Along::direction ? std::abs(both * along) : both.norm());
 }
 
+/// The first of a list that is so, or null.
+template <typename List, typename Is>
+const typename List::value_type *first_that(const List &list, const Is &is) {
+  const auto found = std::find_if(list.begin(), list.end(), is);
+  return found != list.end() ? &*found : nullptr;
+}
+
 } // namespace
 
 Results with_sections_at_points(const Scene &scene, Results beams) {
   const Results as_beams = beams;
   const HeldSections sections(scene, as_beams, HeldAs::sections);
-  for (const Quantity &quantity : scene.quantities) {
-    if (!quantity.is(QuantityKind::Of::motion) && !quantity.is(QuantityKind::Of::directed))
+  for (QuantityResult &result : beams.quantities) {
+    const Quantity *const quantity =
+        first_that(scene.quantities, [&](const Quantity &one) { return one.name == result.name; });
+    if (quantity == nullptr ||
+        (!quantity->is(QuantityKind::Of::motion) && !quantity->is(QuantityKind::Of::directed)))
       continue;
-    const std::string &step = quantity.step.empty() ? scene.steps.back().name : quantity.step;
-    for (const PointInfo &point : as_beams.points)
-      for (const Frame &frame : as_beams.frames)
-        if (point.name == quantity.where && frame.end_of_step && frame.step < scene.steps.size() &&
-            scene.steps[frame.step].name == step)
-          if (const auto motion = sections.motion_of_section(point.position, frame))
-            for (QuantityResult &result : beams.quantities)
-              if (result.name == quantity.name)
-                result.value += part_in(quantity, *motion) / scene.units.factor(unit_of(quantity));
+    const std::string &step = quantity->step.empty() ? scene.steps.back().name : quantity->step;
+    const PointInfo *const point = first_that(
+        as_beams.points, [&](const PointInfo &one) { return one.name == quantity->where; });
+    const Frame *const end = first_that(as_beams.frames, [&](const Frame &frame) {
+      return frame.end_of_step && frame.step < scene.steps.size() &&
+             scene.steps[frame.step].name == step;
+    });
+    if (point == nullptr || end == nullptr)
+      continue;
+    if (const auto motion = sections.motion_of_section(point->position, *end))
+      result.value += part_in(*quantity, *motion) / scene.units.factor(unit_of(*quantity));
   }
   return beams;
 }

@@ -119,4 +119,14 @@ Eigen::VectorXi sparse_order(const Sparse &lower, const int n_last) {
   return order;
 }
 
+Sparse in_order(const Sparse &lower, const Eigen::VectorXi &order) {
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(order.size());
+  for (int i = 0; i < order.size(); ++i)
+    place.indices()[order[i]] = i;
+  Sparse ordered(lower.rows(), lower.cols());
+  ordered.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(place);
+  const Sparse sorted = ordered.transpose(); // which the permutation leaves unsorted
+  return sorted.transpose();
+}
+
 } // namespace frictionbeam

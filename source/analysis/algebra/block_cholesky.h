@@ -43,5 +43,8 @@ private:
 /// A permutation of a symmetric matrix (old place by new) that keeps its factor sparse, whose last
 /// @p n_last unknowns stay where they are.
 Eigen::VectorXi sparse_order(const Eigen::SparseMatrix<double> &lower, const int n_last);
+/// The matrix, of which and by which the lower triangle is given, in such an order.
+Eigen::SparseMatrix<double> in_order(const Eigen::SparseMatrix<double> &lower,
+                                     const Eigen::VectorXi &order);
 
 } // namespace frictionbeam

@@ -28,10 +28,11 @@ CoarseFactorization<dim>::CoarseFactorization(const ContinuumBody<dim> &body,
     if (constraints.is_constrained(dof))
       entries.push_back({static_cast<unsigned int>(dof), static_cast<unsigned int>(dof), 1.});
   place = Eigen::VectorXi::LinSpaced(owned.size(), 0, owned.size() - 1);
-  const Eigen::VectorXi order = sparse_order(sum_of_all(entries), 0);
+  stiffness = sum_of_all(entries);
+  const Eigen::VectorXi order = sparse_order(stiffness, 0);
   for (int i = 0; i < order.size(); ++i)
     place[order[i]] = i;
-  stiffness = sum_of_all(entries);
+  stiffness = in_order(stiffness, order);
 }
 
 template <int dim>

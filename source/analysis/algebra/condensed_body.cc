@@ -126,18 +126,12 @@ void CondensedSystem::assemble(const ContinuumBody<dim> &body) {
 
 void CondensedSystem::reorder() {
   const Eigen::VectorXi order = sparse_order(stiffness, n_contact);
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(order.size());
   const std::vector<types::global_dof_index> old = dof_of;
   for (int i = 0; i < order.size(); ++i) {
-    place.indices()[order[i]] = i;
     dof_of[i] = old[order[i]];
     unknown_of[dof_of[i]] = i;
   }
-  Sparse ordered(stiffness.rows(), stiffness.cols());
-  ordered.selfadjointView<Eigen::Lower>() =
-      stiffness.selfadjointView<Eigen::Lower>().twistedBy(place);
-  const Sparse sorted = ordered.transpose(); // which the permutation leaves unsorted
-  stiffness = sorted.transpose();
+  stiffness = in_order(stiffness, order);
 }
 
 void CondensedSystem::multiply(const ContinuumVector &x, ContinuumVector &y) const {

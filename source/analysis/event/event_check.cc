@@ -94,7 +94,8 @@ void EventIntegrator::check_laws(const unsigned int i, const double x, const dou
   if (!state.is_closed())
     return;
   if (contact.normal == EventContact::Normal::rigid)
-    worst.take(i, std::abs(state.offset - state.given), worst.offset + largest_miss * contact.law.gap,
+    worst.take(i, std::abs(state.offset - state.given),
+               worst.offset + largest_miss * contact.law.gap,
                "is closed and stands off its gap, in m by");
   if (contact.normal == EventContact::Normal::rigid && contact.moves[0])
     worst.take(i, std::abs(rate[0]), worst.rate, "is closed and comes apart, in m/s with");

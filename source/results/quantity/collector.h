@@ -61,8 +61,8 @@ private:
 
   /// Follow a quantity over an interval of time.
   void follow(const Quantity &quantity, const LineState &state, Pending &pending);
-  /// The same where a step begins with another state than the one before ended with, as it goes back
-  /// to an earlier one or takes initial velocities: the line jumps, and that is no motion.
+  /// The same where a step begins with another state than the one before ended with, as it goes
+  /// back to an earlier one or takes initial velocities: the line jumps, and that is no motion.
   void follow_back(const Quantity &quantity, const LineState &state, Pending &pending);
   /// The value at the quantity's own time, between the states before and after it.
   void await(const Quantity &quantity, const LineState &state, const bool is_start,

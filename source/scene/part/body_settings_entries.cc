@@ -17,8 +17,7 @@ constexpr Word<LinearSolver> linear_solvers[] = {
     {"auto", LinearSolver::automatic,
      "multigrid from 3,000 unknowns in 3D, where the first mesh has at most 1,000 nodes or its "
      "linear elements a quarter of the unknowns, and no curved cells; else direct, but under "
-     "mpirun "
-     "amg from 60,000 unknowns in 2D, 15,000 in 3D"},
+     "mpirun amg from 60,000 unknowns in 2D, 15,000 in 3D"},
     {"direct", LinearSolver::direct,
      "factorization (with mpirun: Amesos KLU, which works on one process)"},
     {"multigrid", LinearSolver::multigrid,
