@@ -152,12 +152,9 @@ public:
         out.contact = ContactStatus::stick;
       break;
     case Fault::no_stiffness:
-      if (in.tangent == LawTangent::elastic)
-        out.tangent[0] = -7.;
-      break;
     case Fault::no_symmetry:
       if (in.tangent == LawTangent::elastic)
-        out.tangent[6] += in.parameters[1];
+        out.tangent[fault == Fault::no_stiffness ? 0 : 6] = -7.;
       break;
     }
     return status;
