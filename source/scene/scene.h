@@ -107,9 +107,8 @@ struct Section {
   double filling() const;
 };
 
-/// The section of a reducer, @p part of its way from @p begin to @p end: diameter, wall and
-/// corrosion allowance change evenly, and so do the insulation's thickness and the densities of
-/// contents and insulation.
+/// The section of a reducer, @p part of its way from @p begin to @p end: diameter, wall, corrosion
+/// allowance, thickness of insulation, densities of this and of contents change evenly.
 Section between(const Section &begin, const Section &end, const double part);
 
 struct RoutePoint {
