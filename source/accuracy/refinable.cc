@@ -2,6 +2,7 @@
 #include "accuracy/refinable.h"
 #include "accuracy/resolution.h"
 
+#include "mesh/build_line_mesh.h"
 #include "results/text.h"
 #include "scene/generated/scene_kinds.h"
 
@@ -44,8 +45,25 @@ std::vector<std::string> slab_elements(const ParameterFile &file, const unsigned
   return settings;
 }
 
-/// Shortest straight run of a route [m].
+/// Of a route, or of a mesh file.
+bool has_bend(const Scene &scene) {
+  return scene.has_bend() || std::any_of(scene.pipes.begin(), scene.pipes.end(),
+                                         [](const Pipe &pipe) { return pipe.bend_radius > 0.; });
+}
+
+/// Longest cell of a mesh file [m]: its cells are of any lengths, and short ones need no others.
+double longest_cell(const Scene &scene) {
+  double longest = 0.;
+  for (const MeshedPipe &pipe : build_line_mesh(scene).pipes)
+    for (std::size_t i = 1; i < pipe.s.size(); ++i)
+      longest = std::max(longest, pipe.s[i] - pipe.s[i - 1]);
+  return longest;
+}
+
+/// Shortest straight run of a route, from which cells of all runs are refined [m].
 double shortest_run(const Scene &scene) {
+  if (!scene.mesh.file.empty())
+    return longest_cell(scene);
   double shortest = 0.;
   for (const Pipe &pipe : scene.pipes)
     for (std::size_t i = 1; i < pipe.route.size(); ++i) {
@@ -134,11 +152,10 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
       list.push_back(*step);
   const bool is_large = scene.kinematics == Kinematics::corotational;
   const bool has_modes = scene.modal.n_modes > 0; // whose masses are cells'
-  if ((has_bed || has_transient || has_modes || is_large || scene.yields()) &&
-      !scene.pipes.empty() && scene.mesh.file.empty())
-    list.push_back(cells_of(shortest_run(scene), is_large && scene.has_bend()));
-  if (scene.mesh.file.empty() && std::any_of(scene.pipes.begin(), scene.pipes.end(),
-                                             [](const Pipe &pipe) { return pipe.end_section; }))
+  if ((has_bed || has_transient || has_modes || is_large || scene.yields()) && !scene.pipes.empty())
+    list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
+  if (std::any_of(scene.pipes.begin(), scene.pipes.end(),
+                  [](const Pipe &pipe) { return pipe.end_section; }))
     list.push_back(entry("cells of reducers", "Mesh/Cells per reducer", 10));
   if (kind.has_elements)
     list.push_back({"elements of the slab",
@@ -174,8 +191,7 @@ std::vector<std::string> continuum_settings(const Scene &scene, const double dem
 }
 
 std::vector<std::string> exact_settings(const Scene &scene) {
-  if (scene.model != ModelKind::solid && scene.kinematics == Kinematics::linear &&
-      scene.mesh.file.empty() && scene.has_bend())
+  if (scene.model != ModelKind::solid && scene.kinematics == Kinematics::linear && has_bend(scene))
     return {"Mesh/Bends = arcs"};
   return {};
 }

@@ -4,11 +4,13 @@
 #include "mesh/gmsh/mesh_file.h"
 #include "mesh/gmsh/session.h"
 #include "mesh/mesh_routes.h"
+#include "mesh/tangent_of_run.h"
 
 #include "base/user_error.h"
 #include "scene/file/parameter_file.h"
 #include "scene/in_units.h"
 #include "scene/solid/mixed_entries.h"
+#include "scene/support_pair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,24 +95,25 @@ void check_asked_points(const Scene &scene, const LineMesh &mesh) {
 /// Turns placements into vertices.
 class Placer {
 public:
-  Placer(const Scene &scene, const LineMesh &mesh)
-      : scene(scene), mesh(mesh), tangents(mesh.vertices.size()) {
-    for (const MeshedPipe &pipe : mesh.pipes) {
-      std::vector<Vector3> own(pipe.vertices.size());
-      for (unsigned int i = 0; i + 1 < pipe.vertices.size(); ++i) {
-        own[i] += pipe.tangent(mesh.vertices, i, false);
-        own[i + 1] += pipe.tangent(mesh.vertices, i, true);
-      }
-      for (unsigned int i = 0; i < own.size(); ++i)
-        if (tangents[pipe.vertices[i]].norm() == 0. && own[i].norm() > 0.)
-          tangents[pipe.vertices[i]] = own[i] / own[i].norm();
-    }
-  }
+  Placer(const Scene &scene, const LineMesh &mesh) : scene(scene), mesh(mesh) {}
 
-  std::vector<Site> sites(const std::string &support, const Placement &placement) const {
+  /// @param follows_pipe whether a direction of the support is along or across the pipe
+  std::vector<Site> sites(const std::string &support, const Placement &placement,
+                          const bool follows_pipe) const {
     std::vector<Site> result;
-    for (const std::string &point : placement.points)
-      result.push_back({vertex(support, point), tangents[vertex(support, point)], 1.});
+    for (const std::string &point : placement.points) {
+      const unsigned int at = vertex(support, point);
+      const std::optional<Vector3> tangent = tangent_of_run(scene, mesh, at);
+      if (!tangent && follows_pipe)
+        throw UserError(
+            "Support " + support + "/Normal\n  read:    a direction of the pipe at point '" +
+            point +
+            "', where several pipes meet and none goes straight on, or more than "
+            "one\n  allowed: along or across where one does, or a vector\n  try:     "
+            "Normal = 0 1 0, along what the support is to hold; or a Tee whose Branch is "
+            "the pipe that is not meant");
+      result.push_back({at, tangent.value_or(Vector3()), 1.});
+    }
     if (placement.pipe.empty())
       return result;
 
@@ -144,7 +147,7 @@ private:
       if (pipe.s[i] >= from - tolerance(pipe) && pipe.s[i] <= to + tolerance(pipe)) {
         const double before = i == 0 ? 0. : pipe.s[i] - std::max(pipe.s[i - 1], from);
         const double after = i + 1 == pipe.s.size() ? 0. : std::min(pipe.s[i + 1], to) - pipe.s[i];
-        result.push_back({pipe.vertices[i], tangents[pipe.vertices[i]],
+        result.push_back({pipe.vertices[i], tangent_of_pipe(mesh, pipe, i),
                           (std::max(before, 0.) + std::max(after, 0.)) / 2.});
       }
   }
@@ -160,7 +163,7 @@ private:
         throw UserError("Support " + support + ": the mesh file has no node at " +
                         in_units(scene.units, s, "m") + " along pipe '" + placement.pipe +
                         "'. Place the support at named points of the file.");
-      result.push_back({pipe.vertices[at], tangents[pipe.vertices[at]], 1.});
+      result.push_back({pipe.vertices[at], tangent_of_pipe(mesh, pipe, at), 1.});
     }
     if (result.empty() && to <= from)
       throw UserError("Support " + support + ": To stands " +
@@ -184,8 +187,29 @@ private:
 
   const Scene &scene;
   const LineMesh &mesh;
-  std::vector<Vector3> tangents;
 };
+
+/// A bed carries at nodes, a share of its weight at each: few of them are no bed.
+void remark_on_bed(const Scene &scene, const std::string &support, const std::vector<Site> &sites,
+                   LineMesh &mesh) {
+  constexpr double longest_share = 0.05;
+  double length = 0., longest = 0.;
+  for (const Site &site : sites) {
+    length += site.tributary;
+    longest = std::max(longest, site.tributary);
+  }
+  if (longest > longest_share * length)
+    mesh.remarks.push_back(
+        "Support " + support + " is a bed of " + in_units(scene.units, length, "m") +
+        " that stands on " + std::to_string(sites.size()) + " nodes, one of which has " +
+        in_units(scene.units, longest, "m") +
+        " of it: what is near an anchor or beyond its reach is not on the bed. " +
+        (scene.mesh.file.empty() ? "Leave Mesh/Cell length out, or take less"
+                                 : "Give the file shorter cells") +
+        ".");
+}
+
+bool follows_pipe(const Direction &direction) { return direction.kind != Direction::Kind::global; }
 
 /// @throws UserError where the branch of a tee goes on beyond it: it would be taken for the run.
 void check_tees(const Scene &scene, const LineMesh &mesh) {
@@ -200,6 +224,52 @@ void check_tees(const Scene &scene, const LineMesh &mesh) {
             "\n  allowed: a pipe that begins or ends at point '" + tee.point +
             "'\n  try:     the pipe that branches off there; a cross is drawn with two");
     }
+}
+
+/// The force of a spring between two points acts on either at its own place: across the way between
+/// them the two are a couple.
+void remark_on_springs(const Scene &scene, LineMesh &mesh) {
+  for (const Spring &spring : scene.springs) {
+    if (spring.other.empty())
+      continue;
+    const Vector3 way =
+        mesh.vertices[mesh.points.at(spring.other)] - mesh.vertices[mesh.points.at(spring.point)];
+    for (unsigned int c = 0; c < 6; ++c) {
+      const Motion &direction = spring.directions[c];
+      const Vector3 push({direction[0], direction[1], direction[2]});
+      if ((spring.stiffness[c] == 0. && spring.damping[c] == 0.) ||
+          cross_product_3d(way, push).norm() <= 1e-6 * way.norm() || way.norm() == 0.)
+        continue;
+      mesh.remarks.push_back(
+          "Spring " + spring.name + " joins points " + in_units(scene.units, way.norm(), "m") +
+          " apart and acts across the way between them. The couple of its two forces, force times "
+          "that distance, is carried by nothing that is modelled: moments are not in balance. "
+          "Try points at one place, to which rigid pipes lead, or Axes along the way.");
+      break;
+    }
+  }
+}
+
+/// @throws UserError where both ends of a spring or of a support on a pipe are one place of the
+/// line under two names: what joins a place to itself carries nothing.
+void check_ends(const Scene &scene, const LineMesh &mesh) {
+  const auto refuse = [](const std::string &entry, const std::string &other, const std::string &one,
+                         const std::string &advice) {
+    throw UserError(entry + "\n  read:    '" + other + "', which is the place of '" + one +
+                    "' on a pipe: one node, whatever else stands there\n  allowed: another "
+                    "place than At\n  try:     " +
+                    advice);
+  };
+  for (const Spring &spring : scene.springs)
+    if (!spring.other.empty() && mesh.points.at(spring.point) == mesh.points.at(spring.other))
+      refuse("Spring " + spring.name + "/To", spring.other, spring.point,
+             "no 'To', and no support there: the spring is then between the pipe and the ground; "
+             "or, between two pipes, a Joint");
+  for (const FrictionSupport &support : scene.supports)
+    for (const std::string &point : support.placement.points)
+      if (!support.ground.empty() && mesh.points.at(point) == mesh.points.at(support.ground))
+        refuse("Support " + part_name(support) + "/Ground", support.ground, point,
+               "a point on another pipe, which does not meet this one there");
 }
 
 /// @throws UserError if a support has numbers for a place that it does not stand at
@@ -222,13 +292,20 @@ LineMesh build_line_mesh(const Scene &scene) {
   add_free_points(scene, mesh);
   check_asked_points(scene, mesh);
   check_tees(scene, mesh);
+  check_ends(scene, mesh);
+  remark_on_springs(scene, mesh);
   const Placer placer(scene, mesh);
   for (const FrictionSupport &support : scene.supports) {
-    mesh.supports.push_back(placer.sites(support.name, support.placement));
+    mesh.supports.push_back(
+        placer.sites(support.name, support.placement, follows_pipe(support.normal)));
     check_places(support, mesh.supports.back().size());
+    if (support.placement.continuous && support.normal.sign > 0.) // of two halves, the one
+      remark_on_bed(scene, part_name(support), mesh.supports.back(), mesh);
   }
   for (const Restraint &restraint : scene.restraints)
-    mesh.restraints.push_back(placer.sites(restraint.name, restraint.placement));
+    mesh.restraints.push_back(placer.sites(
+        restraint.name, restraint.placement,
+        std::any_of(restraint.translations.begin(), restraint.translations.end(), follows_pipe)));
   return mesh;
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/mesh_routes.h"
 
-#include "mesh/gmsh/drawn_routes.h"
-#include "mesh/route_plan.h"
-
 #include "base/user_error.h"
+#include "mesh/gmsh/drawn_routes.h"
 #include "scene/in_units.h"
 
 #include <algorithm>
@@ -14,14 +12,6 @@ namespace frictionbeam {
 using namespace dealii;
 
 namespace {
-
-/// The vertices inside a piece, which divide its arc length evenly.
-std::vector<Point3> divide(const RoutePiece &piece) {
-  std::vector<Point3> result;
-  for (int i = 1; i < piece.n_cells; ++i)
-    result.push_back(piece.segment->point(piece.s(i) - piece.segment->start));
-  return result;
-}
 
 /// Puts vertices into a mesh in the order in which pipes reach them.
 class RouteMesher {
@@ -37,7 +27,7 @@ public:
     pipe.vertices = {vertex_at(p, 0.)};
     pipe.s = {0.};
     for (unsigned int i = 0; i < pieces.size(); ++i) {
-      for (const Point3 &point : inner ? inner->inside(p, i) : divide(pieces[i]))
+      for (const Point3 &point : inner ? inner->inside(p, i) : points_inside(pieces[i]))
         pipe.vertices.push_back(new_vertex(point));
       pipe.vertices.push_back(vertex_at(p, pieces[i].end));
       add_cells(pieces[i], pipe);
@@ -59,20 +49,6 @@ private:
     if (vertex == numbers::invalid_unsigned_int)
       vertex = new_vertex(plan.path(pipe).point(s));
     return vertex;
-  }
-
-  /// Say what lies between the vertices of a piece.
-  static void add_cells(const RoutePiece &piece, MeshedPipe &pipe) {
-    const PipePath::Segment &segment = *piece.segment;
-    for (int i = 0; i < piece.n_cells; ++i) {
-      const unsigned int cell = pipe.bend_radius.size();
-      if (piece.bends())
-        pipe.bend_axis[cell] = cross_product_3d(segment.first_tangent, segment.inward);
-      if (piece.is_arc)
-        pipe.arc_centre[cell] = segment.centre;
-      pipe.bend_radius.push_back(segment.radius);
-      pipe.s.push_back(piece.s(i + 1));
-    }
   }
 
   const RoutePlan &plan;
@@ -107,6 +83,26 @@ void find_points(const Scene &scene, const RoutePlan &plan, LineMesh &mesh) {
 }
 
 } // namespace
+
+std::vector<Point3> points_inside(const RoutePiece &piece) {
+  std::vector<Point3> result;
+  for (int i = 1; i < piece.n_cells; ++i)
+    result.push_back(piece.segment->point(piece.s(i) - piece.segment->start));
+  return result;
+}
+
+void add_cells(const RoutePiece &piece, MeshedPipe &pipe) {
+  const PipePath::Segment &segment = *piece.segment;
+  for (int i = 0; i < piece.n_cells; ++i) {
+    const unsigned int cell = pipe.bend_radius.size();
+    if (piece.bends())
+      pipe.bend_axis[cell] = cross_product_3d(segment.first_tangent, segment.inward);
+    if (piece.is_arc)
+      pipe.arc_centre[cell] = segment.centre;
+    pipe.bend_radius.push_back(segment.radius);
+    pipe.s.push_back(piece.s(i + 1));
+  }
+}
 
 LineMesh mesh_routes(const Scene &scene) {
   LineMesh mesh;

@@ -3,6 +3,7 @@
 #include "mesh/solid/solid_stretches.h"
 
 #include "base/user_error.h"
+#include "scene/bed_cells.h"
 #include "scene/in_units.h"
 #include "scene/solid/mixed_entries.h"
 
@@ -26,12 +27,12 @@ std::vector<PipePath> paths_of(const Scene &scene) {
   return paths;
 }
 
-/// The number of cells, from a quotient of lengths.
+/// The number of cells, from a quotient of lengths, which nodes of a file miss by some 1e-8.
 int whole(const double cells) {
   if (cells > most)
     throw UserError("Mesh: 'Cell length' or 'Cells per bend' makes more than ten million cells of "
                     "one straight run or bend. Give longer or fewer ones.");
-  return std::max(1, static_cast<int>(std::ceil(cells - 1e-9)));
+  return std::max(1, static_cast<int>(std::ceil(cells - 1e-6)));
 }
 
 double extent(const std::vector<PipePath> &paths) {
@@ -93,7 +94,22 @@ public:
   std::vector<std::vector<double>> s;
   const double tolerance; ///< [m]
 
+  /// Longest cell where a bed carries a pipe at this place [m]; 0: none does.
+  double bed_cell(const unsigned int pipe, const double at) const {
+    double longest = 0.;
+    for (const Bed &bed : beds)
+      if (bed.pipe == pipe && bed.from < at && at < bed.to)
+        longest = longest > 0. ? std::min(longest, bed.cell) : bed.cell;
+    return longest;
+  }
+
 private:
+  struct Bed {
+    unsigned int pipe;
+    double from, to, cell; ///< [m]
+  };
+  std::vector<Bed> beds;
+
   void add_repeated(const Scene &scene, const std::vector<PipePath> &paths,
                     const Placement &placement) {
     if (placement.pipe.empty())
@@ -112,6 +128,11 @@ private:
       if (placement.every > 0.)
         for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i)
           s[p].push_back(from + i * placement.every);
+      if (placement.continuous && to > from) {
+        s[p].insert(s[p].end(), {from, to});
+        beds.push_back(
+            {p, from, to, bed_cell_length(scene.sections[scene.pipes[p].section], to - from)});
+      }
     }
   }
 };
@@ -122,11 +143,12 @@ constexpr double smallest_arc = 1e-4;
 /// Each cell feels the wind across its chord: arcs of this angle [rad] miss 1e-4 of it.
 constexpr double longest_arc_in_wind = 0.03;
 
-int straight_cells(const MeshSettings &settings, const RoutePiece &piece) {
+/// @param longest cell of straight runs [m]; 0: no bound
+int straight_cells(const MeshSettings &settings, const RoutePiece &piece, const double longest) {
   const double cells = piece.bends() ? settings.cells_per_bend * piece.length() /
                                            piece.segment->radius / (numbers::PI / 2.)
-                       : settings.cell_length > 0. ? piece.length() / settings.cell_length
-                                                   : 1.;
+                       : longest > 0. ? piece.length() / longest
+                                      : 1.;
   return whole(cells);
 }
 
@@ -154,11 +176,30 @@ public:
         if (is_solid(p, 0.5 * (begin + end)))
           take_whole(piece);
         else
-          divide(piece, scene.pipes[p].end_section.has_value());
+          divide(piece, scene.pipes[p].end_section.has_value(),
+                 scene.mesh.cell_length > 0. ? scene.mesh.cell_length
+                                             : breaks.bed_cell(p, 0.5 * (begin + end)));
         result[p].push_back(piece);
       }
     }
     return result;
+  }
+  /// @param cell_length of the longest one [m]; 0: no bound
+  void divide(RoutePiece &piece, const bool is_reducer, const double cell_length) const {
+    piece.n_cells = straight_cells(scene.mesh, piece, cell_length);
+    if (is_reducer)
+      piece.n_cells = std::max<int>(piece.n_cells, scene.mesh.cells_of_reducer);
+    if (!scene.mesh.arcs || !piece.bends())
+      return;
+    const double radius = piece.segment->radius;
+    double longest = cell_length > 0. ? cell_length : piece.length();
+    if (windy)
+      longest = std::min(longest, longest_arc_in_wind * radius);
+    const int n = std::max(whole(piece.length() / longest), mass_on_chords ? piece.n_cells : 1);
+    if (piece.length() > n * smallest_arc * radius) {
+      piece.n_cells = n;
+      piece.is_arc = true;
+    }
   }
 
 private:
@@ -171,22 +212,6 @@ private:
   static void take_whole(RoutePiece &piece) {
     piece.n_cells = 1;
     piece.is_arc = piece.bends() && piece.length() > smallest_arc * piece.segment->radius;
-  }
-  void divide(RoutePiece &piece, const bool is_reducer) const {
-    piece.n_cells = straight_cells(scene.mesh, piece);
-    if (is_reducer)
-      piece.n_cells = std::max<int>(piece.n_cells, scene.mesh.cells_of_reducer);
-    if (!scene.mesh.arcs || !piece.bends())
-      return;
-    const double radius = piece.segment->radius;
-    double longest = scene.mesh.cell_length > 0. ? scene.mesh.cell_length : piece.length();
-    if (windy)
-      longest = std::min(longest, longest_arc_in_wind * radius);
-    const int n = std::max(whole(piece.length() / longest), mass_on_chords ? piece.n_cells : 1);
-    if (piece.length() > n * smallest_arc * radius) {
-      piece.n_cells = n;
-      piece.is_arc = true;
-    }
   }
 
   const Scene &scene;
@@ -209,6 +234,10 @@ double tolerance_of(const Scene &scene, const std::vector<PipePath> &paths) {
 }
 
 } // namespace
+
+void divide(const Scene &scene, const Pipe &pipe, RoutePiece &piece) {
+  Divider(scene, {}).divide(piece, pipe.end_section.has_value(), scene.mesh.cell_length);
+}
 
 RoutePlan::RoutePlan(const Scene &scene)
     : axes(paths_of(scene)), same(tolerance_of(scene, axes)), meetings(scene, axes, same) {

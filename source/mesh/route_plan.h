@@ -19,6 +19,9 @@ struct RoutePiece {
   double s(const int cell) const { return start + cell * length() / n_cells; }
 };
 
+/// Say in how many cells the entries of section Mesh cut a piece of a pipe, and of which kind.
+void divide(const Scene &scene, const Pipe &pipe, RoutePiece &piece);
+
 /**
  * What a mesh of the scene's routes is to be, whoever makes it: the pipes' axes, where they are
  * joined, and how each is divided. A pipe has a vertex at every corner and end of a bend, where it

@@ -176,13 +176,64 @@ Resists resists(const Contact &contact) {
   return {answer.stress[0] != 0., answer.stress[1] != 0.};
 }
 
+/// What restraints and Free motions hold of a vertex, as columns.
+Eigen::MatrixXd held_without_loads(const Model &model, const unsigned int vertex) {
+  Eigen::MatrixXd held(6, 0);
+  const auto add = [&](const Vector6 &direction) {
+    held.conservativeResize(6, held.cols() + 1);
+    held.col(held.cols() - 1) = direction;
+  };
+  for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
+    for (const Site &site : model.mesh.restraints[i])
+      if (site.vertex == vertex)
+        for (const Tensor<1, 6> &direction : held_directions(model.scene.restraints[i], site))
+          add(Vector6(direction.begin_raw()));
+  for (unsigned int c = 0; c < 6; ++c)
+    if (!model.scene.free_motions[c])
+      add(Vector6::Unit(c));
+  return held;
+}
+
+constexpr const char *motion_names[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
+
+/// A motion that a load imposes is held in all steps, which is meant of anchors that move: remarks
+/// on those that nothing else holds, where a step does not name the load.
+std::vector<std::string> held_by_loads_alone(const Model &model) {
+  std::vector<std::string> remarks;
+  const std::vector<LoadStep> &steps = model.scene.steps;
+  for (unsigned int l = 0; l < model.scene.loads.size(); ++l) {
+    const Load &load = model.scene.loads[l];
+    if (load.kind != Load::Kind::displacement ||
+        std::all_of(steps.begin(), steps.end(), [&](const LoadStep &step) {
+          return std::any_of(step.loads.begin(), step.loads.end(),
+                             [&](const auto &one) { return one.first == l; });
+        }))
+      continue;
+    for (const Load::AtPoint &at : load.at) {
+      const Eigen::MatrixXd held = held_without_loads(model, model.mesh.points.at(at.point));
+      for (unsigned int c = 0; c < 6; ++c) {
+        const Vector6 axis(unit_motion(at.axes, c).data());
+        Vector6 rest = axis;
+        if (held.cols() > 0)
+          rest -= held * held.completeOrthogonalDecomposition().solve(axis);
+        if (at.given[c] && rest.norm() > no_direction)
+          remarks.push_back("Load " + load.name + ": " + motion_names[c] + " of point " + at.point +
+                            ", which no anchor or restraint holds, is held in the steps that do "
+                            "not name this load, too, and does not move there.");
+      }
+    }
+  }
+  return remarks;
+}
+
 } // namespace
 
 std::vector<std::string> check_mechanisms(const Model &model) {
   const std::vector<LoadStep> &steps = model.scene.steps;
+  std::vector<std::string> warnings = held_by_loads_alone(model);
   if (!steps.empty() &&
       std::all_of(steps.begin(), steps.end(), [](const LoadStep &step) { return step.transient; }))
-    return {}; // mass holds what nothing else does
+    return warnings; // mass holds what nothing else does
   MechanismCheck check(model.scene, model.mesh, model.discretization);
   check.find_parts(model.contacts);
   for (const auto &held : model.space.held())
@@ -207,7 +258,9 @@ std::vector<std::string> check_mechanisms(const Model &model) {
       check.hold(contact.vertices[0], along(contact.axes.z), true);
     }
   }
-  return check.judge();
+  const std::vector<std::string> of_parts = check.judge();
+  warnings.insert(warnings.end(), of_parts.begin(), of_parts.end());
+  return warnings;
 }
 
 std::string place_in_words(const Model &model, const unsigned int index, const double part) {

@@ -10,7 +10,8 @@ namespace frictionbeam {
  * part of the line, whether restraints, springs and supports (one-way ones counted as if they held
  * both ways) leave a rigid motion free.
  * @throws UserError that names the part and its free motion.
- * @return warnings, one for each part that friction alone holds against some motion.
+ * @return warnings, one for each part that friction alone holds against some motion, and for each
+ * motion that a load imposes, nothing else holds and some steps do not name.
  */
 std::vector<std::string> check_mechanisms(const Model &model);
 

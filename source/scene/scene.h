@@ -108,7 +108,7 @@ struct Section {
 };
 
 /// The section of a reducer, @p part of its way from @p begin to @p end: diameter, wall, corrosion
-/// allowance, thickness of insulation, densities of this and of contents change evenly.
+/// allowance, thickness of insulation, densities and the ratio of shear area change evenly.
 Section between(const Section &begin, const Section &end, const double part);
 
 struct RoutePoint {

@@ -83,9 +83,9 @@ void expansion(const Lines &lines) {
   CHECK_SAME(run["hot_F_rz"], 0., hot);
   CHECK_SAME(run["hot_N"], 0., EA * hot);
   CHECK_SAME(run["hot_M"], 0., EA * hot);
-  CHECK_SAME(run["pressure_F_x"], 8. * pressure, 8. * pressure);
+  CHECK_SAME(run["pressure_Q_x"], 5. * pressure, 8. * pressure);
   CHECK_SAME(run["pressure_G_z"], 2. * pressure, 8. * pressure);
-  CHECK_SAME(run["both_F_x"], 8. * (hot + pressure / 2.), size);
+  CHECK_SAME(run["both_Q_x"], 5. * (hot + pressure / 2.), size);
   CHECK_SAME(run["both_G_z"], 2. * (hot + pressure / 2.), size);
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/gmsh/mesh_file.h"
+#include "mesh/gmsh/bend_of_file.h"
 #include "mesh/gmsh/own_mesh.h"
 #include "mesh/gmsh/session.h"
 #include "mesh/gmsh/vertices.h"
+#include "mesh/mesh_routes.h"
 
 #include "base/user_error.h"
 
@@ -97,6 +99,49 @@ std::vector<Edge> edges_of(const int curve, const std::string &pipe, const std::
   return edges;
 }
 
+/// The straight runs from node to node.
+std::vector<PipePath::Segment> runs_of(const std::vector<Point3> &nodes) {
+  std::vector<PipePath::Segment> runs;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    PipePath::Segment run;
+    run.start = runs.empty() ? 0. : runs.back().start + runs.back().length;
+    run.begin = nodes[i];
+    run.end = nodes[i + 1];
+    run.length = run.begin.distance(run.end);
+    run.first_tangent = (run.end - run.begin) / run.length;
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+/// The pipe between nodes of the file, divided as the route between them would be.
+/// @param nodes that the pipe has in the file, as places in @p vertices
+MeshedPipe mesh_pipe(const Scene &scene, const Pipe &pipe, const std::vector<unsigned int> &nodes,
+                     std::vector<Point3> &vertices) {
+  std::vector<Point3> points;
+  for (const unsigned int node : nodes)
+    points.push_back(vertices[node]);
+  const std::vector<PipePath::Segment> segments =
+      pipe.bend_radius > 0. ? arcs_of_bend(scene, pipe, points) : runs_of(points);
+  MeshedPipe meshed;
+  meshed.vertices = {nodes.front()};
+  meshed.s = {0.};
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const PipePath::Segment &segment = segments[i];
+    RoutePiece piece{&segment, segment.start, segment.start + segment.length, 0};
+    divide(scene, pipe, piece);
+    refuse_too_many_cells(scene, 1. * vertices.size() + piece.n_cells);
+    for (const Point3 &point : points_inside(piece)) {
+      meshed.vertices.push_back(vertices.size());
+      vertices.push_back(point);
+    }
+    meshed.vertices.push_back(nodes[i + 1]);
+    vertices[nodes[i + 1]] = points[i + 1];
+    add_cells(piece, meshed);
+  }
+  return meshed;
+}
+
 /// Put the names on vertices: of physical points, and of points that the scene places.
 void name_points(const Scene &scene, GmshVertices &vertex_of, LineMesh &mesh) {
   for (const auto &[name, group] : physical_groups(0)) {
@@ -130,18 +175,10 @@ LineMesh mesh_file(const Scene &scene) {
     if (curve == curves.end())
       throw UserError("The file '" + file + "' has no physical curve called '" + pipe.name +
                       "', as one of the pipes is. It has: " + list(curves) + ".");
-    MeshedPipe meshed;
-    for (const std::size_t tag : chain(edges_of(curve->second, pipe.name, file), pipe.name, file)) {
-      const unsigned int vertex = vertex_of(tag);
-      const Point3 &here = mesh.vertices[vertex];
-      meshed.s.push_back(meshed.s.empty()
-                             ? 0.
-                             : meshed.s.back() +
-                                   here.distance(mesh.vertices[meshed.vertices.back()]));
-      meshed.vertices.push_back(vertex);
-    }
-    meshed.bend_radius.assign(meshed.vertices.size() - 1, pipe.bend_radius);
-    mesh.pipes.push_back(meshed);
+    std::vector<unsigned int> nodes;
+    for (const std::size_t tag : chain(edges_of(curve->second, pipe.name, file), pipe.name, file))
+      nodes.push_back(vertex_of(tag));
+    mesh.pipes.push_back(mesh_pipe(scene, pipe, nodes, mesh.vertices));
   }
   name_points(scene, vertex_of, mesh);
   return mesh;

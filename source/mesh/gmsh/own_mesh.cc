@@ -15,6 +15,20 @@
 
 namespace frictionbeam {
 
+void refuse_too_many_cells(const Scene &scene, const double n) {
+  if (n <= scene.mesh.most_cells)
+    return;
+  constexpr double most_allowed = 1e8; // of the entry
+  throw UserError(
+      "Mesh/File: the mesh of '" + scene.mesh.file + "' is too large.\n  read:    some " +
+      to_text(n) + " cells\n  allowed: at most " + to_text(scene.mesh.most_cells) +
+      " cells, since more take very long\n  try:     longer cells in the file, or by Mesh/Cell "
+      "length" +
+      (1.1 * n > most_allowed ? ""
+                              : "; or, if it is meant, Mesh/Most cells = " +
+                                    std::to_string(static_cast<unsigned int>(1.1 * n))));
+}
+
 namespace {
 
 double count(const int dim) {
@@ -60,19 +74,6 @@ private:
   static constexpr const char *transfinite_option = "Mesh.FlexibleTransfinite";
   const double size_factor, flexible;
 };
-
-void refuse_too_many_cells(const Scene &scene, const double n) {
-  if (n <= scene.mesh.most_cells)
-    return;
-  constexpr double most_allowed = 1e8; // of the entry
-  throw UserError(
-      "Mesh/File: the mesh of '" + scene.mesh.file + "' is too large.\n  read:    some " +
-      to_text(n) + " cells\n  allowed: at most " + to_text(scene.mesh.most_cells) +
-      " cells, since more take very long\n  try:     longer cells in the file" +
-      (1.1 * n > most_allowed ? ""
-                              : "; or, if it is meant, Mesh/Most cells = " +
-                                    std::to_string(static_cast<unsigned int>(1.1 * n))));
-}
 
 void refuse_too_many_cells_of_geometry(const Scene &scene, const int dim) {
   constexpr double coarsest = 1e18, finer = 1e-3;

@@ -17,4 +17,7 @@ namespace frictionbeam {
  */
 void open_own_mesh(const Scene &scene, const int dim);
 
+/// @throws UserError for @p n cells, if that is more than Mesh/Most cells.
+void refuse_too_many_cells(const Scene &scene, const double n);
+
 } // namespace frictionbeam

@@ -4,6 +4,8 @@
 #include "base/numbers.h"
 #include "base/user_error.h"
 
+#include <cmath>
+
 namespace frictionbeam {
 
 using namespace dealii;
@@ -15,12 +17,27 @@ Vector3 arm_of_ground(const Discretization &discretization, const Contact &conta
   return arm.norm() > same_place * way.norm() ? arm : Vector3();
 }
 
+namespace {
+
+/// What of the way along the normal the element's length leaves, towards the pipe [m].
+Vector3 rest_along_normal(const Discretization &discretization, const Contact &contact) {
+  const Vector3 way = discretization.vertices()[contact.vertices[0]] -
+                      discretization.vertices()[contact.vertices[1]];
+  const double rest = way * contact.axes.x + contact.length;
+  return std::abs(rest) > same_place * way.norm() ? rest * contact.axes.x : Vector3();
+}
+
+} // namespace
+
 void stand_on_point(const FrictionSupport &support, const Discretization &discretization,
                     Contact &contact) {
   using Rotations = FrictionSupport::Rotations;
   using Column = Contact::Strains;
-  const Vector3 arm = arm_of_ground(discretization, contact);
   const LocalAxes &axes = contact.axes;
+  const Vector3 arm = arm_of_ground(discretization, contact),
+                along = support.rotations == Rotations::none
+                            ? Vector3()
+                            : rest_along_normal(discretization, contact);
   std::vector<Column> columns;
   contact.dofs.clear();
   for (const bool is_ground : {false, true})
@@ -39,13 +56,17 @@ void stand_on_point(const FrictionSupport &support, const Discretization &discre
       if (c < 3)
         move(unit);
       else {
-        if (is_ground)
-          move(cross_product_3d(unit, arm));
         // Of two ends of which one is a point that cannot turn, the other carries the couple.
         const bool other_turns = discretization.turns(contact.vertices[is_ground ? 0 : 1], c - 3);
-        const double part = support.rotations == Rotations::averaged ? (other_turns ? 0.5 : 1.)
-                            : support.rotations == Rotations::pipe && !is_ground ? 1.
-                                                                                 : 0.;
+        if (is_ground)
+          move(cross_product_3d(unit, arm + along));
+        else if (!other_turns)
+          move(cross_product_3d(unit, -along));
+        const double part = support.rotations == Rotations::none       ? 0.
+                            : !other_turns                             ? 1.
+                            : support.rotations == Rotations::averaged ? 0.5
+                            : is_ground                                ? 0.
+                                                                       : 1.;
         column += Column(0., -part * (axes.z * unit), part * (axes.y * unit),
                          support.torsion ? slope * (axes.x * unit) : 0.);
       }

@@ -123,7 +123,7 @@ private:
 struct CellLoad {
   Vector3 line_force;
   double axial_strain = 0.;
-  double curvature = 0.; ///< about an arc's axis [1/m]
+  double curvature = 0.; ///< about a bend's axis [1/m]
   double pressure = 0.;  ///< that pushes the sides of its joints apart [Pa]
 };
 /// @param chord of the cell, for wind

@@ -75,7 +75,10 @@ void PipeElement::begin(const Discretization::Cell &cell) {
   bend.reset();
   if (section->arc_centre)
     bend.emplace(cell->vertex(0), cell->vertex(1), section->arc());
-  stretch = bend ? bend->length() / (cell->vertex(1) - cell->vertex(0)).norm() : 1.;
+  chord = cell->vertex(1) - cell->vertex(0);
+  stretch = bend ? bend->length() / chord.norm() : 1.;
+  const PipeCell &piece = discretization.pipe_cells()[discretization.info(cell).index];
+  bend_axis = (piece.reversed ? -1. : 1.) * section->bend_axis;
 }
 
 void PipeElement::reinit_points(const Discretization::Cell &cell) {
@@ -89,13 +92,24 @@ void PipeElement::reinit(const Discretization::Cell &cell) {
   jointed = joints != nullptr;
   if (takes_like && !jointed) {
     take_like(cell);
+    bend_piece();
     return;
   }
   like = nullptr;
   evaluate(cell);
   plain = integrate();
+  bend_piece();
   if (jointed)
     add_joints(cell, *joints);
+}
+
+void PipeElement::bend_piece() {
+  if (bend)
+    return;
+  for (unsigned int d = 0; d < 3; ++d) {
+    plain.curvature[3 + d] = -section->EI * bend_axis[d];
+    plain.curvature[9 + d] = section->EI * bend_axis[d];
+  }
 }
 
 Discretization::Cell PipeElement::like_cell(const Discretization::Cell &cell) const {
@@ -182,6 +196,10 @@ Eigen::Matrix<double, 6, 1> PipeElement::curvature_strain(const unsigned int poi
     const LocalAxes axes(bend->tangent(bend->angle() * values->get_quadrature().point(point)[0]));
     strain[4] = axes.y * bend->axis();
     strain[5] = axes.z * bend->axis();
+  } else {
+    const LocalAxes axes(chord);
+    strain[4] = axes.y * bend_axis;
+    strain[5] = axes.z * bend_axis;
   }
   return strain;
 }

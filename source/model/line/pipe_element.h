@@ -59,7 +59,7 @@ public:
   Eigen::Matrix<double, 6, 12> strain_matrix(const unsigned int point) const;
   /// Length that the point stands for [m].
   double length_at(const unsigned int point) const;
-  /// Strains of a unit change of curvature about an arc's axis; zero in a straight cell.
+  /// Strains of a unit change of curvature about a bend's axis; zero in a straight pipe.
   Eigen::Matrix<double, 6, 1> curvature_strain(const unsigned int point) const;
   /// Part of the way along the cell.
   double place_of(const unsigned int point) const {
@@ -84,6 +84,8 @@ private:
   CellMatrices integrate() const; ///< but the mass, global axes
   Matrix12 integrate_mass(const Discretization::Cell &cell);
   void add_joints(const Discretization::Cell &cell, const CellJoints &joints);
+  /// Forces of a unit free curvature of a straight piece of a bend, one couple at either end.
+  void bend_piece();
 
   const Discretization &discretization;
   dealii::FEValues<1, 3> straight_values, straight_mass_values;
@@ -103,7 +105,8 @@ private:
   Matrix12 jointed_stiffness; ///< K (1 + F K)^-1
   Vector12 pushed;            ///< free motion of the cell's ends per pressure
   std::optional<ArcBeam> bend;
-  double stretch = 1.;                                    ///< length over chord
+  Vector3 chord, bend_axis; ///< of a straight piece of a bend, in the cell's direction; or 0
+  double stretch = 1.;      ///< length over chord
   std::vector<std::array<GeneralizedStrain, 12>> strains; ///< by quadrature point, function
 };
 

@@ -144,14 +144,12 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   for (double *rigidity : {&profile.EA, &profile.GA, &profile.GJ, &profile.EI})
     *rigidity *= stiffer;
   profile.pressure_strain /= stiffer;
-  if (bend.arc_centre) {
-    // The Bourdon effect: pressure opens a bend by p r/(2 E t) of its angle, for membrane forces
-    // stretch a torus without a jump at its crowns then and only then (doc/theory.md).
-    const double r = section.outer_radius - section.wall / 2.;
-    if (section.wall > 0.)
-      profile.pressure_curvature = -r / (2. * stiffer * E * section.wall * bend.radius);
-    profile.arc_centre = bend.arc_centre;
-  }
+  // The Bourdon effect: pressure opens a bend by p r/(2 E t) of its angle, for membrane forces
+  // stretch a torus without a jump at its crowns then and only then (doc/theory.md).
+  if (bend.radius > 0. && section.wall > 0.)
+    profile.pressure_curvature = -(section.outer_radius - section.wall / 2.) /
+                                 (2. * stiffer * E * section.wall * bend.radius);
+  profile.arc_centre = bend.arc_centre;
   profile.bore_area = section.bore_area();
   const BoundLaw law = bind_section_law(laws.find(pipe.rigid ? "elastic_section" : section.law),
                                         pipe, section, bend, profile);
@@ -160,6 +158,21 @@ Profile make_profile(const Pipe &pipe, const Section &section, const Material &m
   else
     take_section_law(law, pipe, section, bend, profile);
   return profile;
+}
+
+/// Unit normal of the plane of a bend that a straight cell is a piece of, first tangent x inward;
+/// of a pipe of a file that is a bend, by its first and last cell. 0: of none.
+Vector3 axis_of_piece(const LineMesh &mesh, const MeshedPipe &pipe, const unsigned int cell) {
+  if (pipe.bend_radius[cell] == 0.)
+    return {};
+  if (const auto known = pipe.bend_axis.find(cell); known != pipe.bend_axis.end())
+    return known->second;
+  const auto &v = pipe.vertices;
+  const auto chord = [&](const std::size_t i) {
+    return mesh.vertices[v[i + 1]] - mesh.vertices[v[i]];
+  };
+  const Vector3 axis = cross_product_3d(chord(0), chord(v.size() - 2));
+  return axis.norm() > no_direction * chord(0).norm_square() ? axis / axis.norm() : Vector3();
 }
 
 /// Of a reducer, the section in the middle of a cell; of another pipe, its own.
@@ -275,19 +288,22 @@ std::optional<ArcBeam> Discretization::arc(const Cell &cell) const {
 
 void Discretization::add_profiles(const Scene &scene, const LineMesh &mesh,
                                   const LawLibrary &laws) {
-  std::map<std::pair<unsigned int, double>, unsigned int> known; // pipe, bend radius
+  std::map<std::array<double, 5>, unsigned int> known; // pipe, bend radius, axis of the bend
   for (unsigned int p = 0; p < mesh.pipes.size(); ++p) {
     const MeshedPipe &meshed = mesh.pipes[p];
     const Pipe &pipe = scene.pipes[p];
     for (unsigned int i = 0; i + 1 < meshed.vertices.size(); ++i) {
       const bool is_arc = meshed.arc_centre.count(i) > 0;
+      const Vector3 axis = is_arc ? Vector3() : axis_of_piece(mesh, meshed, i);
       unsigned int id = sections.size();
       if (!is_arc && !pipe.end_section)
-        id = known.try_emplace({p, meshed.bend_radius[i]}, id).first->second;
+        id = known.try_emplace({double(p), meshed.bend_radius[i], axis[0], axis[1], axis[2]}, id)
+                 .first->second;
       if (id == sections.size()) {
         const Section section = section_of(scene, pipe, meshed, i);
         sections.push_back(
             make_profile(pipe, section, scene.materials[pipe.material], bend_of(meshed, i), laws));
+        sections[id].bend_axis = axis;
         if (scene.keeps_elastic)
           sections[id].law = {};
         if (pipe.total_mass)

@@ -29,7 +29,8 @@ struct Profile {
   Material material;                         ///< for its expansion
   double wind_diameter = 0.;                 ///< outer, with insulation [m]
   double pressure_strain = 0.;               ///< axial strain of a closed pipe per pressure [1/Pa]
-  double pressure_curvature = 0.;            ///< of an arc about its axis [1/(m Pa)]
+  double pressure_curvature = 0.;            ///< of a bend about its axis [1/(m Pa)]
+  Vector3 bend_axis;                         ///< of a straight piece of a bend, unit; or 0
   dealii::Table<2, double> tangent;          ///< elastic, of the section law, 6 x 6
   BoundLaw law; ///< of an inelastic section; not set of an elastic one, nor of a rigid part
   double bore_area = 0.; ///< pressure times it is what the wall carries beyond the beam [m2]

@@ -46,9 +46,8 @@ double part_along(const Model &model, const Quantity &quantity, const MotionAt &
   };
   const Motion value = vector();
   return along(quantity,
-               quantity.along == Quantity::Along::local
-                   ? local_axes_of(station_at(model, quantity, frame()))
-                   : global_axes(),
+               quantity.along == Quantity::Along::local ? local_axes_of(model, quantity, frame)
+                                                        : global_axes(),
                value);
 }
 

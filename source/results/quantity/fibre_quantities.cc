@@ -2,6 +2,7 @@
 #include "results/quantity/fibre_quantities.h"
 
 #include "base/user_error.h"
+#include "mesh/tangent_of_run.h"
 #include "results/quantity/station_at.h"
 #include "results/stress/stress_evaluation.h"
 #include "results/stress/wall_stress.h"
@@ -10,6 +11,25 @@ namespace frictionbeam {
 
 Axes local_axes_of(const Station &station) {
   return {{dealii::cross_product_3d(station.y, station.z), station.y, station.z}};
+}
+
+Axes local_axes_of(const Model &model, const Quantity &quantity,
+                   const std::function<const Frame &()> &frame) {
+  if (quantity.side != Quantity::Side::any || !quantity.pipe.empty())
+    return local_axes_of(station_at(model, quantity, frame()));
+  const std::optional<Vector3> tangent =
+      tangent_of_run(model.scene, model.mesh, model.mesh.points.at(quantity.where));
+  if (!tangent)
+    throw UserError(
+        "Quantity " + quantity.name + "\n  read:    a direction of the pipe at point '" +
+        quantity.where +
+        "', where several pipes meet and none goes straight on, or more than one\n  "
+        "allowed: along local where one does, or along a vector\n  try:     'along 1 0 0', "
+        "or a Tee whose Branch is the pipe that is not meant");
+  if (tangent->norm() == 0.)
+    return local_axes_of(station_at(model, quantity, frame())); // which says that no pipe is there
+  const LocalAxes axes(*tangent);
+  return {{axes.x, axes.y, axes.z}};
 }
 
 double along(const Quantity &quantity, const Axes &axes, const Motion &value) {

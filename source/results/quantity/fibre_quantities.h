@@ -4,10 +4,17 @@
 #include "model/model.h"
 #include "results/results.h"
 
+#include <functional>
+
 namespace frictionbeam {
 
 /// Tangent, y and z of the pipe at a station, as it was built.
 Axes local_axes_of(const Station &station);
+
+/// Of the pipe that the quantity names, or of the run, as guides and line stops have them.
+/// @param frame asked for stations where they are needed
+Axes local_axes_of(const Model &model, const Quantity &quantity,
+                   const std::function<const Frame &()> &frame);
 
 /// Force and moment in global axes on the face that looks forward along the route [N, N m].
 Motion section_force_in_space(const Station &station);

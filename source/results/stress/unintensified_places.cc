@@ -50,8 +50,6 @@ std::string name_of(const Scene &scene, const LineMesh &mesh, const unsigned int
 } // namespace
 
 std::string unintensified_places(const Scene &scene, const LineMesh &mesh) {
-  if (!scene.mesh.file.empty())
-    return "";
   std::vector<std::string> branches, corners;
   const auto legs = legs_of(scene, mesh);
   for (unsigned int vertex = 0; vertex < legs.size(); ++vertex) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene/bed_cells.h"
 #include "scene/part/parts.h"
 
 #include <algorithm>
@@ -26,6 +27,19 @@ double cells_of(const Pipe &pipe, const MeshSettings &mesh) {
   return n;
 }
 
+/// Those that a bed gives a pipe by itself; of one that has From and To, none are counted.
+double cells_of_bed(const Pipe &pipe, const Scene &scene) {
+  const auto carries = [&](const FrictionSupport &support) {
+    const Placement &bed = support.placement;
+    return bed.continuous && bed.pipe == pipe.name && bed.from.empty() && bed.to.empty();
+  };
+  const double length = length_of(pipe);
+  return scene.mesh.cell_length == 0. && length > 0. &&
+                 std::any_of(scene.supports.begin(), scene.supports.end(), carries)
+             ? length / bed_cell_length(scene.sections[pipe.section], length)
+             : 0.;
+}
+
 double number_at(const Placement &placement, const Scene &scene) {
   double n = placement.points.size();
   for (const Pipe &pipe : scene.pipes)
@@ -48,7 +62,7 @@ double cells_of(const ContinuumBox &box, const unsigned int dimension) {
 void check_size(ParameterReader &in, const Scene &scene) {
   double n_cells = 0., n_supports = 0.;
   for (const Pipe &pipe : scene.pipes)
-    n_cells += cells_of(pipe, scene.mesh);
+    n_cells += cells_of(pipe, scene.mesh) + cells_of_bed(pipe, scene);
   for (const FrictionSupport &support : scene.supports)
     n_supports += number_at(support.placement, scene);
   for (const Restraint &restraint : scene.restraints)

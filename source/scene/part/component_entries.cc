@@ -157,7 +157,7 @@ void declare_hanger(ParameterReader &in) {
   in.declare_choice("Kind", false, hanger_kinds, "");
   in.declare_text("At", "", "names of points, separated by commas", "One such hanger at each.");
   in.declare_number("Stiffness", 0., "N/m", 0., 1e300,
-                    "Of a variable hanger; 0: sized, for 'Variation'.");
+                    "Of a variable hanger; 0, without Cold load: sized, for 'Variation'.");
   in.declare_number("Cold load", 0., "N", 0., 1e300,
                     "Its force before anything has moved; 0: sized, so that it carries the "
                     "weight when the line is hot.");
@@ -196,6 +196,9 @@ void parse_hanger(const ParameterReader &in, const std::string &name, Scene &sce
     in.fail("Cold load", "a load > 0 beside a stiffness, or neither for a sized hanger",
             "the cold load, or removing 'Stiffness'");
   parse_item_of_hanger(in, scene, hanger);
+  if (!hanger.constant && hanger.cold_load > 0. && hanger.stiffness == 0.)
+    in.fail("Stiffness", "a stiffness > 0 beside a Cold load, or neither for a sized hanger",
+            "the stiffness; removing 'Cold load', which sizes both; or Kind = constant");
   hanger.largest_variation = in.number("Variation");
   hanger.weight_step = in.text("Weight step");
   hanger.hot_step = in.text("Hot step");

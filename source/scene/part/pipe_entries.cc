@@ -70,8 +70,10 @@ void declare_pipe(ParameterReader &in) {
       "Mass", -1., "kg", -1., 1e300,
       "Of the pipe's own, of a valve, instead of its metal's; contents and insulation "
       "come on top. -1: by density.");
-  in.declare_number("Bend radius", 0., "m", 0., 1e300,
-                    "Of a pipe from Mesh/File that is a bend; 0: it is straight.");
+  in.declare_number(
+      "Bend radius", 0., "m", 0., 1e300,
+      "Of a pipe from Mesh/File that is one bend: its nodes, three or more, lie on an arc of this "
+      "radius, within a hundredth, and it is what a bend of a route is. 0: it is straight.");
 }
 
 namespace {
@@ -232,6 +234,10 @@ void parse_pipe(const ParameterReader &in, const std::string &name, Scene &scene
   if (!in.text("End section").empty())
     pipe.end_section =
         in.find("End section", in.text("End section"), names(scene.sections), "section");
+  if (pipe.end_section && scene.sections[*pipe.end_section].rotary_inertia !=
+                              scene.sections[pipe.section].rotary_inertia)
+    in.fail("End section", "a section with the same 'Rotary inertia' as the first",
+            "the same in both", in.text("End section"));
   pipe.rigid = in.flag("Rigid");
   if (in.number("Mass") >= 0.)
     pipe.total_mass = in.number("Mass");

@@ -45,6 +45,15 @@ double Section::filling() const {
          insulation_density * pi * insulation * (2. * outer_radius + insulation);
 }
 
+namespace {
+
+/// By which the area at shear is smaller than that of the metal; 0: no shear flexibility.
+double shear_factor(const Section &section) {
+  return section.shear_area > 0. ? section.area / section.shear_area : 0.;
+}
+
+} // namespace
+
 Section between(const Section &begin, const Section &end, const double part) {
   const auto mix = [&](const double a, const double b) { return a + part * (b - a); };
   Section section = begin;
@@ -61,13 +70,13 @@ Section between(const Section &begin, const Section &end, const double part) {
     section.area = pi * (D - t) * t;
     section.inertia = inertia_of_pipe(D, t);
     section.torsion_constant = 2. * section.inertia;
-    section.shear_area = begin.shear_area / begin.area * section.area;
-    return section;
+  } else {
+    section.area = mix(begin.area, end.area);
+    section.inertia = mix(begin.inertia, end.inertia);
+    section.torsion_constant = mix(begin.torsion_constant, end.torsion_constant);
   }
-  section.area = mix(begin.area, end.area);
-  section.inertia = mix(begin.inertia, end.inertia);
-  section.torsion_constant = mix(begin.torsion_constant, end.torsion_constant);
-  section.shear_area = mix(begin.shear_area, end.shear_area);
+  const double factor = mix(shear_factor(begin), shear_factor(end));
+  section.shear_area = factor > 0. ? section.area / factor : 0.;
   return section;
 }
 

@@ -23,13 +23,15 @@ constexpr Word<bool> failures[] = {
 void declare_mesh(ParameterReader &in) {
   in.declare_text("File", "", "path of a .geo or .msh file, from the parameter file's folder",
                   "A mesh of your own: its physical curves are the pipes, its physical points the "
-                  "points. Empty: the routes are meshed.");
+                  "points. Its cells are divided further by the entries below, as routes are. "
+                  "Empty: the routes are meshed.");
   in.declare_number(
       "Cell length", 0., "m", 0., 1e300,
-      "Longest cell of a straight run, and of an arc; 0: one cell from point to point.");
+      "Longest cell of a straight run, and of an arc; 0: one cell from point to point, and on a "
+      "continuous bed, which carries at nodes, a hundredth of the bed or two diameters.");
   in.declare_choice("Mesher", Mesher::automatic, meshers, "");
   const bool cut = !in.raw("Cells per bend", "").empty();
-  in.declare_choice("Bends", !cut, bends, "Of routes.");
+  in.declare_choice("Bends", !cut, bends, "Of routes, and of pipes from File with a Bend radius.");
   in.declare_count("Cells per bend", 8, 1,
                    "Of straight pieces, in 90 degrees; and of arcs that move in large "
                    "displacements in time, whose mass is on their chords.");

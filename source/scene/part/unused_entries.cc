@@ -35,18 +35,6 @@ void remark_on_integrator(ParameterReader &in, Scene &scene) {
                               ", which know no impulses; Method = exact does.");
 }
 
-/// Where a motion is imposed the point is held in all steps, which is meant of anchors that move.
-void remark_on_held_points(const Load &load, Scene &scene) {
-  for (const Load::AtPoint &at : load.at)
-    if (std::none_of(scene.restraints.begin(), scene.restraints.end(), [&](const Restraint &held) {
-          const auto &points = held.placement.points;
-          return std::count(points.begin(), points.end(), at.point) > 0;
-        }))
-      scene.remarks.push_back("Load " + load.name + ": point " + at.point +
-                              ", which no anchor or restraint holds, is held in the steps that do "
-                              "not name this load, too, and does not move there.");
-}
-
 /// What an Initial wants of a point in directions in which a load moves it.
 void remark_on_moved_points(Scene &scene) {
   for (const InitialCondition &initial : scene.initial) {
@@ -275,14 +263,12 @@ void remark_on_unused(ParameterReader &in, Scene &scene) {
                          [&](const auto &load) { return load.first == l; });
     };
     Load &load = scene.loads[l];
-    const bool moves = load.kind == Load::Kind::displacement;
     if (std::none_of(scene.steps.begin(), scene.steps.end(), names_it)) {
-      if (moves)
+      if (load.kind == Load::Kind::displacement)
         load.at.clear(); // or it would hold its points
       scene.remarks.push_back("Load " + load.name +
                               " is in the Loads of no step, and does nothing.");
-    } else if (moves && !std::all_of(scene.steps.begin(), scene.steps.end(), names_it))
-      remark_on_held_points(load, scene);
+    }
   }
 }
 

@@ -1,0 +1,21 @@
+// 4 m along x to S, a bend of radius 1 m in 3 cells to E, 4 m along y to C, 3 m up to D.
+Point(1) = {0, 0, 0};
+Point(2) = {4, 0, 0};
+Point(3) = {4, 1, 0};
+Point(4) = {5, 1, 0};
+Point(5) = {5, 5, 0};
+Point(6) = {5, 5, 3};
+Line(1) = {1, 2};
+Circle(2) = {2, 3, 4};
+Line(3) = {4, 5};
+Line(4) = {5, 6};
+Transfinite Curve {1, 3, 4} = 2;
+Transfinite Curve {2} = 4;
+Physical Curve("first") = {1};
+Physical Curve("bend") = {2};
+Physical Curve("second") = {3, 4};
+Physical Point("A") = {1};
+Physical Point("S") = {2};
+Physical Point("E") = {4};
+Physical Point("C") = {5};
+Physical Point("D") = {6};
