@@ -94,12 +94,19 @@ std::vector<Contact> contacts_of(const Scene &scene, const Frame &frame) {
                              : averaged                                    ? part(ground)
                                                                            : 1.;
         contact.rows.setZero(3, frame.n());
-        add_rows(contact, places[p].node, lever * length * down, 1.);
+        // What the element's length leaves of the way between two points along the normal is rigid,
+        // and part of the ground's pipe, or of the support's where the ground cannot turn.
+        const bool ground_turns = ground >= 0 && frame.turns(ground);
+        const Vec left = ground >= 0 && support.rotations != Support::Rotations::none
+                             ? Vec((way.dot(down) + length) * down)
+                             : Vec(Vec::Zero());
+        add_rows(contact, places[p].node,
+                 lever * length * down - (ground_turns ? Vec(Vec::Zero()) : left), 1.);
         contact.twist_row.setZero(frame.n());
         contact.twist_row.segment<3>(6 * places[p].node + 3) =
             contact.normal.cast<Real>().transpose();
         if (ground >= 0) { // what of the way is across the normal is a rigid arm of that pipe
-          add_rows(contact, ground, way - way.dot(n) * n, -1.);
+          add_rows(contact, ground, way - way.dot(n) * n + left, -1.);
           if (averaged)
             add_turns(contact, ground, part(places[p].node) * length * down);
           contact.twist_row.segment<3>(6 * ground + 3) = -contact.normal.cast<Real>().transpose();

@@ -21,18 +21,6 @@ Frame::Frame(const Scene &scene) : scene(scene), on_pipe(scene.pipes.size()) {
       point_node[name] = node_at(paths[p].at(s));
   for (const Point &point : scene.points) // on a pipe, or free
     point_node[point.name] = node_at(point.position);
-  tangents.assign(nodes.size(), Vec::Zero());
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    std::map<int, Vec> own;
-    for (const Member &member : members)
-      if (member.pipe == static_cast<int>(p))
-        for (const int end : {0, 1}) {
-          own.emplace(member.node[end], Vec::Zero()).first->second += member.tangent[end];
-        }
-    for (const auto &[node, t] : own)
-      if (tangents[node].norm() == 0.)
-        tangents[node] = t.normalized();
-  }
   add_joints();
   for (Member &member : members)
     member.prepare();
@@ -106,10 +94,11 @@ void Frame::lay_pipe(const int pipe, const std::vector<double> &breaks) {
     const std::size_t c = path.curve_at((from + to) / 2.);
     const Curve &curve = path.curves[c];
     const auto whole = [](const double number) {
-      return std::max(1, static_cast<int>(std::ceil(number - 1e-9)));
+      return std::max(1, static_cast<int>(std::ceil(number - 1e-6)));
     };
     const bool bend = curve.radius > 0.;
-    int cells = scene.cell_length > 0. ? whole(length / scene.cell_length) : 1;
+    const double longest = scene.cell_length > 0. ? scene.cell_length : bed_cell(pipe, from, to);
+    int cells = longest > 0. ? whole(length / longest) : 1;
     const bool arc = bend && scene.arcs;
     if (arc && bedded) // a bed stands at the program's nodes
       cells = std::max(cells, whole(length / curve.radius / 0.03));
@@ -125,6 +114,10 @@ void Frame::lay_pipe(const int pipe, const std::vector<double> &breaks) {
       member.curve = curve.part(a - path.start[c], b - path.start[c]);
       member.node = {node_at(path.at(a)), node_at(path.at(b))};
       member.tangent = {member.curve.direction(0.), member.curve.direction(member.curve.length)};
+      if (bend) {
+        member.bend_radius = curve.radius;
+        member.bend_axis = curve.axis();
+      }
       give_section(member);
       if (bend && !arc) { // a chord, with the bend's flexibility
         Curve chord;
@@ -153,7 +146,7 @@ void Frame::give_section(Member &member) const {
   const Pipe &pipe = scene.pipes[member.pipe];
   const Material &material = scene.materials[pipe.material];
   const Figures f = figures_of(member);
-  const double R = member.curve.radius, E = modulus(material), G = E / 2. / (1. + material.nu);
+  const double R = member.bend_radius, E = modulus(material), G = E / 2. / (1. + material.nu);
   const double k = R > 0. ? bend_flexibility(pipe, f, material, R) : 1.;
   const double stiffer = pipe.rigid ? 1000. : 1.;
   member.EA = stiffer * E * f.area;
@@ -172,7 +165,7 @@ std::vector<Place> Frame::places(const Support &support) const {
   std::vector<Place> result;
   for (const std::string &point : support.at) {
     const int node = point_node.at(point);
-    result.push_back({node, tangents[node], 1.});
+    result.push_back({node, run_through(node), 1.});
   }
   if (support.pipe.empty())
     return result;
@@ -194,12 +187,12 @@ std::vector<Place> Frame::places(const Support &support) const {
         const double before = i == 0 ? s : std::max(on_pipe[p][i - 1].first, from),
                      after = i + 1 == on_pipe[p].size() ? s : std::min(on_pipe[p][i + 1].first, to);
         result.push_back(
-            {node, tangents[node], (std::max(s - before, 0.) + std::max(after - s, 0.)) / 2.});
+            {node, tangent_of(p, node), (std::max(s - before, 0.) + std::max(after - s, 0.)) / 2.});
       }
     for (int i = 1; !support.continuous && from + i * support.every < to - near_enough; ++i)
       for (const auto &[s, node] : on_pipe[p])
         if (std::abs(s - from - i * support.every) < near_enough) {
-          result.push_back({node, tangents[node], 1.});
+          result.push_back({node, tangent_of(p, node), 1.});
           break;
         }
   }

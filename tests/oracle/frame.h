@@ -19,7 +19,7 @@ struct Figures {
 /// Where a support stands.
 struct Place {
   int node;
-  Vec tangent;       ///< of the first pipe there; at a corner, of its bisector
+  Vec tangent;       ///< of the pipe; at a point, of what runs through it
   double share = 1.; ///< of a bed: metres of pipe that fall to it
 };
 
@@ -67,6 +67,11 @@ private:
   int node_at(const Vec &position);
   void lay_pipe(int pipe, const std::vector<double> &breaks);
   std::vector<double> breaks_of(int pipe) const;
+  double bed_cell(int pipe, double from, double to) const; ///< longest on a bed there; 0: none
+  Vec tangent_of(int pipe, int node) const;                ///< at a corner, of its bisector
+  /// Through a point that all pipes, but for a tee's branch, meet at: along the one that goes
+  /// straight on, or the two that do so together. 0: several do, or none.
+  Vec run_through(int node) const;
   Figures figures_of(const Member &member) const;
   void give_section(Member &member) const;
   void add_joints();
@@ -78,7 +83,6 @@ private:
   const Scene &scene;
   std::vector<Path> paths;
   std::vector<Vec> nodes;
-  std::vector<Vec> tangents;
   std::vector<Member> members;
   std::map<std::string, int> point_node;
   std::vector<std::vector<std::pair<double, int>>> on_pipe; ///< nodes along each pipe

@@ -131,7 +131,7 @@ MemberLoad Frame::load_on(const Member &member, const std::vector<Real> &factors
       const double stretch = factors[l] * load.value * bore * (1. - 2. * nu) / member.EA;
       sum.strain += stretch;
       sum.pressure += factors[l] * load.value;
-      const double R = member.curve.radius, r = f.radius - f.wall / 2.;
+      const double R = member.bend_radius, r = f.radius - f.wall / 2.;
       if (R > 0.) // Bourdon, by membrane theory of the torus
         sum.curvature -= factors[l] * load.value * r /
                          (2. * modulus(material) * f.wall * (pipe.rigid ? 1000. : 1.) * R);

@@ -85,7 +85,7 @@ Vec6 Member::beyond(const double s, const MemberLoad &load) const {
 Vec6 Member::free_strain(const double s, const MemberLoad &load) const {
   Vec6 e;
   e.head<3>() = load.strain * curve.direction(s).cast<Real>();
-  e.tail<3>() = load.curvature * curve.axis().cast<Real>();
+  e.tail<3>() = load.curvature * bend_axis.cast<Real>();
   return e;
 }
 

@@ -47,6 +47,8 @@ public:
   double start = 0.;                       ///< of its end a along the pipe [m]
   std::array<int, 2> node{};               ///< a, b
   std::array<Vec, 2> tangent{};            ///< of the pipe there: of a bend, not of its chord
+  double bend_radius = 0.;                 ///< of the pipe; of a chord, too
+  Vec bend_axis = Vec::Zero();             ///< about which the bend turns
   Real EA = 0., GA = 0., GJ = 0., EI = 0.; ///< GA = 0: no shear flexibility; EI with a bend's
   Real mass = 0.;                          ///< per length
   Real rotary = 0., twist = 0.;            ///< per length: about a diameter, about the axis

@@ -185,6 +185,9 @@ void Generator::bed() {
     bed.from = names[random.whole(0, names.size() - 2)];
     bed.to = names.back();
   }
+  Random cells(seed + 1983); // without cells, a hundred of them: dense, that takes seconds
+  if (scene.cell_length == 0. && cells.chance(0.9))
+    scene.cell_length = cells.number(0.7, 3.);
   scene.supports.push_back(bed);
 }
 

@@ -182,6 +182,12 @@ void Generator::pipes() {
       tee.in_plane = std::pow(10., random.number(4., 8.));
       tee.out_of_plane = std::pow(10., random.number(4., 8.));
     }
+  // The two ends of a reducer have rotary inertia or neither has.
+  for (const Pipe &pipe : scene.pipes)
+    if (pipe.end_section >= 0 && scene.sections[pipe.section].rotary_inertia !=
+                                     scene.sections[pipe.end_section].rotary_inertia)
+      for (Section &section : scene.sections)
+        section.rotary_inertia = true;
 }
 
 Scene Generator::make() {

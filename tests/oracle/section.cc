@@ -74,7 +74,6 @@ Figures between(const Section &begin, const Section &end, const double part, con
   f.insulation = mix(a.insulation, b.insulation);
   if (a.wall > 0. && b.wall > 0.) {
     tube(2. * mix(a.radius, b.radius), mix(a.wall, b.wall), f);
-    f.shear = a.shear / a.area * f.area;
     // what else there is evenly, what fills the bore and clads the pipe by its room
     const auto clad = [](const double D, const double t) {
       return pi / 4. * (std::pow(D + 2. * t, 2) - D * D);
@@ -90,12 +89,15 @@ Figures between(const Section &begin, const Section &end, const double part, con
         mix(rest(begin, a), rest(end, b)) +
         mix(begin.contents, end.contents) * bore(2. * f.radius, f.wall) +
         mix(begin.insulation_density, end.insulation_density) * clad(2. * f.radius, f.insulation);
-    return f;
+  } else {
+    f.area = mix(a.area, b.area);
+    f.inertia = mix(a.inertia, b.inertia);
+    f.torsion = mix(a.torsion, b.torsion);
   }
-  f.area = mix(a.area, b.area);
-  f.inertia = mix(a.inertia, b.inertia);
-  f.torsion = mix(a.torsion, b.torsion);
-  f.shear = mix(a.shear, b.shear);
+  // Evenly: by how much less stiff to shear the section is than all of its metal.
+  const auto loss = [](const Figures &g) { return g.shear > 0. ? g.area / g.shear : 0.; };
+  const double lost = mix(loss(a), loss(b));
+  f.shear = lost > 0. ? f.area / lost : 0.;
   return f;
 }
 
