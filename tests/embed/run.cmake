@@ -14,10 +14,17 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --component plugin --prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${WORK}/prefix/share/doc/frictionbeam/examples -B ${WORK}/build -DCMAKE_BUILD_TYPE=${TYPE}
   -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_FLAGS=-Werror)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
+# All of them in debug, whose assertions look at what they do; in release one, for its compiling takes a minute.
+if(TYPE STREQUAL "Release")
+  set(target --target beam_on_support --target my_law)
+endif()
+run(${CMAKE_COMMAND} --build ${WORK}/build ${target})
 # By its name alone, as a user in that folder would.
 run(${WORK}/prefix/bin/frictionbeam-check-law my_law.so)
 run(${WORK}/build/beam_on_support my_law.so)
+if(TYPE STREQUAL "Release")
+  return()
+endif()
 run(${WORK}/build/heated_line)
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
