@@ -73,6 +73,7 @@ LawInput BoundLaw::input_of(const double *strain, const double element_length,
   input.time_increment = increment.length;
   input.temperature = increment.temperature;
   input.pressure = increment.pressure;
+  input.temperature_change = increment.temperature_change;
   return input;
 }
 
@@ -88,7 +89,6 @@ LawStatus BoundLaw::integrate(const double *strain, const double *strain_rate,
   input.displacement = law->kind == LawKind::support ? displacement : nullptr;
   input.old_state = old_state;
   input.tangent = tangent;
-  input.pressure = increment.pressure;
   return law->law->integrate(input, output);
 }
 

@@ -68,7 +68,7 @@ public:
     if (pipe.bursts)
       return LawStatus::failed;
     const Creep creep(p + n_fibre_parameters + n_material_parameters, in.time, in.time_increment,
-                      in.temperature);
+                      in.temperature, in.temperature_change);
     FibreStrains strain, old_strain = {};
     for (int k = 0; k < n_fibre_strains; ++k)
       strain[k] = in.strain[fibre_strain_place[k]];

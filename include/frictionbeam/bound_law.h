@@ -10,9 +10,10 @@ namespace frictionbeam {
 
 /// The increment at whose end a law is evaluated.
 struct LawIncrement {
-  double time = 0., length = 0.; ///< its end, and how long it is: 0 in statics [s]
-  double temperature = 20.;      ///< at its end, of what the law belongs to [degC]
-  double pressure = 0.;          ///< at its end, in a pipe over that outside [Pa]
+  double time = 0., length = 0.;  ///< its end, and how long it is: 0 in statics [s]
+  double temperature = 20.;       ///< at its end, of what the law belongs to [degC]
+  double pressure = 0.;           ///< at its end, in a pipe over that outside [Pa]
+  double temperature_change = 0.; ///< in it [K]
 };
 
 /// How many internal variables these parameters need.

@@ -17,8 +17,9 @@ namespace frictionbeam {
 /// Raised whenever anything in this header changes that a compiled law depends on. Libraries from
 /// oldest_law_interface_version on are loaded, others are refused. Version 1 had closed forms of
 /// the parameters alone, `void (*threshold)(const double *parameters, FrictionThreshold &)`: ask
-/// them by closed_form(), which knows both.
-inline constexpr int law_interface_version = 2;
+/// them by closed_form(), which knows both. Hosts of version 2 give no
+/// LawInput::temperature_change.
+inline constexpr int law_interface_version = 3;
 inline constexpr int oldest_law_interface_version = 1;
 
 /// What a law is evaluated on, and with that the meaning of its strains and stresses.
@@ -76,6 +77,7 @@ struct LawInput {
   const double *old_state;    ///< internal variables at the start of the increment; zero at first
   LawTangent tangent;         ///< which tangent to write
   double pressure = 0.;       ///< kind section: inside the pipe over that outside, at the end [Pa]
+  double temperature_change = 0.; ///< kind section: in the increment [K]
 };
 
 /// What integrate() writes. All arrays belong to the caller.

@@ -13,7 +13,8 @@ namespace {
 #define SAME_PLACE(cpp, c, field)                                                                  \
   static_assert(offsetof(cpp, field) == offsetof(c, field) &&                                      \
                 sizeof(cpp::field) == sizeof(c::field))
-static_assert(sizeof(LawInput) == sizeof(frictionbeam_c_input));
+// What C does not know stands behind.
+static_assert(offsetof(LawInput, temperature_change) == sizeof(frictionbeam_c_input));
 SAME_PLACE(LawInput, frictionbeam_c_input, parameters);
 SAME_PLACE(LawInput, frictionbeam_c_input, strain);
 SAME_PLACE(LawInput, frictionbeam_c_input, strain_rate);

@@ -39,18 +39,19 @@ constexpr LawParameter creep_parameters[n_creep_parameters] = {
 /// Creep in one increment of time: how much of it there is at a given stress.
 class Creep {
 public:
-  Creep(const double *p, const double time, const double time_increment, const double temperature)
+  /// @param temperature at the increment's end [degC], to which it has come by @p change evenly
+  Creep(const double *p, const double time, const double time_increment, const double temperature,
+        const double change)
       : n(p[creep_exponent]), k(p[primary_exponent]), m(p[primary_time_exponent]),
         hardens_by_strain(p[primary_hardening] >= 0.5), is_set(is_any(p)) {
     if (!is_set || time_increment <= 0.)
       return;
-    const double zero = -273.15;
-    const double factor = std::exp(-p[activation] * (1. / std::max(1., temperature - zero) -
-                                                     1. / (p[reference_temperature] - zero)));
+    const double factor = mean_factor(p[activation], p, temperature, change);
     const double start = std::max(0., time - time_increment);
     secondary = p[creep_coefficient] * factor * time_increment;
     if (hardens_by_strain) {
-      by_strain = std::pow(p[primary_coefficient] * factor, 1. / m) * time_increment;
+      by_strain = std::pow(p[primary_coefficient], 1. / m) *
+                  mean_factor(p[activation] / m, p, temperature, change) * time_increment;
       k /= m;
     } else
       by_time = p[primary_coefficient] * factor *
@@ -98,6 +99,28 @@ public:
   }
 
 private:
+  /// Mean of exp(-Q/R (1/T - 1/T0)) over the increment: what creeps is then exact where nothing
+  /// else changes, and of second order with what does.
+  static double mean_factor(const double activation_temperature, const double *p, const double end,
+                            const double change) {
+    constexpr double zero = -273.15, panel = 2.; // of the exponent: 1e-6 of the mean
+    const double reference = 1. / (p[reference_temperature] - zero);
+    const auto exponent = [&](const double temperature) {
+      return activation_temperature * (reference - 1. / std::max(1., temperature - zero));
+    };
+    const double way = std::abs(exponent(end) - exponent(end - change));
+    if (way == 0.)
+      return std::exp(exponent(end));
+    constexpr double apart = 0.7745966692414834; // Gauss and Legendre, three points
+    const int n_panels = static_cast<int>(std::min(1000., std::ceil(way / panel)));
+    double sum = 0.;
+    for (int i = 0; i < n_panels; ++i)
+      for (const double x : {-1., 0., 1.})
+        sum += (x == 0. ? 8. : 5.) / 18. *
+               std::exp(exponent(end - change * (i + (1. + x * apart) / 2.) / n_panels));
+    return sum / n_panels;
+  }
+
   double n, k, m;
   bool hardens_by_strain;
 

@@ -299,6 +299,13 @@ PipeSections::Surroundings LineCells::surroundings(const unsigned int cell,
   for (unsigned int l = 0; l < factors.size(); ++l)
     if (scene.loads[l].kind == Load::Kind::temperature && scene.loads[l].is_on(pipe))
       result.temperature += factors[l] * scene.loads[l].value;
+  if (load.pressure != 0. && sections.has(cell)) {
+    // What the hoop stress does goes by the modulus at this temperature, 2 nu p A_bore/(E(T) A).
+    const double softer = sections.softening(cell, result.temperature);
+    const double of_hoop = profile.bore_area / profile.EA - profile.pressure_strain;
+    result.axial_strain -= (softer - 1.) * of_hoop * load.pressure;
+    result.curvature *= softer;
+  }
   return result;
 }
 

@@ -89,7 +89,8 @@ SectionChain::Matrix6 to_axes_of(const ArcBeam &arc, const double part) {
 
 } // namespace
 
-PipeSections::PipeSections(const Scene &scene, const Discretization &discretization) {
+PipeSections::PipeSections(const Scene &scene, const Discretization &discretization)
+    : installation(scene.installation_temperature) {
   const auto &profiles = discretization.profiles();
   if (std::none_of(profiles.begin(), profiles.end(),
                    [](const Profile &profile) { return profile.law.is_set(); }))
@@ -161,6 +162,11 @@ PipeSections::make_cell(const Discretization &discretization, const unsigned int
   return cell;
 }
 
+double PipeSections::softening(const unsigned int index, const double temperature) const {
+  const Cell &cell = *cells[index];
+  return cell.profile.EA / elastic_tangent(cell.law(0), temperature)(0, 0);
+}
+
 void PipeSections::set_energies(const double pushes, const double dissipation,
                                 const double *const old, double *const now) {
   now[thrust] = pushes;
@@ -173,8 +179,9 @@ void PipeSections::set_energies(const double pushes, const double dissipation,
 
 bool PipeSections::answer_of_law(const Cell &cell, const unsigned int point,
                                  const Surroundings &surroundings, const Clock &clock,
-                                 const Vector6 &total, const double *const old, double *const now,
-                                 SectionChain::Matrix6 &stiffness, double &error) const {
+                                 const Vector6 &total, const double rise, const double *const old,
+                                 double *const now, SectionChain::Matrix6 &stiffness,
+                                 double &error) const {
   const Profile &profile = cell.profile;
   const BoundLaw &law = cell.law(point);
   const double pushes = surroundings.pressure * profile.bore_area;
@@ -187,6 +194,7 @@ bool PipeSections::answer_of_law(const Cell &cell, const unsigned int point,
   increment.time = clock.time;
   increment.length = clock.length;
   increment.temperature = surroundings.temperature;
+  increment.temperature_change = surroundings.temperature - installation - rise;
   increment.pressure = surroundings.pressure;
   Tangent tangent;
   LawOutput output{now + stress, tangent.data(), now + internal, 0., ContactStatus::none};
@@ -286,7 +294,7 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
   const auto law = [&](const unsigned int q, const Vector6 &strain_of_point, Vector6 &result,
                        SectionChain::Matrix6 &tangent) {
     double *const values = now.data() + place_of(cell, q);
-    if (!answer_of_law(cell, q, surroundings, clock, strain_of_point,
+    if (!answer_of_law(cell, q, surroundings, clock, strain_of_point, old[cell.first_value + risen],
                        old.data() + place_of(cell, q), values, tangent, answer.error))
       return false;
     result = Values(values + stress);
@@ -310,6 +318,7 @@ void PipeSections::integrate(const unsigned int index, const Vector12 &from, con
   of_cell[0] = surroundings.axial_strain;
   of_cell[1] = surroundings.curvature;
   Eigen::Map<Eigen::Vector3d>(of_cell + 2) = surroundings.line_force;
+  now[cell.first_value + risen] = surroundings.temperature - installation;
   answer.stiffness = solution.stiffness;
   between(index, from, to, old, now, answer);
 }

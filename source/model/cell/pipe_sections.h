@@ -44,6 +44,8 @@ public:
     double temperature = 20.;                             ///< [degC]
     Eigen::Vector3d line_force = Eigen::Vector3d::Zero(); ///< in the axes at rest [N/m]
   };
+  /// By which a cell's sections stretch more at a temperature than by Young's modulus [-].
+  double softening(const unsigned int cell, const double temperature) const;
   /// Of a cell.
   struct Answer {
     /// Forces on its ends, in the axes at rest, and the derivative of the last by the motions.
@@ -155,8 +157,8 @@ private:
     /// In the states: what the whole cell has, then the sections.
     unsigned int first_value = 0;
   };
-  /// Values of a cell: forces on its ends, free strains and load per length.
-  static constexpr unsigned int n_values_of_cell = 12 + 2 + 3;
+  /// Values of a cell: forces on its ends, free strains, load per length and rise of temperature.
+  static constexpr unsigned int risen = 12 + 2 + 3, n_values_of_cell = risen + 1;
   /// Values of a section's state: strain and stress of the wall, p A_bore, energy that it has
   /// stored and dissipated [J/m], whether an internal variable of its law is not zero; then these
   /// variables.
@@ -197,13 +199,15 @@ private:
   std::unique_ptr<const Cell> make_cell(const Discretization &discretization,
                                         const unsigned int index, PipeElement &exact,
                                         PipeElement &at_points) const;
-  /// @param total strain less free ones @param now in: its strain; out: all its values
+  /// @param total strain less free ones @param rise of temperature at the increment's start [K]
+  /// @param now in: its strain; out: all its values
   bool answer_of_law(const Cell &cell, const unsigned int point, const Surroundings &surroundings,
-                     const Clock &clock, const Vector6 &total, const double *old, double *now,
-                     SectionChain::Matrix6 &tangent, double &error) const;
+                     const Clock &clock, const Vector6 &total, const double rise, const double *old,
+                     double *now, SectionChain::Matrix6 &tangent, double &error) const;
 
   std::vector<std::unique_ptr<const Cell>> cells; ///< as the pipe cells; empty if none has a law
   unsigned int n_values = 0;
+  const double installation; ///< temperature at rest [degC]
 };
 
 } // namespace frictionbeam

@@ -204,10 +204,9 @@ BoundLaw law_at(const Profile &profile, const double part) {
   return {law, values};
 }
 
-Table<2, double> elastic_tangent(const BoundLaw &law) {
-  const BoundLaw::Answer answer =
-      law.answer_at_rest(std::vector<double>(n_section_strains, 0.), 1., LawTangent::elastic,
-                         LawIncrement().temperature);
+Table<2, double> elastic_tangent(const BoundLaw &law, const double temperature) {
+  const BoundLaw::Answer answer = law.answer_at_rest(std::vector<double>(n_section_strains, 0.), 1.,
+                                                     LawTangent::elastic, temperature);
   Table<2, double> result(n_section_strains, n_section_strains);
   result.fill(answer.tangent.begin(), true);
   return result;

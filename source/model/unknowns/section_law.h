@@ -22,8 +22,9 @@ BoundLaw bind_section_law(const LawDescription &law, const Pipe &pipe, const Sec
 /// The law of a profile at a part of the way along its cell, in the direction of the pipe.
 BoundLaw law_at(const Profile &profile, const double part);
 
-/// Its elastic tangent, 6 x 6.
-dealii::Table<2, double> elastic_tangent(const BoundLaw &law);
+/// Its elastic tangent, 6 x 6, at a temperature [degC].
+dealii::Table<2, double> elastic_tangent(const BoundLaw &law,
+                                         const double temperature = LawIncrement().temperature);
 
 /// Gives a profile a law that yields or creeps, and the rigidities of that law's elastic tangent;
 /// of a law that has the flexibility of bends in itself, in the mean of the cell.
