@@ -265,6 +265,19 @@ void check_ends(const Scene &scene, const LineMesh &mesh) {
       refuse("Spring " + spring.name + "/To", spring.other, spring.point,
              "no 'To', and no support there: the spring is then between the pipe and the ground; "
              "or, between two pipes, a Joint");
+  for (const Load &load : scene.loads)
+    for (auto one = load.at.begin(); load.kind == Load::Kind::displacement && one != load.at.end();
+         ++one)
+      for (auto other = load.at.begin(); other != one; ++other)
+        for (unsigned int c = 0; c < 6; ++c)
+          if (one->given[c] && other->given[c] &&
+              mesh.points.at(one->point) == mesh.points.at(other->point))
+            throw UserError("Load " + load.name +
+                            "/Displacements\n  read:    the same motion of '" + other->point +
+                            "' and of '" + one->point +
+                            "', which is one place: they would add up\n  allowed: each motion of a "
+                            "place once\n  try:     that of '" +
+                            other->point + "' alone");
   for (const FrictionSupport &support : scene.supports)
     for (const std::string &point : support.placement.points)
       if (!support.ground.empty() && mesh.points.at(point) == mesh.points.at(support.ground))

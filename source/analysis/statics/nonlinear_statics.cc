@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/nonlinear_statics.h"
+#include "analysis/contact/opposed_contacts.h"
 #include "analysis/statics/slope_search.h"
 
 #include "base/interruption.h"
@@ -306,15 +307,23 @@ bool NonlinearStatics::is_unstable(const LineState &state) const {
   if ((balance.stiffness - symmetric).norm() > same * symmetric.norm())
     return false; // loads that follow the line have no potential, nor signs that would tell
   std::vector<Eigen::Triplet<double>> of_contacts;
+  const std::vector<bool> idle = idle_halves(model.contacts, state);
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    if (state.contact_status[i] == ContactStatus::open)
+    if (state.contact_status[i] == ContactStatus::open || idle[i])
       continue;
-    const bool rubs =
-        !contact.law.has_closed_form() || contact.law.closed_form().static_friction > 0.;
-    const Eigen::MatrixXd B = contact.B.topRows(rubs ? 3 : 1); // without friction along its normal
-    const Eigen::MatrixXd block =
-        stiff * largest * contact.length * contact.length * B.transpose() * B;
+    const bool is_known = contact.law.has_closed_form();
+    const FrictionThreshold &law = contact.law.closed_form();
+    const bool rubs = !is_known || law.static_friction > 0.; // else it holds along its normal alone
+    const double rigid = stiff * largest * contact.length * contact.length;
+    const auto stiffness = [&](const double rigidity) {
+      return is_known && std::isfinite(rigidity) ? std::min(rigid, rigidity * contact.weight)
+                                                 : rigid;
+    };
+    const Eigen::Vector3d hold(stiffness(law.axial_rigidity),
+                               rubs ? stiffness(law.shear_rigidity_y) : 0.,
+                               rubs ? stiffness(law.shear_rigidity_z) : 0.);
+    const Eigen::MatrixXd B = contact.B.topRows(3), block = B.transpose() * hold.asDiagonal() * B;
     for (unsigned int a = 0; a < contact.unknowns.size(); ++a)
       for (unsigned int b = 0; b < contact.unknowns.size(); ++b)
         of_contacts.emplace_back(contact.unknowns[a], contact.unknowns[b], block(a, b));

@@ -6,6 +6,7 @@
 #include "model/unknowns/like_cells.h"
 #include "model/unknowns/section_law.h"
 #include "scene/file/parameter_reader.h"
+#include "scene/rigid_part.h"
 #include <frictionbeam/fe_timoshenko_beam.h>
 #include <frictionbeam/generalized_strain.h>
 
@@ -81,9 +82,6 @@ std::pair<FE_FrictionBeam::Rotations, bool> element_option(const FrictionSupport
     return {reversed ? Rotations::second_node : Rotations::first_node, support.torsion};
   }
 }
-
-/// How many times stiffer than its section a valve or flange is.
-constexpr double rigid_part = 1000.;
 
 /// About the axis [kg m]. A twist without inertia in a skew pipe would be a motion that no single
 /// unknown names, and rounding its only mass: where the metal has no density, all mass stands for

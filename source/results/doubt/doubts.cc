@@ -5,6 +5,7 @@
 #include "model/line_model.h"
 #include "results/doubt/buckling.h"
 #include "results/doubt/pressed_span.h"
+#include "results/doubt/soft_rigid_pipe.h"
 #include "results/frame/frame_choice.h"
 #include "results/stress/wall_stress.h"
 #include "results/text.h"
@@ -213,6 +214,24 @@ public:
     }
   }
 
+  void of_rigid_pipes() {
+    constexpr double noticed = 0.01;
+    SoftRigidPipe worst;
+    const Frame *where = nullptr;
+    for (const Frame *const frame : ends)
+      if (const SoftRigidPipe one = softest_rigid_pipe(scene, *frame); one.share > worst.share) {
+        worst = one;
+        where = frame;
+      }
+    if (worst.share > noticed)
+      results.remarks.push_back(
+          "Pipe " + scene.pipes[worst.pipe].name +
+          " is Rigid, a thousand times as stiff as its "
+          "Section, and bends or stretches by some " +
+          rounded_number(100. * worst.share, 1) + " % of the largest displacement in step " +
+          where->name + ". Where it shall not, give it a Section of its own, as stiff as need be.");
+  }
+
   void of_time_steps() {
     if (scene.time.is_exact() || scene.time.step == 0. || results.modes.empty() ||
         !has_transient_step(scene))
@@ -332,6 +351,7 @@ void add_doubts(const Model &model, Results &results) {
   doubts.of_time_steps();
   doubts.of_sums_of_loads();
   doubts.of_restraints_in_one_place();
+  doubts.of_rigid_pipes();
 }
 
 } // namespace frictionbeam

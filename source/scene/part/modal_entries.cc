@@ -50,6 +50,11 @@ void parse_modes(const ParameterReader &in, Scene &scene) {
 void check_modes(const ParameterReader &in, Scene &scene) {
   if (!scene.modal.step.empty())
     in.find("Step", scene.modal.step, names(scene.steps), "step");
+  else if (scene.modal.n_modes > 0 && !scene.steps.empty() &&
+           std::all_of(scene.steps.begin(), scene.steps.end(),
+                       [](const LoadStep &step) { return step.transient; }))
+    in.fail("Step", "the name of a step, where none is static: modes are those about its end",
+            "set Step = " + scene.steps.front().name);
   if (scene.spectra.empty())
     return;
   if (scene.modal.n_modes == 0)

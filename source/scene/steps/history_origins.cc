@@ -72,6 +72,38 @@ double largest(const TimeFunction &motion, const double from, const double to) {
   return result;
 }
 
+/// Whether a motion with the run's time is under way in a step.
+bool moves_in(const Scene &scene, const TimeFunction &motion, const unsigned int step) {
+  const double begin = beginnings_on_paths(scene)[step], end = begin + scene.steps[step].duration,
+               size = std::max(std::abs(motion.after(begin)), largest(motion, begin, end));
+  constexpr unsigned int n_samples = 64;
+  for (unsigned int i = 0; i < n_samples; ++i)
+    if (const double time = begin + (i + 0.5) / n_samples * (end - begin);
+        std::abs(motion(time) - motion.after(begin)) > no_jump * size)
+      return true;
+  return false;
+}
+
+/// Where a transient step goes on with a motion that a static one has begun, its inertia is not in
+/// the beginning.
+void remark_on_ground(Scene &scene, const FrictionSupport &support) {
+  for (const TimeFunction &motion : support.ground_motion)
+    for (unsigned int s = 1; s < scene.steps.size() && motion.is_given(); ++s) {
+      const auto before = step_before(scene, s);
+      if (motion.clock != TimeFunction::Clock::run || !before || !scene.steps[s].transient ||
+          scene.steps[*before].transient || !moves_in(scene, motion, *before) ||
+          !moves_in(scene, motion, s))
+        continue;
+      scene.remarks.push_back("Support " + support.name + ": the static step " +
+                              scene.steps[*before].name +
+                              " has played the beginning of its ground's motion, without inertia: "
+                              "step " +
+                              scene.steps[s].name + " goes on with it from " +
+                              to_text(beginnings_on_paths(scene)[s]) + " s of the run.");
+      return;
+    }
+}
+
 void check_ground(const Scene &scene, const FrictionSupport &support) {
   const std::vector<double> begin = beginnings(scene);
   for (const TimeFunction &motion : support.ground_motion) {
@@ -96,14 +128,15 @@ void check_ground(const Scene &scene, const FrictionSupport &support) {
                    starts = motion.after(begin[s] - now);
       const double of_step = largest(motion, last_time - scene.steps[last].duration, last_time);
       if (std::abs(starts - ends) > no_jump * std::max({of_step, std::abs(starts), std::abs(ends)}))
-        fail(scene, "Support " + support.name + ": its ground would jump by " +
-                        to_text(starts - ends) + " m where step " + scene.steps[s].name +
-                        " begins.\n  read:    Ground motion '" + motion.text +
-                        "', whose time begins again with that step\n  allowed: a motion that is "
-                        "the same at "
-                        "the end of the step before\n  try:     'Ground motion time = run', so "
-                        "that its time "
-                        "is the run's");
+        fail(scene,
+             "Support " + support.name + ": its ground would jump by " + to_text(starts - ends) +
+                 " m where step " + scene.steps[s].name + " begins.\n  read:    Ground motion '" +
+                 motion.text +
+                 "', whose time begins again with that step; the steps before have played "
+                 "it, too\n  allowed: a motion that is the same at the end of the step before"
+                 "\n  try:     'Ground motion time = run' and a motion that begins at " +
+                 to_text(beginnings_on_paths(scene)[s]) + " s, where step " + scene.steps[s].name +
+                 " does");
     }
   }
 }
@@ -165,6 +198,8 @@ void frictionbeam::parts::check_histories(Scene &scene) {
       told = told || (of_step && on_path > 0.);
     }
   }
-  for (const FrictionSupport &support : scene.supports)
+  for (const FrictionSupport &support : scene.supports) {
     check_ground(scene, support);
+    remark_on_ground(scene, support);
+  }
 }
