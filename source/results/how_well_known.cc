@@ -71,6 +71,11 @@ KnownError by_time_step(const Scene &scene, const Results &results, const Resolu
     return {{},
             "contacts changed their state in " + std::to_string(all.state_changes) +
                 " time steps, which leaves an error of first order; Accuracy measures it"};
+  if (all.turned_in_motion > all.local_errors)
+    return {
+        {},
+        "friction turns while it slips within time steps, which leaves an error of first order; "
+        "Accuracy measures it"};
   if (all.acceleration_changes > most_change * all.accelerations)
     return {{}, "the fastest motions of the cells are not followed; Accuracy measures the rest"};
   if (scene.time.theta != 0.5 || scene.time.gamma != 0.5 ||

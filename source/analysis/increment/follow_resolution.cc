@@ -65,6 +65,19 @@ void FollowResolution::add_time_step(const LineState &before, const LineState &a
     return;
   if (!after.events.empty())
     ++resolution.state_changes;
+  double turned = 0.;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Eigen::Vector2d T0 = before.contact_stress[i].segment<2>(1),
+                          T1 = after.contact_stress[i].segment<2>(1);
+    if (after.contact_status[i] != ContactStatus::slip || T0.isZero(0.) || T1.isZero(0.))
+      continue;
+    const Eigen::Vector2d path =
+        model.contacts[i].length *
+        (after.contacts.strain[i].segment<2>(1) - before.contacts.strain[i].segment<2>(1));
+    turned = std::max(turned, std::abs(T0[0] * T1[1] - T0[1] * T1[0]) / (T0.norm() * T1.norm()) *
+                                  path.norm() / 2.);
+  }
+  resolution.turned_in_motion += turned;
   if (before.acceleration.isZero(0.)) // nothing is known of the step before
     return;
   double change = 0., size = 0.;

@@ -14,6 +14,7 @@ void Resolution::include(const Resolution &other) {
   exact_in_time = exact_in_time && other.exact_in_time;
   handed_over = handed_over || other.handed_over;
   unbent = std::max(unbent, other.unbent);
+  turned_in_motion += other.turned_in_motion;
   slip_turned = std::max(slip_turned, other.slip_turned);
   slip_from_rest = std::max(slip_from_rest, other.slip_from_rest);
   slip_is_known = slip_is_known && other.slip_is_known;

@@ -17,8 +17,11 @@ struct Resolution {
   double largest_displacement = 0.;
   double accelerations = 0., acceleration_changes = 0.; ///< sums of |a|, |a_1 - a_0| [m/s2]
   unsigned int state_changes = 0; ///< time steps in which a contact changed its state
-  bool exact_in_time = true;      ///< no time step has an error of its own (event)
-  bool handed_over = false;       ///< parts of the motion, by event to an integrator that has one
+  /// Of the contact where it is largest, the sum over the time steps of this step of half its path
+  /// times the sine by which its friction force turns: an error of first order [m].
+  double turned_in_motion = 0.;
+  bool exact_in_time = true; ///< no time step has an error of its own (event)
+  bool handed_over = false;  ///< parts of the motion, by event to an integrator that has one
   /// Large displacements: by how much cells, whose length is that of their chords, are longer than
   /// the curves that they stand for: the sum of l (2 a^2 - a b + 2 b^2)/30, a and b the angles
   /// between the chord and the line at its ends [m].
@@ -37,7 +40,7 @@ struct Resolution {
   void transfer(Archive &archive) {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
             exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known,
-            touched_within);
+            touched_within, turned_in_motion);
   }
 };
 

@@ -84,7 +84,7 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
   if (!step_reports.back().limit && statics.is_unstable(current))
     step_reports.back().warning =
         "Step " + declared_step.name +
-        ": the equilibrium is unstable, even if every support that is closed held its point: a "
+        ": the equilibrium is unstable, whatever closed supports hold by their stiffness: a "
         "line in this pose leaves it at the least push. If it has gone there by itself, it is not "
         "where the line goes: take more increments, or a transient step.";
   if (declared_step.finds_limit && !step_reports.back().limit)
