@@ -119,6 +119,8 @@ void LimitPath::add(const Vector &moved, const double gained, const double done)
 bool LimitPath::is_flat() const { return n_flat >= several; }
 
 std::string LimitPath::place_of_most_motion() const {
+  if (motion.size() == 0 || motion.isZero(0.))
+    return "no place, for nothing has moved";
   Vector dofs;
   model.space.expand(motion, dofs);
   std::pair<unsigned int, unsigned int> place; // cell and its end
