@@ -165,9 +165,10 @@ void MixedWalls::report(const LoadSequence &sequence, Results &results) {
     }
     if (frames.empty()) // the first step was not solved
       return;
-    if (const std::string text = doubt_of_stresses(wall.own.scene, wall.wall, frames);
-        !text.empty())
-      results.doubts.push_back(text);
+    for (const std::string &text : {doubt_of_stresses(wall.own.scene, wall.wall, frames),
+                                    doubt_of_bore(wall.own.scene, wall.wall, frames)})
+      if (!text.empty())
+        results.doubts.push_back(text);
     for (const WallFrame &frame : frames)
       for (unsigned int i = 0; i < frame.rings.size(); ++i) {
         const RingState &ring = frame.rings[i];

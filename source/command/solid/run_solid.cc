@@ -192,9 +192,10 @@ void SolidRun::add_quantities() {
 }
 
 void SolidRun::doubt_stresses() {
-  const std::string text = doubt_of_stresses(scene, wall, frames);
-  if (!text.empty())
-    results.doubts.push_back(text);
+  for (const std::string &text :
+       {doubt_of_stresses(scene, wall, frames), doubt_of_bore(scene, wall, frames)})
+    if (!text.empty())
+      results.doubts.push_back(text);
 }
 
 void SolidRun::write() {

@@ -5,6 +5,7 @@
 #include "results/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam {
 
@@ -28,6 +29,29 @@ std::string doubt_of_stresses(const Scene &scene, const PipeWall &wall,
              rounded_number(stress / scene.units.factor("Pa"), 3) + " " + scene.units.name("Pa") +
              ", " + rounded_number(worst, 3) + " times the Yield stress of material " +
              material.name + ", while the wall is taken for elastic.";
+    }
+  return text;
+}
+
+std::string doubt_of_bore(const Scene &scene, const PipeWall &wall,
+                          const std::vector<WallFrame> &frames) {
+  double worst = 0.05; // of the equivalent stress
+  std::string text;
+  const double Pa = scene.units.factor("Pa");
+  for (const WallFrame &frame : frames)
+    for (std::size_t r = 2; r + 2 < wall.rings.size(); ++r) {
+      const RingState &ring = frame.rings[r];
+      const double miss = std::abs(ring.on_bore + ring.pressure);
+      if (ring.pressure == 0. || miss <= worst * ring.largest_mises(0))
+        continue;
+      worst = miss / ring.largest_mises(0);
+      text = "Step " + scene.steps[frame.step].name + ", " +
+             rounded_number(wall.rings[r].s / scene.units.factor("m"), 4) + " " +
+             scene.units.name("m") + " along the pipes: the radial stress of the bore is " +
+             rounded_number(ring.on_bore / Pa, 3) + " " + scene.units.name("Pa") +
+             ", where the pressure makes " + rounded_number(-ring.pressure / Pa, 3) +
+             ": cells through the wall are too coarse for its stresses. Take more of "
+             "Solid/Cells through.";
     }
   return text;
 }

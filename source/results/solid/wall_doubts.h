@@ -12,6 +12,12 @@ namespace frictionbeam {
 std::string doubt_of_stresses(const Scene &scene, const PipeWall &wall,
                               const std::vector<WallFrame> &frames);
 
+/// Where the radial stress of the bore misses the pressure there by the most, if by more than a
+/// twentieth of the largest equivalent stress beside it, in words: the wall's stresses are known no
+/// better. But for the rings at and next to its ends.
+std::string doubt_of_bore(const Scene &scene, const PipeWall &wall,
+                          const std::vector<WallFrame> &frames);
+
 /// What the cells of section Solid leave of the displacements of a wall with bends: of their
 /// flexibility (flexibility_error()).
 /// @param scene of the wall's pipes, which have one section @param name of the wall, in words

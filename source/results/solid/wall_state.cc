@@ -276,6 +276,9 @@ std::vector<RingState> WallReading::read() {
                                      &point.axial_radial, &point.hoop_radial})
           *number /= counts[r][side][i];
       }
+    ring.pressure = loads.pressure(state.factors);
+    for (const WallStress &point : ring.stress[0])
+      ring.on_bore += point.radial / ring.stress[0].size();
     const Motion load = loads.section_load(r, state.factors), contact = contact_force(r);
     for (unsigned int c = 0; c < 6; ++c)
       ring.held[c] = ring.cut[0][c] - ring.cut[1][c] - load[c] - contact[c];

@@ -27,6 +27,9 @@ struct RingState {
   /// Force and moment of what holds the section there, contacts left out [N, N m].
   Motion held{};
   double widening = 0.; ///< mean of the radial displacement [m]
+  /// Inside, and the mean round the section of the radial stress of the bore there, which is less
+  /// by it but for what the cells leave [Pa].
+  double pressure = 0., on_bore = 0.;
   /// Of the radial displacement a2 cos 2p + b2 sin 2p, and a3, b3; angles from the ring's a to b.
   std::array<double, 2> mode2{}, mode3{};
   /// On the inside and on the outside, at equal angles from 0 on.
