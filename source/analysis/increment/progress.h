@@ -11,6 +11,8 @@ namespace frictionbeam {
 struct Progress {
   unsigned int step = 0, increment = 0;
   unsigned int n_increments = 0;
+  /// The instant of the call before once more, as loads have made velocities jump there.
+  bool behind_jump = false;
 };
 
 /// Called with the start and then after each increment that the scene declares.

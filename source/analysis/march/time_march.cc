@@ -23,11 +23,24 @@ constexpr double not_solved = -1.;          ///< in place of a time step's error
 constexpr unsigned int most_failures = 200; ///< of time steps from one instant to the next
 constexpr double most_gained = 0.1;         ///< by a time step, of the largest energy in motion
 
+constexpr double least_jump = 1e-6; ///< of a rate: rates are differences over a time step
+
 /// Whether the line may have been where a load puts its points at the run's beginning.
 bool begins_displaced(const Scene &scene) {
   return std::any_of(
       scene.initial.begin(), scene.initial.end(),
       [](const InitialCondition &initial) { return initial.displacement != Motion{}; });
+}
+
+/// Whether a load moves points behind a jump at another rate than before, of which nothing may be
+/// known: then they stood.
+bool rates_jump(const std::vector<double> &before, const std::vector<double> &after) {
+  for (unsigned int l = 0; l < after.size(); ++l) {
+    const double rate = before.empty() ? 0. : before[l];
+    if (std::abs(after[l] - rate) > least_jump * std::max(std::abs(after[l]), std::abs(rate)))
+      return true;
+  }
+  return false;
 }
 } // namespace
 
@@ -69,7 +82,7 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
     if (integrator->is_exact())
       integrator->start(*state, *course);
     else
-      report->energy += meet_jump(model, *course, *integrator, *state);
+      pass_jump();
     time_step = longest_step;
     jump_met = start;
     contacts_before = {};
@@ -148,12 +161,21 @@ bool TimeMarch::is_shortest(const double step) const {
          longest_step / std::pow(2., model.scene.solver.max_halvings) * (1. + same_instant_of_step);
 }
 
+void TimeMarch::pass_jump() {
+  const std::vector<double> before = state->load_rates;
+  report->energy += meet_jump(model, *course, *integrator, *state);
+  if (!rates_jump(before, state->load_rates))
+    return;
+  state->events.clear(); // they have been shown
+  watchers->of_instants({step_number, n_increments, 0, true}, *state);
+}
+
 bool TimeMarch::take_time_step(const double time) {
   if (!integrator->is_exact() && jump_met != state->time) {
     jump_met = state->time;
     if (course->jumps(state->time)) {
       course->set_rates(*state, LoadCourse::Side::before);
-      report->energy += meet_jump(model, *course, *integrator, *state);
+      pass_jump();
     }
   }
   last_error = not_solved;

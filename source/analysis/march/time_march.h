@@ -58,6 +58,9 @@ private:
   void set_rates_before();
   /// Whether a time step [s] has been halved as often as it may be.
   bool is_shortest(const double step) const;
+  /// Put the state behind a jump of the loads in place of the one before, and show it where
+  /// velocities jump.
+  void pass_jump();
   /// One time step. @return whether it was taken; if not, a shorter one may be.
   bool take_time_step(const double time);
 

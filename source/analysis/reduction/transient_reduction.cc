@@ -174,7 +174,9 @@ MotionRecord TransientReduction::try_out(const TransientStep &start, const LineS
   const ReducedLine attempt(model, *parts, modes, state, acting(start));
   MotionRecord record;
   TimeMarch march(attempt.model());
-  const auto take = [&](const Progress &, const LineState &now) {
+  const auto take = [&](const Progress &progress, const LineState &now) {
+    if (progress.behind_jump)
+      return;
     const Contacts &contacts = attempt.model().contacts;
     Vector forces(3 * contacts.size()), motions(6 * attempt.monitored().size());
     for (unsigned int i = 0; i < contacts.size(); ++i)

@@ -200,6 +200,13 @@ bool LineRun::run() {
 void LineRun::observe(const Progress &progress, const LineState &state) {
   output_timer.start();
   interruption::end_if_overdue();
+  if (progress.behind_jump) {
+    collector.observe_behind_jump(state);
+    envelope.observe_behind_jump(state, line_is_known);
+    line_is_known = true;
+    output_timer.stop();
+    return;
+  }
   progress_line.show(progress);
   if (progress.n_increments == 0)
     vtu_frames.begin(state.time);

@@ -124,6 +124,13 @@ bool is_followed(const Quantity &quantity) {
 
 } // namespace
 
+void Collector::observe_behind_jump(const LineState &state) {
+  forget_state();
+  for (unsigned int i = 0; i < pending.size(); ++i)
+    if (is_followed(model.scene.quantities[i]))
+      follow_back(model.scene.quantities[i], state, pending[i]);
+}
+
 void Collector::observe_piece(const MotionPiece &piece) {
   std::vector<unsigned int> followed;
   for (unsigned int i = 0; i < pending.size(); ++i) {
