@@ -123,7 +123,7 @@ void judge_increments(const Scene &scene, Results &results) {
   for (unsigned int i = 0; i < results.steps.size(); ++i) {
     const EnergyAccount &energy = results.steps[i].energy;
     const double turnover = std::max(energy.turnover, least_turnover(results.steps)),
-                 left_over = std::abs(energy.left_over());
+                 left_over = left_over_beyond_rounding(energy);
     if (!scene.steps[i].transient && left_over > most_energy_left_by_increments * turnover)
       results.remarks.push_back(
           "Step " + results.steps[i].step + ": the account of energy leaves over " +
