@@ -233,9 +233,9 @@ EnergyAccount account_motion(const Model &model, const LineState &before, const 
   account.at_hand = stored + kinetic +
                     model.linear.stored_by_imposed(after.load_factors, after.unknowns) +
                     model.linear.kinetic_by_imposed(after.load_rates, after.velocity);
+  account += account_imposed(model, before, after, after.time - before.time);
   account.turnover =
       std::abs(account.external) + std::abs(account.stored) + std::abs(account.kinetic);
-  account += account_imposed(model, before, after, after.time - before.time);
   return account += account_contacts(model, before, after, work);
 }
 

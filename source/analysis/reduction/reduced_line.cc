@@ -289,7 +289,8 @@ LinearPart::Matrices ReducedLine::make_matrices() const {
     }
   }
   LinearPart::Matrices matrices{
-      K.matrix(), M.matrix(), C.matrix(), Vector(), {}, {}, {}, {}, line.linear.imposed_products()};
+      K.matrix(), M.matrix(), C.matrix(), Vector(), {},
+      {},         {},         {},         {},       line.linear.imposed_products()};
   add_loads(matrices);
   return matrices;
 }
@@ -299,6 +300,7 @@ void ReducedLine::add_loads(LinearPart::Matrices &matrices) const {
   for (unsigned int l = 0; l < line.scene.loads.size(); ++l) {
     matrices.forces.push_back(reduce_forces(line.linear.forces(l)));
     const bool moves = line.linear.accelerates(l);
+    matrices.moves_mass.push_back(moves);
     matrices.inertia.push_back(moves ? reduce_forces(line.linear.inertia(l)) : Vector());
     matrices.drag.push_back(moves ? reduce_forces(line.linear.drag(l)) : Vector());
     matrices.imposed.emplace_back();

@@ -35,7 +35,7 @@ void AlphaScheme::add_inertia(const LoadCourse &loads, const double time,
   there.time = time;
   loads.set_rates(there, side);
   for (unsigned int l = 0; l < there.load_rates.size(); ++l)
-    if (imposed_inertia[l].size() > 0)
+    if (model.linear.accelerates(l))
       forces +=
           (there.load_accelerations[l] + model.scene.time.mass_damping * there.load_rates[l]) *
           imposed_inertia[l];

@@ -287,7 +287,7 @@ NonlinearMotion::Step NonlinearMotion::begin(const LineState &from, const LoadCo
   step.imposed_impulse.setZero(model.space.n_unknowns());
   const double lost = model.scene.time.mass_damping * step.h / 2.;
   for (unsigned int l = 0; l < to.load_rates.size(); ++l) {
-    if (inertia[l].size() == 0)
+    if (!model.linear.accelerates(l))
       continue;
     for (const auto &[dof, value] : model.linear.imposed(l))
       step.imposed_velocity[dof] += (from.load_rates[l] + to.load_rates[l]) / 2. * value;

@@ -88,8 +88,10 @@ void LinearPart::find_imposed_motions(const Scene &scene, const LineMesh &mesh,
   products.stiffness = products.mass = products.damping = Eigen::MatrixXd::Zero(n, n);
   if (with_mass)
     for (unsigned int l = 0; l < n; ++l)
-      if (!imposed_motions[l].empty())
+      if (!imposed_motions[l].empty()) {
+        moves_mass[l] = true;
         load_inertia[l] = load_drag[l] = Vector::Zero(space.n_unknowns());
+      }
 }
 
 void LinearPart::sort_imposed_motions() {

@@ -109,8 +109,8 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
                        const Contacts &contacts, const bool with_mass, std::vector<SolidPart> parts)
     : load_forces(scene.loads.size(), Vector::Zero(space.n_unknowns())),
       load_inertia(scene.loads.size()), load_drag(scene.loads.size()),
-      imposed_motions(scene.loads.size()), nodal_loads(scene.loads.size()),
-      solid_parts(std::move(parts)) {
+      moves_mass(scene.loads.size(), false), imposed_motions(scene.loads.size()),
+      nodal_loads(scene.loads.size()), solid_parts(std::move(parts)) {
   check_pressure(scene);
   find_imposed_motions(scene, mesh, discretization, space, with_mass);
   find_nodal_loads(scene, mesh, discretization, space);
@@ -138,8 +138,8 @@ LinearPart::LinearPart(Matrices matrices)
     : K(std::move(matrices.stiffness)), M(std::move(matrices.mass)), C(std::move(matrices.damping)),
       spring_preload(std::move(matrices.preload)), load_forces(std::move(matrices.forces)),
       load_inertia(std::move(matrices.inertia)), load_drag(std::move(matrices.drag)),
-      imposed_motions(std::move(matrices.imposed)), products(std::move(matrices.products)),
-      nodal_loads(load_forces.size()) {
+      moves_mass(std::move(matrices.moves_mass)), imposed_motions(std::move(matrices.imposed)),
+      products(std::move(matrices.products)), nodal_loads(load_forces.size()) {
   sort_imposed_motions();
 }
 

@@ -31,8 +31,9 @@ public:
   struct Matrices {
     SparseMatrix stiffness, mass, damping;
     Vector preload;
-    std::vector<Vector> forces;                                        ///< by load
-    std::vector<Vector> inertia, drag;                                 ///< likewise, or empty
+    std::vector<Vector> forces;        ///< by load
+    std::vector<Vector> inertia, drag; ///< likewise
+    std::vector<bool> moves_mass;      ///< likewise, LinearPart::accelerates()
     std::vector<std::vector<std::pair<unsigned int, double>>> imposed; ///< likewise
     Products products;
   };
@@ -57,7 +58,7 @@ public:
   /// Forces of load @p l on the unknowns, those of its imposed motions included.
   const Vector &forces(const unsigned int l) const { return load_forces[l]; }
   /// Whether load @p l imposes motions on nodes whose cells have mass or damping.
-  bool accelerates(const unsigned int l) const { return load_inertia[l].size() > 0; }
+  bool accelerates(const unsigned int l) const { return moves_mass[l]; }
   /// Forces on the unknowns per second and first derivative in time of the factor of such a load:
   /// inertia -M_ub u_b and Rayleigh damping of the motions that it imposes.
   const Vector &inertia(const unsigned int l) const { return load_inertia[l]; }
@@ -110,6 +111,7 @@ private:
   std::optional<ZerosLeftOut> zeros; ///< of K
   Vector spring_preload;
   std::vector<Vector> load_forces, load_inertia, load_drag;
+  std::vector<bool> moves_mass; ///< by load; inertia is a vector of no entries where all is imposed
   std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;
   /// The same by degree of freedom: loads and values.
   std::unordered_map<dealii::types::global_dof_index, std::vector<std::pair<unsigned int, double>>>
