@@ -79,32 +79,34 @@ std::string study_folder(const std::string &folder, const double multiplier) {
   return folder + "/friction_" + rounded_number(multiplier);
 }
 
-/// Of the study, rising; the scene as it is always belongs to it. None without a study.
-std::vector<double> multipliers_of(const Scene &scene) {
-  std::set<double> multipliers(scene.friction_multipliers.begin(),
-                               scene.friction_multipliers.end());
-  if (!multipliers.empty())
-    multipliers.insert(1.);
-  return {multipliers.begin(), multipliers.end()};
-}
-
 /// Solve the scene again for each multiplier of friction but 1, each into a folder of its own.
 void study_friction(const Scene &scene, const LawLibrary &laws, Results &results) {
+  if (scene.friction_multipliers.empty())
+    return;
   FrictionStudy &study = results.friction_study;
   std::set<std::string> other_laws;
   for (const FrictionSupport &support : scene.supports)
     if (support.law != "coulomb")
       other_laws.insert(support.law);
-  for (const std::string &law :
-       scene.friction_multipliers.empty() ? std::set<std::string>{} : other_laws)
+  for (const std::string &law : other_laws)
     results.remarks.push_back("The study multiplies parameters called 'Friction coefficient' and "
                               "'Dynamic friction coefficient'; the law '" +
                               law + "' is left as it is unless it has them.");
+  if (const Scene twice = with_friction(scene, laws, 2.); std::equal(
+          scene.supports.begin(), scene.supports.end(), twice.supports.begin(),
+          [](const FrictionSupport &one, const FrictionSupport &other) {
+            return one.parameters == other.parameters && one.parameters_at == other.parameters_at;
+          }))
+    results.remarks.push_back("Friction multipliers do nothing: no support has a friction "
+                              "coefficient above 0.");
   for (const SupportInfo &support : results.supports)
     study.names.push_back(support.name);
   for (const RestraintInfo &restraint : results.restraints)
     study.names.push_back(restraint.name);
-  for (const double multiplier : multipliers_of(scene)) {
+  std::set<double> multipliers(scene.friction_multipliers.begin(),
+                               scene.friction_multipliers.end());
+  multipliers.insert(1.); // the scene as it is
+  for (const double multiplier : multipliers) {
     if (multiplier == 1.) {
       include_in_study(multiplier, results, study);
       continue;

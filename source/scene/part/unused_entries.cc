@@ -159,6 +159,11 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
                   scene);
     } else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
       remark_on(in, heading, {"Weight step"}, "beside a Cold load: the hanger is not sized", scene);
+    else if (kind == "Mass" &&
+             std::any_of(scene.masses.begin(), scene.masses.end(), [&](const PointMass &one) {
+               return "Mass " + one.name == heading && one.mass == 0.;
+             }))
+      scene.remarks.push_back(heading + " is of 0 kg, and does nothing.");
     else if (kind == "Tee" && in.raw("Kind", "welding tee") != "reinforced")
       remark_on(in, heading, {"Pad"}, "but with Kind = reinforced", scene);
   }
