@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam {
 
@@ -156,10 +157,19 @@ void EventModel::add_contact_force(const unsigned int i, const Eigen::Vector3d &
 }
 
 Vector EventModel::ground_displacement(const Vector &imposed) const {
+  constexpr double rounding = 16. * std::numeric_limits<double>::epsilon();
   Vector result(3 * contacts.size());
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    result.segment<3>(3 * i) =
-        contacts[i].contact->length * contacts[i].contact->strain(imposed).head<3>();
+  for (unsigned int i = 0; i < contacts.size(); ++i) {
+    const Contact &contact = *contacts[i].contact;
+    Eigen::Vector3d strain = contact.strain(imposed).head<3>(), parts = Eigen::Vector3d::Zero();
+    for (unsigned int j = 0; j < contact.dofs.size(); ++j)
+      parts += std::abs(imposed[contact.dofs[j]]) * contact.B_dofs.col(j).head<3>().cwiseAbs();
+    // What a load moves along with its ground stands still on it: rounding would rub.
+    for (int d = 0; d < 3; ++d)
+      if (std::abs(strain[d]) <= rounding * parts[d])
+        strain[d] = 0.;
+    result.segment<3>(3 * i) = contact.length * strain;
+  }
   return result;
 }
 
