@@ -129,6 +129,8 @@ void Collector::observe_behind_jump(const LineState &state) {
   for (unsigned int i = 0; i < pending.size(); ++i)
     if (is_followed(model.scene.quantities[i]))
       follow_back(model.scene.quantities[i], state, pending[i]);
+    else if (model.scene.quantities[i].time && !pending[i].value)
+      pending[i].previous = evaluate(model.scene.quantities[i], state);
 }
 
 void Collector::observe_piece(const MotionPiece &piece) {
@@ -177,6 +179,9 @@ void Collector::follow(const unsigned int i, const SmoothCourses &courses,
   using Over = Quantity::Over;
   const Quantity &quantity = model.scene.quantities[i];
   Pending &course = pending[i];
+  constexpr double same_number = 1. + 4. * std::numeric_limits<double>::epsilon();
+  if (course.begun && piece.begin <= same_number * quantity.from)
+    course = {}; // begins behind the jump that there may be
   const double first = std::max(piece.begin, quantity.from),
                last = std::min(piece.end, quantity.to);
   std::vector<double> corners = {first};
