@@ -181,11 +181,9 @@ void declare_hanger(ParameterReader &in) {
 void parse_hanger(const ParameterReader &in, const std::string &name, Scene &scene) {
   Hanger hanger;
   hanger.name = name;
-  hanger.points = in.list("At");
+  hanger.points = points_at(in, scene);
   if (hanger.points.empty())
     in.fail("At", "at least one point", "the name of a point");
-  for (const std::string &point : hanger.points)
-    check_point(in, "At", point, scene);
   const HangerKind &kind = *find_word(hanger_kinds, in.text("Kind"));
   hanger.constant = kind.value;
   hanger.stiffness = in.number("Stiffness");

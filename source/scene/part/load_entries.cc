@@ -4,6 +4,7 @@
 #include "scene/steps/step_tree.h"
 
 #include <algorithm>
+#include <map>
 
 namespace frictionbeam::parts {
 
@@ -111,8 +112,17 @@ void parse_forces(const ParameterReader &in, Scene &scene, Load &load) {
 
 void parse_displacements(const ParameterReader &in, Scene &scene, Load &load) {
   parse_points(in, "Displacements", &parse_displacement, "'P1 ux 0.01'", scene, load);
-  for (Load::AtPoint &at : load.at)
+  std::map<std::string, std::array<bool, 6>> given;
+  for (Load::AtPoint &at : load.at) {
     at.axes = parse_axes(in);
+    std::array<bool, 6> &before = given[at.point];
+    for (unsigned int c = 0; c < 6; ++c) {
+      if (at.given[c] && before[c])
+        in.fail("Displacements", "every motion of a point once",
+                "removing one '" + motions[c] + "' of '" + at.point + "'");
+      before[c] = before[c] || at.given[c];
+    }
+  }
 }
 
 /// A kind of load as the user calls it; two may be of one kind of the scene.

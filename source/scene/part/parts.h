@@ -98,7 +98,7 @@ void parse_spectrum(const ParameterReader &in, const std::string &name, Scene &s
 void declare_response(ParameterReader &in);
 void parse_response(const ParameterReader &in, Scene &scene);
 /// What of it depends on the spectra, in section Response.
-void check_response(const ParameterReader &in, const Scene &scene);
+void check_response(const ParameterReader &in, Scene &scene);
 void declare_combination(ParameterReader &in);
 void parse_combination(const ParameterReader &in, const std::string &name, Scene &scene);
 /// Names of steps, of the spectra's result and of combinations.
@@ -156,6 +156,9 @@ std::vector<std::string> point_names(const Scene &scene);
 /// remembers that it was asked for.
 void check_point(const ParameterReader &in, const std::string &entry, const std::string &name,
                  Scene &scene);
+
+/// The points that entry 'At' names, as check_point() knows them, each once.
+std::vector<std::string> points_at(const ParameterReader &in, Scene &scene);
 
 /// Words of the six motions: ux, uy, uz, rx, ry, rz.
 extern const std::vector<std::string> motions;

@@ -29,6 +29,17 @@ void check_point(const ParameterReader &in, const std::string &entry, const std:
     in.find(entry, name, point_names(scene), "point");
 }
 
+std::vector<std::string> points_at(const ParameterReader &in, Scene &scene) {
+  const std::vector<std::string> points = in.list("At");
+  std::set<std::string> known;
+  for (const std::string &point : points) {
+    check_point(in, "At", point, scene);
+    if (!known.insert(point).second)
+      in.fail("At", "every point once", "removing one '" + point + "'");
+  }
+  return points;
+}
+
 void declare_point(ParameterReader &in) {
   in.declare_text("Position", "0 0 0", "x y z [m]",
                   "Of a named point on a pipe, or free in space for springs, masses and supports "

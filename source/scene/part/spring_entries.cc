@@ -201,11 +201,9 @@ void declare_mass(ParameterReader &in) {
 void parse_mass(const ParameterReader &in, const std::string &name, Scene &scene) {
   PointMass mass;
   mass.name = name;
-  mass.points = in.list("At");
+  mass.points = points_at(in, scene);
   if (mass.points.empty())
     in.fail("At", "at least one point", "the name of a point");
-  for (const std::string &point : mass.points)
-    check_point(in, "At", point, scene);
   mass.mass = in.number("Mass");
   if (!in.text("Item").empty()) {
     if (in.given("Mass"))
@@ -231,12 +229,10 @@ void declare_initial(ParameterReader &in) {
 
 void parse_initial(const ParameterReader &in, Scene &scene) {
   InitialCondition initial;
-  initial.points = in.list("At");
+  initial.points = points_at(in, scene);
   initial.pipes = in.list("Pipes");
   if (initial.points.empty() && initial.pipes.empty())
     in.fail("At", "at least one point here, or a pipe in Pipes", "the name of a point");
-  for (const std::string &point : initial.points)
-    check_point(in, "At", point, scene);
   for (const std::string &pipe : initial.pipes)
     in.find("Pipes", pipe, names(scene.pipes), "pipe");
   initial.about = in.text("About");

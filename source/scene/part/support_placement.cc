@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 
 namespace frictionbeam::parts {
 
@@ -25,18 +24,12 @@ void declare_placement(ParameterReader &in) {
 
 Placement parse_placement(const ParameterReader &in, Scene &scene) {
   Placement placement;
-  placement.points = in.list("At");
+  placement.points = points_at(in, scene);
   placement.pipe = in.text("Pipe");
   if (placement.points.empty() == placement.pipe.empty())
     in.fail_section(placement.pipe.empty() ? "neither 'At' nor 'Pipe'" : "both 'At' and 'Pipe'",
                     "either At, or Pipe with Every, or Pipe with Continuous = true",
                     "set At = <name of a point>");
-  std::set<std::string> points;
-  for (const std::string &point : placement.points) {
-    check_point(in, "At", point, scene);
-    if (!points.insert(point).second)
-      in.fail("At", "every point once", "removing one '" + point + "'");
-  }
   placement.every = in.number("Every");
   placement.continuous = in.flag("Continuous");
   placement.from = in.text("From");

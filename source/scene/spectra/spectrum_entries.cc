@@ -242,7 +242,42 @@ void parse_response(const ParameterReader &in, Scene &scene) {
   s.rigid_frequencies = {{frequencies[0], frequencies[1]}};
 }
 
-void check_response(const ParameterReader &in, const Scene &scene) {
+namespace {
+
+/// What moves in both of two groups: names, "all supports", or nothing.
+std::string shared(const Spectrum &a, const Spectrum &b) {
+  if (a.supports.empty() && b.supports.empty())
+    return "all supports";
+  if (a.supports.empty() || b.supports.empty())
+    return join(a.supports.empty() ? b.supports : a.supports);
+  std::vector<std::string> both;
+  for (const std::string &support : a.supports)
+    if (std::count(b.supports.begin(), b.supports.end(), support) > 0)
+      both.push_back(support);
+  return both.empty() ? "" : join(both);
+}
+
+/// Say where the groups of two spectra overlap in a direction.
+void doubt_shared_supports(Scene &scene) {
+  for (unsigned int k = 0; k < scene.spectra.size(); ++k)
+    for (unsigned int i = 0; i < k; ++i) {
+      const Spectrum &a = scene.spectra[i], &b = scene.spectra[k];
+      std::string directions;
+      for (unsigned int d = 0; d < 3; ++d)
+        if (a.factor[d] != 0. && b.factor[d] != 0.)
+          directions += (directions.empty() ? "" : ", ") + std::string(1, "xyz"[d]);
+      if (const std::string both = shared(a, b); !both.empty() && !directions.empty())
+        scene.doubts.push_back(
+            "Spectra " + a.name + " and " + b.name + " both move " + both + " in " + directions +
+            ", and what comes of either is combined as of two groups (Response/Groups). Give each "
+            "support one spectrum of a direction.");
+    }
+}
+
+} // namespace
+
+void check_response(const ParameterReader &in, Scene &scene) {
+  doubt_shared_supports(scene);
   const bool in_period = scene.response.interpolation == Interpolation::in_period;
   for (const Spectrum &spectrum : scene.spectra) {
     if (in_period && spectrum.curve.front().first == 0.)

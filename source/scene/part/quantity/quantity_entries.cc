@@ -38,6 +38,20 @@ std::vector<std::string> pairs_of(const std::vector<FrictionSupport> &supports) 
   return pairs;
 }
 
+/// The number of a place stands behind the half that has it.
+void check_half(const ParameterReader &in, const Quantity &quantity,
+                const std::vector<std::string> &supports) {
+  const std::string &where = quantity.where;
+  const auto half = where.rfind('.'), place = half == 0 ? half : where.rfind('.', half - 1);
+  if (half == std::string::npos || place == std::string::npos)
+    return;
+  const std::string right = where.substr(0, place) + where.substr(half);
+  const std::string numbered = right + where.substr(place, half - place);
+  if (contains(supports, right) && is_repeated(numbered, supports))
+    in.fail(quantity.name, "the place behind the half of a support", "'" + numbered + "'",
+            "'" + where + "'");
+}
+
 /// A point of the line, or what holds it: a support, also one that is a pair, a restraint, a
 /// spring.
 void check_holder(const ParameterReader &in, const Quantity &quantity, Scene &scene) {
@@ -45,6 +59,7 @@ void check_holder(const ParameterReader &in, const Quantity &quantity, Scene &sc
                                            names(scene.restraints) + names(scene.springs);
   if (contains(holders, quantity.where) || is_repeated(quantity.where, holders))
     return;
+  check_half(in, quantity, holders);
   if (!scene.mesh.file.empty())
     check_point(in, quantity.name, quantity.where, scene);
   else
@@ -68,8 +83,10 @@ void check_support(const ParameterReader &in, const Quantity &quantity, const Sc
             "'" + what + " at " + where.substr(0, number) + ".plus" + where.substr(number) +
                 "', or 'fx at " + where + "'",
             "'" + what + " at " + where + "'");
-  if (!is_repeated(where, supports))
-    in.find(quantity.name, where, supports, "friction support");
+  if (is_repeated(where, supports))
+    return;
+  check_half(in, quantity, supports);
+  in.find(quantity.name, where, supports, "friction support");
 }
 
 void check_where(const ParameterReader &in, const Quantity &quantity, Scene &scene) {
@@ -105,8 +122,10 @@ void check_where(const ParameterReader &in, const Quantity &quantity, Scene &sce
     if (!where.empty() && quantity.kind().measure == QuantityKind::Measure::place)
       in.fail(entry, what + " of all friction supports", "no place");
     if (const auto supports = names(scene.supports);
-        !where.empty() && !is_repeated(where, supports))
+        !where.empty() && !is_repeated(where, supports)) {
+      check_half(in, quantity, supports);
       in.find(entry, where, supports, "friction support");
+    }
     return;
   case Of::mode:
     double number;
