@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/catalogue/catalogue_entries.h"
+#include "scene/doubt/route_doubts.h"
 #include "scene/file/parameter_notes.h"
 #include "scene/generated/scene_kinds.h"
 #include "scene/history_corners.h"
@@ -265,6 +266,7 @@ void check_whole(ParameterReader &in, Scene &scene) {
   in.enter("");
   parts::check_histories(scene);
   parts::check_size(in, scene);
+  doubt_routes(scene);
   in.enter("");
   check_unique_names(in, scene);
 }
