@@ -2,10 +2,9 @@
 #include <frictionbeam/contact/exact_solver.h>
 
 #include "active_set.h"
-#include "newton.h"
+#include "condensed_attempts.h"
 #include "rigid_stops.h"
 #include "uniqueness.h"
-#include <frictionbeam/contact/attempts.h>
 
 #include <algorithm>
 #include <optional>
@@ -14,15 +13,8 @@ namespace frictionbeam::contact {
 
 namespace {
 
-constexpr AttemptLimits limits = {{1e-4, 1e-3, 1e-5, 1e-2}, 30};
-/// The stiffness of a body at a contact is nearly the diagonal's: with a small c few contacts
-/// change their state in an iteration. That of a line, bent between supports, is far below it.
-constexpr AttemptLimits limits_of_body = {{1e-1, 1e-2, 1e-3, 1e-4}, 30};
 constexpr unsigned int most_refinements = 5, most_releases = 5;
 constexpr double nothing_left = 1e-4; // part of the tolerance at which nothing is left to correct
-/// In motion, a shorter step helps as well.
-constexpr unsigned int most_restarts_at_rest = 30, most_restarts_in_motion = 3;
-constexpr double drag_of_proof = 1e-9; // of the stiffness's diagonal
 
 std::unique_ptr<const Condensation> with_places(std::unique_ptr<Condensation> system,
                                                 const SiteList &sites) {
@@ -78,8 +70,7 @@ public:
       : settings(std::move(of_solver)), sites(std::move(list)),
         system(with_places(std::move(condensation), sites)), proximal(sites, of_matrix),
         equations(settings, sites, *system, proximal), newton(equations),
-        attempts(newton, proximal, equations.is_of_body() ? limits_of_body : limits),
-        diagonal(of_matrix), stops(sites) {
+        attempts(equations, newton), diagonal(of_matrix), stops(sites) {
     if (!equations.is_of_body())
       active_set.emplace(equations, newton);
   }
@@ -88,11 +79,10 @@ public:
                Vector &unknowns, Response &response);
 
 private:
-  /// On the condensed system, from no motion; where that stalls, something may be free to move;
-  /// else from elsewhere.
-  Outcome solve_contacts(const bool is_static, Vector &x, Response &response, Result &result);
-  /// Whether a drag too small to carry anything is all that holds the loads.
-  bool nothing_holds(Response &response, Result &result);
+  /// The equations at the present motion of the body, and its forces.
+  void begin_pass(const Pass &now);
+  /// Whether nothing holds the loads of an increment that a large motion's rounding has ended.
+  bool nothing_holds(Pass &now);
   /// Of all sites at the present motion of the body.
   std::vector<Strains> strains_at(const Pass &now) const;
   /// The contacts, at loads that are given.
@@ -107,6 +97,8 @@ private:
   bool goes_on(Pass &now);
   /// Say why there is no solution.
   void explain(const Outcome outcome, Pass &now) const;
+  /// Whether it drags a contact along, and does not merely open contacts.
+  bool is_slide(const Vector &free_motion) const;
   /// @return whether the contact laws hold; the result says so.
   bool judge(Pass &now);
   /// Whether contact forces are made by the loads, and not by each other: the certificate measures
@@ -121,45 +113,20 @@ public:
   IncrementEquations equations;
   Newton newton;
   std::optional<ActiveSet> active_set; ///< of a line
-  Attempts<Newton, ProximalSites> attempts;
+  CondensedAttempts attempts;
 
 private:
   const Vector diagonal;
   const RigidStops stops;
 };
 
-bool ExactSolver::Implementation::nothing_holds(Response &response, Result &result) {
-  const std::vector<Strains> centre = proximal.centre;
-  newton.set_drag(drag_of_proof);
-  Vector x = Vector::Zero(system->n_kept());
-  const Outcome outcome = attempts.solve(x, response, result);
-  const bool proved = outcome == Outcome::slides_away ||
-                      (outcome == Outcome::solved && newton.drag_alone_holds(x, response));
-  newton.set_drag(0.);
-  proximal.centre = centre;
-  return proved;
-}
-
-Outcome ExactSolver::Implementation::solve_contacts(const bool is_static, Vector &x,
-                                                    Response &response, Result &result) {
-  const std::vector<Strains> centre = proximal.centre;
-  const Outcome outcome = attempts.solve(x, response, result);
-  if (outcome != Outcome::stalled || result.iterations >= newton.most_iterations)
-    return outcome;
-  const bool is_barred = newton.rounding_bars();
-  if (is_static) {
-    const std::vector<Strains> found = proximal.centre;
-    proximal.centre = centre;
-    if (nothing_holds(response, result))
-      return Outcome::slides_away;
-    proximal.centre = found;
-    newton.bar(is_barred);
-  }
-  if (newton.gives_up(result))
-    return outcome;
-  const unsigned int most_restarts = is_static ? most_restarts_at_rest : most_restarts_in_motion;
-  const Vector start = Vector::Zero(system->n_kept());
-  return attempts.solve_from_elsewhere(most_restarts, start, x, response, result);
+bool ExactSolver::Implementation::nothing_holds(Pass &now) {
+  now.unknowns = now.unknowns_before;
+  now.low.setZero();
+  now.forces = unbalanced_forces(now.problem, now.unknowns, now.low);
+  begin_pass(now);
+  Vector x;
+  return attempts.solve_with_drag(x, now.response, now.result) == Outcome::slides_away;
 }
 
 void ExactSolver::Implementation::explain(const Outcome outcome, Pass &now) const {
@@ -174,12 +141,32 @@ void ExactSolver::Implementation::explain(const Outcome outcome, Pass &now) cons
       result.free_motion = motion;
   }
   if (result.no_equilibrium)
-    result.remark = "there is no equilibrium: the loads exceed what friction can hold, and "
-                    "something slides away";
+    result.remark = std::string("there is no equilibrium: the loads ") +
+                    (is_slide(result.free_motion)
+                         ? "exceed what friction can hold, and something slides away"
+                         : "move what no contact resists, which lifts off or which none touches");
+  else if (const auto pair = stops.overlapping(proximal, now.imposed))
+    result.remark = "contacts " + std::to_string((*pair)[0]) + " and " +
+                    std::to_string((*pair)[1]) +
+                    " (counted from 0) are rigid, face each other and overlap";
   else if (newton.rounding_bars()) {
     result.rounding_bars = true;
     result.remark = newton.rounding_remark();
   }
+}
+
+bool ExactSolver::Implementation::is_slide(const Vector &free_motion) const {
+  constexpr double nothing = 1e-6; // of the motion
+  const double size = free_motion.lpNorm<Eigen::Infinity>();
+  for (unsigned int i = 0; i < sites.size(); ++i) {
+    const Strains d = sites[i].length * sites[i].strain_by_unknowns(free_motion);
+    const double sliding = d.segment<2>(1).norm();
+    const double resisted = proximal.is_exact(i) ? proximal.friction_coefficient(i) * sliding : 0.;
+    // On the edge of what friction resists, d_N = mu |d_T|, if not in the plane itself.
+    if (sliding > nothing * size && d[0] <= (1. + 1e-3) * resisted + nothing * size)
+      return true;
+  }
+  return false;
 }
 
 std::vector<Strains> ExactSolver::Implementation::strains_at(const Pass &now) const {
@@ -196,32 +183,36 @@ Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, 
     if (active_set && now.is_corrected)
       outcome = active_set->correct(x, now.response, now.result);
     if (outcome == Outcome::stalled)
-      outcome = newton.solve_together(limits.most_to_finish, x, now.response, now.result);
+      outcome = newton.solve_together(attempts.limits.most_to_finish, x, now.response, now.result);
     return outcome;
   }
   // Where several solutions are nearly as good, whole steps lead to any of them.
   const bool is_any = now.problem.forces_before == nullptr;
   if (active_set && is_any) {
-    const double factor = attempts.first_factor > 0. ? attempts.first_factor : limits.factors[0];
-    const Outcome outcome = active_set->solve(is_first, factor, x, now.response, now.result);
+    const Outcome outcome =
+        active_set->solve(is_first, attempts.best_factor(), x, now.response, now.result);
     if (outcome != Outcome::stalled)
       return outcome;
   }
-  return solve_contacts(now.is_static(), x, now.response, now.result);
+  return attempts.solve(now.is_static(), x, now.response, now.result);
 }
 
-bool ExactSolver::Implementation::move(Pass &now) {
+void ExactSolver::Implementation::begin_pass(const Pass &now) {
   const Problem &problem = now.problem;
-  now.result.rounding_bars = false;
-  const bool is_first = now.forces.size() == 0;
-  if (is_first)
-    now.forces = unbalanced_forces(problem, now.unknowns, now.low);
   newton.begin();
   equations.begin(
       now.forces,
       std::max(problem.largest_force, problem.right_hand_side.lpNorm<Eigen::Infinity>()),
       problem.force_so_far, strains_at(now), largest_of(now.unknowns) + now.imposed.displacement,
       now.committed, problem.increment);
+}
+
+bool ExactSolver::Implementation::move(Pass &now) {
+  now.result.rounding_bars = false;
+  const bool is_first = now.forces.size() == 0;
+  if (is_first)
+    now.forces = unbalanced_forces(now.problem, now.unknowns, now.low);
+  begin_pass(now);
   Vector x = Vector::Zero(system->n_kept());
   const Outcome outcome = solve_pass(now, is_first, x);
   if (outcome != Outcome::solved) {
@@ -316,6 +307,9 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
     if (judge(now))
       return result;
   }
+  proximal.centre = centre_before;
+  if (result.rounding_bars && now.is_static() && nothing_holds(now))
+    explain(Outcome::slides_away, now);
   if (result.iterations >= problem.most_iterations && !result.no_equilibrium)
     result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
   proximal.centre = centre_before;
@@ -373,7 +367,7 @@ bool ExactSolver::may_jam() const {
 
 WarmStart ExactSolver::warm_start() const {
   WarmStart memory;
-  memory.first_factor = implementation->attempts.first_factor;
+  memory.first_factor = implementation->attempts.first_factor();
   implementation->proximal.save(memory);
   implementation->equations.save(memory);
   if (implementation->active_set)
@@ -382,7 +376,7 @@ WarmStart ExactSolver::warm_start() const {
 }
 
 void ExactSolver::restore(const WarmStart &memory) {
-  implementation->attempts.first_factor = memory.first_factor;
+  implementation->attempts.first_factor() = memory.first_factor;
   implementation->proximal.restore(memory);
   implementation->equations.restore(memory);
   if (implementation->active_set)

@@ -26,8 +26,13 @@ public:
       : contacts(contacts), unknowns(unknowns), S(S), diagonal(diagonal), loads(loads) {}
 
   std::optional<Vector> find(const Vector &motion);
+  std::optional<std::vector<Strains>> find_balanced();
 
 private:
+  /// Allowed forces that leave ever less of the loads, until what they leave is enough.
+  /// @return the last ones, or nothing if they never do
+  template <typename Enough>
+  std::optional<std::vector<Force>> approach(const Enough &is_enough);
   /// Whether contacts with friction can be pressed together by a motion that strains nothing: only
   /// then can their normal forces be anything.
   bool normals_are_free() const;
@@ -140,11 +145,8 @@ bool FreeMotion::normals_are_free() const {
   return pressed.dot(without_strain(pressed)) > held * altogether;
 }
 
-std::optional<Vector> FreeMotion::find(const Vector &motion) {
-  if (loads.size() == 0 || !factorize())
-    return {};
-  if (!normals_are_free())
-    return motion;
+template <typename Enough>
+std::optional<std::vector<Force>> FreeMotion::approach(const Enough &is_enough) {
   const double largest = largest_of_contacts();
   std::vector<Force> forces(contacts.size(), Force::Zero()), ahead = forces;
   double momentum = 1.;
@@ -166,14 +168,37 @@ std::optional<Vector> FreeMotion::find(const Vector &motion) {
       momentum = restarts ? 1. : next;
     }
     if (k % checked_every == 0 || largest == 0.) {
-      const Vector left = without_strain(left_by(forces));
-      if (proves(left))
-        return left;
+      if (is_enough(without_strain(left_by(forces))))
+        return forces;
       if (largest == 0.)
         return {};
     }
   }
   return {};
+}
+
+std::optional<Vector> FreeMotion::find(const Vector &motion) {
+  if (loads.size() == 0 || !factorize())
+    return {};
+  if (!normals_are_free())
+    return motion;
+  const auto forces = approach([&](const Vector &left) { return proves(left); });
+  return forces ? std::make_optional(without_strain(left_by(*forces))) : std::nullopt;
+}
+
+std::optional<std::vector<Strains>> FreeMotion::find_balanced() {
+  constexpr double nothing_left = 1e-6; // of what the loads do without contacts
+  if (loads.size() == 0 || !factorize() || !normals_are_free())
+    return {};
+  const double without = without_strain(loads).lpNorm<Eigen::Infinity>();
+  const auto forces = approach(
+      [&](const Vector &left) { return left.lpNorm<Eigen::Infinity>() <= nothing_left * without; });
+  if (!forces)
+    return {};
+  std::vector<Strains> stress;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    stress.push_back((*forces)[i] * (contacts[i].length / contacts[i].weight));
+  return stress;
 }
 
 } // namespace
@@ -183,6 +208,12 @@ std::optional<Vector> find_free_motion(const SiteList &contacts,
                                        const SparseMatrix &S, const Vector &diagonal,
                                        const Vector &loads, const Vector &motion) {
   return FreeMotion(contacts, unknowns, S, diagonal, loads).find(motion);
+}
+
+std::optional<std::vector<Strains>>
+find_balanced_forces(const SiteList &contacts, const std::vector<std::vector<int>> &unknowns,
+                     const SparseMatrix &S, const Vector &diagonal, const Vector &loads) {
+  return FreeMotion(contacts, unknowns, S, diagonal, loads).find_balanced();
 }
 
 } // namespace frictionbeam::contact

@@ -31,4 +31,14 @@ std::optional<Vector> find_free_motion(const SiteList &contacts,
                                        const SparseMatrix &S, const Vector &diagonal,
                                        const Vector &loads, const Vector &motion);
 
+/**
+ * Forces r that friction allows and that balance the loads on all motions without strains,
+ * A (g - H^T r) = 0, as stresses of the contacts: the other end of find_free_motion()'s iteration,
+ * where it does not prove. Of a wedge that jams, no path of the loads need lead to them.
+ * @return nothing if there are none, or if no motion without strains presses contacts together
+ */
+std::optional<std::vector<Strains>>
+find_balanced_forces(const SiteList &contacts, const std::vector<std::vector<int>> &unknowns,
+                     const SparseMatrix &S, const Vector &diagonal, const Vector &loads);
+
 } // namespace frictionbeam::contact

@@ -14,7 +14,7 @@ Vector positive_diagonal(const SparseMatrix &matrix) {
   Vector diagonal = matrix.diagonal();
   const double mean = diagonal.size() > 0 ? diagonal.mean() : 1.;
   for (double &d : diagonal)
-    d = d > 0. ? d : mean > 0. ? mean : 1.;
+    d = d > 0. ? d : mean > 0. ? mean : 1e6;
   return diagonal;
 }
 

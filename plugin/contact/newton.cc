@@ -112,6 +112,11 @@ bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response)
   return motion_of_proof.size() > 0;
 }
 
+std::optional<std::vector<Strains>> Newton::balanced_forces() const {
+  return find_balanced_forces(contacts, equations.unknowns_of_contacts(), S, diagonal,
+                              equations.loads);
+}
+
 bool Newton::strains_nothing(const Vector &x) {
   constexpr double shift = 1e-12, soft = 1e-13;
   equations.begin_tangent(shift);

@@ -56,6 +56,9 @@ public:
   /// nothing, every contact that resists it gives its utmost, and the loads do the work.
   bool drag_alone_holds(const Vector &x, const Response &response);
 
+  /// Stresses of contacts that balance the loads on motions without strains, if there are.
+  std::optional<std::vector<Strains>> balanced_forces() const;
+
   /// Of the kept unknowns, where an outcome is `slides_away`.
   const Vector &free_motion() const { return motion_of_proof; }
 

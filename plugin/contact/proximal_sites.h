@@ -63,6 +63,7 @@ public:
   bool is_exact(const unsigned int i) const { return contacts[i].law.has_closed_form(); }
   /// In force in this increment.
   double friction_coefficient(const unsigned int i) const { return friction[i]; }
+  double gap_of(const unsigned int i) const { return gap[i]; } ///< in this increment [m]
   const std::vector<double> &friction_coefficients() const { return friction; }
   void set_friction_coefficients(const std::vector<double> &values) { friction = values; }
   /// k_d of the contact, along its normal and across [N/m].

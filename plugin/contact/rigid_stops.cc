@@ -2,6 +2,7 @@
 #include "rigid_stops.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam::contact {
 
@@ -15,6 +16,22 @@ double RigidStops::force_in_common(const Pair &pair, const Response &response) c
   };
   const auto [less, more] = std::minmax({force(pair[0]), force(pair[1])});
   return less > in_common_least * more ? less : 0.;
+}
+
+std::optional<RigidStops::Pair> RigidStops::overlapping(const ProximalSites &proximal,
+                                                        const ImposedMotion &imposed) const {
+  constexpr double rounding = 1e-12; // of the gaps
+  for (const Pair &pair : pairs) {
+    double width = 0., size = 0.;
+    for (const unsigned int i : pair) {
+      const double moved = imposed.strain.empty() ? 0. : sites[i].length * imposed.strain[i][0];
+      width += proximal.gap_of(i) + moved;
+      size += std::abs(proximal.gap_of(i)) + std::abs(moved);
+    }
+    if (width < -rounding * size)
+      return pair;
+  }
+  return {};
 }
 
 bool RigidStops::press(const Response &response) const {

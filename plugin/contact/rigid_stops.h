@@ -21,9 +21,14 @@ public:
    */
   void release(const Response &response, ProximalSites &proximal) const;
 
-private:
   using Pair = std::array<unsigned int, 2>; ///< the halves of a stop
 
+  /// A stop that is narrower than what it holds: no motion opens one half without closing the
+  /// other.
+  std::optional<Pair> overlapping(const ProximalSites &proximal,
+                                  const ImposedMotion &imposed) const;
+
+private:
   /// With which both halves press on each other [N]; 0 if they do not.
   double force_in_common(const Pair &pair, const Response &response) const;
 

@@ -137,6 +137,80 @@ void what_does_not_fit() {
   CHECK(is_local_refused(wrong));
 }
 
+/// A plane block of bars on three points of a floor, pushed along it. Without friction nothing
+/// holds it, and it moves so far in a trial that rounding is all that its bars say.
+void a_block_on_ice() {
+  const auto at = [](const int column, const int row) { return 2 * (2 * column + row); };
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(12, 12);
+  const auto bar = [&](const int i, const int j, const int k, const int l) {
+    const Eigen::Vector2d way(k - i, l - j);
+    Vector b = Vector::Zero(12);
+    b.segment<2>(at(i, j)) = -way.normalized();
+    b.segment<2>(at(k, l)) = way.normalized();
+    K += 1e6 / way.norm() * b * b.transpose();
+  };
+  std::vector<contact::Contact> floor;
+  const LawDescription &law = laws.find("coulomb");
+  Vector f = Vector::Zero(12);
+  for (int i = 0; i < 3; ++i) {
+    bar(i, 0, i, 1);
+    for (int j = 0; j < 2 && i < 2; ++j) {
+      bar(i, j, i + 1, j);
+      bar(i, j, i + 1, 1 - j);
+    }
+    const unsigned int dof = at(i, 0);
+    floor.push_back(contact::on_ground({dof, dof + 1}, {0., -1., 0.}, law,
+                                       law_parameters(law, {{"Friction coefficient", 0.}})));
+    f[at(i, 1) + 1] = -100. / 3.;
+  }
+  contact::Solver solver(contact::system_of(contact::SparseMatrix(K.sparseView())), floor);
+  contact::ContactMemory memory = solver.initial_memory();
+  Vector u;
+  const contact::Report pressed = solver.solve(f, memory, u, memory);
+  CHECK(pressed.converged);
+  f[0] = 1.;
+  const contact::Report pushed = solver.solve(f, memory, u, memory);
+  CHECK(pushed.no_equilibrium && pushed.remark.find("slides away") != std::string::npos);
+  const Vector w = pushed.free_motion / pushed.free_motion.lpNorm<Eigen::Infinity>();
+  for (int dof = 0; dof < w.size(); ++dof)
+    CHECK_NEAR(w[dof], dof % 2 == 0 ? 1. : 0., 1e-6);
+}
+
+/// A point without stiffness between two walls at an angle a to the vertical: pressed in with 1 N,
+/// pulled with 0.1 N. Where the cones of both contain each other's foot, f > tan a, forces of the
+/// walls on each other can hold any pull.
+void a_wedge_that_jams() {
+  for (const double degrees : {10., 30., 45.}) {
+    const double a = degrees * std::acos(-1.) / 180., s = std::sin(a), c = std::cos(a);
+    for (const double times : {0.5, 0.9, 1.05, 1.3, 2., 2.9}) {
+      contact::Solver solver(
+          contact::system_of(stiffness(0.)),
+          {on_wall({-c, -s, 0.}, times * std::tan(a)), on_wall({c, -s, 0.}, times * std::tan(a))});
+      contact::ContactMemory memory = solver.initial_memory();
+      Vector u;
+      CHECK(solver.solve(Vector3(0., -1., 0.), memory, u, memory).converged);
+      const contact::Report pulled = solver.solve(Vector3(0., 0.1, 0.), memory, u, memory);
+      CHECK(times > 1. ? pulled.converged : pulled.no_equilibrium);
+      if (pulled.converged)
+        CHECK_NEAR(pulled.contacts[0].force[1] + pulled.contacts[1].force[1], -0.1, 1e-9);
+    }
+  }
+}
+
+/// Why there is no answer, in words that are so.
+void what_is_said() {
+  const auto says = [](const contact::Report &report, const std::string &words) {
+    return !report.converged && report.remark.find(words) != std::string::npos;
+  };
+  const std::vector<contact::Contact> floor = {on_wall({0., 0., -1.}, 0.3)};
+  CHECK(says(push(floor, Vector3(31., 0., -100.)), "slides away"));
+  CHECK(says(push(floor, Vector3(0., 0., 1.)), "lifts off"));
+  CHECK(says(push(floor, Vector3(1., 0., 1.)), "lifts off"));
+  CHECK(says(push({on_wall({0., 0., -1.}, 0.3, -1e-3), on_wall({0., 0., 1.}, 0.3, -1e-3)},
+                  Vector3(0., 0., -1.)),
+             "contacts 0 and 1 (counted from 0) are rigid, face each other and overlap"));
+}
+
 /// What is no number, or not as long as there are contacts, is refused where it comes in.
 void what_is_no_number() {
   const auto none = {std::nan(""), HUGE_VAL};
@@ -194,6 +268,9 @@ int main() {
   what_can_be_held();
   what_nothing_holds();
   what_does_not_fit();
+  a_block_on_ice();
+  a_wedge_that_jams();
+  what_is_said();
   what_is_no_number();
   bound_laws();
   return check::report();
