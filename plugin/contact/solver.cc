@@ -7,15 +7,41 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace frictionbeam::contact {
 
 namespace {
 
+/// Translations of a point: up to three, each another.
+void check_translations(const std::vector<unsigned int> &dofs) {
+  const std::set<unsigned int> different(dofs.begin(), dofs.end());
+  if (dofs.size() > 3 || different.size() < dofs.size()) {
+    std::string list;
+    for (const unsigned int dof : dofs)
+      list += (list.empty() ? "" : ", ") + std::to_string(dof);
+    throw std::invalid_argument(
+        "A contact of a point with the dofs {" + list +
+        "}\n  allowed: its translations along x, y and z, each another dof\n  try:     "
+        "translations_at_vertex(), or the Contact itself with a row for each dof");
+  }
+}
+
+System checked(System system) {
+  if (!system.condense)
+    throw std::invalid_argument(
+        "A system of " + std::to_string(system.n_unknowns()) +
+        " unknowns without a way to condense it\n  allowed: a function in `condense`\n  try:     "
+        "complete(), where there is a matrix, or condense_by_inverse()");
+  return system;
+}
+
 Contact contact_of(const std::vector<unsigned int> &first, const std::vector<unsigned int> &second,
                    const Vector3 &normal, const LawDescription &law,
                    const std::vector<double> &parameters) {
+  check_translations(first);
+  check_translations(second);
   Contact contact;
   for (unsigned int d = 0; d < first.size(); ++d) {
     contact.dofs.push_back(first[d]);
@@ -87,7 +113,7 @@ Contact between(const std::vector<unsigned int> &first, const std::vector<unsign
 class Solver::Implementation {
 public:
   Implementation(System of_host, const std::vector<Contact> &contacts, const Settings &settings)
-      : system(std::move(of_host)), host(system, contacts), sites(host.sites),
+      : system(checked(std::move(of_host))), host(system, contacts), sites(host.sites),
         exact(checked(settings), sites, system.condense(host.unknowns()), system.diagonal),
         ground(contacts.size(), Strains::Zero()) {}
 
@@ -122,6 +148,8 @@ Solver::Solver(System system, const std::vector<Contact> &contacts, const Settin
     : implementation(std::make_unique<Implementation>(std::move(system), contacts, settings)) {}
 
 Solver::~Solver() = default;
+Solver::Solver(Solver &&) = default;
+Solver &Solver::operator=(Solver &&) = default;
 
 Vector Solver::Implementation::unknowns_of(const Vector &on_dofs) const {
   if (on_dofs.size() == 0)
@@ -187,12 +215,12 @@ void Solver::Implementation::check_memory(const ContactMemory &memory) const {
   if (memory.stress.size() != n || state.strain.size() != n || state.touch.size() != n ||
       state.dissipated.size() != n || state.wear.size() != n || state.impulse.size() != n ||
       state.internal.size() != fresh.internal.size())
-    throw std::invalid_argument("A memory of " + std::to_string(memory.stress.size()) +
-                                " contacts with " + std::to_string(state.internal.size()) +
-                                " internal variables\n  allowed: one of this solver's " +
-                                std::to_string(n) + " contacts, with " +
-                                std::to_string(fresh.internal.size()) +
-                                ", whole\n  try:     initial_memory()");
+    throw std::invalid_argument(
+        "A memory of " + std::to_string(memory.stress.size()) +
+        " contacts whose State::internal has " + std::to_string(state.internal.size()) +
+        " entries\n  allowed: one of this solver's " + std::to_string(n) + " contacts, with " +
+        std::to_string(fresh.internal.size()) +
+        " entries, the last of which is spare\n  try:     initial_memory()");
 }
 
 ContactMemory Solver::initial_memory(const Vector &u) const {
@@ -284,11 +312,12 @@ void Solver::Implementation::remember(const Vector &f, const Report &report,
                                       ContactMemory &after) const {
   const double largest =
       std::max({before.largest_force, f.lpNorm<Eigen::Infinity>(), sites.largest_force(response)});
-  after = {response.state, response.stress, largest};
-  after.sites.wear = before.sites.wear;
-  after.sites.impulse = before.sites.impulse;
+  ContactMemory next{response.state, response.stress, largest};
+  next.sites.wear = before.sites.wear;
+  next.sites.impulse = before.sites.impulse;
   for (unsigned int i = 0; i < sites.size(); ++i)
-    after.sites.wear[i] += report.contacts[i].normal_force * report.contacts[i].slip.norm();
+    next.sites.wear[i] += report.contacts[i].normal_force * report.contacts[i].slip.norm();
+  after = std::move(next); // which may be the one before
 }
 
 Report Solver::solve(const Vector &f, const ContactMemory &before, Vector &u, ContactMemory &after,

@@ -115,6 +115,21 @@ void what_does_not_fit() {
   CHECK(with([](contact::ContactMemory &memory) { memory.sites.wear.clear(); }));
   CHECK(with([](contact::ContactMemory &memory) { memory.sites.touch.clear(); }));
 
+  // A point has three translations at most, each another dof; rows by hand may name one twice.
+  const LawDescription &law = laws.find("coulomb");
+  for (const std::vector<unsigned int> &dofs :
+       {std::vector<unsigned int>{0, 1, 2, 3, 4, 5}, std::vector<unsigned int>{0, 1, 1}}) {
+    CHECK(is_refused([&]() {
+      contact::on_ground(dofs, {0., 0., -1.}, law, default_parameters(law));
+    }));
+    CHECK(is_refused([&]() {
+      contact::between({0, 1, 2}, dofs, {0., 0., -1.}, law, default_parameters(law));
+    }));
+  }
+  contact::System by_hand = contact::system_of(stiffness(1e3));
+  by_hand.condense = {};
+  CHECK(is_refused([&]() { contact::Solver(by_hand, {on_wall({0., 0., -1.}, 0.3)}); }));
+
   contact::LocalProblem local;
   local.W = stiffness(1.);
   local.q = Vector3(-1., 0., 0.);
@@ -211,6 +226,20 @@ void what_is_said() {
              "contacts 0 and 1 (counted from 0) are rigid, face each other and overlap"));
 }
 
+/// The memory before may be the one after.
+void memory_in_place() {
+  contact::Solver solver(contact::system_of(stiffness(1e3)), {on_wall({0., 0., -1.}, 0.3)});
+  contact::ContactMemory in_place = solver.initial_memory(), before = in_place, after = before;
+  Vector u, v;
+  for (int i = 1; i <= 3; ++i, before = after) { // 100 N slide by 10 mm each time
+    const Vector f = Vector3(30. + 10. * i, 0., -100.);
+    CHECK(solver.solve(f, in_place, u, in_place).converged);
+    CHECK(solver.solve(f, before, v, after).converged);
+    CHECK_NEAR(in_place.sites.wear[0], 1. * i, 1e-8);
+    CHECK_NEAR(after.sites.wear[0], 1. * i, 1e-8);
+  }
+}
+
 /// What is no number, or not as long as there are contacts, is refused where it comes in.
 void what_is_no_number() {
   const auto none = {std::nan(""), HUGE_VAL};
@@ -271,6 +300,7 @@ int main() {
   a_block_on_ice();
   a_wedge_that_jams();
   what_is_said();
+  memory_in_place();
   what_is_no_number();
   bound_laws();
   return check::report();

@@ -29,7 +29,8 @@ struct Contact {
   Vector3 tangent = Vector3::Zero();   ///< first direction of slip; zero: any across the normal
 };
 
-/// A point of a body on rigid ground; dofs of its translations.
+/// A point of a body on rigid ground; dofs of its translations, three at most.
+/// @throws std::invalid_argument if there are more, or one twice
 Contact on_ground(const std::vector<unsigned int> &translations, const Vector3 &normal,
                   const LawDescription &law, const std::vector<double> &parameters);
 /// A point of one body on a point of another.
@@ -111,6 +112,8 @@ public:
   /// @throws std::invalid_argument that names the contact, what was read, what is allowed
   Solver(System system, const std::vector<Contact> &contacts, const Settings &settings = {});
   ~Solver();
+  Solver(Solver &&);
+  Solver &operator=(Solver &&);
 
   /// At displacements @p u of the host (empty: none): no friction force yet.
   ContactMemory initial_memory(const Vector &u = {}) const;
@@ -120,7 +123,7 @@ public:
    * @param f forces at its end, on the host's dofs; what stands at constrained ones is not read
    * @param before contacts at its beginning
    * @param u in: displacements at its beginning, out: at its end, on the host's dofs
-   * @param after contacts at its end
+   * @param after contacts at its end; @p before may be the same object
    * u and after are as they were if the report says that it has not converged.
    */
   Report solve(const Vector &f, const ContactMemory &before, Vector &u, ContactMemory &after,
