@@ -12,6 +12,9 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #endif
 
+#include <limits>
+#include <map>
+
 /**
  * @file
  * What a program of deal.II has, as the contact library wants it. Matrices are those that
@@ -25,6 +28,10 @@ namespace internal {
 /// Number the free dofs, and resolve the others into them.
 inline System number_dofs(const dealii::types::global_dof_index n_dofs,
                           const dealii::AffineConstraints<double> &constraints) {
+  if (n_dofs > static_cast<dealii::types::global_dof_index>(std::numeric_limits<int>::max()))
+    throw std::invalid_argument("A matrix of " + std::to_string(n_dofs) +
+                                " rows\n  allowed: 2^31 - 1 of them\n  try:     a System by hand "
+                                "of the unknowns near the contacts, condensed by your solver");
   System system;
   std::vector<int> unknown_of(n_dofs, -1);
   for (dealii::types::global_dof_index dof = 0; dof < n_dofs; ++dof)
@@ -127,38 +134,91 @@ void from_eigen(const Vector &values, VectorType &vector) {
     vector[i] = values[i];
 }
 
+namespace internal {
+
 /**
- * Degrees of freedom of the displacement at a vertex, its first dim components, in the numbers of
- * the system. @param shift of a second handler's dofs behind those of the first
- * @throws std::invalid_argument if no cell of this process has that vertex, or it has fewer
- * unknowns
+ * Degrees of freedom of @p spacedim components of a cell at one of its vertices, from
+ * @p first_component on.
+ * @return less if the element has less there
+ */
+template <typename CellIterator, int spacedim = CellIterator::AccessorType::space_dimension>
+std::vector<unsigned int> translations_of_cell(const CellIterator &cell, const unsigned int v,
+                                               const unsigned int first_component,
+                                               const unsigned int shift) {
+  const auto &fe = cell->get_fe();
+  std::vector<unsigned int> dofs;
+  for (unsigned int d = 0; d < spacedim; ++d)
+    for (unsigned int i = 0; i < fe.n_dofs_per_vertex(); ++i) {
+      const unsigned int of_cell = v * fe.n_dofs_per_vertex() + i;
+      // The functions of a line are of all components, its unknowns in their order.
+      const unsigned int component =
+          fe.is_primitive(of_cell) ? fe.system_to_component_index(of_cell).first : i;
+      if (component == first_component + d) {
+        dofs.push_back(shift + cell->vertex_dof_index(v, i, cell->active_fe_index()));
+        break;
+      }
+    }
+  return dofs;
+}
+
+} // namespace internal
+
+/**
+ * Degrees of freedom of the displacement at vertices, dim components, in the numbers of the system,
+ * in the order of @p vertices: once over all cells, of which those that know no displacement there
+ * (FE_Nothing) are passed over.
+ * @param shift of a second handler's dofs behind those of the first
+ * @param first_component of the displacement, where others are before it in an FESystem
+ * @throws std::invalid_argument if no cell of this process has a vertex and its displacement
  */
 template <int dim, int spacedim>
-std::vector<unsigned int>
-translations_at_vertex(const dealii::DoFHandler<dim, spacedim> &dof_handler,
-                       const unsigned int vertex, const unsigned int shift = 0) {
+std::vector<std::vector<unsigned int>>
+translations_at_vertices(const dealii::DoFHandler<dim, spacedim> &dof_handler,
+                         const std::vector<unsigned int> &vertices, const unsigned int shift = 0,
+                         const unsigned int first_component = 0) {
+  const unsigned int n = dof_handler.get_triangulation().n_vertices();
+  std::vector<bool> is_asked(n, false), is_known(n, false);
+  for (const unsigned int vertex : vertices)
+    if (vertex < n)
+      is_asked[vertex] = true;
+  std::map<unsigned int, std::vector<unsigned int>> found;
   for (const auto &cell : dof_handler.active_cell_iterators()) {
     if (cell->is_artificial())
       continue;
     for (const unsigned int v : cell->vertex_indices()) {
-      if (cell->vertex_index(v) != vertex)
+      const unsigned int vertex = cell->vertex_index(v);
+      if (!is_asked[vertex])
         continue;
-      if (cell->get_fe().n_dofs_per_vertex() < spacedim)
-        throw std::invalid_argument("Vertex " + std::to_string(vertex) + " has " +
-                                    std::to_string(cell->get_fe().n_dofs_per_vertex()) +
-                                    " degrees of freedom\n  allowed: " + std::to_string(spacedim) +
-                                    " displacements\n  try:     an element with unknowns at "
-                                    "vertices, FESystem(FE_Q(1), " +
-                                    std::to_string(spacedim) + ")");
-      std::vector<unsigned int> dofs;
-      for (unsigned int d = 0; d < spacedim; ++d)
-        dofs.push_back(shift + cell->vertex_dof_index(v, d, cell->active_fe_index()));
-      return dofs;
+      is_known[vertex] = true;
+      if (found[vertex].size() < spacedim)
+        found[vertex] = internal::translations_of_cell(cell, v, first_component, shift);
     }
   }
-  throw std::invalid_argument("There is no vertex " + std::to_string(vertex) +
-                              " on this process\n  allowed: vertices of its own cells\n  try:     "
-                              "cell->vertex_index()");
+  std::vector<std::vector<unsigned int>> dofs;
+  for (const unsigned int vertex : vertices) {
+    if (vertex >= n || !is_known[vertex])
+      throw std::invalid_argument("There is no vertex " + std::to_string(vertex) +
+                                  " on this process\n  allowed: vertices of its own cells\n  try:  "
+                                  "   cell->vertex_index()");
+    if (found[vertex].size() < spacedim)
+      throw std::invalid_argument(
+          "Vertex " + std::to_string(vertex) + " has " + std::to_string(found[vertex].size()) +
+          " degrees of freedom from component " + std::to_string(first_component) +
+          " on\n  allowed: " + std::to_string(spacedim) +
+          " displacements\n  try:     an element with unknowns at vertices, FESystem(FE_Q(1), " +
+          std::to_string(spacedim) + "), and the number of its first component");
+    dofs.push_back(found[vertex]);
+  }
+  return dofs;
+}
+
+/// The same for one vertex, which goes over the cells for it alone.
+template <int dim, int spacedim>
+std::vector<unsigned int>
+translations_at_vertex(const dealii::DoFHandler<dim, spacedim> &dof_handler,
+                       const unsigned int vertex, const unsigned int shift = 0,
+                       const unsigned int first_component = 0) {
+  return translations_at_vertices(dof_handler, {vertex}, shift, first_component).front();
 }
 
 } // namespace frictionbeam::contact
