@@ -158,7 +158,8 @@ const LawDescription &LawLibrary::find(const std::string &name) const {
     for (const auto &entry : laws)
       known += (known.empty() ? "" : ", ") + entry.first;
     throw std::runtime_error("There is no law called '" + name + "'. Loaded are: " + known +
-                             ". Name the shared library of another one in 'Law libraries'.");
+                             ". Load the shared library of another one: LawLibrary::load(), in a "
+                             "parameter file the entry 'Law libraries'.");
   }
   return *law->second.law;
 }

@@ -24,6 +24,8 @@ struct LocalAxes {
  *   chi = x.theta',  kappa_y = y.theta',  kappa_z = z.theta'.
  */
 using GeneralizedStrain = dealii::Tensor<1, 6>;
+/// What does work on them, in the same order: N, V_y, V_z [N], M_x, M_y, M_z [N m].
+using GeneralizedStress = dealii::Tensor<1, 6>;
 
 /**
  * Generalized strain of the motion of a straight line's section.

@@ -73,7 +73,7 @@ struct LawInput {
   double length;              ///< length of the element [m]
   double time;                ///< at the end of the increment [s]
   double time_increment;      ///< [s]
-  double temperature;         ///< of the support's pipe, at the end of the increment [degC]
+  double temperature;         ///< of what it belongs to, at the end of the increment [degC]
   const double *old_state;    ///< internal variables at the start of the increment; zero at first
   LawTangent tangent;         ///< which tangent to write
   double pressure = 0.;       ///< kind section: inside the pipe over that outside, at the end [Pa]

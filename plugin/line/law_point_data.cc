@@ -3,6 +3,7 @@
 
 #include <frictionbeam/vertex_dofs.h>
 
+#include <array>
 #include <string>
 
 namespace frictionbeam {
@@ -20,7 +21,38 @@ std::string known_ids(const LineMaterials &materials) {
   return ids.empty() ? "none" : ids;
 }
 
+/// N, V_y, V_z, M_x, M_y, M_z by the strain of the same place [N], [N m2].
+std::array<double, 6> elastic_diagonal(const BoundLaw &section) {
+  const BoundLaw::Answer answer =
+      section.answer_at_rest(std::vector<double>(6, 0.), 1., LawTangent::elastic, 20.);
+  std::array<double, 6> diagonal;
+  for (unsigned int s = 0; s < 6; ++s)
+    diagonal[s] = answer.tangent[7 * s];
+  return diagonal;
+}
+
 } // namespace
+
+std::vector<double> shear_flexibilities(const LineMaterials &materials) {
+  std::vector<double> result;
+  for (const auto &[id, material] : materials) {
+    if (!material.law.is_set() || material.law.description().kind != LawKind::section)
+      continue;
+    const auto C = elastic_diagonal(material.law);
+    const double shear = C[1] + C[2], bending = C[4] + C[5];
+    result.resize(id + 1, 0.);
+    result[id] = shear > 0. ? 12. * bending / shear : 0.;
+  }
+  return result;
+}
+
+ArcData arc_data(const LineMaterial &material, const Point<3> &centre) {
+  AssertThrow(material.law.is_set() && material.law.description().kind == LawKind::section,
+              ExcMessage("\n  read:    an arc of a material without a law of kind 'section'"
+                         "\n  allowed: a section\n  try:     'elastic_section'\n"));
+  const auto C = elastic_diagonal(material.law);
+  return {centre, C[0], (C[1] + C[2]) / 2., C[3], (C[4] + C[5]) / 2.};
+}
 
 const LineMaterial &material_of(const LineMaterials &materials,
                                 const types::material_id material_id, const LawKind kind) {

@@ -22,11 +22,21 @@ UpdateFlags LinePostprocessor::get_needed_update_flags() const {
   return update_values | update_gradients | update_quadrature_points;
 }
 
+LineValues &LinePostprocessor::values_for(const hp::FECollection<1, 3> &fes) const {
+  std::shared_ptr<Kept> &of_thread = kept.get();
+  bool is_kept = of_thread != nullptr && of_thread->fes.size() == fes.size();
+  for (unsigned int i = 0; i < fes.size() && is_kept; ++i)
+    is_kept = &of_thread->fes[i] == &fes[i];
+  if (!is_kept)
+    of_thread = std::make_shared<Kept>(fes, points.n_points());
+  return of_thread->values;
+}
+
 void LinePostprocessor::evaluate_vector_field(
     const DataPostprocessorInputs::Vector<3> &inputs,
     std::vector<Vector<double>> &computed_quantities) const {
   const LineCellIterator cell = inputs.template get_cell<1>();
-  LineValues values(cell->get_dof_handler().get_fe_collection(), points.n_points());
+  LineValues &values = values_for(cell->get_dof_handler().get_fe_collection());
   values.reinit(cell);
   if (!values.has_line()) {
     for (Vector<double> &quantities : computed_quantities)

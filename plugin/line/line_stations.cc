@@ -27,7 +27,7 @@ SectionForces::SectionForces(const LineValues &values, const LineCellIterator &c
     }
 }
 
-GeneralizedStrain SectionForces::at(const double xi) const {
+GeneralizedStress SectionForces::at(const double xi) const {
   if (values.kind() == LawKind::support)
     return of_support;
   // Force and moment of the part beyond, about the place: those of the first node and of the line
@@ -41,8 +41,51 @@ GeneralizedStrain SectionForces::at(const double xi) const {
     M -= before * quadrature.weight(q) *
          cross_product_3d(values.point_at(xi * quadrature.point(q)[0]) - place, line_force);
   const LocalAxes axes = values.local_axes(xi);
-  return GeneralizedStrain(
+  return GeneralizedStress(
       {axes.x * P, axes.y * P, axes.z * P, axes.x * M, axes.y * M, axes.z * M});
+}
+
+namespace {
+
+Quadrature<1> without_weights(const std::vector<double> &xi) {
+  std::vector<Point<1>> places;
+  for (const double place : xi)
+    places.emplace_back(place);
+  return Quadrature<1>(places, std::vector<double>(places.size(), 0.));
+}
+
+} // namespace
+
+LineStations::LineStations(const DoFHandler<1, 3> &dof_handler, const LawPointData &points,
+                           const LineIncrement &increment, const std::vector<double> &xi)
+    : points(points), increment(increment),
+      at_points(dof_handler.get_fe_collection(), points.n_points()),
+      at_stations(dof_handler.get_fe_collection(), without_weights(xi)) {}
+
+std::vector<LineStation> LineStations::on_cell(const LineCellIterator &cell,
+                                               const std::vector<double> &dof_values) {
+  at_points.reinit(cell);
+  if (!at_points.has_line())
+    return {};
+  const SectionForces forces(at_points, cell, points,
+                             increment.line_force ? increment.line_force(cell) : Tensor<1, 3>());
+  at_stations.reinit(cell);
+  std::vector<LineStation> stations(at_stations.n_points());
+  for (unsigned int q = 0; q < stations.size(); ++q) {
+    const double xi = at_stations.xi(q);
+    LineStation &station = stations[q];
+    station.s = xi * at_stations.length();
+    station.point = at_stations.point_at(xi);
+    for (const unsigned int i : at_stations.line_dofs()) {
+      station.strain += dof_values[i] * at_stations.strain(i, q);
+      for (unsigned int d = 0; d < 3; ++d) {
+        station.displacement[d] += dof_values[i] * at_stations.motion(i, q)[d];
+        station.rotation[d] += dof_values[i] * at_stations.motion(i, q)[3 + d];
+      }
+    }
+    station.force = forces.at(xi);
+  }
+  return stations;
 }
 
 std::vector<LineStation> line_stations_cell(const LineCellIterator &cell,
@@ -50,33 +93,7 @@ std::vector<LineStation> line_stations_cell(const LineCellIterator &cell,
                                             const LawPointData &points,
                                             const LineIncrement &increment,
                                             const std::vector<double> &xi) {
-  const hp::FECollection<1, 3> &fes = cell->get_dof_handler().get_fe_collection();
-  LineValues at_points(fes, points.n_points());
-  at_points.reinit(cell);
-  if (!at_points.has_line())
-    return {};
-  const SectionForces forces(at_points, cell, points,
-                             increment.line_force ? increment.line_force(cell) : Tensor<1, 3>());
-  std::vector<Point<1>> places;
-  for (const double place : xi)
-    places.emplace_back(place);
-  LineValues values(fes, Quadrature<1>(places, std::vector<double>(places.size(), 0.)));
-  values.reinit(cell);
-  std::vector<LineStation> stations(xi.size());
-  for (unsigned int q = 0; q < xi.size(); ++q) {
-    LineStation &station = stations[q];
-    station.s = xi[q] * values.length();
-    station.point = values.point_at(xi[q]);
-    for (const unsigned int i : values.line_dofs()) {
-      station.strain += dof_values[i] * values.strain(i, q);
-      for (unsigned int d = 0; d < 3; ++d) {
-        station.displacement[d] += dof_values[i] * values.motion(i, q)[d];
-        station.rotation[d] += dof_values[i] * values.motion(i, q)[3 + d];
-      }
-    }
-    station.force = forces.at(xi[q]);
-  }
-  return stations;
+  return LineStations(cell->get_dof_handler(), points, increment, xi).on_cell(cell, dof_values);
 }
 
 } // namespace frictionbeam

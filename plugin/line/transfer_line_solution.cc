@@ -57,6 +57,17 @@ void check_changeable(const LineCellIterator &cell) {
                          "first solution\n"));
 }
 
+/// Row of dof @p i of a matrix of its base element, times the values of that element's dofs.
+double row_times(const FullMatrix<double> &matrix, const FiniteElement<1, 3> &fe,
+                 const unsigned int i, const Vector<double> &values) {
+  const auto [base, row] = fe.system_to_base_index(i);
+  double sum = 0.;
+  for (unsigned int j = 0; j < fe.n_dofs_per_cell(); ++j)
+    if (fe.system_to_base_index(j).first == base)
+      sum += matrix(row, fe.system_to_base_index(j).second) * values[j];
+  return sum;
+}
+
 } // namespace
 
 LineSolutionTransfer::LineSolutionTransfer(const DoFHandler<1, 3> &dof_handler)
@@ -100,11 +111,7 @@ LineSolutionTransfer::Stored LineSolutionTransfer::join(const std::vector<Stored
           const auto place = fe.system_to_base_index(i);
           if (place.first.first != base)
             continue;
-          double value = 0.;
-          for (unsigned int j = 0; j < fe.n_dofs_per_cell(); ++j)
-            if (fe.system_to_base_index(j).first == place.first)
-              value +=
-                  R(place.second, fe.system_to_base_index(j).second) * children[child].values[v][j];
+          const double value = row_times(R, fe, i, children[child].values[v]);
           if (element.restriction_is_additive(place.second))
             values[i] += value;
           else if (value != 0.)
@@ -173,14 +180,9 @@ Vector<double> LineSolutionTransfer::on_child(const Triangulation<1, 3>::cell_it
     }
   }
   for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i) {
-    const auto place = fe.system_to_base_index(i);
-    const FiniteElement<1, 3> &element = fe.base_element(place.first.first);
-    if (&element == part.element)
-      continue;
-    const FullMatrix<double> &P = element.get_prolongation_matrix(child);
-    for (unsigned int j = 0; j < fe.n_dofs_per_cell(); ++j)
-      if (fe.system_to_base_index(j).first == place.first)
-        result[i] += P(place.second, fe.system_to_base_index(j).second) * values[j];
+    const FiniteElement<1, 3> &element = fe.base_element(fe.system_to_base_index(i).first.first);
+    if (&element != part.element)
+      result[i] = row_times(element.get_prolongation_matrix(child), fe, i, values);
   }
   return result;
 }
@@ -188,19 +190,19 @@ Vector<double> LineSolutionTransfer::on_child(const Triangulation<1, 3>::cell_it
 std::vector<Vector<double>> LineSolutionTransfer::interpolate() const {
   std::vector<Vector<double>> result(n_vectors, Vector<double>(dof_handler.n_dofs()));
   for (const auto &cell : dof_handler.active_cell_iterators()) {
+    if (cell->get_fe().n_dofs_per_cell() == 0)
+      continue;
     const auto own = cells.find({cell->level(), cell->index()});
-    for (unsigned int v = 0; v < n_vectors; ++v)
-      if (cell->get_fe().n_dofs_per_cell() == 0)
-        continue;
-      else if (own != cells.end())
+    if (own != cells.end()) {
+      for (unsigned int v = 0; v < n_vectors; ++v)
         cell->set_dof_values(own->second.values[v], result[v]);
-      else {
-        const auto parent = cell->parent();
-        const unsigned int child = parent->child(0) == cell ? 0 : 1;
-        cell->set_dof_values(on_child(parent, child, cell->get_fe(),
-                                      cells.at({parent->level(), parent->index()}).values[v]),
-                             result[v]);
-      }
+      continue;
+    }
+    const auto parent = cell->parent();
+    const unsigned int child = parent->child(0) == cell ? 0 : 1;
+    const Stored &of_parent = cells.at({parent->level(), parent->index()});
+    for (unsigned int v = 0; v < n_vectors; ++v)
+      cell->set_dof_values(on_child(parent, child, cell->get_fe(), of_parent.values[v]), result[v]);
   }
   return result;
 }

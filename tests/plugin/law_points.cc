@@ -200,6 +200,21 @@ void messages() {
   CHECK(says(message, "read:    -1 for 'Friction coefficient'"));
 }
 
+/// Elements made of the materials have the numbers of their laws.
+void numbers_of_sections() {
+  const LineMaterials materials = {{1, {elastic()}}, {2, {law("coulomb", {})}}, {4, {elastic()}}};
+  const std::vector<double> flexibilities = shear_flexibilities(materials);
+  CHECK(flexibilities.size() == 5);
+  for (const unsigned int id : {0, 2, 3})
+    CHECK(flexibilities[id] == 0.);
+  for (const unsigned int id : {1, 4})
+    CHECK_NEAR(flexibilities[id], shear_flexibility, 1e-14 * shear_flexibility);
+  const ArcData arc = arc_data(materials.at(1), Point<3>(1., 2., 3.));
+  CHECK(arc.centre == Point<3>(1., 2., 3.));
+  CHECK(arc.EA == EA && arc.GA == GA && arc.GJ == GJ && arc.EI == EI);
+  CHECK(says(message_of([&]() { arc_data(materials.at(2), {}); }), "kind 'section'"));
+}
+
 } // namespace
 
 int main() {
@@ -209,6 +224,7 @@ int main() {
   rates();
   no_answer();
   on_contacts_alone();
+  numbers_of_sections();
   messages();
   return check::report();
 }

@@ -188,6 +188,44 @@ void postprocessor() {
           CHECK(row[10] < -0.1); // the support is pressed
       }
   CHECK(largest > 0.3);
+
+  // One object for all cells says the same.
+  LineStations stations(line.dof_handler, line.points, increment, places);
+  for (const auto &cell : line.dof_handler.active_cell_iterators()) {
+    const std::vector<LineStation> all = stations.on(cell, line.u);
+    CHECK(all.size() == places.size());
+    for (unsigned int i = 0; i < all.size(); ++i) {
+      const LineStation one =
+          line_stations(cell, line.u, line.points, increment, {places[i]}).front();
+      CHECK(one.s == all[i].s && one.point == all[i].point && one.strain == all[i].strain);
+      CHECK(one.displacement == all[i].displacement && one.rotation == all[i].rotation);
+      CHECK(one.force == all[i].force);
+    }
+  }
+}
+
+/// What a postprocessor keeps from cell to cell must not bind it to the dofs of one mesh.
+void postprocessor_of_other_dofs() {
+  Line line = beam(hp::FECollection<1, 3>(FE_TimoshenkoBeam({shear_flexibility})));
+  line.hold(0);
+  line.close();
+  const LineIncrement increment = weight();
+  line.newton(line.no_load(), increment);
+  const LinePostprocessor forces(line.points, increment);
+  std::string first;
+  for (int time = 0; time < 2; ++time) {
+    DataOut<1, 3> data_out;
+    data_out.attach_dof_handler(line.dof_handler);
+    data_out.add_data_vector(line.u, forces);
+    data_out.build_patches(2);
+    std::ostringstream text;
+    data_out.write_gnuplot(text);
+    CHECK(time == 0 || text.str() == first);
+    first = text.str();
+    data_out.clear();
+    line.dof_handler.distribute_dofs(
+        hp::FECollection<1, 3>(FE_TimoshenkoBeam({shear_flexibility})));
+  }
 }
 
 } // namespace
@@ -198,5 +236,6 @@ int main() {
   ring();
   free_strain();
   postprocessor();
+  postprocessor_of_other_dofs();
   return check::report();
 }

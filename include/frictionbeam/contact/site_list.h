@@ -9,7 +9,7 @@ namespace frictionbeam::contact {
 
 /// Committed or trial state of all sites: internal variables, strains, what was dissipated.
 struct State {
-  std::vector<double> internal;
+  std::vector<double> internal; ///< of all sites in turn, and a spare one behind them
   std::vector<Strains> strain;
   std::vector<Strains> touch;     ///< strain at which the contact began
   std::vector<double> dissipated; ///< [J]

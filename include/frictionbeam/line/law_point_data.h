@@ -15,7 +15,7 @@ namespace frictionbeam {
 /// What a law said last at a quadrature point. Supports have the first four strains and stresses.
 struct LawPoint {
   GeneralizedStrain strain; ///< at the end of the increment, free strains taken off
-  GeneralizedStrain stress; ///< [N] and [N m], see LawKind
+  GeneralizedStress stress; ///< [N] and [N m], see LawKind
   std::vector<double> internal_variables;
   double dissipation = 0.; ///< since the beginning [J/m]
   ContactStatus contact = ContactStatus::none;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <frictionbeam/bound_law.h>
+#include <frictionbeam/fe_arc_beam.h>
 
 #include <deal.II/base/types.h>
 
 #include <map>
+#include <vector>
 
 namespace frictionbeam {
 
@@ -19,6 +21,16 @@ struct LineMaterial {
 
 /// By the cells' material id.
 using LineMaterials = std::map<dealii::types::material_id, LineMaterial>;
+
+/**
+ * What FE_TimoshenkoBeam is made with, 12 E I / (kappa G A) [m2] by material id, by the laws'
+ * elastic tangents at rest: numbers of a section then stand in one place. Of supports, of ids
+ * between, and without shear stiffness, 0; of unequal axes the mean of both.
+ */
+std::vector<double> shear_flexibilities(const LineMaterials &materials);
+
+/// What FE_ArcBeam is made with, likewise. @throws dealii::ExcMessage if the law is of supports
+ArcData arc_data(const LineMaterial &material, const dealii::Point<3> &centre);
 
 /**
  * The material of a cell.

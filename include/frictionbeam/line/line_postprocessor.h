@@ -3,8 +3,10 @@
 
 #include <frictionbeam/line/line_stations.h>
 
+#include <deal.II/base/thread_local_storage.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@ namespace frictionbeam {
 class LinePostprocessor : public dealii::DataPostprocessor<3> {
 public:
   LinePostprocessor(const LawPointData &points, const LineIncrement &increment);
+  LinePostprocessor(const LawPointData &points, LineIncrement &&increment) = delete;
 
   void
   evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<3> &inputs,
@@ -33,6 +36,17 @@ public:
   dealii::UpdateFlags get_needed_update_flags() const override;
 
 private:
+  /// Shape functions of a thread, for as long as the elements stay the same objects.
+  struct Kept {
+    explicit Kept(const dealii::hp::FECollection<1, 3> &fes, const unsigned int n_points)
+        : fes(fes), values(this->fes, n_points) {}
+
+    const dealii::hp::FECollection<1, 3> fes; ///< the handler's own may go with its dofs
+    LineValues values;
+  };
+  LineValues &values_for(const dealii::hp::FECollection<1, 3> &fes) const;
+
+  mutable dealii::Threads::ThreadLocalStorage<std::shared_ptr<Kept>> kept;
   const LawPointData &points;
   const LineIncrement &increment;
 };
