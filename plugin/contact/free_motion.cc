@@ -15,6 +15,9 @@ constexpr double shift = 1e-12; ///< of the diagonal: what is softer is not stra
 constexpr double soft = 1e-10;  ///< of the diagonal's energy, that such a motion may store
 constexpr double excused = 1e-4;
 constexpr unsigned int most_iterations = 3000, checked_every = 100;
+/// Of few contacts more, times their number: forces that hold may be large beside the loads, which
+/// takes long to come to.
+constexpr unsigned int most_of_balanced = 100000;
 
 /// Forces [N] of one contact on its strains times their length.
 using Force = Eigen::Vector4d;
@@ -32,7 +35,7 @@ private:
   /// Allowed forces that leave ever less of the loads, until what they leave is enough.
   /// @return the last ones, or nothing if they never do
   template <typename Enough>
-  std::optional<std::vector<Force>> approach(const Enough &is_enough);
+  std::optional<std::vector<Force>> approach(const unsigned int most, const Enough &is_enough);
   /// Whether contacts with friction can be pressed together by a motion that strains nothing: only
   /// then can their normal forces be anything.
   bool normals_are_free() const;
@@ -146,11 +149,12 @@ bool FreeMotion::normals_are_free() const {
 }
 
 template <typename Enough>
-std::optional<std::vector<Force>> FreeMotion::approach(const Enough &is_enough) {
+std::optional<std::vector<Force>> FreeMotion::approach(const unsigned int most,
+                                                       const Enough &is_enough) {
   const double largest = largest_of_contacts();
   std::vector<Force> forces(contacts.size(), Force::Zero()), ahead = forces;
   double momentum = 1.;
-  for (unsigned int k = 1; k <= most_iterations; ++k) {
+  for (unsigned int k = 1; k <= most; ++k) {
     const Vector w = without_strain(left_by(ahead));
     const double next = (1. + std::sqrt(1. + 4. * momentum * momentum)) / 2.;
     double turned = 0.;
@@ -182,7 +186,7 @@ std::optional<Vector> FreeMotion::find(const Vector &motion) {
     return {};
   if (!normals_are_free())
     return motion;
-  const auto forces = approach([&](const Vector &left) { return proves(left); });
+  const auto forces = approach(most_iterations, [&](const Vector &left) { return proves(left); });
   return forces ? std::make_optional(without_strain(left_by(*forces))) : std::nullopt;
 }
 
@@ -191,8 +195,11 @@ std::optional<std::vector<Strains>> FreeMotion::find_balanced() {
   if (loads.size() == 0 || !factorize() || !normals_are_free())
     return {};
   const double without = without_strain(loads).lpNorm<Eigen::Infinity>();
-  const auto forces = approach(
-      [&](const Vector &left) { return left.lpNorm<Eigen::Infinity>() <= nothing_left * without; });
+  const unsigned int most =
+      std::max(most_iterations, most_of_balanced / std::max(1u, contacts.size()));
+  const auto forces = approach(most, [&](const Vector &left) {
+    return left.lpNorm<Eigen::Infinity>() <= nothing_left * without;
+  });
   if (!forces)
     return {};
   std::vector<Strains> stress;
