@@ -6,6 +6,7 @@
 #include "mesh/mesh_routes.h"
 #include "mesh/tangent_of_run.h"
 
+#include "base/numbers.h"
 #include "base/user_error.h"
 #include "scene/file/parameter_file.h"
 #include "scene/in_units.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -209,6 +211,28 @@ void remark_on_bed(const Scene &scene, const std::string &support, const std::ve
         ".");
 }
 
+/// A guide on a pipe that is nearly upright holds one of two horizontal directions; on an upright
+/// one it would hold both, or be refused.
+void remark_on_guide(const Scene &scene, const std::string &guide, const std::vector<Site> &sites,
+                     LineMesh &mesh) {
+  constexpr double upright = 1. - no_direction, nearly = 0.035; // rad
+  for (const Site &site : sites) {
+    const double lean = std::hypot(site.tangent[0], site.tangent[1]);
+    if (site.tangent.norm() == 0. || lean > nearly || std::abs(site.tangent[2]) > upright)
+      continue;
+    std::ostringstream angle;
+    angle << std::setprecision(2) << std::asin(lean) * 180. / numbers::PI;
+    mesh.remarks.push_back(
+        "Support " + guide + " is a guide at " + in_units(scene.units, mesh.vertices[site.vertex]) +
+        ", where the pipe leans by " + angle.str() +
+        " degrees from upright: it holds the horizontal direction across that lean and leaves the "
+        "other one free. If both are meant, give two supports of Kind = stop with Normal = 1 0 0 "
+        "and Normal = 0 1 0, or an upright pipe.");
+    return;
+  }
+}
+
+bool is_across(const Direction &direction) { return direction.kind == Direction::Kind::across; }
 bool follows_pipe(const Direction &direction) { return direction.kind != Direction::Kind::global; }
 
 /// @throws UserError where the branch of a tee goes on beyond it: it would be taken for the run.
@@ -314,11 +338,16 @@ LineMesh build_line_mesh(const Scene &scene) {
     check_places(support, mesh.supports.back().size());
     if (support.placement.continuous && support.normal.sign > 0.) // of two halves, the one
       remark_on_bed(scene, part_name(support), mesh.supports.back(), mesh);
+    if (is_across(support.normal) && support.normal.sign > 0.)
+      remark_on_guide(scene, part_name(support), mesh.supports.back(), mesh);
   }
-  for (const Restraint &restraint : scene.restraints)
-    mesh.restraints.push_back(placer.sites(
-        restraint.name, restraint.placement,
-        std::any_of(restraint.translations.begin(), restraint.translations.end(), follows_pipe)));
+  for (const Restraint &restraint : scene.restraints) {
+    const auto &held = restraint.translations;
+    mesh.restraints.push_back(placer.sites(restraint.name, restraint.placement,
+                                           std::any_of(held.begin(), held.end(), follows_pipe)));
+    if (std::any_of(held.begin(), held.end(), is_across))
+      remark_on_guide(scene, restraint.name, mesh.restraints.back(), mesh);
+  }
   return mesh;
 }
 

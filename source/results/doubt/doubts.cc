@@ -4,6 +4,7 @@
 #include "mesh/point_set.h"
 #include "model/line_model.h"
 #include "results/doubt/buckling.h"
+#include "results/doubt/idle_supports.h"
 #include "results/doubt/pressed_span.h"
 #include "results/doubt/soft_rigid_pipe.h"
 #include "results/frame/frame_choice.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -185,11 +187,23 @@ public:
 
   /// Remarks on what adds up in silence: temperatures, and pressures, of one pipe in one step.
   void of_sums_of_loads() {
-    for (const auto &[kind, what] :
-         {std::make_pair(Load::Kind::temperature, "rises of temperature"),
-          std::make_pair(Load::Kind::pressure, "pressures")})
-      if (const std::string text = first_sum(kind); !text.empty())
-        results.remarks.push_back(std::string("Step ") + text + ": their " + what + " add up.");
+    const auto is_any = [](const Pipe &) { return true; };
+    const auto has_table = [this](const Pipe &pipe) {
+      return !scene.materials[pipe.material].table.empty();
+    };
+    const auto note = [this](const std::string &where, const std::string &what) {
+      if (!where.empty())
+        results.remarks.push_back("Step " + where + ": their " + what + " add up.");
+    };
+    note(first_sum(Load::Kind::pressure, is_any), "pressures");
+    const std::string heated = first_sum(Load::Kind::temperature, has_table);
+    note(first_sum(Load::Kind::temperature, std::not_fn(has_table)), "rises of temperature");
+    if (!heated.empty())
+      results.remarks.push_back(
+          "Step " + heated +
+          ": their expansions add up, each that of its own temperature. With a mean expansion that "
+          "depends on temperature this is not the expansion of the sum of their rises: a pipe that "
+          "is so hot has one load with that temperature.");
   }
 
   /// Remarks on restraints of one point that hold the same: each has an even part of the force.
@@ -245,10 +259,14 @@ public:
   }
 
 private:
-  /// "NAME: loads A and B on pipe P", of the first step that has two of a kind; empty if none has.
-  std::string first_sum(const Load::Kind kind) const {
+  /// "NAME: loads A and B on pipe P", of the first step that has two of a kind on a pipe that is
+  /// meant; empty if none has.
+  template <typename IsMeant>
+  std::string first_sum(const Load::Kind kind, const IsMeant &is_meant) const {
     for (const LoadStep &step : scene.steps)
       for (const Pipe &pipe : scene.pipes) {
+        if (!is_meant(pipe))
+          continue;
         std::vector<std::string> together;
         for (const auto &[number, factor] : step.loads)
           if (const Load &load = scene.loads[number];
@@ -352,6 +370,7 @@ void add_doubts(const Model &model, Results &results) {
   doubts.of_sums_of_loads();
   doubts.of_restraints_in_one_place();
   doubts.of_rigid_pipes();
+  remark_on_idle_supports(scene, results);
 }
 
 } // namespace frictionbeam
