@@ -34,7 +34,7 @@ template <int dim>
 ContinuumNewton<dim>::ContinuumNewton(const ContinuumBody<dim> &body, ContinuumSystem &system,
                                       FoundationContacts &contacts)
     : body(body), system(system), contacts(contacts), settings(body.scene.solver),
-      attempts(*this, contacts, body_limits) {
+      free_body(body, system), attempts(*this, contacts, body_limits) {
   body.reinit(diagonal);
   body.reinit(elastic);
   for (const auto dof : body.owned)
@@ -122,6 +122,7 @@ ContinuumNewtonResult ContinuumNewton<dim>::solve(const ContinuumVector &forces,
   committed = &state;
   increment = of_time;
   largest_load = largest_of(forces);
+  is_proof_sought = false;
   contacts.begin(state);
   contact::Outcome outcome = solve_contacts(u, response, result);
   while (outcome == contact::Outcome::solved && !all(!contacts.let_slipping_go(response.state)))
@@ -263,6 +264,12 @@ bool ContinuumNewton<dim>::find_direction(const std::vector<LocalMatrix> &tangen
 template <int dim>
 bool ContinuumNewton<dim>::slides_away(const ContinuumVector &u, FoundationResponse &response) {
   evaluate(u, response);
+  if (!is_proof_sought) {
+    pushed_away = free_body.is_pushed_away(*loads, contacts.most_friction());
+    is_proof_sought = true;
+  }
+  if (pushed_away)
+    return *pushed_away;
   // Where a body tips over, what sticks is where it turns about.
   return moves_away(response, false) || moves_away(response, true);
 }
@@ -352,7 +359,7 @@ ContinuumNewton<dim>::solve_together(const unsigned int most_iterations, Continu
         (last || result.check.natural_map <= 0.1 * settings.contact_tolerance))
       return contact::Outcome::solved;
     if (last)
-      return contact::Outcome::stalled;
+      return slides_away(u, response) ? contact::Outcome::slides_away : contact::Outcome::stalled;
 
     eliminate_centre(response, step);
     residual(response.state.stress, left);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/algebra/elastic_system.h"
+#include "analysis/contact/free_body.h"
 #include "analysis/statics/foundation_contacts.h"
 #include <frictionbeam/contact/attempts.h>
 
@@ -85,7 +86,7 @@ private:
   /**
    * Whether an iterate proves that there is no equilibrium: a motion without elastic forces that
    * presses on no contact, along which every contact gives its utmost resistance or none, and the
-   * loads still do work.
+   * loads still do work. Where FreeBody has an answer, it decides.
    */
   bool slides_away(const ContinuumVector &u, FoundationResponse &response);
   /// The same of one motion, that of the forces left. @param holds_stuck whether sticking contacts
@@ -97,6 +98,7 @@ private:
   ContinuumSystem &system;
   FoundationContacts &contacts;
   const SolverSettings &settings;
+  FreeBody<dim> free_body;
   contact::Attempts<ContinuumNewton, FoundationContacts> attempts;
   ContinuumVector diagonal;
 
@@ -105,6 +107,8 @@ private:
   const FoundationState *committed = nullptr;
   LawIncrement increment;
   double largest_load = 0.;
+  bool is_proof_sought = false; ///< whether `pushed_away` is known
+  std::optional<bool> pushed_away;
   // of all increments so far
   double force_so_far = 0., traction_so_far = 0.; ///< largest of loads and contacts [N, Pa]
   // as last evaluated

@@ -179,6 +179,16 @@ bool FoundationContacts::gives_utmost(const unsigned int i, const FoundationStat
          -state.stress[i].tail<2>().dot(sliding) >= (1. - 1e-6) * most * sliding.norm();
 }
 
+std::vector<std::optional<double>> FoundationContacts::most_friction() const {
+  std::vector<std::optional<double>> result(points.size());
+  for (unsigned int i = 0; i < points.size(); ++i) {
+    const BoundLaw &law = surfaces[points[i].surface].law;
+    if (!has_pressure(i) && law.has_closed_form())
+      result[i] = std::max(law.closed_form().static_friction, law.closed_form().dynamic_friction);
+  }
+  return result;
+}
+
 double FoundationContacts::gap(const unsigned int i, const LocalVector &displacement) const {
   if (has_pressure(i))
     return 0.;

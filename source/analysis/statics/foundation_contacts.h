@@ -92,6 +92,9 @@ public:
   /// all points, beside which one without motion is told.
   bool gives_utmost(const unsigned int i, const FoundationState &state, const LocalVector &rate,
                     const double largest) const;
+  /// Coefficients of the cones that the points' forces never leave; nothing where a pressure is
+  /// prescribed, or no cone known.
+  std::vector<std::optional<double>> most_friction() const;
   /// In force in this increment.
   const std::vector<double> &friction_coefficients() const { return friction; }
   void set_friction_coefficients(const std::vector<double> &values) { friction = values; }
