@@ -136,8 +136,12 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
       rounded_number(by_formula, 2) +
       " since that is known within a third (near anchors less), and " +
       rounded_number(by_patches, 2) + " by growth and the edges of patches" +
-      (model.error + std::min(as_elastic, as_rigid) > most_left ? "; Model = solid has all this."
-                                                                : "."));
+      (model.error + std::min(as_elastic, as_rigid) > most_left
+           ? "; that is a bound, and more than what was asked, which no mixed model mends, for its "
+             "rests do not give way either. Proposed: Model = solid, which has all this, or Model "
+             "= "
+             "both, which shows how much of it there is."
+           : "."));
   if (helps)
     model.line = settings_of(scene, walls);
   model.error += std::min(as_elastic, as_rigid);
