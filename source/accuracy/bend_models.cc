@@ -110,14 +110,6 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
   return model;
 }
 
-std::string in_words(const BendModel &bend) {
-  return "Bend " + bend.name + ": h = " + rounded_number(bend.h, 2) + ", tangents of " +
-         rounded_number(bend.tangent, 2) + " diameters; " + rounded_number(bend.by_rule, 3) +
-         " times as flexible as a straight pipe as beams, " + rounded_number(bend.in_plane, 3) +
-         " (across its plane " + rounded_number(bend.across, 3) +
-         ") times as a solid by doc/solid.md";
-}
-
 /// A bend, and what a quantity changes by if it alone is as flexible as its wall.
 struct Alone {
   const BendModel *bend;
@@ -226,6 +218,14 @@ BendModels bend_models(const Scene &scene) {
     }
   }
   return result;
+}
+
+std::string in_words(const BendModel &bend) {
+  return "Bend " + bend.name + ": h = " + rounded_number(bend.h, 2) + ", tangents of " +
+         rounded_number(bend.tangent, 2) + " diameters; " + rounded_number(bend.by_rule, 3) +
+         " times as flexible as a straight pipe as beams, " + rounded_number(bend.in_plane, 3) +
+         " (across its plane " + rounded_number(bend.across, 3) +
+         ") times as a solid by doc/solid.md";
 }
 
 std::string why_not_mixed(const Scene &scene) {

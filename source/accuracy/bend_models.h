@@ -8,6 +8,9 @@ namespace frictionbeam::accuracy {
 /// The bends of a scene's routes, in their order.
 BendModels bend_models(const Scene &scene);
 
+/// Its shape, and how flexible it is by either model.
+std::string in_words(const BendModel &bend);
+
 /// Which bends of a line beams answer for.
 struct ModelOfPipes {
   double change = 0.;   ///< of a quantity, all bends being as flexible as their walls

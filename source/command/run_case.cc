@@ -2,6 +2,7 @@
 #include "command/run_case.h"
 #include "accuracy/accuracy_control.h"
 #include "accuracy/hinge_refinement.h"
+#include "accuracy/pipes/why_walls_differ.h"
 #include "accuracy/wall/wall_refinement.h"
 #include "command/line/run_line.h"
 #include "command/run_body.h"
@@ -25,6 +26,7 @@
 #include "results/listing/hangers.h"
 #include "results/listing/summary_in_words.h"
 #include "results/page/both_models.h"
+#include "results/page/html.h"
 #include "results/report/report.h"
 #include "results/report/report_modes.h"
 #include "results/report/report_study.h"
@@ -199,6 +201,7 @@ using SolvePart = std::function<SolvedScene(const Scene &, const ModelKind)>;
 Results run_both(const Scene &scene, const SolvePart &solve_part) {
   Results both, line;
   std::map<std::string, double> rounding; // by unit
+  std::string reasons;
   both.status = RunStatus::converged;
   const ModelKind second = scene.is_solid() ? ModelKind::solid : ModelKind::continuum;
   const std::string other = row_of(model_kinds, second).word;
@@ -225,10 +228,12 @@ Results run_both(const Scene &scene, const SolvePart &solve_part) {
                    [](const auto &section) { return section.id == "wall"; });
       write_line_and_solid(scene, line, results, scene.output.directory);
       rounding = rounding_of_forces(scene, line, results);
+      for (const std::string &reason : accuracy::why_walls_differ(scene, line))
+        reasons += html_note(reason);
     }
   }
-  both.sections.insert(both.sections.begin(),
-                       {"models", "Line and " + other, side_by_side(both, other, rounding)});
+  both.sections.insert(both.sections.begin(), {"models", "Line and " + other,
+                                               side_by_side(both, other, rounding) + reasons});
   return both;
 }
 

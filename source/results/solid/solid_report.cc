@@ -145,29 +145,65 @@ std::string WallPicture::draw() {
                      "Wall at the end of step " + scene.steps[frame.step].name, content);
 }
 
-/// A number of each ring along the chain, at the ends of the steps.
+/// Where a ring lies along its pipe, or along the chain of pipes [m].
+double place_of(const PipeWall &wall, const unsigned int ring) {
+  return wall.rings[ring].s - wall.pipe_start.front();
+}
+
+/// A number of each ring along the pipes, at the ends of the steps. @param unit of the number, SI
 template <typename Number>
 Plot ring_plot(const Scene &scene, const PipeWall &wall, const std::vector<WallFrame> &frames,
-               const std::string &label, const Number &number) {
+               const std::string &label, const std::string &unit, const Number &number) {
   constexpr std::size_t most = 6; // curves
   Plot plot;
-  plot.x_label = "s along the pipes [" + scene.units.name("m") + "]";
-  plot.y_label = label;
+  std::vector<double> places;
+  for (unsigned int r = 0; r < wall.rings.size(); ++r)
+    places.push_back(place_of(wall, r));
+  double largest = 0.;
   for (std::size_t f = frames.size() > most ? frames.size() - most : 0; f < frames.size(); ++f) {
     Plot::Series series;
     series.label = scene.steps[frames[f].step].name;
-    for (unsigned int r = 0; r < wall.rings.size(); ++r) {
-      series.x.push_back(wall.rings[r].s / scene.units.factor("m"));
-      series.y.push_back(number(frames[f].rings[r]));
+    for (const RingState &ring : frames[f].rings) {
+      series.y.push_back(number(ring));
+      largest = std::max(largest, std::abs(series.y.back()));
     }
     plot.series.push_back(series);
   }
+  const DisplayUnit across = display_unit(scene.units, unit, largest);
+  for (Plot::Series &series : plot.series) {
+    for (const double s : places)
+      series.x.push_back(s / scene.units.factor("m"));
+    for (double &value : series.y)
+      value *= across.factor;
+  }
+  plot.x_label = "s along the pipes [" + scene.units.name("m") + "]";
+  plot.y_label = label + " [" + across.name + "]";
   return plot;
+}
+
+/// Of a bend in which no point has a name, the ring in its middle.
+void name_bends(const PipeWall &wall, RingNames &names) {
+  unsigned int bend = 0;
+  for (unsigned int k = 0; k < wall.segments.size(); ++k) {
+    if (wall.segments[k].path.radius == 0.)
+      continue;
+    ++bend;
+    std::vector<unsigned int> layers;
+    for (unsigned int layer = 0; layer < wall.n_layers(); ++layer)
+      if (wall.layer_segment[layer] == k)
+        layers.push_back(layer);
+    if (layers.size() < 2)
+      continue;
+    const auto named = names.upper_bound(layers.front()); // rings before and after a layer
+    if (named == names.end() || named->first > layers.back())
+      names[layers[layers.size() / 2]] = {"bend " + std::to_string(bend) + ", middle"};
+  }
 }
 
 /// How sections have lost their shape and what stress they have, at the end of a step.
 std::string shape_table(const Scene &scene, const PipeWall &wall, const WallFrame &frame,
-                        const RingNames &names) {
+                        RingNames names) {
+  name_bends(wall, names);
   const double diameter = 2. * wall.outer;
   std::vector<std::pair<unsigned int, std::string>> rows;
   for (const auto &[ring, points] : names)
@@ -183,7 +219,7 @@ std::string shape_table(const Scene &scene, const PipeWall &wall, const WallFram
   for (const auto &[at, name] : rows) {
     const RingState &ring = frame.rings[at];
     what.push_back(name);
-    s.push_back(wall.rings[at].s);
+    s.push_back(place_of(wall, at));
     ovality.push_back(rounded_number(100. * ring.ovality(diameter), 3) + " %");
     mode2.push_back(std::hypot(ring.mode2[0], ring.mode2[1]));
     mode3.push_back(std::hypot(ring.mode3[0], ring.mode3[1]));
@@ -221,18 +257,15 @@ std::string shape_tables(const Scene &scene, const PipeWall &wall,
 std::string wall_report(const Scene &scene, const PipeWall &wall,
                         const std::vector<WallFrame> &frames, const RingNames &names,
                         const std::string &id, const std::string &folder) {
-  const double Pa = scene.units.factor("Pa"), m = scene.units.factor("m");
-  const std::string stress = " [" + scene.units.name("Pa") + "]";
   std::vector<Plot> plots;
-  plots.push_back(ring_plot(scene, wall, frames, "ovality (D_max - D_min)/D [-]",
+  plots.push_back(ring_plot(scene, wall, frames, "ovality (D_max - D_min)/D", "-",
                             [&](const RingState &ring) { return ring.ovality(2. * wall.outer); }));
-  plots.push_back(ring_plot(scene, wall, frames, "widening [" + scene.units.name("m") + "]",
-                            [&](const RingState &ring) { return ring.widening / m; }));
+  plots.push_back(ring_plot(scene, wall, frames, "widening", "m",
+                            [](const RingState &ring) { return ring.widening; }));
   for (const unsigned int side : {0u, 1u})
-    plots.push_back(
-        ring_plot(scene, wall, frames,
-                  std::string("von Mises, ") + (side == 0 ? "inside" : "outside") + stress,
-                  [&](const RingState &ring) { return ring.largest_mises(side) / Pa; }));
+    plots.push_back(ring_plot(scene, wall, frames,
+                              std::string("von Mises, ") + (side == 0 ? "inside" : "outside"), "Pa",
+                              [&](const RingState &ring) { return ring.largest_mises(side); }));
   const std::string closed = WallPicture(scene, wall, frames.back(), false).draw(),
                     open = WallPicture(scene, wall, frames.back(), true).draw();
   write_file(folder + "/solid.svg", closed);
