@@ -2,10 +2,10 @@
 # `cmake --install . --component plugin` installs it without the application.
 include(CMakePackageConfigHelpers)
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/FrictionBeam)
+set(package_has_plugin ${FRICTIONBEAM_WITH_DEAL_II})
+set(package_has_contact TRUE)
 if(FRICTIONBEAM_LAWS_ONLY)
-  set(package_has_plugin FALSE)
-else()
-  set(package_has_plugin TRUE)
+  set(package_has_contact FALSE)
 endif()
 configure_package_config_file(FrictionBeamConfig.cmake.in
   ${PROJECT_BINARY_DIR}/FrictionBeamConfig.cmake INSTALL_DESTINATION ${package_directory}
@@ -24,6 +24,11 @@ file(RELATIVE_PATH path_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" path_to_prefix ${path_to_prefix})
 configure_file(frictionbeam-laws.pc.in ${PROJECT_BINARY_DIR}/frictionbeam-laws.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/frictionbeam-laws.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+if(package_has_contact)
+  string(REPLACE ";" " -D" eigen_flags "-D${eigen_layout}")
+  configure_file(frictionbeam-contact.pc.in ${PROJECT_BINARY_DIR}/frictionbeam-contact.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/frictionbeam-contact.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
 if(package_has_plugin)
   # Directories and definitions of deal.II are asked of the target that uses it: versions keep them in
   # different variables. The compiler's own /usr/include is behind its headers, and must stay there.
@@ -31,7 +36,6 @@ if(package_has_plugin)
   set(directories "$<FILTER:$<REMOVE_DUPLICATES:${directories}>,EXCLUDE,^(/usr|${PROJECT_SOURCE_DIR})/include$>")
   set(deal_ii_flags "-D$<JOIN:$<TARGET_PROPERTY:plugin,COMPILE_DEFINITIONS>, -D>")
   string(APPEND deal_ii_flags " -isystem $<JOIN:${directories}, -isystem >")
-  string(REPLACE ";" " -D" eigen_flags "-D${eigen_layout}")
   set(deal_ii_library $<TARGET_FILE:${DEAL_II_TARGET_RELEASE}>)
   configure_file(frictionbeam.pc.in ${PROJECT_BINARY_DIR}/frictionbeam.pc.in @ONLY)
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/frictionbeam.pc INPUT ${PROJECT_BINARY_DIR}/frictionbeam.pc.in)
@@ -41,9 +45,11 @@ endif()
 # Libraries, laws, the tool
 install(TARGETS laws EXPORT FrictionBeamLaws LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT FrictionBeamLaws NAMESPACE FrictionBeam:: DESTINATION ${package_directory})
-if(package_has_plugin)
+if(package_has_contact)
   install(TARGETS contact EXPORT FrictionBeamContact LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT FrictionBeamContact NAMESPACE FrictionBeam:: DESTINATION ${package_directory})
+endif()
+if(package_has_plugin)
   list(REMOVE_ITEM plugin_libraries laws contact)
   install(TARGETS ${plugin_libraries} EXPORT FrictionBeamTargets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -63,13 +69,18 @@ else()
       stress_code stress_code_library)
     install(FILES ${headers}/${header}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/frictionbeam)
   endforeach()
+  if(package_has_contact)
+    install(DIRECTORY ${headers}/contact DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/frictionbeam
+      FILES_MATCHING PATTERN "*.h" PATTERN deal_ii.h EXCLUDE)
+  endif()
 endif()
 
 # Licence, pages, examples
 set(share ${CMAKE_INSTALL_DATAROOTDIR}/frictionbeam)
 set(share_doc ${CMAKE_INSTALL_DATAROOTDIR}/doc/frictionbeam)
-install(FILES law_skeleton.cc codes/stress_skeleton.cc ${PROJECT_SOURCE_DIR}/prm/cookbook/coulomb_in_c.c
-  ${PROJECT_SOURCE_DIR}/prm/cookbook/bilinear_section.f90 DESTINATION ${share})
+set(cookbook ${PROJECT_SOURCE_DIR}/prm/cookbook)
+install(FILES law_skeleton.cc codes/stress_skeleton.cc ${cookbook}/own_law.prm ${cookbook}/wearing_pad.cc
+  ${cookbook}/coulomb_in_c.c ${cookbook}/bilinear_section.f90 DESTINATION ${share})
 install(FILES ${PROJECT_SOURCE_DIR}/doc/cookbook/own_law.md DESTINATION ${share_doc}/cookbook)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
   ${PROJECT_SOURCE_DIR}/doc/embedding.md ${PROJECT_SOURCE_DIR}/doc/contact_library.md
@@ -84,4 +95,7 @@ if(package_has_plugin)
     PATTERN "*.cmake" EXCLUDE PATTERN law_host EXCLUDE)
 else()
   install(FILES ${examples}/my_law.cc DESTINATION ${share_doc}/examples)
+  if(package_has_contact)
+    install(DIRECTORY ${examples}/contact_host DESTINATION ${share_doc}/examples)
+  endif()
 endif()

@@ -79,3 +79,11 @@ function(build_law_host prefix)
   run(${host}/law_host ${host}/my_law.so)
   needs_nothing(${host}/law_host)
 endfunction()
+
+# A host of contact, likewise.
+function(build_contact_host prefix)
+  run(${CMAKE_COMMAND} -S ${prefix}/share/doc/frictionbeam/examples/contact_host -B ${WORK}/contact-host
+    -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_DISABLE_FIND_PACKAGE_deal.II=ON -DCMAKE_CXX_FLAGS=-Werror)
+  run(${CMAKE_COMMAND} --build ${WORK}/contact-host)
+  run(${WORK}/contact-host/contact_host)
+endfunction()

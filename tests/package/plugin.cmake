@@ -51,10 +51,7 @@ needs_nothing(${prefix}/bin/frictionbeam-check-law)
 build_law_host(${prefix})
 
 # Exact contact, without deal.II
-run(${CMAKE_COMMAND} -S ${doc}/examples/contact_host -B ${WORK}/contact-host
-  -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_DISABLE_FIND_PACKAGE_deal.II=ON -DCMAKE_CXX_FLAGS=-Werror)
-run(${CMAKE_COMMAND} --build ${WORK}/contact-host)
-run(${WORK}/contact-host/contact_host)
+build_contact_host(${prefix})
 # Flags by which Eigen aligns or allocates otherwise than in the library: those of a sanitizer do no harm
 # by the target; those of another processor are refused, and work where the library has them, too.
 set(host ${WORK}/contact-host-sanitized)
@@ -79,7 +76,7 @@ endif()
 
 # The flavour is that of the build type, and a program never loads both.
 set(project ${CMAKE_CURRENT_LIST_DIR}/flavour)
-foreach(pair Debug:frictionbeam.g RelWithDebInfo:frictionbeam)
+foreach(pair Debug:frictionbeam.g debug:frictionbeam.g RelWithDebInfo:frictionbeam)
   string(REGEX REPLACE ":.*" "" type ${pair})
   string(REGEX REPLACE ".*:" "" name ${pair})
   set(build ${WORK}/flavour-${type})
@@ -87,15 +84,31 @@ foreach(pair Debug:frictionbeam.g RelWithDebInfo:frictionbeam)
     -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_FLAGS=-Werror)
   run(${CMAKE_COMMAND} --build ${build})
   run(${build}/flavour)
-  libraries_of(${build}/flavour)
-  list(FILTER libraries INCLUDE REGEX "libfrictionbeam[.]")
   string(REGEX REPLACE "\\.[0-9]+$" "" minor ${VERSION})
-  if(NOT libraries STREQUAL "[lib${name}.so.${minor}]")
-    message(FATAL_ERROR "${type} links ${libraries}")
-  endif()
+  foreach(program flavour flavour_by_function)
+    libraries_of(${build}/${program})
+    list(FILTER libraries INCLUDE REGEX "libfrictionbeam[.]")
+    if(NOT libraries STREQUAL "[lib${name}.so.${minor}]")
+      message(FATAL_ERROR "${type}: ${program} links ${libraries}")
+    endif()
+  endforeach()
 endforeach()
 
 # By hand
+flags(frictionbeam-contact ${prefix})
+run(g++ -std=c++17 -o contact-by-hand ${source} ${flags})
+run(${WORK}/contact-by-hand)
+libraries_of(${WORK}/contact-by-hand)
+if(libraries MATCHES "libfrictionbeam[.]|deal_II")
+  message(FATAL_ERROR "frictionbeam-contact.pc links ${libraries}")
+endif()
+# The command lines of doc/cookbook/own_law.md, in the folder of the sources
+foreach(line "c++ -std=c++17 -O2 -shared -fPIC -I ../../include wearing_pad.cc -o ${WORK}/wearing_pad.so"
+    "cc -std=c99 -O2 -shared -fPIC -I ../../include coulomb_in_c.c -o ${WORK}/coulomb_in_c.so -lm")
+  run(sh -c "cd ${prefix}/share/frictionbeam && ${line}")
+endforeach()
+run(${prefix}/bin/frictionbeam-check-law wearing_pad.so)
+run(${prefix}/bin/frictionbeam-check-law coulomb_in_c.so)
 flags(frictionbeam ${prefix})
 run(g++ -std=c++17 -o flavour-by-hand ${project}/flavour.cc ${flags})
 run(${WORK}/flavour-by-hand)
