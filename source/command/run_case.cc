@@ -31,6 +31,7 @@
 #include "results/page/html.h"
 #include "results/report/report.h"
 #include "results/report/report_modes.h"
+#include "results/report/report_study.h"
 #include "results/solid/line_and_solid.h"
 #include "results/spectrum/modal_csv.h"
 #include "results/stress/stresses.h"
