@@ -4,7 +4,7 @@
 #include "base/peak_memory.h"
 #include "base/user_error.h"
 #include "command/line/run_line.h"
-#include "command/run_folder.h"
+#include "results/file/output_file.h"
 #include "results/file/summary.h"
 #include "results/report/report_study.h"
 #include "results/text.h"
