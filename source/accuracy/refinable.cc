@@ -73,8 +73,19 @@ double shortest_run(const Scene &scene) {
   return shortest > 0. ? shortest : 1.;
 }
 
-/// One to begin with, eight where a load has a history of its own within the step.
-Refinable increments_of(const Scene &scene, const SceneKind &kind) {
+bool has_creep(const Scene &scene, const ParameterFile &file) {
+  return std::any_of(scene.sections.begin(), scene.sections.end(), [&](const Section &section) {
+    const std::string heading = "Section " + section.name;
+    return number(file, heading, "Creep coefficient", 0.) > 0. ||
+           number(file, heading, "Primary creep coefficient", 0.) > 0.;
+  });
+}
+
+/// One to begin with, eight where a load has a history of its own within the step. What creep lets
+/// an increment leave falls as that does, with its third power: it may be what cuts increments.
+Refinable increments_of(const Scene &scene, const SceneKind &kind, const bool creeps) {
+  constexpr double least = 1e-7, falls = 8.;
+  const double tolerance = scene.solver.creep_tolerance;
   std::vector<std::pair<std::string, unsigned int>> paths;
   if (kind.is_generated())
     paths.emplace_back(std::string(kind.value) + "/" + kind.increments, 1);
@@ -92,6 +103,11 @@ Refinable increments_of(const Scene &scene, const SceneKind &kind) {
             std::vector<std::string> settings;
             for (const auto &[path, coarsest] : paths)
               settings.push_back(path + " = " + whole(coarsest << level));
+            if (creeps && level > 0)
+              settings.push_back(
+                  "Solver/Creep tolerance = " +
+                  exact_number(
+                      std::min(tolerance, std::max(least, tolerance / std::pow(falls, level)))));
             return settings;
           },
           true, false, Convergence::Order::first_at_best};
@@ -146,7 +162,7 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
   const bool has_increments = !kind.is_generated() || *kind.increments != '\0';
   const bool has_way = !scene.supports.empty() || scene.yields();
   if (has_static && has_way && has_increments)
-    list.push_back(increments_of(scene, kind));
+    list.push_back(increments_of(scene, kind, has_creep(scene, file)));
   if (has_transient)
     if (const auto step = time_step_of(scene))
       list.push_back(*step);
