@@ -128,6 +128,13 @@ void run(const std::string &file, const std::vector<std::string> &options, const
   };
   LoadSequence sequence(model);
   const bool converged = sequence.run([&](const Progress &progress, const LineState &state) {
+    if (progress.behind_jump) {
+      for (Envelope *const one : {envelope.get(), other.get()})
+        if (one != nullptr)
+          one->observe_behind_jump(state, true);
+      reference.include(state, false, 1e6, may_strike);
+      return;
+    }
     const bool end = progress.n_increments > 0 && progress.increment == progress.n_increments;
     if (end) { // as the program keeps them
       Frame frame = FrameBuilder(model, true).make(state);

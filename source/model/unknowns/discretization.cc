@@ -4,9 +4,9 @@
 #include "base/numbers.h"
 #include "base/user_error.h"
 #include "model/unknowns/like_cells.h"
+#include "model/unknowns/rigid_part.h"
 #include "model/unknowns/section_law.h"
 #include "scene/file/parameter_reader.h"
-#include "scene/rigid_part.h"
 #include <frictionbeam/fe_timoshenko_beam.h>
 #include <frictionbeam/generalized_strain.h>
 

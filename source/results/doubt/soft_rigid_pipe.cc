@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/doubt/soft_rigid_pipe.h"
 
-#include "scene/rigid_part.h"
+#include "model/unknowns/rigid_part.h"
 
 #include <algorithm>
 #include <cmath>
