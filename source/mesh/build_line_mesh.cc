@@ -97,7 +97,8 @@ void check_asked_points(const Scene &scene, const LineMesh &mesh) {
 /// Turns placements into vertices.
 class Placer {
 public:
-  Placer(const Scene &scene, const LineMesh &mesh) : scene(scene), mesh(mesh) {}
+  Placer(const Scene &scene, const LineMesh &mesh)
+      : scene(scene), mesh(mesh), places(places_of_vertices(mesh)) {}
 
   /// @param follows_pipe whether a direction of the support is along or across the pipe
   std::vector<Site> sites(const std::string &support, const Placement &placement,
@@ -105,7 +106,7 @@ public:
     std::vector<Site> result;
     for (const std::string &point : placement.points) {
       const unsigned int at = vertex(support, point);
-      const std::optional<Vector3> tangent = tangent_of_run(scene, mesh, at);
+      const std::optional<Vector3> tangent = tangent_of_run(scene, mesh, places, at);
       if (!tangent && follows_pipe)
         throw UserError(
             "Support " + support + "/Normal\n  read:    a direction of the pipe at point '" +
@@ -189,6 +190,7 @@ private:
 
   const Scene &scene;
   const LineMesh &mesh;
+  const PlacesOfVertices places;
 };
 
 /// A bed carries at nodes, a share of its weight at each: few of them are no bed.

@@ -53,23 +53,27 @@ Vector3 tangent_of_pipe(const LineMesh &mesh, const MeshedPipe &pipe, const unsi
   return sum.norm() < no_direction ? pipe.tangent(mesh.vertices, place - 1, true) : unit(sum);
 }
 
+PlacesOfVertices places_of_vertices(const LineMesh &mesh) {
+  PlacesOfVertices places(mesh.vertices.size());
+  for (unsigned int p = 0; p < mesh.pipes.size(); ++p)
+    for (unsigned int i = 0; i < mesh.pipes[p].vertices.size(); ++i)
+      places[mesh.pipes[p].vertices[i]].emplace_back(p, i);
+  return places;
+}
+
 std::optional<Vector3> tangent_of_run(const Scene &scene, const LineMesh &mesh,
-                                      const unsigned int vertex) {
+                                      const PlacesOfVertices &places, const unsigned int vertex) {
   std::vector<Leg> legs;
-  for (unsigned int p = 0; p < mesh.pipes.size(); ++p) {
+  for (const auto &[p, i] : places[vertex]) {
     const MeshedPipe &pipe = mesh.pipes[p];
-    for (unsigned int i = 0; i < pipe.vertices.size(); ++i) {
-      if (pipe.vertices[i] != vertex)
-        continue;
-      const bool branches = is_branch(scene, mesh, p, vertex);
-      if (i > 0) {
-        const Vector3 along = pipe.tangent(mesh.vertices, i - 1, true);
-        legs.push_back({-along, along, p, branches});
-      }
-      if (i + 1 < pipe.vertices.size()) {
-        const Vector3 along = pipe.tangent(mesh.vertices, i, false);
-        legs.push_back({along, along, p, branches});
-      }
+    const bool branches = is_branch(scene, mesh, p, vertex);
+    if (i > 0) {
+      const Vector3 along = pipe.tangent(mesh.vertices, i - 1, true);
+      legs.push_back({-along, along, p, branches});
+    }
+    if (i + 1 < pipe.vertices.size()) {
+      const Vector3 along = pipe.tangent(mesh.vertices, i, false);
+      legs.push_back({along, along, p, branches});
     }
   }
   if (std::any_of(legs.begin(), legs.end(), [](const Leg &leg) { return !leg.is_branch; }))

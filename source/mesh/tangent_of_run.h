@@ -4,11 +4,17 @@
 #include "mesh/line_mesh.h"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace frictionbeam {
 
 /// Unit tangent of a pipe at one of its vertices, in its direction; half way round a plain corner.
 Vector3 tangent_of_pipe(const LineMesh &mesh, const MeshedPipe &pipe, const unsigned int place);
+
+/// Of each vertex the pipes that reach it, and its places in theirs, in the order of pipes.
+using PlacesOfVertices = std::vector<std::vector<std::pair<unsigned int, unsigned int>>>;
+PlacesOfVertices places_of_vertices(const LineMesh &mesh);
 
 /**
  * Unit tangent of what runs through a vertex: of its one pipe, of two that go on in each other, and
@@ -17,6 +23,6 @@ Vector3 tangent_of_pipe(const LineMesh &mesh, const MeshedPipe &pipe, const unsi
  * that of the first such pipe. Zero at a free point, nothing where several pipes may be meant.
  */
 std::optional<Vector3> tangent_of_run(const Scene &scene, const LineMesh &mesh,
-                                      const unsigned int vertex);
+                                      const PlacesOfVertices &places, const unsigned int vertex);
 
 } // namespace frictionbeam

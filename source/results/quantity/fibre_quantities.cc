@@ -18,7 +18,8 @@ Axes local_axes_of(const Model &model, const Quantity &quantity,
   if (quantity.side != Quantity::Side::any || !quantity.pipe.empty())
     return local_axes_of(station_at(model, quantity, frame()));
   const std::optional<Vector3> tangent =
-      tangent_of_run(model.scene, model.mesh, model.mesh.points.at(quantity.where));
+      tangent_of_run(model.scene, model.mesh, places_of_vertices(model.mesh),
+                     model.mesh.points.at(quantity.where));
   if (!tangent)
     throw UserError(
         "Quantity " + quantity.name + "\n  read:    a direction of the pipe at point '" +
