@@ -17,6 +17,7 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -98,7 +99,7 @@ void check_asked_points(const Scene &scene, const LineMesh &mesh) {
 class Placer {
 public:
   Placer(const Scene &scene, const LineMesh &mesh)
-      : scene(scene), mesh(mesh), places(places_of_vertices(mesh)) {}
+      : scene(scene), mesh(mesh), places(places_in_pipes(mesh)) {}
 
   /// @param follows_pipe whether a direction of the support is along or across the pipe
   std::vector<Site> sites(const std::string &support, const Placement &placement,
@@ -106,7 +107,7 @@ public:
     std::vector<Site> result;
     for (const std::string &point : placement.points) {
       const unsigned int at = vertex(support, point);
-      const std::optional<Vector3> tangent = tangent_of_run(scene, mesh, places, at);
+      const std::optional<Vector3> tangent = tangent_of_run(scene, mesh, at, places[at]);
       if (!tangent && follows_pipe)
         throw UserError(
             "Support " + support + "/Normal\n  read:    a direction of the pipe at point '" +
@@ -190,7 +191,7 @@ private:
 
   const Scene &scene;
   const LineMesh &mesh;
-  const PlacesOfVertices places;
+  const std::vector<PlacesInPipes> places; ///< of the vertices
 };
 
 /// A bed carries at nodes, a share of its weight at each: few of them are no bed.
@@ -276,6 +277,27 @@ void remark_on_springs(const Scene &scene, LineMesh &mesh) {
   }
 }
 
+/// @throws UserError where a load imposes one motion of a place under two names: they would add up.
+void check_displacements(const Scene &scene, const LineMesh &mesh) {
+  for (const Load &load : scene.loads) {
+    if (load.kind != Load::Kind::displacement)
+      continue;
+    std::map<std::pair<unsigned int, unsigned int>, std::string> given; // vertex and motion
+    for (const Load::AtPoint &at : load.at)
+      for (unsigned int c = 0; c < 6; ++c) {
+        if (!at.given[c])
+          continue;
+        const auto [one, is_first] = given.try_emplace({mesh.points.at(at.point), c}, at.point);
+        if (!is_first)
+          throw UserError("Load " + load.name + "/Displacements\n  read:    the same motion of '" +
+                          one->second + "' and of '" + at.point +
+                          "', which is one place: they would add up\n  allowed: each motion of a "
+                          "place once\n  try:     that of '" +
+                          one->second + "' alone");
+      }
+  }
+}
+
 /// @throws UserError where both ends of a spring or of a support on a pipe are one place of the
 /// line under two names: what joins a place to itself carries nothing.
 void check_ends(const Scene &scene, const LineMesh &mesh) {
@@ -291,19 +313,6 @@ void check_ends(const Scene &scene, const LineMesh &mesh) {
       refuse("Spring " + spring.name + "/To", spring.other, spring.point,
              "no 'To', and no support there: the spring is then between the pipe and the ground; "
              "or, between two pipes, a Joint");
-  for (const Load &load : scene.loads)
-    for (auto one = load.at.begin(); load.kind == Load::Kind::displacement && one != load.at.end();
-         ++one)
-      for (auto other = load.at.begin(); other != one; ++other)
-        for (unsigned int c = 0; c < 6; ++c)
-          if (one->given[c] && other->given[c] &&
-              mesh.points.at(one->point) == mesh.points.at(other->point))
-            throw UserError("Load " + load.name +
-                            "/Displacements\n  read:    the same motion of '" + other->point +
-                            "' and of '" + one->point +
-                            "', which is one place: they would add up\n  allowed: each motion of a "
-                            "place once\n  try:     that of '" +
-                            other->point + "' alone");
   for (const FrictionSupport &support : scene.supports)
     for (const std::string &point : support.placement.points)
       if (!support.ground.empty() && mesh.points.at(point) == mesh.points.at(support.ground))
@@ -331,6 +340,7 @@ LineMesh build_line_mesh(const Scene &scene) {
   add_free_points(scene, mesh);
   check_asked_points(scene, mesh);
   check_tees(scene, mesh);
+  check_displacements(scene, mesh);
   check_ends(scene, mesh);
   remark_on_springs(scene, mesh);
   const Placer placer(scene, mesh);

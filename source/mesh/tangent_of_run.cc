@@ -53,8 +53,17 @@ Vector3 tangent_of_pipe(const LineMesh &mesh, const MeshedPipe &pipe, const unsi
   return sum.norm() < no_direction ? pipe.tangent(mesh.vertices, place - 1, true) : unit(sum);
 }
 
-PlacesOfVertices places_of_vertices(const LineMesh &mesh) {
-  PlacesOfVertices places(mesh.vertices.size());
+PlacesInPipes places_in_pipes(const LineMesh &mesh, const unsigned int vertex) {
+  PlacesInPipes places;
+  for (unsigned int p = 0; p < mesh.pipes.size(); ++p)
+    for (unsigned int i = 0; i < mesh.pipes[p].vertices.size(); ++i)
+      if (mesh.pipes[p].vertices[i] == vertex)
+        places.emplace_back(p, i);
+  return places;
+}
+
+std::vector<PlacesInPipes> places_in_pipes(const LineMesh &mesh) {
+  std::vector<PlacesInPipes> places(mesh.vertices.size());
   for (unsigned int p = 0; p < mesh.pipes.size(); ++p)
     for (unsigned int i = 0; i < mesh.pipes[p].vertices.size(); ++i)
       places[mesh.pipes[p].vertices[i]].emplace_back(p, i);
@@ -62,9 +71,9 @@ PlacesOfVertices places_of_vertices(const LineMesh &mesh) {
 }
 
 std::optional<Vector3> tangent_of_run(const Scene &scene, const LineMesh &mesh,
-                                      const PlacesOfVertices &places, const unsigned int vertex) {
+                                      const unsigned int vertex, const PlacesInPipes &places) {
   std::vector<Leg> legs;
-  for (const auto &[p, i] : places[vertex]) {
+  for (const auto &[p, i] : places) {
     const MeshedPipe &pipe = mesh.pipes[p];
     const bool branches = is_branch(scene, mesh, p, vertex);
     if (i > 0) {

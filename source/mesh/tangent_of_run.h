@@ -12,9 +12,11 @@ namespace frictionbeam {
 /// Unit tangent of a pipe at one of its vertices, in its direction; half way round a plain corner.
 Vector3 tangent_of_pipe(const LineMesh &mesh, const MeshedPipe &pipe, const unsigned int place);
 
-/// Of each vertex the pipes that reach it, and its places in theirs, in the order of pipes.
-using PlacesOfVertices = std::vector<std::vector<std::pair<unsigned int, unsigned int>>>;
-PlacesOfVertices places_of_vertices(const LineMesh &mesh);
+/// Pipes that reach a vertex, and its places in their lists, in the order of pipes.
+using PlacesInPipes = std::vector<std::pair<unsigned int, unsigned int>>;
+PlacesInPipes places_in_pipes(const LineMesh &mesh, const unsigned int vertex);
+/// The same of all vertices.
+std::vector<PlacesInPipes> places_in_pipes(const LineMesh &mesh);
 
 /**
  * Unit tangent of what runs through a vertex: of its one pipe, of two that go on in each other, and
@@ -23,6 +25,6 @@ PlacesOfVertices places_of_vertices(const LineMesh &mesh);
  * that of the first such pipe. Zero at a free point, nothing where several pipes may be meant.
  */
 std::optional<Vector3> tangent_of_run(const Scene &scene, const LineMesh &mesh,
-                                      const PlacesOfVertices &places, const unsigned int vertex);
+                                      const unsigned int vertex, const PlacesInPipes &places);
 
 } // namespace frictionbeam

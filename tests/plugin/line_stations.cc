@@ -125,6 +125,18 @@ void free_strain() {
   }
 }
 
+/// What DataOut writes of a postprocessor of a line's solution.
+std::string in_gnuplot(const Line &line, const DataPostprocessor<3> &postprocessor,
+                       const unsigned int n_subdivisions) {
+  DataOut<1, 3> data_out;
+  data_out.attach_dof_handler(line.dof_handler);
+  data_out.add_data_vector(line.u, postprocessor);
+  data_out.build_patches(n_subdivisions);
+  std::ostringstream text;
+  data_out.write_gnuplot(text);
+  return text.str();
+}
+
 /// What DataOut writes by the postprocessor are the stations' numbers, in a collection with a
 /// friction element, and beside a temperature that comes first.
 void postprocessor() {
@@ -163,14 +175,9 @@ void postprocessor() {
   };
   const Keep keep(line.points, increment);
   MultithreadInfo::set_thread_limit(1); // rows are kept in a vector
-  DataOut<1, 3> data_out;
-  data_out.attach_dof_handler(line.dof_handler);
-  data_out.add_data_vector(line.u, keep);
-  data_out.build_patches(4);
-  std::ostringstream text;
-  data_out.write_gnuplot(text);
+  const std::string text = in_gnuplot(line, keep, 4);
   MultithreadInfo::set_thread_limit();
-  CHECK(text.str().find("kappa_z") != std::string::npos);
+  CHECK(text.find("kappa_z") != std::string::npos);
   CHECK(keep.rows.size() == 10);
   double largest = 0.;
   for (const auto &cell : line.dof_handler.active_cell_iterators())
@@ -214,15 +221,9 @@ void postprocessor_of_other_dofs() {
   const LinePostprocessor forces(line.points, increment);
   std::string first;
   for (int time = 0; time < 2; ++time) {
-    DataOut<1, 3> data_out;
-    data_out.attach_dof_handler(line.dof_handler);
-    data_out.add_data_vector(line.u, forces);
-    data_out.build_patches(2);
-    std::ostringstream text;
-    data_out.write_gnuplot(text);
-    CHECK(time == 0 || text.str() == first);
-    first = text.str();
-    data_out.clear();
+    const std::string text = in_gnuplot(line, forces, 2);
+    CHECK(time == 0 || text == first);
+    first = text;
     line.dof_handler.distribute_dofs(
         hp::FECollection<1, 3>(FE_TimoshenkoBeam({shear_flexibility})));
   }

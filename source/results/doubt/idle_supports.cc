@@ -2,6 +2,7 @@
 #include "results/doubt/idle_supports.h"
 
 #include "base/number_text.h"
+#include "mesh/point_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,18 +54,28 @@ bool pushes_along(const std::vector<const Frame *> &frames, const std::size_t re
 void remark_on_idle_supports(const Scene &scene, Results &results) {
   const std::vector<const Frame *> frames = frames_of_steps(scene, results);
   const std::size_t n_restraints = results.restraints.size() - scene.springs.size(); // come first
+  PointSet places(same_point);
+  std::vector<std::vector<std::size_t>> held; // restraints at each place
+  for (std::size_t r = 0; r < n_restraints; ++r) {
+    const std::size_t place = places.insert(results.restraints[r].position);
+    held.resize(places.points.size());
+    held[place].push_back(r);
+  }
   std::vector<std::string> idle;
   std::string held_by;
   for (std::size_t i = 0; i < results.supports.size(); ++i) {
     const SupportInfo &support = results.supports[i];
-    for (std::size_t r = 0; r < n_restraints; ++r)
-      if (results.restraints[r].position.distance(support.position) <= same_point &&
-          pushes_along(frames, r, support.normal) && is_idle(frames, i)) {
-        if (idle.empty())
-          held_by = results.restraints[r].name;
-        idle.push_back(support.name);
-        break;
-      }
+    const std::size_t place = places.insert(support.position);
+    if (place >= held.size())
+      continue;
+    const auto pushing =
+        std::find_if(held[place].begin(), held[place].end(),
+                     [&](const std::size_t r) { return pushes_along(frames, r, support.normal); });
+    if (pushing == held[place].end() || !is_idle(frames, i))
+      continue;
+    if (idle.empty())
+      held_by = results.restraints[*pushing].name;
+    idle.push_back(support.name);
   }
   if (!idle.empty())
     results.remarks.push_back("Supports that carry nothing, for an anchor or restraint holds their "

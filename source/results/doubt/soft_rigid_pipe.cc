@@ -2,27 +2,16 @@
 #include "results/doubt/soft_rigid_pipe.h"
 
 #include "model/unknowns/rigid_part.h"
+#include "results/frame/frame_choice.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
 
-namespace {
-
-double largest_displacement(const Frame &frame) {
-  double largest = 0.;
-  for (const Station &station : frame.line)
-    largest = std::max(largest, std::hypot(station.displacement[0], station.displacement[1],
-                                           station.displacement[2]));
-  return largest;
-}
-
-} // namespace
-
 SoftRigidPipe softest_rigid_pipe(const Scene &scene, const Frame &frame) {
   SoftRigidPipe worst;
-  const double largest = largest_displacement(frame);
+  const double largest = largest_motion(frame);
   for (std::size_t begin = 0, end = 0; begin < frame.line.size() && largest > 0.; begin = end) {
     const unsigned int number = frame.line[begin].pipe;
     const Pipe &pipe = scene.pipes[number];

@@ -17,9 +17,9 @@ Axes local_axes_of(const Model &model, const Quantity &quantity,
                    const std::function<const Frame &()> &frame) {
   if (quantity.side != Quantity::Side::any || !quantity.pipe.empty())
     return local_axes_of(station_at(model, quantity, frame()));
+  const unsigned int at = model.mesh.points.at(quantity.where);
   const std::optional<Vector3> tangent =
-      tangent_of_run(model.scene, model.mesh, places_of_vertices(model.mesh),
-                     model.mesh.points.at(quantity.where));
+      tangent_of_run(model.scene, model.mesh, at, places_in_pipes(model.mesh, at));
   if (!tangent)
     throw UserError(
         "Quantity " + quantity.name + "\n  read:    a direction of the pipe at point '" +
