@@ -53,7 +53,8 @@ struct Incidence {
  * that ends, searches all cells from the beginning for one not met yet. A vertex's first cell has
  * its last as neighbor, and all others have its first. So where a trail passes dead ends, it is
  * best listed backwards but for its beginning, p = -d, with a dead end as the vertex's last: then
- * the neighbors lead from one end of the trail to the other past all its dead ends.
+ * the neighbors lead from one end of the trail to the other past all its dead ends. Where the
+ * beginning itself leads to one, it is the vertex's first, p = d, and what goes on its last.
  */
 class Walk {
 public:
@@ -69,7 +70,7 @@ public:
       for (const bool chained : {true, false}) {
         if (!find_directions(n_vertices, chained))
           continue;
-        find_ends(n_vertices);
+        find_ends(n_vertices, chained);
         if (find_order(n_vertices, chained))
           return;
       }
@@ -127,13 +128,26 @@ private:
 
   /// Whether a trail goes on through a vertex that has one dead end, too. Of several, only one
   /// could keep the author's direction.
-  bool passes_dead_end(const unsigned int v) const {
+  bool has_dead_end_beside(const unsigned int v) const {
     if (parent[v] == none || continuation[v] == none || is_dead_end(steps[continuation[v]].cell))
       return false;
     unsigned int n = 0;
     for (unsigned int i = incidence.start[v]; i < incidence.start[v + 1]; ++i)
       n += incidence.cell[i] != steps[parent[v]].cell && is_dead_end(incidence.cell[i]);
     return n == 1;
+  }
+
+  /// Whether it is the second vertex of a walk.
+  bool follows_root(const unsigned int v) const {
+    return parent[v] != none && parent[steps[parent[v]].from] == none;
+  }
+
+  bool passes_dead_end(const unsigned int v) const {
+    return has_dead_end_beside(v) && !follows_root(v);
+  }
+
+  bool begins_at_dead_end(const unsigned int v) const {
+    return has_dead_end_beside(v) && follows_root(v);
   }
 
   /// The first step of a trail, from @p step on, that does not lead to a dead end.
@@ -199,8 +213,8 @@ private:
     for (unsigned int v = 0; v < n_vertices; ++v)
       if (parent[v] == none) // a root: no cell of its trail arrives
         relate(steps[continuation[v]].trail, v, false);
-      else if (chained && passes_dead_end(v))
-        relate(steps[parent[v]].trail, v, false);
+      else if (chained && has_dead_end_beside(v))
+        relate(steps[parent[v]].trail, v, follows_root(v));
 
     sign.assign(relations.size(), 0);
     std::vector<unsigned int> pending;
@@ -233,7 +247,7 @@ private:
   /// turned. deal.II follows neighbors from a vertex's first cell to its last and back, and turns
   /// what it meets there; so one dead end at each vertex, listed last, may keep the author's
   /// direction.
-  void find_ends(const unsigned int n_vertices) {
+  void find_ends(const unsigned int n_vertices, const bool chained) {
     first.assign(n_vertices, none);
     last.assign(n_vertices, none);
     for (unsigned int v = 0; v < n_vertices; ++v)
@@ -241,6 +255,9 @@ private:
         first[v] = continuation[v];
       else if (sign[v] != 0)
         first[v] = direction(parent[v]) == sign[v] ? parent[v] : continuation[v];
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      if (chained && begins_at_dead_end(v))
+        last[v] = continuation[v];
     reversed.assign(steps.size(), false);
     for (unsigned int s = 0; s < steps.size(); ++s) {
       const Step &step = steps[s];
