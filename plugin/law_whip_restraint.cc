@@ -9,7 +9,7 @@
  * given as a power of the deflection. With d the deflection beyond the gap and d_p what of it
  * remains,
  *
- *   F = k (d - d_p) >= 0,   but at most  C d^n  (in the units of C; d grows d_p then),
+ *   F = k (d - d_p) >= 0,   but at most  C d^n  (and d_p grows then),
  *
  * so that it unloads along k and is met again where it was left. k applies alone until the two
  * curves cross. It pushes only and has no friction.
@@ -24,8 +24,8 @@ constexpr LawParameter parameters[n_parameters] = {
     {"Gap", "m", 0., 0., 1e300, "distance to travel before it resists"},
     {"Elastic stiffness", "N/m", 1.3134512643485728e8, 1e-300, 1e300,
      "k, of loading at first and of unloading"},
-    {"Plastic coefficient", "N/m^n", 1.36780426020509e5, 0., 1e300,
-     "C, of the plastic branch F = C d^n, d in m"},
+    {"Plastic coefficient", "N/m^(Plastic exponent)", 1.36780426020509e5, 0., 1e300,
+     "C, of the plastic branch F = C d^n"},
     {"Plastic exponent", "-", 0.235, 0., 1., "n, of the plastic branch"}};
 
 enum State { remaining, n_states }; // d_p [m]

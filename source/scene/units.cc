@@ -43,12 +43,22 @@ constexpr UnitWord words[] = {{"m", 'l', 1.},
                               {"C", 't', 1.},
                               {"F", 't', 5. / 9.}};
 
-/// "m3" to m and 3.
-std::pair<std::string, int> power(const std::string &word) {
-  const auto digit = word.find_first_of("0123456789");
-  if (digit == std::string::npos || digit == 0)
-    return {word, 1};
-  return {word.substr(0, digit), std::stoi(word.substr(digit))};
+struct Power {
+  std::string base, exponent; ///< of "m3": m, 3; of "m^0.2": m, ^0.2; of "m": m, nothing
+  double value() const {
+    if (exponent.empty())
+      return 1.;
+    double number = 1.; // of a name: not known here
+    to_number(exponent[0] == '^' ? exponent.substr(1) : exponent, number);
+    return number;
+  }
+};
+
+Power power(const std::string &word) {
+  const auto end = word.find_first_of("^0123456789");
+  if (end == std::string::npos || end == 0)
+    return {word, ""};
+  return {word.substr(0, end), word.substr(end)};
 }
 
 } // namespace
@@ -119,9 +129,9 @@ double UnitSystem::factor(const std::string &si_unit) const {
   bool below = false;
   for (const std::string &part : split(si_unit, '/')) {
     for (const std::string &word : split(part, ' ')) {
-      const auto [name, exponent] = power(word);
-      if (const std::optional<Unit> unit = base(name))
-        result *= std::pow(unit->factor, below ? -exponent : exponent);
+      const Power of_word = power(word);
+      if (const std::optional<Unit> unit = base(of_word.base))
+        result *= std::pow(unit->factor, (below ? -1. : 1.) * of_word.value());
     }
     below = true;
   }
@@ -136,12 +146,13 @@ std::string UnitSystem::name(const std::string &si_unit) const {
   for (const std::string &part : split(si_unit, '/')) {
     std::string piece;
     for (const std::string &word : split(part, ' ')) {
-      const auto [base_name, exponent] = power(word);
-      const std::optional<Unit> unit = base(base_name);
-      std::string name = unit ? unit->name : base_name;
-      if (unit && name.find_first_of(" /") != std::string::npos && (below || exponent > 1))
+      const Power of_word = power(word);
+      const std::optional<Unit> unit = base(of_word.base);
+      std::string name = unit ? unit->name : of_word.base;
+      if (unit && name.find_first_of(" /") != std::string::npos &&
+          (below || !of_word.exponent.empty()))
         name = "(" + name + ")";
-      piece += (piece.empty() ? "" : " ") + name + (exponent > 1 ? std::to_string(exponent) : "");
+      piece += (piece.empty() ? "" : " ") + name + of_word.exponent;
     }
     result += (below ? "/" : "") + piece;
     below = true;

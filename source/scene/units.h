@@ -27,7 +27,7 @@ public:
 
   bool is_si() const { return given.empty(); }
 
-  /// How many of @p si_unit (such as "N/m", "kg/m3", "degC") one of the user's units is.
+  /// How many of @p si_unit (such as "N/m", "kg/m3", "degC", "N/m^0.2") one of the user's units is.
   double factor(const std::string &si_unit) const;
   /// The user's unit for @p si_unit.
   std::string name(const std::string &si_unit) const;

@@ -162,7 +162,8 @@ void ParameterReader::take() {
            "another value; frictionbeam --print-parameters says what it means");
     const Declared &declaration = declared[heading][known - names.begin()];
     if (declaration.is_number)
-      in_bounds(entry.name, number(entry.name), declaration.unit, declaration.is_positive);
+      in_bounds(entry.name, number(entry.name), with_exponents(declaration.unit),
+                declaration.is_positive);
     if (entry.is_override && !keeps_references(heading, entry.name) &&
         !same_value(before, entry.value))
       has_changed = true;
@@ -195,8 +196,19 @@ double ParameterReader::number(const std::string &name) const {
     return value;
   for (const Declared &entry : declared.at(heading))
     if (entry.name == name)
-      return entry.unit == "degC" ? units.celsius(value) : value * units.factor(entry.unit);
+      return entry.unit == "degC" ? units.celsius(value)
+                                  : value * units.factor(with_exponents(entry.unit));
   return value;
+}
+
+std::string ParameterReader::with_exponents(std::string unit) const {
+  for (std::string::size_type begin; (begin = unit.find("^(")) != std::string::npos;) {
+    const auto end = unit.find(')', begin);
+    Assert(end != std::string::npos, dealii::ExcInternalError());
+    const std::string entry = unit.substr(begin + 2, end - begin - 2);
+    unit.replace(begin + 1, end - begin, to_text(number(entry)));
+  }
+  return unit;
 }
 
 unsigned int ParameterReader::count(const std::string &name) const {
@@ -264,7 +276,9 @@ unsigned int ParameterReader::find(const std::string &entry, const std::string &
     fail(entry,
          names.empty() ? "a " + kind + ", but the file has none"
                        : "the name of a " + kind + ": " + join(names),
-         like.empty() ? "a " + kind + " called '" + name + "' added to the file" : "'" + like + "'",
+         !like.empty()  ? "'" + like + "'"
+         : name.empty() ? "a " + kind + " added to the file"
+                        : "a " + kind + " called '" + name + "' added to the file",
          name.empty() ? "no name" : "'" + name + "'");
   }
   return place - names.begin();

@@ -108,6 +108,10 @@ public:
   std::string where(const std::string &entry) const;
 
 private:
+  /// A unit with the numbers of the exponents that are other entries, as in
+  /// "N/m^(Plastic exponent)".
+  std::string with_exponents(std::string unit) const;
+
   struct Declared {
     std::string name, allowed, unit;
     bool is_number = false, is_positive = false;
