@@ -56,6 +56,8 @@ public:
   bool is_lost() const { return n_cuts > most_cuts; }
   void lose() { n_cuts = most_cuts + 1; }
   bool is_passed() const { return n_passed > 0; }
+  /// Whether the loads have not moved the line so far.
+  bool is_at_rest() const { return measure(motion) == 0.; }
   /// Where the line has moved most in the last increment, in plain words.
   std::string place_of_most_motion() const;
   void transfer(Archive &archive);

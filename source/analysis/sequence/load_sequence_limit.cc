@@ -48,6 +48,9 @@ void LoadSequence::pass(const std::size_t next, const bool ends, const Observer 
     current.time = position.start + step.duration; // where the next step's time begins
   if (next > last)
     observer({position.step, static_cast<unsigned int>(next), step.n_increments}, current);
+  else
+    observer({position.step, static_cast<unsigned int>(next), step.n_increments, false, true},
+             current);
   if (between_increments)
     between_increments();
 }
@@ -153,7 +156,7 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
   const std::string remark = report.remark;
   if (!add_result(last_result, report)) {
     report.no_equilibrium = false;
-    return OnPath::failed;
+    return path.is_at_rest() && is_unstable_as_it_stands(at_time) ? OnPath::passed : OnPath::failed;
   }
   if (!lead)
     to.time = at_time;
@@ -174,6 +177,13 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
     each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
                    current);
   return OnPath::accepted;
+}
+
+bool LoadSequence::is_unstable_as_it_stands(const double time) const {
+  LineState to = current;
+  to.time = time;
+  to.load_factors = course.factors_at(time, side);
+  return statics.is_unstable(to);
 }
 
 bool LoadSequence::is_about_to_meet() {
