@@ -76,6 +76,8 @@ void Convergence::add(const unsigned int coarse, const unsigned int fine,
                                                        : 0.;
     quantity.estimate = std::max(quantity.estimate, part * quantity.envelope /
                                                         (std::pow(2., 1. * (fine - coarse)) - 1.));
+    if (kind != Order::regular)
+      quantity.estimate = std::max(quantity.estimate, differences[i].least);
   }
   last_coarse = coarse;
   last_fine = fine;

@@ -58,6 +58,8 @@ std::map<std::string, double> largest_of_line(const UnitSystem &units, const Res
           most = std::max(most, std::abs(value) / units.factor(unit));
         }
       }
+  largest[units.name("J")] = largest[units.name("m")] * units.factor("m") *
+                             largest[units.name("N")] * units.factor("N") / units.factor("J");
   return largest;
 }
 
@@ -101,7 +103,8 @@ std::vector<Difference> differences(const Scene &scene, const Results &coarse,
                       floor_of_line * of_line[one.unit]});
         if (scale == 0.)
           scale = 1.;
-        result.push_back({std::abs(other.value - one.value) / scale, one.name, scale});
+        result.push_back(
+            {std::abs(other.value - one.value) / scale, one.name, scale, one.apart / scale});
       }
   }
   return result;

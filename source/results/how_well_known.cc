@@ -28,6 +28,17 @@ bool has_flowed(const Results &results) {
                      [](const StepReport &step) { return step.energy.inelastic > 0.; });
 }
 
+/// A quantity that adds up what contacts do, or asks when they do it.
+const Quantity *that_follows_contacts(const Scene &scene) {
+  using Over = Quantity::Over;
+  const auto found =
+      std::find_if(scene.quantities.begin(), scene.quantities.end(), [](const Quantity &quantity) {
+        return quantity.over == Over::time_of || quantity.over == Over::integral ||
+               quantity.over == Over::mean;
+      });
+  return found == scene.quantities.end() ? nullptr : &*found;
+}
+
 KnownError by_increments(const Scene &scene, const Results &results, const Resolution &all) {
   std::size_t n_increments = 0;
   for (unsigned int i = 0; i < results.steps.size(); ++i)
@@ -43,6 +54,11 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
     return {{},
             "a support with friction closes within an increment, whose motion before that counts "
             "as slip: an error of first order, which Accuracy measures"};
+  if (const Quantity *const quantity = that_follows_contacts(scene);
+      quantity != nullptr && all.turned_within)
+    return {{},
+            "contacts change their states within increments, where " + quantity->name +
+                " does not see when; Accuracy measures it"};
   if (n_increments == 1 && all.slip_from_rest > 0.)
     return {{}, "friction slips in the only increment, and nothing shows on which way"};
   if (all.slip_turned <= rounding * all.largest_displacement)
@@ -115,6 +131,11 @@ AxialForces axial_forces_in_cells(const Scene &scene, const Results &results) {
 }
 
 KnownError by_cells(const Scene &scene, const Results &results, const Resolution &all) {
+  double of_modes = 0.;
+  for (const ModeResult &mode : results.modes)
+    of_modes = std::max(of_modes, mode.by_cells);
+  if (of_modes > 0.)
+    return {of_modes, "of the frequencies, by how long cells are against the waves of the modes"};
   if (std::any_of(scene.steps.begin(), scene.steps.begin() + results.steps.size(),
                   [](const LoadStep &step) { return step.transient; }))
     return {{}, "inertia is spread over cells; Accuracy measures it"};
@@ -183,10 +204,12 @@ void add_remarks(const HowWellKnown &known, Results &results) {
   if (results.accuracy && !std::isnan(results.accuracy->estimate))
     return; // has its own
   const std::string ask = results.accuracy ? "." : ", or ask for an Accuracy.";
-  const auto add = [&](const KnownError &one, const std::string &what, const std::string &hint) {
+  const std::string of_cells = results.modes.empty() ? "Displacements" : "Frequencies";
+  const auto add = [&](const KnownError &one, const std::string &what, const std::string &hint,
+                       const std::string &numbers = "Displacements") {
     if (one.error && *one.error > worth_a_remark)
-      results.remarks.push_back("Displacements are known to about " + in_words(one) + " for " +
-                                what + " (" + one.reason + "). " + hint);
+      results.remarks.push_back(numbers + " are known to about " + in_words(one) + " for " + what +
+                                " (" + one.reason + "). " + hint);
   };
   add(known.increments, "the size of the load increments",
       "Take more Increments in the steps" + ask);
@@ -194,7 +217,8 @@ void add_remarks(const HowWellKnown &known, Results &results) {
   add(known.cells, "the length of the cells",
       "Take shorter cells (Mesh/Cell length, Cells per bend; Degree and Cells around of section "
       "Solid)" +
-          ask);
+          ask,
+      of_cells);
 }
 
 } // namespace frictionbeam

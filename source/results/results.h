@@ -183,6 +183,7 @@ struct ModeResult {
   std::array<double, 3> participation{};  ///< of x, y, z, for q^T M q = 1 [kg^1/2]
   std::array<double, 3> effective_mass{}; ///< [kg]
   double residual = 0.;                   ///< |K q - w^2 M q| / (w^2 |M q|)
+  double by_cells = 0.;                   ///< of the frequency, frequency_error_of_cells()
   Frame shape;
 };
 
@@ -277,6 +278,7 @@ struct QuantityResult {
       error;                   ///< error relative to the reference (absolute if that is 0)
   std::optional<double> limit; ///< of its size, in its unit
   double whole = 0.;           ///< of a change or rate: the largest of what changes; else 0
+  double apart = 0.;           ///< of a time_of: the instants that it was found between
   double in_si = 1.;           ///< SI units in its unit; 0: that is a word of the file's own
   /// An extreme of a force that a rigid support has in an impact: there is no such number.
   bool of_impact = false;

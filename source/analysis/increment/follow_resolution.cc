@@ -31,6 +31,17 @@ double largest_compliance(const Contact &contact, const SparseMatrix &stiffness)
   return cells_that_give * largest;
 }
 
+/// Whether the course of a contact's force has a corner within an increment: not where it touches
+/// and is pressed from the beginning.
+bool has_corner(const Contact &contact, const ContactStatus before, const ContactStatus after,
+                const double strain_before, const double nothing) {
+  if (before == after)
+    return false;
+  if (before != ContactStatus::open || !contact.law.has_closed_form())
+    return true;
+  return contact.length * strain_before + contact.law.closed_form().gap > nothing;
+}
+
 } // namespace
 
 FollowResolution::FollowResolution(const Model &model)
@@ -99,6 +110,10 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     resolution.slip_is_known = resolution.slip_is_known && contact.law.has_closed_form();
+    resolution.turned_within =
+        resolution.turned_within ||
+        has_corner(contact, before.contact_status[i], after.contact_status[i],
+                   before.contacts.strain[i][0], no_gap * resolution.largest_displacement);
     if (!contact.law.has_closed_form() || after.contact_status[i] == ContactStatus::open)
       continue;
     const FrictionThreshold &law = contact.law.closed_form();

@@ -13,6 +13,8 @@ struct Progress {
   unsigned int n_increments = 0;
   /// The instant of the call before once more, as loads have made velocities jump there.
   bool behind_jump = false;
+  /// The end of a part that a declared increment has been cut into, but for the last.
+  bool is_part = false;
 };
 
 /// Called with the start and then after each increment that the scene declares.

@@ -35,12 +35,15 @@ struct Resolution {
   /// Static increments: a contact closed within one and has friction, which counts the way along
   /// the ground from the increment's beginning.
   bool touched_within = false;
+  /// Static increments: contacts closed a gap, opened, began or ceased to slip within one, and
+  /// forces over time have a corner there.
+  bool turned_within = false;
 
   void include(const Resolution &other);
   void transfer(Archive &archive) {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
             exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known,
-            touched_within, turned_in_motion);
+            touched_within, turned_in_motion, turned_within);
   }
 };
 

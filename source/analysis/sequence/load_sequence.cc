@@ -86,6 +86,7 @@ void LoadSequence::commit(const Factors &factors, const double time) {
 bool LoadSequence::run(const Observer &observer, const Observer &each, const Pause &pause,
                        const NeedsLine &needs_line) {
   each_increment = each;
+  part_observer = observer;
   between_increments = pause;
   observer_needs_line = needs_line;
   if (!resolution)

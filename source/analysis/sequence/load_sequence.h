@@ -104,6 +104,8 @@ private:
   /// Whether the path ends where a contact is about to close: what is carried there is another
   /// branch's, and the step has failed.
   bool is_about_to_meet();
+  /// Whether the loads at @p time leave the line unstable if they do not move it.
+  bool is_unstable_as_it_stands(const double time) const;
   /// The step ends at the present state, which is its limit.
   void end_at_limit(const std::string &why);
   /// The step has carried all of its loads, and may carry more.
@@ -113,6 +115,8 @@ private:
   /// Go to @p end of an increment that the step declares. Histories are followed to their corners,
   /// and on both sides of their jumps.
   bool follow_to(const double end, const bool is_last, const Factors &target);
+  /// To the observer, the end of a part of a declared increment.
+  void show_part() const;
   bool run_transient(const Factors &target, const Observer &observer);
   bool run_reduced(const Factors &target, const Observer &observer);
   /// Go to the declared factors and time given, in one static increment or in halves of it.
@@ -153,7 +157,7 @@ private:
   Factors declared; ///< factors without the loads' histories
   LineState current;
   std::vector<StepReport> step_reports;
-  Observer each_increment;
+  Observer each_increment, part_observer;
   PieceObserver piece_observer;
   Pause between_increments;
   Position position;

@@ -101,8 +101,11 @@ bool LoadSequence::follow_to(const double end, const bool is_last, const Factors
   for (bool done = false; !done;) {
     iterations_left = most_iterations_of(model.scene.solver);
     halvings_left = most_halvings;
-    if (course.forces_jump(current.time) && !advance_to_other_side())
-      return false;
+    if (course.forces_jump(current.time)) {
+      if (!advance_to_other_side())
+        return false;
+      show_part();
+    }
     const double corner = course.next_break(current.time);
     done = !(corner < end - same_instant_of_step * duration);
     const double time = done ? end : corner, part = (time - start) / duration;
@@ -114,8 +117,17 @@ bool LoadSequence::follow_to(const double end, const bool is_last, const Factors
     halvings_left = most_halvings;
     if (!advance(Factors(declared), to, time, 0))
       return false;
+    if (!done)
+      show_part();
   }
   return true;
+}
+
+void LoadSequence::show_part() const {
+  if (part_observer)
+    part_observer({position.step, static_cast<unsigned int>(position.next) - 1,
+                   model.scene.steps[position.step].n_increments, false, true},
+                  current);
 }
 
 bool LoadSequence::advance_to_other_side() {
@@ -166,8 +178,10 @@ bool LoadSequence::advance(const Factors &from, const Factors &to, const double 
   Factors middle(to.size());
   for (unsigned int l = 0; l < to.size(); ++l)
     middle[l] = (from[l] + to[l]) / 2.;
-  return advance(from, middle, (start + time) / 2., halvings + 1) &&
-         advance(middle, to, time, halvings + 1);
+  if (!advance(from, middle, (start + time) / 2., halvings + 1))
+    return false;
+  show_part();
+  return advance(middle, to, time, halvings + 1);
 }
 
 void LoadSequence::judge_collapse(StepReport &report) const {

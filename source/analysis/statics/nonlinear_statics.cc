@@ -148,8 +148,16 @@ bool NonlinearStatics::is_solved(Approach &at, const ContactResponse &response,
                      rounding, scale);
 }
 
-bool NonlinearStatics::follows_creep(const Approach &at, EquilibriumResult &result) {
-  const double allowed = model.scene.solver.creep_tolerance;
+bool NonlinearStatics::follows_creep(const Approach &at, const LineState &from,
+                                     const ContactResponse &response, EquilibriumResult &result) {
+  // A contact that opens or closes bends the course of the stresses, which is taken for smooth.
+  constexpr double of_bent_course = 0.03;
+  const bool is_smooth =
+      std::equal(from.contact_status.begin(), from.contact_status.end(), response.status.begin(),
+                 response.status.end(), [](const ContactStatus before, const ContactStatus after) {
+                   return (before == ContactStatus::open) == (after == ContactStatus::open);
+                 });
+  const double allowed = (is_smooth ? 1. : of_bent_course) * model.scene.solver.creep_tolerance;
   too_long = at.balance.section_error > allowed;
   if (!too_long)
     return true;
@@ -227,7 +235,7 @@ EquilibriumResult NonlinearStatics::solve(const LineState &from, const StaticInc
       return result;
     }
     if (judged && is_solved(at, response, result)) {
-      if (!follows_creep(at, result))
+      if (!follows_creep(at, from, response, result))
         return result;
       result.converged = true;
       to.sections.swap(at.balance.sections);

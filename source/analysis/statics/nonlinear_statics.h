@@ -72,7 +72,8 @@ private:
   /// Whether the contacts' forces at this pose balance the line's; how well goes into the result.
   bool is_solved(Approach &at, const ContactResponse &response, EquilibriumResult &result) const;
   /// Whether the increment is short enough for creep; if not, the result's remark says so.
-  bool follows_creep(const Approach &at, EquilibriumResult &result);
+  bool follows_creep(const Approach &at, const LineState &from, const ContactResponse &response,
+                     EquilibriumResult &result);
   /// Go a part of the change if its whole goes too far (search_slope()).
   /// @param before forces at its start but for the contacts, @param of_contacts those of the
   /// linearized line

@@ -69,8 +69,9 @@ ModalAnalysis::ModalAnalysis(const Model &model, const LineState &state,
     moving += diagonal[i] > 0. ? 1 : 0;
   const unsigned int n = std::min(settings.n_modes, moving);
   if (n == 0)
-    throw UserError("Modes: nothing that may move has mass. Give it mass (Density, Mass), or leave "
-                    "out the modes.");
+    throw UserError(
+        "Modes: nothing that may move has mass. Give it mass (Density, Mass) or, where "
+        "all nodes are held, shorter cells (Mesh/Cell length), or leave out the modes.");
   if (size <= largest_dense || 4 * n > moving)
     solve_dense(n);
   else

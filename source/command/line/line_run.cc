@@ -207,6 +207,11 @@ void LineRun::observe(const Progress &progress, const LineState &state) {
     output_timer.stop();
     return;
   }
+  if (progress.is_part) {
+    collector.observe_part(state);
+    output_timer.stop();
+    return;
+  }
   progress_line.show(progress);
   if (progress.n_increments == 0)
     vtu_frames.begin(state.time);

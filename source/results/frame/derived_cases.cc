@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/frame/derived_cases.h"
 #include "base/numbers.h"
+#include "results/frame/cells_of_modes.h"
 #include "results/frame/frame_builder.h"
 #include "results/frame/frame_choice.h"
 
@@ -56,6 +57,8 @@ void add_modes(const Model &model, const ModalAnalysis &analysis, Results &resul
     ModeResult result;
     result.frequency = mode.frequency;
     result.residual = mode.residual;
+    result.by_cells = frequency_error_of_cells(model, analysis.motion(k),
+                                               2. * dealii::numbers::PI * mode.frequency);
     for (unsigned int d = 0; d < 3; ++d) {
       result.participation[d] = mode.unknowns.dot(inertia[d]);
       result.effective_mass[d] = result.participation[d] * result.participation[d];

@@ -381,6 +381,7 @@ void Collector::finish(const LineState &state) {
       result.whole = pending[i].largest / factor;
     else if (quantity.over == Quantity::Over::rate && pending[i].duration > 0.)
       result.whole = pending[i].largest / pending[i].duration / factor;
+    result.apart = pending[i].apart / factor;
     result.of_impact = pending[i].struck;
     if (result.of_impact)
       results.remarks.push_back(remark_on_impact(quantity));

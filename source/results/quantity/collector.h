@@ -28,6 +28,9 @@ public:
   void observe(const unsigned int step, const unsigned int increment,
                const unsigned int n_increments, const LineState &state);
 
+  /// To be called after every part that an increment is cut into: quantities over time follow it.
+  void observe_part(const LineState &state);
+
   /// To be called with the instant observed last once more, where velocities jump: intervals that
   /// begin or go on there begin or go on with this state.
   void observe_behind_jump(const LineState &state);
@@ -61,6 +64,7 @@ private:
     double at_start = 0., largest = 0.; ///< largest: by size
     bool begun = false, struck = false; ///< struck: a rigid support whose force it is an extreme of
     bool lacks_impulse = false;         ///< the same, whose force it is the integral of
+    double apart = 0.;                  ///< of a change: the instants that it was found between [s]
   };
 
   /// Follow a quantity over an interval of time.

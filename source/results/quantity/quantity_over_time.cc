@@ -56,8 +56,10 @@ void Collector::find_change(const Quantity &quantity, const LineState &state,
                            ? event.status != ContactStatus::open && !was_closed
                            : event.status == wanted;
     if (!change.value && is_it && lasts(state.events, k) && event.time >= quantity.from &&
-        event.time <= quantity.to && results.supports[event.contact].name == quantity.where)
+        event.time <= quantity.to && results.supports[event.contact].name == quantity.where) {
       change.value = quantity.scale * event.time;
+      change.apart = event.time == state.time ? state.time - previous_time : 0.;
+    }
   }
 }
 
@@ -123,6 +125,21 @@ bool is_followed(const Quantity &quantity) {
 }
 
 } // namespace
+
+void Collector::observe_part(const LineState &state) {
+  forget_state();
+  for (unsigned int i = 0; i < pending.size(); ++i) {
+    const Quantity &quantity = model.scene.quantities[i];
+    if (quantity.over == Quantity::Over::time_of)
+      find_change(quantity, state, false, pending[i]);
+    else if (is_followed(quantity))
+      follow(quantity, state, pending[i]);
+    else if (quantity.time)
+      await(quantity, state, false, pending[i]);
+  }
+  contacts_before.take(model, state);
+  previous_time = state.time;
+}
 
 void Collector::observe_behind_jump(const LineState &state) {
   forget_state();

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "model/model.h"
+
+namespace frictionbeam {
+
+/**
+ * By what part the frequency of a mode is too high, as its cells are long against its waves.
+ *
+ * In a wave of wave number b, b^4 = w^2 m/(EI), the cubic shapes of a cell of length l and its
+ * consistent mass have w^2 too high by (b l)^4/720, in one along the axis, k^2 = w^2 m/(EA), by
+ * (k l)^2/12, to leading order (T. J. R. Hughes, The Finite Element Method, 1987, 7.3). Here each
+ * cell counts with its part of the kinetic energy.
+ *
+ * @param motion of all degrees of freedom, of modal mass 1 kg m2
+ * @param angular_frequency w [1/s]
+ */
+double frequency_error_of_cells(const Model &model, const Vector &motion,
+                                const double angular_frequency);
+
+} // namespace frictionbeam
