@@ -99,28 +99,37 @@ def flexibilities(program, h, tangent, around, along, degree, R, angle):
     return k_in, k_across
 
 
-def long_thin_bend(h, terms=10, points=400):
+def long_thin_bend(h, terms=10, points=400, pressure=0.0):
     """k of a long bend (no ends) of a thin wall and R >> r, by von Karman's energy with all terms.
 
     Around the section, with the angle p from the neutral axis, the wall moves by v = sum b_n sin 2n p along the
     circumference and w = -dv/dp out of it, which does not stretch it. Per strain of plain bending, k = pi/J with
     the least J = integral (sin p + w sin p + v cos p)^2 + lambda^2/12 (w'' + w)^2 dp, lambda = h/sqrt(1 - nu^2).
     Its first term is the first approximation with lambda for h, its limit for small h is 1.65/h.
+
+    Pressure: the area of a section that moves by w without stretch changes by -integral (w'^2 - w^2)/2 dp, of a mode n
+    by -(n^2 - 1) pi w_n^2/2, which takes p times that; of J it is psi integral (w'^2 - w^2) dp with psi = (p/E) R^2/(r t).
+    It is zero at n = 1, a section that moves as a whole, and with J's bending at psi = -3 lambda^2/12, n = 2: a long
+    tube's buckling by p = -E t^3/(4 (1 - nu^2) r^3). @param pressure psi
     """
     bending = h**2 / (1 - NU**2) / 12
+    assert pressure > -3 * bending, "the section buckles"
     matrix = [[0.0] * terms for _ in range(terms)]
     right = [0.0] * terms
     for q in range(points):
         p, weight = 2 * math.pi * q / points, 2 * math.pi / points
-        strain, curvature = [], []
+        strain, curvature, out, turn = [], [], [], []
         for m in range(2, 2 * terms + 1, 2):
             v, w = math.sin(m * p), -m * math.cos(m * p)
             strain.append(w * math.sin(p) + v * math.cos(p))
             curvature.append(w * (1 - m * m))
+            out.append(w)
+            turn.append(m * m * math.sin(m * p))
         for i in range(terms):
             right[i] -= weight * math.sin(p) * strain[i]
             for j in range(terms):
-                matrix[i][j] += weight * (strain[i] * strain[j] + bending * curvature[i] * curvature[j])
+                matrix[i][j] += weight * (strain[i] * strain[j] + bending * curvature[i] * curvature[j]
+                                          + pressure * (turn[i] * turn[j] - out[i] * out[j]))
     saved = 0.0  # of J: right^T matrix^-1 right, by elimination
     for i in range(terms):
         saved += right[i] ** 2 / matrix[i][i]

@@ -150,6 +150,7 @@ struct SolidSettings {
   unsigned int cells_around = 16;            ///< the circumference
   unsigned int cells_through = 1;            ///< the wall
   unsigned int cells_per_bend = 8;           ///< in 90 degrees
+  bool pressure_stiffening = true;           ///< the wall's, by the pressure in it
   double first_cell = 0., longest_cell = 0.; ///< of a straight run [m]; 0: by the section
   double most_unknowns = 200000.;            ///< more are refused
   double reach = 2.; ///< of a mixed model's walls beside bends, in r sqrt(r/t)

@@ -5,6 +5,7 @@
 #include "accuracy/support_models.h"
 #include "results/text.h"
 #include "scene/in_units.h"
+#include "scene/steps/step_factors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,17 +33,60 @@ std::string of_support(const Scene &scene, const WallAtSupport &wall, const Resu
          "hold its rotation.";
 }
 
+/// Largest pressure at the end of a step, from inside or outside [Pa].
+double largest_pressure(const Scene &scene) {
+  double largest = 0.;
+  for (const LoadStep &step : scene.steps) {
+    const std::vector<double> factors = declared_factors(step, scene.loads.size());
+    double sum = 0.;
+    for (std::size_t l = 0; l < scene.loads.size(); ++l)
+      if (scene.loads[l].kind == Load::Kind::pressure)
+        sum += factors[l] * scene.loads[l].value;
+    if (std::abs(sum) > std::abs(largest))
+      largest = sum;
+  }
+  return largest;
+}
+
+/// The scene, all bends stiffened by a pressure.
+Scene stiffened_by(Scene scene, const double pressure) {
+  for (Pipe &pipe : scene.pipes)
+    pipe.bend_flexibility.pressure = pressure;
+  return scene;
+}
+
+/// What pressure makes of the walls of bends, and of beams, by the code's rule; empty: nothing.
+std::string of_pressure(const Scene &scene) {
+  const double of_loads = scene.solid.pressure_stiffening ? largest_pressure(scene) : 0.;
+  double stiffer = 1., of_beams = 0.;
+  for (const BendModel &bend : bend_models(stiffened_by(scene, std::max(0., of_loads))).judged) {
+    stiffer = std::max(stiffer, bend.stiffening);
+    of_beams = std::max(of_beams, scene.pipes[bend.pipe].bend_flexibility.pressure);
+  }
+  const auto shown = [&](const double pressure) { return in_units(scene.units, pressure, "Pa"); };
+  if (of_loads < 0.)
+    return "The pressure from outside, up to " + shown(-of_loads) +
+           ", lets the walls of bends become more oval than that, which beams do not know.";
+  if (of_loads == 0. && of_beams == 0.)
+    return "";
+  return "That is without pressure: by the same rule " + shown(of_loads) +
+         " make the walls of these bends up to " + rounded_number(stiffer, 3) +
+         " times stiffer; those of beams have a Stiffening pressure of " + shown(of_beams) + ".";
+}
+
 } // namespace
 
 std::vector<std::string> why_walls_differ(const Scene &scene, const Results &line) {
   std::vector<std::string> sentences;
-  const BendModels bends = bend_models(scene);
+  const BendModels bends = bend_models(stiffened_by(scene, 0.));
   for (const BendModel &bend : bends.judged)
     if (sentences.size() < most_of_a_kind)
       sentences.push_back(in_words(bend) + ".");
   if (bends.judged.size() > most_of_a_kind)
     sentences.push_back("So it is with " + std::to_string(bends.judged.size() - most_of_a_kind) +
                         " more bends.");
+  if (const std::string text = of_pressure(scene); !bends.judged.empty() && !text.empty())
+    sentences.push_back(text);
   if (!bends.judged.empty())
     sentences.push_back("A bend of the wall becomes oval, and what follows it hinders that; a "
                         "beam's section keeps its shape, and a rule stands for the oval.");

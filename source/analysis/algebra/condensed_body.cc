@@ -17,7 +17,10 @@ namespace {
 class CondensedSystem final : public ContinuumSystem {
 public:
   template <int dim>
-  explicit CondensedSystem(const ContinuumBody<dim> &body);
+  CondensedSystem(const ContinuumBody<dim> &body, const AssembleMatrices &stiffening);
+
+  bool stiffen(const double p) override;
+  void multiply_stiffening(const ContinuumVector &x, ContinuumVector &y) const override;
 
   void multiply(const ContinuumVector &x, ContinuumVector &y) const override;
   double diagonal(const types::global_dof_index dof) const override {
@@ -36,11 +39,16 @@ private:
   /// Unknowns: interior dofs, then those of contacts, in the order of the dofs.
   void number(const std::vector<bool> &is_free,
               const std::vector<types::global_dof_index> &contact_dofs);
-  template <int dim>
-  void assemble(const ContinuumBody<dim> &body);
+  /// The lower triangle of a sum of matrices.
+  Sparse assemble(const AssembleMatrices &matrices,
+                  const AffineConstraints<double> &constraints) const;
   /// Put the interior unknowns in an order that keeps the factor sparse.
   void reorder();
-  void factorize();
+  /// @return whether the stiffness is positive definite but for what contacts hold
+  bool factorize();
+  void factorize_or_throw();
+  /// Whether the stiffness without contacts has no negative eigenvalue.
+  bool is_stable_without_contacts() const;
   /// Stiffness of the contacts' unknowns with those of the contacts themselves.
   Dense tangent(const std::vector<Block> &blocks) const;
   /// Each column from right-hand side to solution.
@@ -58,14 +66,18 @@ private:
   std::vector<types::global_dof_index> dof_of;
   std::vector<int> unknown_of; ///< by dof; -1: none
   int n_interior = 0, n_contact = 0;
-  Sparse stiffness; ///< lower triangle
+  Sparse stiffness;  ///< lower triangle, of K
+  Sparse stiffening; ///< of S; empty: none
+  double pressure = 0.;
+  bool has_factors = false;
   double mean_diagonal = 0.;
   BlockCholesky factors;
   Dense condensed; ///< stiffness of the contacts' unknowns
 };
 
 template <int dim>
-CondensedSystem::CondensedSystem(const ContinuumBody<dim> &body) {
+CondensedSystem::CondensedSystem(const ContinuumBody<dim> &body,
+                                 const AssembleMatrices &of_stiffening) {
   std::vector<bool> is_free(body.dof_handler.n_dofs());
   for (types::global_dof_index dof = 0; dof < is_free.size(); ++dof)
     is_free[dof] = !body.constraints.is_constrained(dof);
@@ -78,9 +90,15 @@ CondensedSystem::CondensedSystem(const ContinuumBody<dim> &body) {
         contact_dofs.push_back(node.dofs[d]);
   }
   number(is_free, contact_dofs);
-  assemble(body);
+  stiffness =
+      assemble([&](const AddMatrix &add) { assemble_stiffness<dim>(body, body.dof_handler, add); },
+               body.constraints);
+  if (of_stiffening)
+    stiffening = assemble(of_stiffening, body.constraints);
   reorder();
-  factorize();
+  mean_diagonal = dof_of.empty() ? 1. : Eigen::VectorXd(stiffness.diagonal()).mean();
+  if (!of_stiffening)
+    factorize_or_throw();
 }
 
 void CondensedSystem::number(const std::vector<bool> &is_free,
@@ -98,71 +116,119 @@ void CondensedSystem::number(const std::vector<bool> &is_free,
     unknown_of[dof_of[i]] = i;
 }
 
-template <int dim>
-void CondensedSystem::assemble(const ContinuumBody<dim> &body) {
+CondensedSystem::Sparse
+CondensedSystem::assemble(const AssembleMatrices &matrices,
+                          const AffineConstraints<double> &constraints) const {
   constexpr std::size_t most_entries = 4000000; // that wait to be added up
   const int n = dof_of.size();
-  stiffness.resize(n, n);
+  Sparse sum(n, n);
   std::vector<Eigen::Triplet<double>> entries;
   const auto add_up = [&]() {
     Sparse part(n, n);
     part.setFromTriplets(entries.begin(), entries.end());
-    stiffness = stiffness.nonZeros() == 0 ? part : Sparse(stiffness + part);
+    sum = sum.nonZeros() == 0 ? part : Sparse(sum + part);
     entries.clear();
   };
-  assemble_stiffness<dim>(
-      body, body.dof_handler,
-      [&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
-        add_to_free_dofs(local, dofs, body.constraints,
-                         [&](const auto row, const auto column, const double value) {
-                           if (unknown_of[row] >= unknown_of[column])
-                             entries.emplace_back(unknown_of[row], unknown_of[column], value);
-                         });
-        if (entries.size() > most_entries)
-          add_up();
-      });
+  matrices([&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
+    add_to_free_dofs(local, dofs, constraints,
+                     [&](const auto row, const auto column, const double value) {
+                       if (unknown_of[row] >= unknown_of[column])
+                         entries.emplace_back(unknown_of[row], unknown_of[column], value);
+                     });
+    if (entries.size() > most_entries)
+      add_up();
+  });
   add_up();
+  return sum;
 }
 
 void CondensedSystem::reorder() {
-  const Eigen::VectorXi order = sparse_order(stiffness, n_contact);
+  const bool is_stiffened = stiffening.size() > 0;
+  const Eigen::VectorXi order =
+      sparse_order(is_stiffened ? Sparse(stiffness + 0. * stiffening) : stiffness, n_contact);
   const std::vector<types::global_dof_index> old = dof_of;
   for (int i = 0; i < order.size(); ++i) {
     dof_of[i] = old[order[i]];
     unknown_of[dof_of[i]] = i;
   }
   stiffness = in_order(stiffness, order);
+  if (is_stiffened)
+    stiffening = in_order(stiffening, order);
 }
 
 void CondensedSystem::multiply(const ContinuumVector &x, ContinuumVector &y) const {
   Eigen::VectorXd values(dof_of.size());
   take(x, values);
-  give(stiffness.selfadjointView<Eigen::Lower>() * values, y);
+  Eigen::VectorXd product = stiffness.selfadjointView<Eigen::Lower>() * values;
+  if (pressure != 0.) {
+    const Eigen::VectorXd added = stiffening.selfadjointView<Eigen::Lower>() * values;
+    product += pressure * added;
+  }
+  give(product, y);
 }
 
-void CondensedSystem::factorize() {
+void CondensedSystem::multiply_stiffening(const ContinuumVector &x, ContinuumVector &y) const {
+  Eigen::VectorXd values(dof_of.size());
+  take(x, values);
+  give(stiffening.selfadjointView<Eigen::Lower>() * values, y);
+}
+
+bool CondensedSystem::stiffen(const double p) {
+  Assert(stiffening.size() > 0 || p == 0., ExcInternalError());
+  if (has_factors && p == pressure)
+    return true;
+  pressure = p;
+  if (p == 0.)
+    factorize_or_throw();
+  else if (!factorize() || !is_stable_without_contacts()) {
+    pressure = 0.;
+    factorize_or_throw(); // as it is a body that nothing holds which has no inverse, too
+    return false;
+  }
+  return true;
+}
+
+bool CondensedSystem::is_stable_without_contacts() const {
+  constexpr double rounding = 1e-10; // of the largest stiffness, of rigid motions of a free body
+  if (n_contact == 0)
+    return true;
+  Dense shifted = condensed;
+  shifted.diagonal().array() += rounding * stiffness.diagonal().maxCoeff();
+  return Eigen::LLT<Dense>(shifted).info() == Eigen::Success;
+}
+
+bool CondensedSystem::factorize() {
   const int n = dof_of.size();
-  const Eigen::VectorXd diagonals = stiffness.diagonal();
+  Sparse stiffened;
+  if (pressure != 0.)
+    stiffened = stiffness + pressure * stiffening;
+  Sparse &matrix = pressure != 0. ? stiffened : stiffness;
+  const Eigen::VectorXd diagonals = matrix.diagonal();
   const double largest = n > 0 ? diagonals.maxCoeff() : 0.;
-  mean_diagonal = n > 0 ? diagonals.mean() : 1.;
   for (int i = n_interior; i < n; ++i)
-    stiffness.coeffRef(i, i) += largest;
-  const bool has_inverse = factors.compute(stiffness, n_contact);
+    matrix.coeffRef(i, i) += largest;
+  has_factors = factors.compute(matrix, n_contact);
   for (int i = n_interior; i < n; ++i)
-    stiffness.coeffRef(i, i) = diagonals[i];
+    matrix.coeffRef(i, i) = diagonals[i];
   ++n_factorizations;
-  if (!has_inverse)
-    throw UserError(
-        "The body's stiffness has no inverse.\n  read:    a body that what is Held and "
-        "Frictional does not hold well enough\n  allowed: a body that cannot move as a "
-        "whole, with a Poisson's ratio not too near to 0.5\n  try:     another group in "
-        "Held");
+  if (!has_factors)
+    return false;
   const auto last_block = factors.last_block().triangularView<Eigen::Lower>();
   condensed = last_block * factors.last_block().transpose();
   // A body that only its contacts hold would rise or fall by the sign of what rounding has left,
   // while they are open.
   constexpr double above_rounding = 1e-13;
   condensed.diagonal().array() -= (1. - above_rounding) * largest;
+  return true;
+}
+
+void CondensedSystem::factorize_or_throw() {
+  if (!factorize())
+    throw UserError(
+        "The body's stiffness has no inverse.\n  read:    a body that what is Held and "
+        "Frictional does not hold well enough\n  allowed: a body that cannot move as a "
+        "whole, with a Poisson's ratio not too near to 0.5\n  try:     another group in "
+        "Held");
 }
 
 CondensedSystem::Dense CondensedSystem::tangent(const std::vector<Block> &blocks) const {
@@ -222,7 +288,12 @@ bool CondensedSystem::solve_all(std::vector<ContinuumVector> &b) {
 
 template <int dim>
 std::unique_ptr<ContinuumSystem> make_condensed_system(const ContinuumBody<dim> &body) {
-  return std::make_unique<CondensedSystem>(body);
+  return std::make_unique<CondensedSystem>(body, AssembleMatrices());
+}
+
+std::unique_ptr<ContinuumSystem> make_stiffened_system(const ContinuumBody<3> &body,
+                                                       const AssembleMatrices &assemble) {
+  return std::make_unique<CondensedSystem>(body, assemble);
 }
 
 template std::unique_ptr<ContinuumSystem> make_condensed_system<2>(const ContinuumBody<2> &);

@@ -3,9 +3,14 @@
 
 #include "model/body/body.h"
 
+#include <functional>
 #include <string>
 
 namespace frictionbeam {
+
+using AddMatrix = std::function<void(const dealii::FullMatrix<double> &,
+                                     const std::vector<dealii::types::global_dof_index> &)>;
+using AssembleMatrices = std::function<void(const AddMatrix &)>;
 
 /// Symmetric stiffness of a body on its free dofs, and linear systems with it.
 class ContinuumSystem {
@@ -17,6 +22,19 @@ public:
   };
 
   virtual ~ContinuumSystem() = default;
+
+  /**
+   * Make the stiffness K + p S from now on, with the S that the system was made with, if with any,
+   * which waits for this to be factored.
+   * @return whether it is positive definite, or at least has no negative eigenvalue while contacts
+   * are open; if not, it is K again
+   */
+  virtual bool stiffen(const double p) {
+    Assert(p == 0., dealii::ExcNotImplemented());
+    return p == 0.;
+  }
+  /// S times @p x.
+  virtual void multiply_stiffening(const ContinuumVector &, ContinuumVector &y) const { y = 0.; }
 
   /// Stiffness times @p x; entries of held and hanging dofs are of no meaning.
   virtual void multiply(const ContinuumVector &x, ContinuumVector &y) const = 0;
@@ -68,6 +86,10 @@ std::unique_ptr<ContinuumSystem> make_continuum_system(const ContinuumBody<dim> 
  */
 template <int dim>
 std::unique_ptr<ContinuumSystem> make_condensed_system(const ContinuumBody<dim> &body);
+
+/// The same of K + p S. @param assemble hands on matrices with their dofs, whose sum is S
+std::unique_ptr<ContinuumSystem> make_stiffened_system(const ContinuumBody<3> &body,
+                                                       const AssembleMatrices &assemble);
 
 /// Matrix-free, with geometric multigrid (ElasticMultigrid); in serial and distributed.
 template <int dim>

@@ -19,6 +19,15 @@ std::vector<double> between(const std::vector<double> &a, const std::vector<doub
   return result;
 }
 
+template <int dim>
+std::unique_ptr<ContinuumSystem> make_system(const ContinuumBody<dim> &body,
+                                             const Stiffening &stiffening) {
+  if constexpr (dim == 3)
+    if (stiffening.assemble)
+      return make_stiffened_system(body, stiffening.assemble);
+  return make_continuum_system(body);
+}
+
 } // namespace
 
 template <int dim>
@@ -66,8 +75,9 @@ ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const 
 
 template <int dim>
 ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws,
-                                          std::vector<ContinuumVector> loads)
-    : body(body), system(make_continuum_system(body)),
+                                          std::vector<ContinuumVector> loads,
+                                          Stiffening of_pressure)
+    : body(body), stiffening(std::move(of_pressure)), system(make_system(body, stiffening)),
       foundation(body.continuum, laws, body.scene.solver.is_exact(),
                  foundation_points(body, *system)),
       newton(body, *system, foundation), unit_forces(std::move(loads)),
@@ -157,6 +167,11 @@ void ContinuumSequence<dim>::transfer(Archive &archive) {
       state.displacement.update_ghost_values();
   }
   is_resumed = archive.reads();
+  if (is_resumed) { // the factors were counted when they were made
+    const unsigned int counted = system->n_factorizations;
+    AssertThrow(stiffen(load_factors), ExcInternalError());
+    system->n_factorizations = counted;
+  }
 }
 
 template <int dim>
@@ -173,6 +188,11 @@ bool ContinuumSequence<dim>::advance(const Factors &from, const Factors &to, con
 }
 
 template <int dim>
+bool ContinuumSequence<dim>::stiffen(const Factors &factors) {
+  return system->stiffen(stiffening_at(factors));
+}
+
+template <int dim>
 ContinuumVector ContinuumSequence<dim>::loads_at(const Factors &factors) const {
   ContinuumVector loads;
   body.reinit(loads);
@@ -184,6 +204,13 @@ ContinuumVector ContinuumSequence<dim>::loads_at(const Factors &factors) const {
 template <int dim>
 bool ContinuumSequence<dim>::increment(const Factors &factors, const double time,
                                        const double time_increment) {
+  StepReport &report = step_reports.back();
+  if (!stiffen(factors)) {
+    report.no_equilibrium = foundation.size() == 0; // else contacts may hold it
+    report.remark = "the wall buckles under its pressure: with it the stiffness of the elastic "
+                    "body is not positive definite any more";
+    return false;
+  }
   const ContinuumVector loads = loads_at(factors);
   ContinuumVector u = unknowns;
   FoundationResponse response;
@@ -192,7 +219,6 @@ bool ContinuumSequence<dim>::increment(const Factors &factors, const double time
       newton.solve(loads, committed,
                    {time, time_increment, body.scene.installation_temperature}, // nothing heats it
                    u, response);
-  StepReport &report = step_reports.back();
   report.iterations += result.iterations;
   report.factorizations += system->n_factorizations - n_reported;
   n_reported = system->n_factorizations;
@@ -205,7 +231,7 @@ bool ContinuumSequence<dim>::increment(const Factors &factors, const double time
   report.remark.clear();
   report.residual = std::max(report.residual, result.residual);
   report.contact.include(result.check);
-  account(u, loads, response.state);
+  account(u, loads, stiffening_at(factors) - stiffening_at(load_factors), response.state);
   unknowns = u;
   committed = response.state;
   foundation.centre = committed.stress;
@@ -216,7 +242,7 @@ bool ContinuumSequence<dim>::increment(const Factors &factors, const double time
 
 template <int dim>
 void ContinuumSequence<dim>::account(const ContinuumVector &u, const ContinuumVector &loads,
-                                     const FoundationState &contacts) {
+                                     const double pressure_rise, const FoundationState &contacts) {
   EnergyAccount account;
   ContinuumVector stiff, motion = u, mean_load = loads, sum = u;
   body.reinit(stiff);
@@ -232,6 +258,12 @@ void ContinuumSequence<dim>::account(const ContinuumVector &u, const ContinuumVe
   system->multiply(sum, stiff);
   body.constraints.set_zero(motion);
   account.stored = 0.5 * (stiff * motion);
+  if (pressure_rise != 0.) { // u K u / 2 grows with K as well, by work of the pressure
+    system->multiply_stiffening(start, stiff);
+    body.constraints.set_zero(stiff);
+    account.stored += 0.5 * pressure_rise * (stiff * start);
+    account.external += 0.5 * pressure_rise * (stiff * u);
+  }
   const auto displacement = newton.local(motion);
   double pressure_work = 0., gaps = 0., slip_work = 0., missed = 0.;
   for (unsigned int i = 0; i < foundation.size(); ++i) {

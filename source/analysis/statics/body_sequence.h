@@ -22,6 +22,12 @@ struct ContinuumState {
 template <int dim>
 ContinuumVector nodal_tractions(const ContinuumBody<dim> &body, const ContinuumState &state);
 
+/// What a pressure adds to a body's stiffness: p S.
+struct Stiffening {
+  AssembleMatrices assemble;                                   ///< of S; empty: nothing is added
+  std::function<double(const std::vector<double> &)> pressure; ///< p at factors of the loads
+};
+
 /// First guess for a mesh: fields on the dofs, from a coarser one.
 struct ContinuumGuess {
   ContinuumVector displacement, traction; ///< traction in global axes at contact nodes
@@ -37,7 +43,7 @@ public:
   ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws);
   /// Under these loads at factor one, instead of the body's tractions.
   ContinuumSequence(const ContinuumBody<dim> &body, const LawLibrary &laws,
-                    std::vector<ContinuumVector> loads);
+                    std::vector<ContinuumVector> loads, Stiffening stiffening = {});
 
   /// @param guess used if the whole sequence is one increment; may be null
   /// @param pause called between the increments that the scene declares, and after the last one
@@ -74,12 +80,18 @@ private:
   bool advance(const Factors &from, const Factors &to, const double start, const double duration,
                const unsigned int halvings);
   bool increment(const Factors &factors, const double time, const double time_increment);
+  /// Give the system the stiffness that it has under loads. @return whether that is stable
+  bool stiffen(const Factors &factors);
+  double stiffening_at(const Factors &factors) const {
+    return stiffening.assemble ? stiffening.pressure(factors) : 0.;
+  }
   ContinuumVector loads_at(const Factors &factors) const;
-  void account(const ContinuumVector &u, const ContinuumVector &loads,
+  void account(const ContinuumVector &u, const ContinuumVector &loads, const double pressure_rise,
                const FoundationState &contacts);
   void keep(const unsigned int step, const unsigned int increment, const Factors &factors);
 
   const ContinuumBody<dim> &body;
+  const Stiffening stiffening;
   std::unique_ptr<ContinuumSystem> system;
   FoundationContacts foundation;
   ContinuumNewton<dim> newton;

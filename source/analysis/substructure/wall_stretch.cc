@@ -2,12 +2,12 @@
 #include "analysis/substructure/wall_stretch.h"
 
 #include "analysis/algebra/elastic_system.h"
+#include "mesh/solid/held_points.h"
 #include "mesh/solid/wall_layout.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 namespace frictionbeam {
 
@@ -25,48 +25,12 @@ Scene body_scene_of(const Scene &scene, const PipeWall &wall, const SolidStretch
   const WallRing &end = stretch.anchored[1] ? wall.rings.back() : wall.rings.front();
   if (stretch.anchored[0] || stretch.anchored[1])
     body.sections.push_back({end.centre, end.tangent, wall.outer, breathes});
-  for (const auto &entry : wall.mesh.points) {
-    const unsigned int direction = entry.first.back() - '0';
-    ContinuumHold hold{entry.first, {}};
-    hold.fixed[direction] = true;
-    body.holds.push_back(hold);
-  }
+  body.holds = holds_at_points(wall);
   Scene result = scene;
   result.continuum = body;
   result.continuum_settings.degree = scene.solid.degree;
   result.continuum_settings.linear_solver = ContinuumSettings::LinearSolver::direct;
   return result;
-}
-
-/// Name six displacements of points of the first ring that hold the wall as a whole: of four points
-/// those that a pivoting factorization of their rigid motions takes first.
-PipeWall with_held_points(PipeWall wall, const bool is_held) {
-  if (is_held)
-    return wall;
-  const WallRing &ring = wall.rings.front();
-  std::vector<Point3> places;
-  for (unsigned int i = 0; i < 4; ++i)
-    places.push_back(wall.mesh.vertices[i * wall.around / 4]);
-  Eigen::Matrix<double, 6, 12> motions;
-  for (unsigned int i = 0; i < 4; ++i)
-    for (unsigned int d = 0; d < 3; ++d) {
-      Vector3 direction;
-      direction[d] = 1.;
-      const Vector3 arm = (places[i] - ring.centre) / wall.outer,
-                    turn = cross_product_3d(arm, direction);
-      for (unsigned int k = 0; k < 3; ++k) {
-        motions(k, 3 * i + d) = direction[k];
-        motions(3 + k, 3 * i + d) = turn[k];
-      }
-    }
-  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, 12>> factors(motions);
-  for (unsigned int i = 0; i < 6; ++i) {
-    const unsigned int column = factors.colsPermutation().indices()[i];
-    wall.mesh
-        .points["held " + std::to_string(column / 3) + " along " + std::to_string(column % 3)] =
-        places[column / 3];
-  }
-  return wall;
 }
 
 /// Of a symmetric positive definite matrix, scaled, for forces and moments have their own units.
@@ -87,7 +51,8 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd &matrix) {
 
 WallStretch::WallStretch(const Scene &whole, const LineMesh &line, const SolidStretch &stretch)
     : stretch(stretch), own(whole, line, stretch),
-      wall(with_held_points(build_pipe_wall(own.scene, own.line), has_held_end())),
+      wall(has_held_end() ? build_pipe_wall(own.scene, own.line)
+                          : with_held_points(build_pipe_wall(own.scene, own.line))),
       body_scene(body_scene_of(own.scene, wall, stretch)), body(body_scene, wall.mesh) {
   body.distribute();
   loads = std::make_unique<const WallLoads>(own.scene, own.line, wall, body);

@@ -159,7 +159,7 @@ void MixedWalls::report(const LoadSequence &sequence, Results &results) {
       state.time = frame.time;
       state.factors = sequence.factors_at_end(frame.step);
       state.displacement = wall.displacement(motions, state.factors);
-      frames.push_back({frame.step, wall_state(wall.wall, *wall.loads, wall.body, state)});
+      frames.push_back({frame.step, wall_state(wall.wall, *wall.loads, wall.body, state, nullptr)});
       join = std::max(join, disagreement(wall, part, frame, frames.back().rings, state.factors));
       states.push_back(std::move(state));
     }

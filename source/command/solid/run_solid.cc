@@ -2,9 +2,11 @@
 #include "command/solid/run_solid.h"
 #include "command/solid/wall_scene.h"
 
+#include "analysis/substructure/free_pressed_wall.h"
 #include "base/interruption.h"
 #include "base/processes.h"
 #include "base/user_error.h"
+#include "mesh/solid/held_points.h"
 #include "mesh/solid/wall_layout.h"
 #include "model/line_model.h"
 #include "model/mechanism.h"
@@ -35,7 +37,7 @@ public:
   SolidRun(const Scene &scene, const LawLibrary &laws, const std::vector<double> &halved,
            Results &results)
       : scene(scene), results(results), line(scene, laws),
-        wall(build_pipe_wall(scene, line.model().mesh, halved)),
+        wall(with_held_points(build_pipe_wall(scene, line.model().mesh, halved))),
         body_scene(scene_of_wall(scene, line.model(), wall)), body(body_scene, wall.mesh),
         loads(scene, line.model().mesh, wall, body), collector(line.model(), results, {}),
         checkpoint(body) {
@@ -51,7 +53,7 @@ public:
       forces.resize(1);
       body.reinit(forces[0]);
     }
-    sequence = std::make_unique<ContinuumSequence<3>>(body, laws, std::move(forces));
+    sequence = std::make_unique<ContinuumSequence<3>>(body, laws, std::move(forces), stiffening());
     results.cost.setup_seconds = wall_clock.wall_time() - results.cost.mesh_seconds;
   }
 
@@ -60,6 +62,8 @@ public:
   WallErrors errors() const;
 
 private:
+  /// By the pressure of the loads, if there is any and it is wanted.
+  Stiffening stiffening();
   /// After an increment: write a checkpoint if it is time, and end if a signal came.
   void pause();
   void read_states();
@@ -79,10 +83,23 @@ private:
   const WallLoads loads;
   const Collector collector; ///< of the quantities, in the words of a line
   Checkpoint checkpoint;
+  std::unique_ptr<const PressureStiffness> pressure_stiffness;
   std::unique_ptr<ContinuumSequence<3>> sequence;
   std::vector<WallFrame> frames;
   double support_imbalance = 0.; ///< largest of all frames
 };
+
+Stiffening SolidRun::stiffening() {
+  const bool has_pressure =
+      std::any_of(scene.loads.begin(), scene.loads.end(),
+                  [](const Load &load) { return load.kind == Load::Kind::pressure; });
+  if (!scene.solid.pressure_stiffening || !has_pressure)
+    return {};
+  pressure_stiffness = std::make_unique<const PressureStiffness>(
+      PressureStiffness{wall, body, free_pressed_wall(body_scene, wall)});
+  return {[this](const AddMatrix &add) { pressure_stiffness->assemble(add); },
+          [this](const std::vector<double> &factors) { return loads.pressure(factors); }};
+}
 
 void SolidRun::run() {
   if (scene.output.resume)
@@ -122,7 +139,7 @@ void SolidRun::read_states() {
   for (const ContinuumState &state : sequence->ends()) {
     WallFrame frame;
     frame.step = state.step;
-    frame.rings = wall_state(wall, loads, body, state);
+    frame.rings = wall_state(wall, loads, body, state, pressure_stiffness.get());
     results.frames.push_back(solid_frame(scene, line.model(), wall, loads, body,
                                          sequence->contacts(), state, frame.rings));
     support_imbalance =

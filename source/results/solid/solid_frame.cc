@@ -13,7 +13,11 @@ using namespace dealii;
 namespace {
 
 /// The section forces of a cut in the local axes of a pipe there.
-void set_force(const Motion &cut, const double thrust, Station &station, const Vector3 &x) {
+/// @param moved_thrust what the thrust has by the section's motion
+void set_force(Motion cut, const Motion &moved_thrust, const double thrust, Station &station,
+               const Vector3 &x) {
+  for (unsigned int c = 0; c < 6; ++c)
+    cut[c] -= moved_thrust[c];
   const Vector3 force({cut[0], cut[1], cut[2]}), moment({cut[3], cut[4], cut[5]});
   station.force = {{force * x - thrust, force * station.y, force * station.z, moment * x,
                     moment * station.y, moment * station.z}};
@@ -75,7 +79,8 @@ std::vector<Station> FrameOfWall::stations(const std::vector<bool> &jumps) const
       if (side == 0 ? first : last || (!first && !two))
         continue;
       Station one = station(r, side == 0 ? r - 1 : r);
-      set_force(jumps[r] ? rings[r].cut[side] : mean, thrust, one, wall.rings[r].tangent);
+      set_force(jumps[r] ? rings[r].cut[side] : mean, rings[r].moved_thrust, thrust, one,
+                wall.rings[r].tangent);
       by_pipe[one.pipe].push_back(one);
     }
   }

@@ -41,8 +41,8 @@ void add_force(const Vector3 &force, const Vector3 &arm, Motion &sum) {
 class WallReading {
 public:
   WallReading(const PipeWall &wall, const WallLoads &loads, const ContinuumBody<3> &body,
-              const ContinuumState &state)
-      : wall(wall), loads(loads), body(body), state(state), area(wall.area()),
+              const ContinuumState &state, const PressureStiffness *const stiffness)
+      : wall(wall), loads(loads), body(body), state(state), stiffness(stiffness), area(wall.area()),
         inertia(wall.inertia()), rings(wall.rings.size()), rule(body.fe.degree + 1),
         face_rule(body.fe.degree + 2), nodes(body.fe.base_element(0).get_unit_support_points()),
         values(body.mapping, body.fe, rule,
@@ -54,6 +54,8 @@ public:
                 update_values | update_quadrature_points | update_normal_vectors |
                     update_JxW_values),
         counts(rings.size()) {
+    if (stiffness != nullptr && loads.pressure(state.factors) != 0.)
+      by_pressure.emplace(*stiffness);
     for (unsigned int i = 0; i < nodes.size(); ++i)
       first_dof.push_back(body.fe.component_to_system_index(0, i));
     for (unsigned int r = 0; r < rings.size(); ++r)
@@ -79,6 +81,11 @@ private:
   void read_motion(const typename DoFHandler<3>::active_cell_iterator &cell);
   void read_stress(const typename DoFHandler<3>::active_cell_iterator &cell);
   void add_up();
+  /// What the pressure's stiffness makes the nodes of a cell need.
+  void add_stiffening(const typename DoFHandler<3>::active_cell_iterator &cell,
+                      std::vector<Vector3> &force);
+  /// What the bore's cap has by its motion, on all rings, and as a load on the first and last.
+  void read_thrust(const unsigned int ring);
   /// Of the contacts at the nodes of a ring, which the layers beside it need.
   Motion contact_force(const unsigned int ring) const;
   /// Call for each number of the rings.
@@ -89,6 +96,8 @@ private:
   const WallLoads &loads;
   const ContinuumBody<3> &body;
   const ContinuumState &state;
+  const PressureStiffness *const stiffness;
+  std::optional<PressureCells> by_pressure;
   const double area, inertia; ///< of the mesh, which take a while to find
   std::vector<RingState> rings;
   const QGauss<3> rule;
@@ -128,6 +137,8 @@ void WallReading::read_forces(const typename DoFHandler<3>::active_cell_iterator
         force[i] +=
             on_face.JxW(q) * p * on_face.shape_value(first_dof[i], q) * on_face.normal_vector(q);
   }
+  if (by_pressure)
+    add_stiffening(cell, force);
   constexpr double on_ring = 1e-9;
   for (unsigned int i = 0; i < nodes.size(); ++i) {
     const double z = nodes.point(i)[2];
@@ -139,6 +150,24 @@ void WallReading::read_forces(const typename DoFHandler<3>::active_cell_iterator
     // What a layer needs from outside: at its end it is what follows that pulls.
     add_force(is_end ? force[i] : -force[i], arm, rings[ring].cut[is_end ? 0 : 1]);
   }
+}
+
+void WallReading::add_stiffening(const typename DoFHandler<3>::active_cell_iterator &cell,
+                                 std::vector<Vector3> &force) {
+  const FullMatrix<double> matrix = by_pressure->of_cell(cell);
+  dealii::Vector<double> u(matrix.n()), needed(matrix.m());
+  cell->get_dof_values(state.displacement, u);
+  matrix.vmult(needed, u);
+  for (unsigned int i = 0; i < force.size(); ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      force[i][d] +=
+          loads.pressure(state.factors) * needed[body.fe.component_to_system_index(d, i)];
+}
+
+void WallReading::read_thrust(const unsigned int r) {
+  const Motion per_pascal = BoreLoop(wall, body, r).moved_cap(state.displacement);
+  for (unsigned int c = 0; c < 6; ++c)
+    rings[r].moved_thrust[c] = loads.pressure(state.factors) * per_pascal[c];
 }
 
 void WallReading::read_motion(const typename DoFHandler<3>::active_cell_iterator &cell) {
@@ -279,9 +308,13 @@ std::vector<RingState> WallReading::read() {
     ring.pressure = loads.pressure(state.factors);
     for (const WallStress &point : ring.stress[0])
       ring.on_bore += point.radial / ring.stress[0].size();
+    if (by_pressure)
+      read_thrust(r);
     const Motion load = loads.section_load(r, state.factors), contact = contact_force(r);
+    const double cap = r == 0 ? -1. : r + 1 == rings.size() ? 1. : 0.;
     for (unsigned int c = 0; c < 6; ++c)
-      ring.held[c] = ring.cut[0][c] - ring.cut[1][c] - load[c] - contact[c];
+      ring.held[c] =
+          ring.cut[0][c] - ring.cut[1][c] - load[c] - cap * ring.moved_thrust[c] - contact[c];
   }
   return rings;
 }
@@ -289,8 +322,9 @@ std::vector<RingState> WallReading::read() {
 } // namespace
 
 std::vector<RingState> wall_state(const PipeWall &wall, const WallLoads &loads,
-                                  const ContinuumBody<3> &body, const ContinuumState &state) {
-  return WallReading(wall, loads, body, state).read();
+                                  const ContinuumBody<3> &body, const ContinuumState &state,
+                                  const PressureStiffness *const stiffness) {
+  return WallReading(wall, loads, body, state, stiffness).read();
 }
 
 } // namespace frictionbeam

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/statics/body_sequence.h"
+#include "model/body/pressure_stiffness.h"
 #include "model/body/wall_loads.h"
 #include "results/results.h"
 
@@ -26,6 +27,9 @@ struct RingState {
   std::array<Motion, 2> cut{};
   /// Force and moment of what holds the section there, contacts left out [N, N m].
   Motion held{};
+  /// By how much the fluid's thrust on the section, and its moment about the middle, differ by the
+  /// motion of the bore there, of a wall that pressure stiffens [N, N m].
+  Motion moved_thrust{};
   double widening = 0.; ///< mean of the radial displacement [m]
   /// Inside, and the mean round the section of the radial stress of the bore there, which is less
   /// by it but for what the cells leave [Pa].
@@ -45,8 +49,10 @@ struct RingState {
  * times the shape functions of the section's nodes over that layer, less the loads in it. They are
  * in equilibrium with the loads to rounding, which stresses integrated over the section are to the
  * mesh's error only. The same on all processes.
+ * @param stiffness that pressure adds, or null
  */
 std::vector<RingState> wall_state(const PipeWall &wall, const WallLoads &loads,
-                                  const ContinuumBody<3> &body, const ContinuumState &state);
+                                  const ContinuumBody<3> &body, const ContinuumState &state,
+                                  const PressureStiffness *const stiffness);
 
 } // namespace frictionbeam

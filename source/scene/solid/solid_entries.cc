@@ -37,6 +37,10 @@ void declare_solid(ParameterReader &in) {
   in.declare_choice("Anchors", Anchors::held, anchor_kinds, "What they hold of their section.");
   in.declare_count("Most unknowns", 200000, 1,
                    "A wall of more would take very long, and is refused.", 100000000);
+  in.declare_flag("Pressure stiffening", true,
+                  "Whether pressure in the wall, which turns and moves with it, holds bends round "
+                  "and bulges them, as it does at every instant's pressure; false: it is a load "
+                  "and no more.");
   declare_mixed(in);
 }
 
@@ -50,6 +54,7 @@ void parse_solid(const ParameterReader &in, Scene &scene) {
   solid.longest_cell = in.number("Longest cell");
   solid.anchors = in.choice("Anchors", anchor_kinds);
   solid.most_unknowns = in.count("Most unknowns");
+  solid.pressure_stiffening = in.flag("Pressure stiffening");
   parse_mixed(in, scene);
 }
 
@@ -268,6 +273,20 @@ void remark_on_pairs(ParameterReader &in, Scene &scene) {
   }
 }
 
+/// A superelement has one stiffness, whatever the pressure is.
+void remark_on_pressed_parts(Scene &scene) {
+  const bool is_pressed = std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load &load) {
+    return load.kind == Load::Kind::pressure && load.value != 0.;
+  });
+  const bool is_stiffened =
+      std::any_of(scene.pipes.begin(), scene.pipes.end(),
+                  [](const Pipe &pipe) { return pipe.bend_flexibility.pressure > 0.; });
+  if (scene.has_bend() && (is_pressed || is_stiffened))
+    scene.remarks.push_back("Section Solid: pressure does not stiffen the bends that are solid by "
+                            "At; those of beams have their pipe's Stiffening pressure. Model = "
+                            "solid stiffens them.");
+}
+
 /// What a line does not use.
 void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
   const auto wide = std::find_if(scene.supports.begin(), scene.supports.end(),
@@ -277,8 +296,9 @@ void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
                             ": its Width is that of a patch on a solid pipe, and a line does not "
                             "use it.");
   in.enter("Solid");
-  for (const char *entry : {"Degree", "Cells around", "Cells through", "Cells per bend",
-                            "First cell", "Longest cell", "Anchors", "Most unknowns", "Reach"})
+  for (const char *entry :
+       {"Degree", "Cells around", "Cells through", "Cells per bend", "First cell", "Longest cell",
+        "Anchors", "Most unknowns", "Reach", "Pressure stiffening"})
     if (in.given(entry)) {
       scene.remarks.push_back("Section Solid is not used with Model = " +
                               std::string(row_of(model_kinds, scene.model).word) + ".");
@@ -290,8 +310,10 @@ void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
 
 void check_solid(ParameterReader &in, Scene &scene) {
   const bool is_mixed = !solid_places(scene).empty();
-  if (is_mixed)
+  if (is_mixed) {
     check_mixed(in, scene);
+    remark_on_pressed_parts(scene);
+  }
   if (scene.is_solid()) {
     SolidCheck(in, scene).all();
     remark_on_pairs(in, scene);
