@@ -3,7 +3,7 @@
 """Flexibility of a bend as a solid wall, beside the beam's rule 1.65/h and the theory of thin shells.
 
     prm/benchmark/bend_flexibility.py build/bin/frictionbeam [--h 0.1 0.5] [--tangents 1 5] [--around 24] [--degree 3]
-                                      [--radius 3] [--angle 90]
+                                      [--radius 3] [--angle 90] [--stiffer 1.3 2]
 
 A bend of an angle a, R = 3 r unless given, mean radius r = 0.1 m, wall t = h r^2/R, between two straight legs of L
 diameters, one end of which is held (its radius is free to breathe); a moment M at the other. The turn of that
@@ -39,6 +39,10 @@ subsection Support anchor
   set Kind = anchor
   set At = A
 end
+subsection Load inside
+  set Kind = pressure
+  set Pressure = {pressure!r}
+end
 subsection Load in_plane
   set Kind = force
   set Forces = B 0 0 0 0 0 {MOMENT}
@@ -48,14 +52,18 @@ subsection Load across
   set Forces = B 0 0 0 {MOMENT} 0 0
 end
 subsection Step in_plane
-  set Loads = in_plane
+  set Loads = inside, in_plane
 end
 subsection Step across
-  set Loads = across
+  set Loads = inside, across
+end
+subsection Step pressed
+  set Loads = inside
 end
 subsection Quantities
   set turn_in = rz at B, step in_plane
   set turn_across = rx at B, step across
+  set turn_pressed = rz at B, step pressed
 end
 subsection Solid
   set Anchors = breathing
@@ -72,15 +80,15 @@ end
 """
 
 
-def flexibilities(program, h, tangent, around, along, degree, R, angle):
-    """k in the plane and across it, of a bend with tangents of so many diameters."""
+def flexibilities(program, h, tangent, around, along, degree, R, angle, pressure=0.0):
+    """k in the plane and across it, of a bend with tangents of so many diameters, under pressure [Pa]."""
     wall = h * RADIUS**2 / R
     outer, inner = RADIUS + wall / 2, RADIUS - wall / 2
     length = tangent * 2 * outer
     corner = length + R * math.tan(angle / 2)
     case = CASE.format(diameter=2 * outer, wall=wall, corner=corner, around=around, along=along,
                        end_x=corner * (1 + math.cos(angle)), end_y=corner * math.sin(angle),
-                       degree=degree, R=R,
+                       degree=degree, R=R, pressure=pressure,
                        first=RADIUS / 2,
                        **{name: globals()[name] for name in ("E", "NU", "MOMENT")})
     with tempfile.TemporaryDirectory() as folder:
@@ -88,14 +96,15 @@ def flexibilities(program, h, tangent, around, along, degree, R, angle):
         file.write_text(case)
         subprocess.run([program, file, "--quiet", "--output-directory", f"{folder}/out"], check=True)
         summary = json.loads((pathlib.Path(folder) / "out/summary.json").read_text())
-    turn = {one["name"]: abs(one["value"]) for one in summary["quantities"]}
+    turn = {one["name"]: one["value"] for one in summary["quantities"]}
+    turn["turn_in"] = abs(turn["turn_in"] - turn["turn_pressed"])
     bending = E * math.pi / 4 * (outer**4 - inner**4)
     twisting = bending / (1 + NU)
     k_in = (turn["turn_in"] * bending / MOMENT - 2 * length) / (R * angle)
     # The moment along x twists the leg of the anchor, and bends and twists that of the load.
     legs = length * ((1 + math.cos(angle) ** 2) / twisting + math.sin(angle) ** 2 / bending)
     bent = angle / 2 - math.sin(2 * angle) / 4
-    k_across = ((turn["turn_across"] / MOMENT - legs) / R - (angle - bent) / twisting) * bending / bent
+    k_across = ((abs(turn["turn_across"]) / MOMENT - legs) / R - (angle - bent) / twisting) * bending / bent
     return k_in, k_across
 
 
@@ -141,6 +150,18 @@ def long_thin_bend(h, terms=10, points=400, pressure=0.0):
     return math.pi / (math.pi - saved)
 
 
+def pressed(program, h, tangent, around, along, degree, R, angle, stiffer):
+    """Rows of bends that pressure makes stiffer by so much by Rodabaugh and George's rule (ASME B31.3, appendix D)."""
+    r_t, R_r = R / RADIUS / h, R / RADIUS
+    without = flexibilities(program, h, tangent, around, along, degree, R, angle)
+    for rule in stiffer:
+        pressure = E * (rule - 1) / (6 * r_t ** (7 / 3) * R_r ** (1 / 3))
+        k = flexibilities(program, h, tangent, around, along, degree, R, angle, pressure)
+        series = long_thin_bend(h) / long_thin_bend(h, pressure=pressure / E * R_r**2 * r_t)
+        print(f"| {h:g} | {R_r:g} | {r_t:.3g} | {pressure / E:.2e} | {rule:g} | {series:.3f} | {without[0] / k[0]:.3f} "
+              f"| {without[1] / k[1]:.3f} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -151,7 +172,14 @@ def main():
     parser.add_argument("--degree", type=int, default=3)
     parser.add_argument("--radius", type=float, default=3.0, help="R/r")
     parser.add_argument("--angle", type=float, default=90.0, help="degrees")
+    parser.add_argument("--stiffer", type=float, nargs="+", help="rows of bends under pressure that are so much stiffer by the code's rule")
     options = parser.parse_args()
+    if options.stiffer:
+        print("| h | R/r | r/t | p/E | rule | series | in the plane | across |\n" + "| --- " * 8 + "|")
+        for h in options.h:
+            pressed(options.program, h, options.tangents[-1], options.around, options.along, options.degree,
+                    options.radius * RADIUS, math.radians(options.angle), options.stiffer)
+        return
     heads = [f"{tangent:g} D" for tangent in options.tangents]
     print("| h | 1.65/h | von Karman | series | " + " | ".join(heads) + f" | across, {heads[-1]} |")
     print("| --- " * (5 + len(heads)) + "|")

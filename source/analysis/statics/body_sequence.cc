@@ -198,6 +198,8 @@ ContinuumVector ContinuumSequence<dim>::loads_at(const Factors &factors) const {
   body.reinit(loads);
   for (std::size_t l = 0; l < unit_forces.size(); ++l)
     loads.add(factors[l], unit_forces[l]);
+  if (const double p = stiffening_at(factors); p != 0.)
+    loads.add(p * p, stiffening.of_itself);
   return loads;
 }
 

@@ -22,10 +22,12 @@ struct ContinuumState {
 template <int dim>
 ContinuumVector nodal_tractions(const ContinuumBody<dim> &body, const ContinuumState &state);
 
-/// What a pressure adds to a body's stiffness: p S.
+/// What a pressure adds to a body's stiffness: the forces p S (u - p u_1), of which its own
+/// displacement p u_1 is free.
 struct Stiffening {
   AssembleMatrices assemble;                                   ///< of S; empty: nothing is added
   std::function<double(const std::vector<double> &)> pressure; ///< p at factors of the loads
+  ContinuumVector of_itself;                                   ///< S u_1 on the free dofs
 };
 
 /// First guess for a mesh: fields on the dofs, from a coarser one.

@@ -98,7 +98,8 @@ Stiffening SolidRun::stiffening() {
   pressure_stiffness = std::make_unique<const PressureStiffness>(
       PressureStiffness{wall, body, free_pressed_wall(body_scene, wall)});
   return {[this](const AddMatrix &add) { pressure_stiffness->assemble(add); },
-          [this](const std::vector<double> &factors) { return loads.pressure(factors); }};
+          [this](const std::vector<double> &factors) { return loads.pressure(factors); },
+          pressure_stiffness->times_free_field()};
 }
 
 void SolidRun::run() {

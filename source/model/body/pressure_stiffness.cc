@@ -98,6 +98,19 @@ void PressureStiffness::assemble(const Add &add) const {
   }
 }
 
+ContinuumVector PressureStiffness::times_free_field() const {
+  ContinuumVector result;
+  body.reinit(result);
+  assemble([&](const FullMatrix<double> &matrix, const std::vector<types::global_dof_index> &dofs) {
+    Vector<double> u(dofs.size()), force(dofs.size());
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      u[i] = free_field(dofs[i]);
+    matrix.vmult(force, u);
+    body.constraints.distribute_local_to_global(force, dofs, result);
+  });
+  return result;
+}
+
 ContinuumVector volume_gradient(const PipeWall &wall, const ContinuumBody<3> &body) {
   ContinuumVector forces;
   body.reinit(forces);

@@ -31,6 +31,9 @@ struct PressureStiffness {
                                  const std::vector<dealii::types::global_dof_index> &)>;
   /// Hand on matrices with their dofs, whose sum is symmetric, though none of them is.
   void assemble(const Add &add) const;
+  /// S times the free field, on the unconstrained dofs: what it has to be given so that the free
+  /// pipe under pressure is strained as far as without S.
+  ContinuumVector times_free_field() const;
 };
 
 /// Part of a cell: the rows are what its nodes need [m].

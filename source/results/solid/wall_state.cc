@@ -54,8 +54,11 @@ public:
                 update_values | update_quadrature_points | update_normal_vectors |
                     update_JxW_values),
         counts(rings.size()) {
-    if (stiffness != nullptr && loads.pressure(state.factors) != 0.)
+    if (stiffness != nullptr && loads.pressure(state.factors) != 0.) {
       by_pressure.emplace(*stiffness);
+      moved = state.displacement;
+      moved.add(-loads.pressure(state.factors), stiffness->free_field);
+    }
     for (unsigned int i = 0; i < nodes.size(); ++i)
       first_dof.push_back(body.fe.component_to_system_index(0, i));
     for (unsigned int r = 0; r < rings.size(); ++r)
@@ -98,6 +101,7 @@ private:
   const ContinuumState &state;
   const PressureStiffness *const stiffness;
   std::optional<PressureCells> by_pressure;
+  ContinuumVector moved;      ///< displacement without that of the pressure by itself
   const double area, inertia; ///< of the mesh, which take a while to find
   std::vector<RingState> rings;
   const QGauss<3> rule;
@@ -156,7 +160,7 @@ void WallReading::add_stiffening(const typename DoFHandler<3>::active_cell_itera
                                  std::vector<Vector3> &force) {
   const FullMatrix<double> matrix = by_pressure->of_cell(cell);
   dealii::Vector<double> u(matrix.n()), needed(matrix.m());
-  cell->get_dof_values(state.displacement, u);
+  cell->get_dof_values(moved, u);
   matrix.vmult(needed, u);
   for (unsigned int i = 0; i < force.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
@@ -165,7 +169,7 @@ void WallReading::add_stiffening(const typename DoFHandler<3>::active_cell_itera
 }
 
 void WallReading::read_thrust(const unsigned int r) {
-  const Motion per_pascal = BoreLoop(wall, body, r).moved_cap(state.displacement);
+  const Motion per_pascal = BoreLoop(wall, body, r).moved_cap(moved);
   for (unsigned int c = 0; c < 6; ++c)
     rings[r].moved_thrust[c] = loads.pressure(state.factors) * per_pascal[c];
 }
