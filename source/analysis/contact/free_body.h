@@ -3,7 +3,10 @@
 
 #include "analysis/algebra/elastic_system.h"
 
+#include <Eigen/Core>
+
 #include <optional>
+#include <vector>
 
 namespace frictionbeam {
 
@@ -25,7 +28,21 @@ public:
   std::optional<bool> is_pushed_away(const ContinuumVector &loads,
                                      const std::vector<std::optional<double>> &friction);
 
+  /**
+   * Whether a rigid motion leads along the normals of nodes on which a pressure is prescribed, a
+   * load that holds nothing, and nothing else is in its way: no constraint, no other contact, and
+   * no friction, as these nodes do not slide.
+   * @param is_pressed of this process's contact nodes
+   */
+  bool rises_freely(const std::vector<bool> &is_pressed);
+
 private:
+  using Motions = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+
+  /// Find the rigid motions, if that has not been done.
+  void find_motions();
+  /// What they do to a contact node: along its normal, and across.
+  Motions motions_of(const ContinuumContactNode<dim> &node) const;
   /// Whether a motion strains nothing.
   bool is_free(ContinuumVector motion) const;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/body_sequence.h"
 
+#include "analysis/contact/free_body.h"
 #include "base/numbers.h"
+#include "base/user_error.h"
 
 #include <algorithm>
 
@@ -26,6 +28,25 @@ std::unique_ptr<ContinuumSystem> make_system(const ContinuumBody<dim> &body,
     if (stiffening.assemble)
       return make_stiffened_system(body, stiffening.assemble);
   return make_continuum_system(body);
+}
+
+/// @throws UserError if a pressure alone keeps a body on its frictional surface
+template <int dim>
+void check_that_body_is_held(const ContinuumBody<dim> &body, const ContinuumSystem &system) {
+  const std::vector<ContinuumContact> &surfaces = body.continuum.contacts;
+  if (std::none_of(surfaces.begin(), surfaces.end(),
+                   [](const ContinuumContact &surface) { return surface.pressure.has_value(); }))
+    return;
+  std::vector<bool> is_pressed;
+  for (const ContinuumContactNode<dim> &node : body.nodes)
+    is_pressed.push_back(surfaces[node.surface].pressure.has_value());
+  if (FreeBody<dim>(body, system).rises_freely(is_pressed))
+    throw UserError(
+        "Nothing holds the body along the normal of its frictional surface.\n"
+        "  read:    a Pressure on it, which is a load and holds nothing, and no other hold\n"
+        "  allowed: a body that cannot move as a whole but along what friction holds\n"
+        "  try:     in Held, a part that faces the surface, with the direction of the normal; or "
+        "no Pressure, so that the surface holds by contact, and what presses on it in Loaded");
 }
 
 } // namespace
@@ -82,6 +103,7 @@ ContinuumSequence<dim>::ContinuumSequence(const ContinuumBody<dim> &body, const 
                  foundation_points(body, *system)),
       newton(body, *system, foundation), unit_forces(std::move(loads)),
       load_factors(unit_forces.size(), 0.) {
+  check_that_body_is_held(body, *system);
   body.reinit(unknowns);
 }
 
