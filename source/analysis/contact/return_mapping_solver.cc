@@ -116,7 +116,8 @@ bool ReturnMappingSolver::improve(const EquilibriumProblem &problem, Residual &r
   contacts.add_tangent(response, tangent);
   ++result.factorizations;
   if (!consistent.factorize(tangent)) {
-    result.remark = "the tangent is singular";
+    result.remark = "the tangent is singular, as contacts that alone hold something slip or are "
+                    "open: Method = exact knows what to do with that";
     return false;
   }
   search_line(residual, consistent.solve(forces), elastic_diagonal, unknowns, forces, response);

@@ -111,6 +111,9 @@ EnergyAccount account_contacts(const Model &model, const LineState &before, cons
     share.external = contact.weight * mean.dot(imposed);
     share.turnover = std::abs(share.stored) + std::abs(share.dissipated) + std::abs(share.gaps) +
                      std::abs(share.impact);
+    // Where the ground takes along what nothing holds, all else is zero.
+    share.least_scale =
+        contact.weight * model.scene.solver.tolerance * mean.norm() * imposed.norm();
     account += share;
   }
   return account;
