@@ -11,7 +11,7 @@ namespace frictionbeam {
 struct Progress {
   unsigned int step = 0, increment = 0;
   unsigned int n_increments = 0;
-  /// The instant of the call before once more, as loads have made velocities jump there.
+  /// The instant of the call before once more, behind a jump of forces or velocities.
   bool behind_jump = false;
   /// The end of a part that a declared increment has been cut into, but for the last.
   bool is_part = false;

@@ -7,6 +7,7 @@
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/increment/report_result.h"
 #include "analysis/increment/time_step.h"
+#include "analysis/march/behind_jump.h"
 #include "analysis/march/integrator_library.h"
 #include "analysis/march/load_jumps.h"
 #include "analysis/march/time_instants.h"
@@ -41,6 +42,10 @@ bool rates_jump(const std::vector<double> &before, const std::vector<double> &af
       return true;
   }
   return false;
+}
+
+bool is_any(const LoadCourse::Factors &jumps) {
+  return std::any_of(jumps.begin(), jumps.end(), [](const double jump) { return jump != 0.; });
 }
 } // namespace
 
@@ -82,7 +87,7 @@ bool TimeMarch::run(const TransientStep &step, const LoadCourse &course_of_step,
     if (integrator->is_exact())
       integrator->start(*state, *course);
     else
-      pass_jump();
+      pass_jump(before);
     time_step = longest_step;
     jump_met = start;
     contacts_before = {};
@@ -161,13 +166,16 @@ bool TimeMarch::is_shortest(const double step) const {
          longest_step / std::pow(2., model.scene.solver.max_halvings) * (1. + same_instant_of_step);
 }
 
-void TimeMarch::pass_jump() {
-  const std::vector<double> before = state->load_rates;
+void TimeMarch::pass_jump(const LoadCourse::Factors factors_before) {
+  const std::vector<double> rates_before = state->load_rates;
   report->energy += meet_jump(model, *course, *integrator, *state);
-  if (!rates_jump(before, state->load_rates))
+  const LoadCourse::Factors jumps =
+      course->jumps_between(factors_before, state->load_factors, state->time);
+  if (!rates_jump(rates_before, state->load_rates) && !is_any(jumps))
     return;
   state->events.clear(); // they have been shown
-  watchers->of_instants({step_number, n_increments, 0, true}, *state);
+  watchers->of_instants({step_number, n_increments, 0, true},
+                        state_behind_jump(model, *course, *state));
 }
 
 bool TimeMarch::take_time_step(const double time) {
@@ -175,7 +183,7 @@ bool TimeMarch::take_time_step(const double time) {
     jump_met = state->time;
     if (course->jumps(state->time)) {
       course->set_rates(*state, LoadCourse::Side::before);
-      pass_jump();
+      pass_jump(state->load_factors);
     }
   }
   last_error = not_solved;

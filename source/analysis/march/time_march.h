@@ -59,8 +59,8 @@ private:
   /// Whether a time step [s] has been halved as often as it may be.
   bool is_shortest(const double step) const;
   /// Put the state behind a jump of the loads in place of the one before, and show it where
-  /// velocities jump.
-  void pass_jump();
+  /// velocities or forces jump.
+  void pass_jump(const LoadCourse::Factors factors_before);
   /// One time step. @return whether it was taken; if not, a shorter one may be.
   bool take_time_step(const double time);
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace frictionbeam {
 
@@ -82,6 +83,12 @@ void Envelope::observe(const unsigned int step, const unsigned int increment,
     begin(next, state);
     include(state, true);
   }
+}
+
+void Envelope::observe_behind_jump(const LineState &state, const bool line_is_known) {
+  const std::vector<ContactStatus> before = std::exchange(previous_status, state.contact_status);
+  include(state, line_is_known);
+  previous_status = before;
 }
 
 void Envelope::begin(const unsigned int step, const LineState &state) {

@@ -35,10 +35,9 @@ public:
                const unsigned int n_increments, const LineState &state,
                const bool line_is_known = true);
 
-  /// To be called with the instant observed last once more, where velocities jump.
-  void observe_behind_jump(const LineState &state, const bool line_is_known) {
-    include(state, line_is_known);
-  }
+  /// To be called with the instant observed last once more, behind a jump. What closes there is
+  /// known to strike, or not, at the end of the time step.
+  void observe_behind_jump(const LineState &state, const bool line_is_known);
 
   /// To be called with every smooth piece of a motion, before its end is observed. Whatever is a
   /// polynomial in time has its extremes at roots of the derivative; sizes, stresses and ratios are

@@ -31,8 +31,8 @@ public:
   /// To be called after every part that an increment is cut into: quantities over time follow it.
   void observe_part(const LineState &state);
 
-  /// To be called with the instant observed last once more, where velocities jump: intervals that
-  /// begin or go on there begin or go on with this state.
+  /// To be called with the instant observed last once more, behind a jump: intervals that begin or
+  /// go on there begin or go on with this state, and so do histories.
   void observe_behind_jump(const LineState &state);
 
   /// To be called with every smooth piece of a motion, before its end is observed: extremes and
@@ -70,8 +70,8 @@ private:
   /// Follow a quantity over an interval of time.
   void follow(const Quantity &quantity, const LineState &state, Pending &pending);
   /// The same where a step begins with another state than the one before ended with, as it goes
-  /// back to an earlier one or takes initial velocities, or where loads make velocities jump: the
-  /// line jumps, and that is no motion.
+  /// back to an earlier one or takes initial velocities, or where loads jump: the line jumps, and
+  /// that is no motion.
   void follow_back(const Quantity &quantity, const LineState &state, Pending &pending);
   /// The value at the quantity's own time, between the states before and after it.
   void await(const Quantity &quantity, const LineState &state, const bool is_start,

@@ -143,6 +143,12 @@ void Collector::observe_part(const LineState &state) {
 
 void Collector::observe_behind_jump(const LineState &state) {
   forget_state();
+  for (History &history : results.histories)
+    if (const Motion displacement = builder.motion(state, history.point);
+        history.displacement.empty() || displacement != history.displacement.back()) {
+      history.time.push_back(state.time);
+      history.displacement.push_back(displacement);
+    }
   for (unsigned int i = 0; i < pending.size(); ++i)
     if (is_followed(model.scene.quantities[i]))
       follow_back(model.scene.quantities[i], state, pending[i]);
