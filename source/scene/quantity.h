@@ -218,6 +218,7 @@ struct Quantity {
   bool absolute = false;
   /// Over an interval of time: change and rate are between its ends, and the change per time.
   enum class Over { end, maximum, minimum, mean, integral, change, rate, time_of } over = Over::end;
+  bool wants_time = false;      ///< of a maximum or minimum: when it is reached first [s]
   double from = 0., to = 1e300; ///< interval of time [s], if not `end`
   std::string where; ///< named point, or name of a support or restraint; number of a mode
   enum class Side { any, before, after } side = Side::any; ///< of a point, for what has a pipe

@@ -375,7 +375,9 @@ void Collector::finish(const LineState &state) {
                                 why_no_value(quantity, results.steps));
       continue;
     }
-    QuantityResult result = shown(model.scene, quantity, *pending[i].value);
+    QuantityResult result =
+        shown(model.scene, quantity,
+              quantity.wants_time ? quantity.scale * pending[i].at : *pending[i].value);
     const double factor = model.scene.units.factor(unit_of(quantity));
     if (quantity.over == Quantity::Over::change)
       result.whole = pending[i].largest / factor;

@@ -58,8 +58,13 @@ public:
 
 private:
   struct Pending {
+    /// Take over a value that is larger, or with @p sign = -1 smaller, and its time if it is by
+    /// more than rounding.
+    void reach(const double sign, const double reached, const double time);
+
     std::optional<double> value;
     double previous = 0., since = 0.;   ///< value before, and the time that it belongs to
+    double at = 0., value_at = 0.;      ///< when an extreme was reached [s], and what it was then
     double sum = 0., duration = 0.;     ///< integrals over time
     double at_start = 0., largest = 0.; ///< largest: by size
     bool begun = false, struck = false; ///< struck: a rigid support whose force it is an extreme of

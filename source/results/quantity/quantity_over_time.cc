@@ -63,6 +63,17 @@ void Collector::find_change(const Quantity &quantity, const LineState &state,
   }
 }
 
+void Collector::Pending::reach(const double sign, const double reached, const double time) {
+  constexpr double rounding = 1e-12; // of an extreme
+  if (!value ||
+      sign * (reached - value_at) > rounding * std::max(std::abs(reached), std::abs(value_at))) {
+    at = time;
+    value_at = reached;
+  }
+  if (!value || sign * (reached - *value) > 0.)
+    value = reached;
+}
+
 void Collector::follow(const Quantity &quantity, const LineState &state, Pending &course) {
   using Over = Quantity::Over;
   if (course.since > quantity.to)
@@ -81,12 +92,9 @@ void Collector::follow(const Quantity &quantity, const LineState &state, Pending
                at_last = between(since, before, state.time, value, last);
   if (quantity.over == Over::maximum || quantity.over == Over::minimum) {
     const double sign = quantity.over == Over::maximum ? 1. : -1.;
-    double extreme = sign * at_last;
-    if (course.begun)
-      extreme = std::max(extreme, sign * *course.value);
-    else if (quantity.from > since)
-      extreme = std::max(extreme, sign * at_first);
-    course.value = sign * extreme;
+    if (!course.begun && quantity.from > since)
+      course.reach(sign, at_first, first);
+    course.reach(sign, at_last, last);
   } else {
     course.largest = std::max({course.largest, std::abs(at_first), std::abs(at_last)});
     course.sum += (last - first) * (at_first + at_last) / 2.;
@@ -224,9 +232,10 @@ void Collector::follow(const unsigned int i, const SmoothCourses &courses,
     course.at_start = at_first;
   const bool is_extreme = quantity.over == Over::maximum || quantity.over == Over::minimum;
   const double upwards = quantity.over == Over::maximum ? 1. : -1.;
-  double extreme = std::max(upwards * at_first, upwards * at_last);
-  if (is_extreme && course.begun)
-    extreme = std::max(extreme, upwards * *course.value);
+  if (is_extreme) {
+    course.reach(upwards, at_first, first);
+    course.reach(upwards, at_last, last);
+  }
   for (std::size_t k = 1; k < corners.size(); ++k) { // |what| is smooth in between
     const double from = corners[k - 1], to = corners[k],
                  side = quantity.absolute && courses.value(number, (from + to) / 2.) * scale < 0.
@@ -235,14 +244,14 @@ void Collector::follow(const unsigned int i, const SmoothCourses &courses,
     if (!is_extreme)
       course.sum += side * courses.integral(number, from, to);
     else if (const auto found =
-                 courses.extreme(number, side * upwards, from, to, side * upwards * extreme))
-      extreme = upwards * side * found->value;
+                 courses.extreme(number, side * upwards, from, to, side * *course.value))
+      course.reach(upwards, side * found->value, found->time);
   }
   const double change = at_last - course.at_start;
-  course.value = is_extreme                        ? upwards * extreme
-                 : quantity.over == Over::integral ? course.sum
-                 : quantity.over == Over::change   ? change
-                 : quantity.over == Over::rate     ? change / course.duration
+  if (!is_extreme)
+    course.value = quantity.over == Over::integral ? course.sum
+                   : quantity.over == Over::change ? change
+                   : quantity.over == Over::rate   ? change / course.duration
                                                    : course.sum / course.duration;
   course.begun = true;
   course.previous = at_last;

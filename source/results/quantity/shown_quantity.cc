@@ -7,6 +7,8 @@ namespace frictionbeam {
 
 std::string unit_of(const Quantity &quantity) {
   const std::string unit = quantity.kind().unit;
+  if (quantity.wants_time)
+    return "s";
   if (quantity.over == Quantity::Over::integral)
     return unit == "-" ? "s" : unit + " s";
   if (quantity.over == Quantity::Over::rate)

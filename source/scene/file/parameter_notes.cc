@@ -75,6 +75,7 @@ std::string parameter_notes() {
 # |what| is the absolute value. Without a step, the last one is meant; without a time, the end of
 # the step. Over an interval:
 #   set <name> = max what at where, from T1, to T2        or min, mean, integral, change, rate
+#   set <name> = time_of max what at where, from T1, to T2  or min: when it is reached first
 #   set <name> = time_of slip at SUPPORT, from T1, to T2  or stick, open, closed
 # What there is to ask for:
 )";

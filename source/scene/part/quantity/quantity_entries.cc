@@ -205,7 +205,7 @@ void check_unit(const ParameterReader &in, const std::vector<std::string> &piece
     return std::any_of(pieces.begin(), pieces.end(),
                        [&](const std::string &piece) { return piece.rfind(word + " ", 0) == 0; });
   };
-  const std::string own = scene.units.name(quantity.kind().unit);
+  const std::string own = scene.units.name(quantity.wants_time ? "s" : quantity.kind().unit);
   if (begins("unit") && !begins("scale") && quantity.unit != own)
     in.fail(quantity.name, "a unit with the scale that makes it, or the quantity's own: " + own,
             "'scale 1000; unit mm' of metres", "unit " + quantity.unit);

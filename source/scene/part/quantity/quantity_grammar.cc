@@ -41,7 +41,8 @@ void fail_form(const ParameterReader &in, const std::string &entry, const std::s
           "'before P' or 'after P' in place of 'at P' is one side of a point, 'pipe NAME' one pipe "
           "of a branch, 'along' the direction of u, r, v, w, f, m, F or M), or " +
               words_of_intervals() +
-              " and then what at where, from T, to T, or time_of slip at SUPPORT, from T "
+              " and then what at where, from T, to T, or time_of max what at where, or time_of "
+              "slip at SUPPORT, from T "
               "(doc/quantities.md)",
           "'ux at P1, step heat; reference 0.012; source hand calculation', or 'Mz after T1, pipe "
           "branch'",
@@ -64,6 +65,13 @@ void parse_subject(const ParameterReader &in, std::vector<std::string> words,
   if (interval != std::end(intervals) && words.size() > 1) {
     quantity.over = interval->value;
     words.erase(words.begin());
+    const auto extreme = find_word(intervals, words[0]); // time_of max what
+    if (quantity.over == Over::time_of && words.size() > 1 && extreme != std::end(intervals) &&
+        (extreme->value == Over::maximum || extreme->value == Over::minimum)) {
+      quantity.wants_time = true;
+      quantity.over = extreme->value;
+      words.erase(words.begin());
+    }
   }
   std::string what = words[0];
   quantity.absolute = what.size() > 2 && what.front() == '|' && what.back() == '|';
@@ -192,6 +200,8 @@ void parse_attributes(const ParameterReader &in, const std::vector<std::string> 
       quantity.scale = number_of(in, quantity.name, value);
       if (quantity.scale == 0.)
         in.fail(quantity.name, "a scale that is not 0", "'scale 1000; unit mm'", pieces[i]);
+      if (quantity.wants_time && quantity.scale < 0.)
+        in.fail(quantity.name, "a scale > 0 of a time", "'scale 1000; unit ms'", pieces[i]);
     } else if (key == "reference")
       quantity.reference = number_of(in, quantity.name, value);
     else if (key == "limit") {
