@@ -8,6 +8,7 @@
 #include "model/unknowns/discretization.h"
 #include "results/text.h"
 #include "scene/solid/wall_refusal.h"
+#include "scene/steps/step_factors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,32 @@ double flexibility_of_wall(const Scene &scene, const Pipe &pipe, const double h,
     const auto excess = [](const double x) { return 9. / (1. + 12. * x * x); };
     return std::max(1., 1. + (ratio * 1.65 / highest - 1.) * excess(h) / excess(highest));
   }
-  Pipe by_code = pipe; // with the pressure that stiffens it, if it says so
-  if (by_code.bend_flexibility.rule != BendFlexibility::Rule::code)
-    by_code.bend_flexibility = {};
-  return std::max(1., ratio * bend_flexibility(by_code, scene.sections[pipe.section],
+  return std::max(1., ratio * bend_flexibility(pipe, scene.sections[pipe.section],
                                                scene.materials[pipe.material], radius));
+}
+
+/// Largest pressure in a pipe at the end of a step; 0: none from inside [Pa].
+double largest_pressure(const Scene &scene, const Pipe &pipe) {
+  double largest = 0.;
+  for (const LoadStep &step : scene.steps) {
+    const std::vector<double> factors = declared_factors(step, scene.loads.size());
+    double sum = 0.;
+    for (std::size_t l = 0; l < scene.loads.size(); ++l)
+      if (scene.loads[l].kind == Load::Kind::pressure && scene.loads[l].is_on(pipe.name))
+        sum += factors[l] * scene.loads[l].value;
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// A pipe whose bends have the code's rule, stiffened by what its entry says or its loads bring.
+Pipe like_a_wall(const Scene &scene, Pipe pipe) {
+  if (pipe.bend_flexibility.rule != BendFlexibility::Rule::code)
+    pipe.bend_flexibility = {};
+  if (scene.solid.pressure_stiffening)
+    pipe.bend_flexibility.pressure =
+        std::max(pipe.bend_flexibility.pressure, largest_pressure(scene, pipe));
+  return pipe;
 }
 
 /// Finds what stands beside the bends of a scene.
@@ -93,8 +115,9 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
                            cross_product_3d(bend.inward, bend.first_tangent);
   const BendRatios ratios = ratios_of_walls({model.h, bend.radius / r, model.angle, model.tangent});
   model.by_rule = bend_flexibility(pipe, section, scene.materials[pipe.material], bend.radius);
-  model.in_plane = flexibility_of_wall(scene, pipe, model.h, bend.radius, ratios.in_plane);
-  model.across = flexibility_of_wall(scene, pipe, model.h, bend.radius, ratios.across);
+  const Pipe wall = like_a_wall(scene, pipe);
+  model.in_plane = flexibility_of_wall(scene, wall, model.h, bend.radius, ratios.in_plane);
+  model.across = flexibility_of_wall(scene, wall, model.h, bend.radius, ratios.across);
   model.off = ratios.off;
   // Flanges in place of legs leave a bend the part h^(1/3) of its flexibility; what is beside it
   // within the shortest tangents of the table is between the two.
@@ -102,11 +125,12 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
     if (tangent.until != Tangent::Until::end)
       model.off +=
           std::max(0., 1. - tangent.length / diameter) * std::max(0., -std::log(model.h)) / 6.;
-  Pipe unpressed = pipe;
+  Pipe unpressed = wall;
   unpressed.bend_flexibility.pressure = 0.;
-  model.stiffening =
-      bend_flexibility(unpressed, section, scene.materials[pipe.material], bend.radius) /
-      model.by_rule;
+  const auto by_code = [&](const Pipe &one) {
+    return bend_flexibility(one, section, scene.materials[pipe.material], bend.radius);
+  };
+  model.stiffening = by_code(unpressed) / by_code(wall);
   return model;
 }
 
@@ -178,15 +202,19 @@ double error_of_joint(const Alone &bend, const std::vector<Alone> &all) {
 void take_solids(const BendVariants &variants, const std::vector<Alone> &bends,
                  ModelOfPipes &answer) {
   BendVariants::Bends solid;
+  double stiffest = 1.;
   for (const Alone &one : bends)
     if (one.is_solid) {
       solid.push_back(one.bend);
       answer.solid.push_back(one.bend->name);
       answer.r_over_t = std::max(answer.r_over_t, one.bend->r_over_t);
-      answer.of_joints =
-          std::max(answer.of_joints, error_of_joint(one, bends) + std::log(one.bend->stiffening));
+      answer.of_joints = std::max(answer.of_joints, error_of_joint(one, bends));
+      stiffest = std::max(stiffest, one.bend->stiffening);
     }
-  answer.per_part = variants.change_per_part(solid);
+  using Off = BendVariants::Off;
+  answer.per_part = variants.change_per_part(solid, Off::with_turn_by_pressure);
+  if (stiffest > 1.) // by a pressure that strains a pipe by itself no more for that
+    answer.by_pressure = std::log(stiffest) * variants.change_per_part(solid, Off::flexibility);
 }
 
 } // namespace

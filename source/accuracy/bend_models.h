@@ -17,6 +17,7 @@ struct ModelOfPipes {
   double left = 0.;     ///< what those that stay beams contribute
   double per_part = 0.; ///< change of a quantity by the part that the solids' flexibilities are off
   double of_joints = 0.;          ///< that part, as the joints of solids and beams leave it
+  double by_pressure = 0.;        ///< change of a quantity by what it would stiffen the solids
   double r_over_t = 0.;           ///< largest of the bends that do not stay beams
   std::vector<std::string> solid; ///< these, as Solid/At has them
   std::string reason;

@@ -165,7 +165,7 @@ PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const
     const unsigned int n_around = cells_around_for(part, bends.r_over_t);
     const double of_cells =
         formula_of_cells * *flexibility_error(degree_of_walls, n_around, bends.r_over_t);
-    model.error += bends.per_part * (bends.of_joints + of_cells);
+    model.error += bends.per_part * (bends.of_joints + of_cells) + bends.by_pressure;
     model.solid = {"Model = line", "Solid/At = " + join(bends.solid),
                    "Solid/Degree = " + std::to_string(degree_of_walls),
                    "Solid/Cells around = " + std::to_string(n_around),
@@ -173,7 +173,10 @@ PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const
     model.judged.push_back("Solid bends leave " +
                            rounded_number(bends.per_part * bends.of_joints, 2) +
                            " where they are joined to beams, and " +
-                           rounded_number(bends.per_part * of_cells, 2) + " by their cells.");
+                           rounded_number(bends.per_part * of_cells, 2) + " by their cells" +
+                           (bends.by_pressure > 0. ? "; that pressure does not stiffen them, " +
+                                                         rounded_number(bends.by_pressure, 2) + "."
+                                                   : "."));
   }
   judge_held_sections(scene, beams, solve, model);
   judge_points(scene, beams, model);

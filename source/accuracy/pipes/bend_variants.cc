@@ -70,16 +70,16 @@ BendVariants::BendVariants(const Scene &whole, const Results &beams, const BendM
 
 Difference BendVariants::change(const Bends &walls, const Flexibility by,
                                 const std::string &what) const {
-  return between(beams, solve(with(walls, by, 1.), what));
+  return between(beams, solve(with(walls, by), what));
 }
 
-double BendVariants::change_per_part(const Bends &walls) const {
+double BendVariants::change_per_part(const Bends &walls, const Off off) const {
   constexpr double part = 0.1;
   const std::string what = "solid bends as flexible as their walls";
-  const Results now = solve(with(walls, &BendModel::in_plane, 1.), what),
-                off = solve(with(walls, &BendModel::in_plane, 1. + part),
-                            what + ", and " + rounded_number(100. * part, 2) + " % more");
-  return between(off, now).value / part;
+  const Results now = solve(with(walls, &BendModel::in_plane), what),
+                more = solve(with(walls, &BendModel::in_plane, 1. + part, off),
+                             what + ", and " + rounded_number(100. * part, 2) + " % more");
+  return between(more, now).value / part;
 }
 
 void BendVariants::cut_pipes(const Scene &whole) {
@@ -94,7 +94,8 @@ void BendVariants::cut_pipes(const Scene &whole) {
     pieces[owner[p]].push_back(p);
 }
 
-Scene BendVariants::with(const Bends &walls, const Flexibility by, const double times) const {
+Scene BendVariants::with(const Bends &walls, const Flexibility by, const double times,
+                         const Off off) const {
   std::map<unsigned int, const BendModel *> worst;
   for (const BendModel *const wall : walls) {
     const BendModel *&of_pipe = worst[pipe_of(*wall)];
@@ -107,7 +108,8 @@ Scene BendVariants::with(const Bends &walls, const Flexibility by, const double 
                                             times * furthest(*wall, by)};
   for (const BendModel *const wall : walls) {
     const unsigned int pipe = pipe_of(*wall);
-    add_turn_by_pressure(*wall, wall->more_turn + times - 1., scene.pipes[pipe],
+    const double more = off == Off::with_turn_by_pressure ? times - 1. : 0.;
+    add_turn_by_pressure(*wall, wall->more_turn + more, scene.pipes[pipe],
                          variant.pipes[pipe].bend_flexibility.factor, variant);
   }
   return variant;

@@ -26,8 +26,11 @@ public:
 
   /// What walls change in the quantities.
   Difference change(const Bends &walls, const Flexibility by, const std::string &what) const;
+  /// What they are off by a part in: their flexibility, and the turn by pressure that goes with it,
+  /// or that alone.
+  enum class Off { with_turn_by_pressure, flexibility };
   /// What walls change that are off by a part, per part.
-  double change_per_part(const Bends &walls) const;
+  double change_per_part(const Bends &walls, const Off off) const;
 
 private:
   /// Each bend a pipe, if the line stays the same.
@@ -36,7 +39,8 @@ private:
     return pieces[bend.pipe].size() > 1 ? pieces[bend.pipe][bend.number] : pieces[bend.pipe][0];
   }
   /// A pipe has one flexibility, that of the bend that its rule misses most.
-  Scene with(const Bends &walls, const Flexibility by, const double times) const;
+  Scene with(const Bends &walls, const Flexibility by, const double times = 1.,
+             const Off off = Off::flexibility) const;
   Difference between(const Results &coarse, const Results &fine) const;
 
   Scene scene;                                   ///< in which bends are pipes, if that may be

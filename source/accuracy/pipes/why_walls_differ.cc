@@ -48,8 +48,9 @@ double largest_pressure(const Scene &scene) {
   return largest;
 }
 
-/// The scene, all bends stiffened by a pressure.
+/// The scene, all bends stiffened by a pressure and by nothing else.
 Scene stiffened_by(Scene scene, const double pressure) {
+  scene.solid.pressure_stiffening = false; // by loads
   for (Pipe &pipe : scene.pipes)
     pipe.bend_flexibility.pressure = pressure;
   return scene;

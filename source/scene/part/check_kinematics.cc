@@ -229,7 +229,42 @@ void check_inelastic(ParameterReader &in, Scene &scene) {
                             "small. Evaluate it with Law = elastic_section.");
 }
 
+namespace {
+
+/// Forces, and moments at points, that a load has in all.
+Motion sizes_of(const Load &load) {
+  Motion sizes{};
+  if (load.kind == Load::Kind::force)
+    for (const Load::AtPoint &one : load.at)
+      for (unsigned int c = 0; c < 6; ++c)
+        sizes[c] += std::abs(one.value[c]);
+  else
+    for (unsigned int d = 0; d < 3; ++d)
+      sizes[d] = std::abs(load.vector[d]);
+  return sizes;
+}
+
+void remark_on_held_loads(Scene &scene) {
+  constexpr double hardly_any = 1e-6; // of the load
+  for (const Load &load : scene.loads) {
+    const Motion sizes = sizes_of(load);
+    for (unsigned int c = 0; c < 6; ++c) {
+      const double *const first = sizes.data() + c / 3 * 3; // forces are not moments
+      if (scene.free_motions[c] || sizes[c] <= hardly_any * *std::max_element(first, first + 3))
+        continue;
+      scene.remarks.push_back("Load " + load.name + ": what it has " +
+                              (c < 3 ? "along " : "about ") + "xyz"[c % 3] +
+                              " does nothing, and no reaction shows it: Free motions holds all "
+                              "nodes so.");
+      break;
+    }
+  }
+}
+
+} // namespace
+
 void remark_on_free_motions(Scene &scene) {
+  remark_on_held_loads(scene);
   const auto &free = scene.free_motions;
   for (const Pipe &pipe : scene.pipes)
     for (std::size_t i = 0; i + 1 < pipe.route.size(); ++i)
