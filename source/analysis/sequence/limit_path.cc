@@ -104,7 +104,7 @@ void LimitPath::add(const Vector &moved, const double gained, const double done)
   n_halved = 0;
   const double length = measure(moved);
   // A straight bar that is held at both ends, say, moves by nothing but rounding until it buckles.
-  if (length <= extent * std::max(rounding, rounding_of_all * gained))
+  if (length <= (is_at_rest() ? extent * std::max(rounding, rounding_of_all * gained) : 0.))
     return;
   if (first_slope == 0.)
     first_slope = gained / length;
