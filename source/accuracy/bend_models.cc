@@ -6,9 +6,9 @@
 #include "mesh/places_on_pipe.h"
 #include "mesh/solid/solid_stretches.h"
 #include "model/unknowns/discretization.h"
+#include "results/stress/inner_pressure.h"
 #include "results/text.h"
 #include "scene/solid/wall_refusal.h"
-#include "scene/steps/step_factors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,27 +31,15 @@ double flexibility_of_wall(const Scene &scene, const Pipe &pipe, const double h,
                                                scene.materials[pipe.material], radius));
 }
 
-/// Largest pressure in a pipe at the end of a step; 0: none from inside [Pa].
-double largest_pressure(const Scene &scene, const Pipe &pipe) {
-  double largest = 0.;
-  for (const LoadStep &step : scene.steps) {
-    const std::vector<double> factors = declared_factors(step, scene.loads.size());
-    double sum = 0.;
-    for (std::size_t l = 0; l < scene.loads.size(); ++l)
-      if (scene.loads[l].kind == Load::Kind::pressure && scene.loads[l].is_on(pipe.name))
-        sum += factors[l] * scene.loads[l].value;
-    largest = std::max(largest, sum);
-  }
-  return largest;
-}
-
 /// A pipe whose bends have the code's rule, stiffened by what its entry says or its loads bring.
-Pipe like_a_wall(const Scene &scene, Pipe pipe) {
+Pipe like_a_wall(const Scene &scene, const unsigned int number) {
+  Pipe pipe = scene.pipes[number];
   if (pipe.bend_flexibility.rule != BendFlexibility::Rule::code)
     pipe.bend_flexibility = {};
+  double &pressure = pipe.bend_flexibility.pressure;
   if (scene.solid.pressure_stiffening)
-    pipe.bend_flexibility.pressure =
-        std::max(pipe.bend_flexibility.pressure, largest_pressure(scene, pipe));
+    for (const LoadStep &step : scene.steps)
+      pressure = std::max(pressure, pressure_bounds(scene, step.name, number).largest);
   return pipe;
 }
 
@@ -115,7 +103,7 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
                            cross_product_3d(bend.inward, bend.first_tangent);
   const BendRatios ratios = ratios_of_walls({model.h, bend.radius / r, model.angle, model.tangent});
   model.by_rule = bend_flexibility(pipe, section, scene.materials[pipe.material], bend.radius);
-  const Pipe wall = like_a_wall(scene, pipe);
+  const Pipe wall = like_a_wall(scene, room.pipe);
   model.in_plane = flexibility_of_wall(scene, wall, model.h, bend.radius, ratios.in_plane);
   model.across = flexibility_of_wall(scene, wall, model.h, bend.radius, ratios.across);
   model.off = ratios.off;

@@ -3,9 +3,9 @@
 
 #include "accuracy/bend_models.h"
 #include "accuracy/support_models.h"
+#include "results/stress/inner_pressure.h"
 #include "results/text.h"
 #include "scene/in_units.h"
-#include "scene/steps/step_factors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,18 +33,13 @@ std::string of_support(const Scene &scene, const WallAtSupport &wall, const Resu
          "hold its rotation.";
 }
 
-/// Largest pressure at the end of a step, from inside or outside [Pa].
+/// Largest pressure at the end of a step, from inside or outside, which a wall has all along [Pa].
 double largest_pressure(const Scene &scene) {
   double largest = 0.;
-  for (const LoadStep &step : scene.steps) {
-    const std::vector<double> factors = declared_factors(step, scene.loads.size());
-    double sum = 0.;
-    for (std::size_t l = 0; l < scene.loads.size(); ++l)
-      if (scene.loads[l].kind == Load::Kind::pressure)
-        sum += factors[l] * scene.loads[l].value;
-    if (std::abs(sum) > std::abs(largest))
-      largest = sum;
-  }
+  for (const LoadStep &step : scene.steps)
+    if (const double pressure = pressure_in(scene, step.name, 0);
+        std::abs(pressure) > std::abs(largest))
+      largest = pressure;
   return largest;
 }
 

@@ -124,10 +124,9 @@ bool LoadSequence::follow_to(const double end, const bool is_last, const Factors
 }
 
 void LoadSequence::show_part() const {
-  if (part_observer)
-    part_observer({position.step, static_cast<unsigned int>(position.next) - 1,
-                   model.scene.steps[position.step].n_increments, false, true},
-                  current);
+  part_observer({position.step, static_cast<unsigned int>(position.next) - 1,
+                 model.scene.steps[position.step].n_increments, false, true},
+                current);
 }
 
 bool LoadSequence::advance_to_other_side() {

@@ -12,12 +12,6 @@ using namespace dealii;
 
 namespace {
 
-Vector3 unit(const unsigned int d) {
-  Vector3 result;
-  result[d] = 1.;
-  return result;
-}
-
 /// Tractions of unit forces and moments on a section at @p arm from its middle [1/m2, 1/m3].
 /// @param A area @param I moment of inertia of the section
 std::array<Vector3, 6> tractions(const double A, const double I, const Vector3 &tangent,
@@ -25,7 +19,7 @@ std::array<Vector3, 6> tractions(const double A, const double I, const Vector3 &
   const Vector3 out = arm / arm.norm(), around = cross_product_3d(tangent, out);
   std::array<Vector3, 6> result;
   for (unsigned int d = 0; d < 3; ++d) {
-    const Vector3 e = unit(d);
+    const Vector3 e = Point3::unit_vector(d);
     result[d] = (e * tangent) / A * tangent + 2. * (e * around) / A * around;
     result[3 + d] = e * cross_product_3d(arm, tangent) / I * tangent +
                     (e * tangent) / (2. * I) * cross_product_3d(tangent, arm);
@@ -61,7 +55,8 @@ SectionMotion::SectionMotion(const PipeWall &wall, const ContinuumBody<3> &body,
       for (unsigned int c = 0; c < 6; ++c) {
         for (unsigned int k = 0; k < 6; ++k)
           work(c, k) += values.JxW(q) * t[c] *
-                        (k < 3 ? unit(k) : Vector3(cross_product_3d(unit(k - 3), arm)));
+                        (k < 3 ? Vector3(Point3::unit_vector(k))
+                               : Vector3(cross_product_3d(Point3::unit_vector(k - 3), arm)));
         for (unsigned int i = 0; i < dofs.size(); ++i)
           raw[c](dofs[i]) += values.JxW(q) * values.shape_value(i, q) *
                              t[c][body.fe.system_to_component_index(i).first];

@@ -10,16 +10,6 @@ namespace frictionbeam {
 
 using namespace dealii;
 
-namespace {
-
-Vector3 axis(const unsigned int d) {
-  Vector3 result;
-  result[d] = 1.;
-  return result;
-}
-
-} // namespace
-
 BoreLoop::BoreLoop(const PipeWall &wall, const ContinuumBody<3> &body, const unsigned int ring) {
   read_nodes(wall, body, ring);
   Vector3 area;
@@ -89,8 +79,8 @@ void BoreLoop::integrate(const unsigned int degree, const double sign) {
         }
         for (unsigned int j = 0; j <= degree; ++j)
           for (unsigned int b = 0; b < 3; ++b) {
-            const Vector3 moved =
-                N[j] * cross_product_3d(axis(b), dr) + dN[j] * cross_product_3d(r, axis(b));
+            const Vector3 moved = N[j] * cross_product_3d(Point3::unit_vector(b), dr) +
+                                  dN[j] * cross_product_3d(r, Point3::unit_vector(b));
             for (unsigned int a = 0; a < 3; ++a)
               second(3 * row + a, 3 * ((begin + j) % n) + b) += weight * N[i] * moved[a] / 3.;
           }
@@ -100,9 +90,9 @@ void BoreLoop::integrate(const unsigned int degree, const double sign) {
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int a = 0; a < 3; ++a)
         for (unsigned int b = 0; b < 3; ++b)
-          second(3 * i + a, 3 * j + b) +=
-              (cross_product_3d(axis(b), turned[j])[a] + cross_product_3d(axis(a), turned[i])[b]) /
-              (3. * n);
+          second(3 * i + a, 3 * j + b) += (cross_product_3d(Point3::unit_vector(b), turned[j])[a] +
+                                           cross_product_3d(Point3::unit_vector(a), turned[i])[b]) /
+                                          (3. * n);
 }
 
 Motion BoreLoop::moved_cap(const ContinuumVector &u) const {
