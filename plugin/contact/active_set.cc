@@ -171,7 +171,13 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
   const std::vector<Strains> centre = proximal.centre;
   if (is_first && kept.motion.size() == x.size())
     x = kept.motion; // slip turns friction about as it did
-  const bool is_settled = predict(x, response, result);
+  const bool is_settled = predict(is_first, x, response, result);
+  if (is_settled && is_first) { // what its branches have yielded, a correction takes
+    learn(true);
+    has_solved = is_sketched = true;
+    proximal.stiffness_factor = factor;
+    return Outcome::solved;
+  }
   const unsigned int n_iterations = result.iterations;
   proximal.stiffness_factor = factor;
   Outcome outcome = Outcome::stalled;
@@ -243,6 +249,9 @@ Outcome ActiveSet::correct(Vector &x, Response &response, Result &result) {
     outcome = newton.solve_together(most_to_finish, x, response, result, excess());
   if (outcome == Outcome::solved && result.iterations == n_iterations)
     settled = kept.status;
+  if (is_sketched && outcome == Outcome::stalled)
+    learn(false);
+  is_sketched = false;
   if (outcome == Outcome::stalled) {
     proximal.centre = centre;
     x.setZero();
@@ -251,7 +260,7 @@ Outcome ActiveSet::correct(Vector &x, Response &response, Result &result) {
   return outcome;
 }
 
-bool ActiveSet::predict(Vector &x, Response &response, Result &result) {
+bool ActiveSet::predict(const bool is_first, Vector &x, Response &response, Result &result) {
   proximal.stiffness_factor = stiffness_of_branch;
   equations.place(x, response);
   const ChosenBranches chosen(proximal, first_branches(response));
@@ -264,7 +273,7 @@ bool ActiveSet::predict(Vector &x, Response &response, Result &result) {
     const unsigned int n_changes = front.advance(points, proximal.branch, yielded);
     if (n_changes == 0) {
       settled = proximal.branch;
-      return step(x, response, result); // what a branch has yielded, it holds now
+      return is_first || step(x, response, result); // what a branch has yielded, it holds now
     }
     for (unsigned int i = 0; i < points.size(); ++i)
       if (proximal.is_exact(i))

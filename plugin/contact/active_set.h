@@ -20,7 +20,7 @@ public:
 
   /// An increment, or its contacts once more.
   void begin() {
-    has_solved = false;
+    has_solved = is_sketched = false;
     settled.clear();
   }
 
@@ -32,6 +32,10 @@ public:
    */
   Outcome solve(const bool is_first, const double factor, Vector &x, Response &response,
                 Result &result);
+
+  /// Whether what solve() has found is in equilibrium on branches that stay, each of which has
+  /// yielded a little: correct() solves it, or does not.
+  bool wants_correction() const { return is_sketched; }
 
   /**
    * The same for a solution that solve() has found, where little has been left for x to correct:
@@ -65,7 +69,7 @@ private:
    */
   Vector like_before(Response &response);
   /// To forces and x at which the branches stay as they are. @return whether they do
-  bool predict(Vector &x, Response &response, Result &result);
+  bool predict(const bool is_first, Vector &x, Response &response, Result &result);
   std::vector<ContactStatus> first_branches(const Response &response) const;
   /// One step to x and forces in equilibrium on the branches. @return false if there is none
   bool step(Vector &x, Response &response, Result &result);
@@ -91,7 +95,8 @@ private:
   std::vector<ContactStatus> settled; ///< branches that have led to the present solution, if any
   double yielded = 0.;                ///< largest force that a branch did not hold in that step [N]
   PredictionMemory kept;
-  bool has_solved = false; ///< the present increment, which is not corrected yet
+  bool has_solved = false;  ///< the present increment, which is not corrected yet
+  bool is_sketched = false; ///< and has not been judged either
 };
 
 } // namespace frictionbeam::contact

@@ -44,6 +44,7 @@ struct Pass {
   const State &committed;
   Vector &unknowns;
   Response &response;
+  const std::vector<Strains> centre_before;
   Result result = {};
   /// A body may move so far that its stiffness times a rounding error of the unknowns is a force:
   /// what rounding takes from them is kept until the increment is judged.
@@ -81,6 +82,8 @@ public:
 private:
   /// The equations at the present motion of the body, and its forces.
   void begin_pass(const Pass &now);
+  /// From where the increment began.
+  void start_again(Pass &now);
   /// Whether nothing holds the loads of an increment that a large motion's rounding has ended.
   bool nothing_holds(Pass &now);
   /// Of all sites at the present motion of the body.
@@ -120,11 +123,16 @@ private:
   const RigidStops stops;
 };
 
-bool ExactSolver::Implementation::nothing_holds(Pass &now) {
+void ExactSolver::Implementation::start_again(Pass &now) {
+  proximal.centre = now.centre_before;
   now.unknowns = now.unknowns_before;
   now.low.setZero();
   now.forces = unbalanced_forces(now.problem, now.unknowns, now.low);
   begin_pass(now);
+}
+
+bool ExactSolver::Implementation::nothing_holds(Pass &now) {
+  start_again(now);
   Vector x;
   return attempts.solve_with_drag(x, now.response, now.result) == Outcome::slides_away;
 }
@@ -178,6 +186,15 @@ std::vector<Strains> ExactSolver::Implementation::strains_at(const Pass &now) co
 }
 
 Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, Vector &x) {
+  if (active_set && active_set->wants_correction()) {
+    const Outcome outcome = active_set->correct(x, now.response, now.result);
+    now.is_corrected = outcome == Outcome::solved;
+    if (outcome != Outcome::stalled)
+      return outcome;
+    start_again(now);
+    x.setZero();
+    return attempts.solve(now.is_static(), x, now.response, now.result);
+  }
   if (now.accepted) {
     Outcome outcome = Outcome::stalled;
     if (active_set && now.is_corrected)
@@ -282,10 +299,13 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
   for (unsigned int i = 0; i < sites.size() && problem.forces_before != nullptr; ++i)
     if (proximal.is_exact(i))
       proximal.centre[i] = (*problem.forces_before)[i];
-  const auto centre_before = proximal.centre;
-  Pass now{problem, imposed, committed, unknowns, response};
+  Pass now{problem, imposed, committed, unknowns, response, proximal.centre};
   Result &result = now.result;
   for (unsigned int pass = 0; pass <= most_refinements + now.n_releases && move(now); ++pass) {
+    if (active_set && active_set->wants_correction()) {
+      now.forces = unbalanced_forces(problem, unknowns, now.low);
+      continue;
+    }
     if (!is_balanced(now)) {
       result.rounding_bars = true;
       result.remark = too_much_rounding(now.size, now.largest);
@@ -307,12 +327,11 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
     if (judge(now))
       return result;
   }
-  proximal.centre = centre_before;
   if (result.rounding_bars && now.is_static() && nothing_holds(now))
     explain(Outcome::slides_away, now);
   if (result.iterations >= problem.most_iterations && !result.no_equilibrium)
     result.remark = "no convergence in " + std::to_string(result.iterations) + " iterations";
-  proximal.centre = centre_before;
+  proximal.centre = now.centre_before;
   unknowns = now.unknowns_before;
   return result;
 }
