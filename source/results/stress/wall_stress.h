@@ -13,10 +13,10 @@ struct WallStress {
 };
 
 /**
- * Of a straight pipe, on its outer and inner surface, where bending is largest and where it is
- * none: along N/A + p r_i^2/(r_o^2 - r_i^2) + M r/I (N effective, doc/theory.md), round it and
- * through it those of Lame for a pressure inside, shear M_x r/J and that of a thin ring, 2 V/A at
- * its most. Bends and tees have more of it (their stress intensification), which is left out.
+ * Of a straight pipe, each the largest round its outer and inner surface: along N/A + p
+ * r_i^2/(r_o^2 - r_i^2) + M r/I (N effective, doc/theory.md), round it and through it those of Lame
+ * for a pressure inside, shear M_x r/J and that of a thin ring, 2 V/A at its most. Bends and tees
+ * have more of it (their stress intensification), which is left out.
  * @param section with a wall @param force N, Vy, Vz, Mx, My, Mz
  */
 WallStress wall_stress(const Section &section, const Motion &force, const double pressure);
