@@ -61,6 +61,10 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
                 " does not see when; Accuracy measures it"};
   if (n_increments == 1 && all.slip_from_rest > 0.)
     return {{}, "friction slips in the only increment, and nothing shows on which way"};
+  if (all.met_beside_friction)
+    return {{},
+            "a contact closes or opens within an increment, where friction of others may turn back "
+            "unseen; Accuracy measures it"};
   if (all.slip_turned <= rounding * all.largest_displacement)
     return {0., "no friction force has turned within an increment"};
   return {error_by_turned_slip * all.slip_turned / all.largest_displacement,
@@ -97,6 +101,9 @@ KnownError by_time_step(const Scene &scene, const Results &results, const Resolu
   if (scene.time.theta != 0.5 || scene.time.gamma != 0.5 ||
       scene.time.spectral_radius < scene.time.row().spectral_radius)
     return {{}, "numerical damping has an error of its own; Accuracy measures it"};
+  if (all.starts_to_move && all.accelerations == 0.)
+    return {{},
+            "nothing shows what a single time step leaves out of a motion; Accuracy measures it"};
   if (all.largest_displacement == 0.)
     return {{}, "nothing moves, and what a load does between two instants is not seen"};
   return {all.local_errors / all.largest_displacement, "sum of the local errors of the time steps"};

@@ -93,8 +93,8 @@ struct ContinuumQuantity {
     displacement,      ///< component at a point
     mean_displacement, ///< component averaged over a part
     axial_force,       ///< compression across the section at x [N]
-    slip_length,       ///< of the slipping zone of a surface that begins at its lower end, in the
-                       ///< coordinate in which it extends furthest [m]
+    slip_length,       ///< of the slipping zone of a surface that begins at its lower end of the
+                       ///< coordinate in which it extends furthest; in a plane along it [m]
     open_end,          ///< coordinate up to which the surface is open from there [m]
     slip_end,          ///< coordinate beyond which it sticks [m]
     sum_normal,        ///< force of the foundation, normal [N]

@@ -153,7 +153,9 @@ inline constexpr QuantityKind quantity_kinds[] = {
     {"n_slip", QuantityKind::Of::supports, 3, "-", "", QuantityKind::Measure::count},
     {"n_open", QuantityKind::Of::supports, 4, "-", "", QuantityKind::Measure::count},
     {"slip_length", QuantityKind::Of::supports, 5, "m",
-     "of the zone of supports that slip and begins at the lowest x", QuantityKind::Measure::place},
+     "of the zone of supports that slip and begins at the lowest x, or y or z if they extend "
+     "further in it",
+     QuantityKind::Measure::place},
     {"max_error", QuantityKind::Of::exact, 0, "m", "relative where Exact has a Scale",
      QuantityKind::Measure::error},
     {"stick", QuantityKind::Of::change, static_cast<unsigned int>(ContactStatus::stick), "s"},

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double no_gap = 1e-9;      ///< of the largest displacement
 constexpr double no_friction = 1e-9; ///< of the contact's force
+/// Sine by which friction is taken to turn from where it begins to slip to the increment's end.
+constexpr double turn_of_a_beginning = 0.3;
 
 /// What friction is held to displace the line by at most, per force [m/N]: by the diagonal of the
 /// stiffness at the contact, which a long line undercuts as it has cells.
@@ -29,6 +31,34 @@ double largest_compliance(const Contact &contact, const SparseMatrix &stiffness)
     largest = std::max(largest, compliance);
   }
   return cells_that_give * largest;
+}
+
+/// Of a motion of the line: whether nothing of it goes along a direction.
+class Directions {
+public:
+  /// @param places of the translations among the degrees of freedom, three of each vertex
+  Directions(const LineState &before, const LineState &after,
+             const std::vector<unsigned int> &places) {
+    for (std::size_t i = 0; i < places.size(); i += 3) {
+      Eigen::Vector3d motion;
+      for (unsigned int d = 0; d < 3; ++d)
+        motion[d] = after.dofs[places[i + d]] - before.dofs[places[i + d]];
+      squares += motion * motion.transpose();
+    }
+  }
+  bool has_none_along(const Vector3 &direction) const {
+    constexpr double nothing = 1e-12; // of squares
+    const Eigen::Vector3d d(direction[0], direction[1], direction[2]);
+    return d.dot(squares * d) <= nothing * squares.trace();
+  }
+
+private:
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+};
+
+/// Whether a contact closes a gap or opens.
+bool opens_or_closes(const ContactStatus before, const ContactStatus after) {
+  return (before == ContactStatus::open) != (after == ContactStatus::open);
 }
 
 /// Whether the course of a contact's force has a corner within an increment: not where it touches
@@ -89,8 +119,10 @@ void FollowResolution::add_time_step(const LineState &before, const LineState &a
                                   path.norm() / 2.);
   }
   resolution.turned_in_motion += turned;
-  if (before.acceleration.isZero(0.)) // nothing is known of the step before
+  if (before.acceleration.isZero(0.)) { // nothing is known of the step before
+    resolution.starts_to_move = resolution.starts_to_move || !after.acceleration.isZero(0.);
     return;
+  }
   double change = 0., size = 0.;
   for (unsigned int i = 0; i < is_translation.size(); ++i)
     if (is_translation[i]) {
@@ -107,22 +139,26 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
                                      Resolution &resolution) {
   add_displacement(after, resolution);
   slip_turned.resize(model.contacts.size(), 0.);
+  const Directions motion(before, after, translations);
+  bool has_friction = false, has_met = false;
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     resolution.slip_is_known = resolution.slip_is_known && contact.law.has_closed_form();
-    resolution.turned_within =
-        resolution.turned_within ||
-        has_corner(contact, before.contact_status[i], after.contact_status[i],
-                   before.contacts.strain[i][0], no_gap * resolution.largest_displacement);
-    if (!contact.law.has_closed_form() || after.contact_status[i] == ContactStatus::open)
+    const ContactStatus status_before = before.contact_status[i], status = after.contact_status[i];
+    const bool is_corner = has_corner(contact, status_before, status, before.contacts.strain[i][0],
+                                      no_gap * resolution.largest_displacement);
+    resolution.turned_within = resolution.turned_within || is_corner;
+    has_met = has_met || (is_corner && opens_or_closes(status_before, status));
+    if (!contact.law.has_closed_form() || status == ContactStatus::open)
       continue;
     const FrictionThreshold &law = contact.law.closed_form();
+    has_friction = has_friction || law.static_friction > 0.;
     const double gap = contact.length * before.contacts.strain[i][0] + law.gap,
                  normal_force = after.contact_stress[i].head<3>().norm();
     if (contact.platen_force == 0. && gap > no_gap * resolution.largest_displacement &&
         after.contact_stress[i].segment<2>(1).norm() > no_friction * normal_force)
       resolution.touched_within = true;
-    if (after.contact_status[i] != ContactStatus::slip)
+    if (status != ContactStatus::slip)
       continue;
     const auto slip = [&](const int place) {
       return contact.length * (after.contacts.internal[contact.state_offset + place] -
@@ -136,11 +172,17 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
         largest * contact.share() * largest_compliance(contact, model.linear.stiffness());
     if (T0.norm() <= 1e-9 * largest)
       resolution.slip_from_rest = std::max(resolution.slip_from_rest, path.norm());
-    if (largest > 0. && path.norm() > 0.)
-      slip_turned[i] += std::abs(change[0] * path[1] - change[1] * path[0]) /
-                        (path.norm() * largest) * std::min(path.norm() / 2., moved_by_friction);
+    if (largest > 0. && path.norm() > 0.) {
+      double sine = std::abs(change[0] * path[1] - change[1] * path[0]) / (path.norm() * largest);
+      // What has begun to slip within the increment did so on a way that nothing shows.
+      const Vector3 across = path[1] * contact.axes.y - path[0] * contact.axes.z;
+      if (status_before != ContactStatus::slip && !motion.has_none_along(across / across.norm()))
+        sine += turn_of_a_beginning * (1. - T0.norm() / largest);
+      slip_turned[i] += sine * std::min(path.norm() / 2., moved_by_friction);
+    }
     resolution.slip_turned = std::max(resolution.slip_turned, slip_turned[i]);
   }
+  resolution.met_beside_friction = resolution.met_beside_friction || (has_met && has_friction);
 }
 
 void FollowResolution::transfer(Archive &archive) { archive(slip_turned); }

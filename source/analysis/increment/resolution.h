@@ -20,8 +20,9 @@ struct Resolution {
   /// Of the contact where it is largest, the sum over the time steps of this step of half its path
   /// times the sine by which its friction force turns: an error of first order [m].
   double turned_in_motion = 0.;
-  bool exact_in_time = true; ///< no time step has an error of its own (event)
-  bool handed_over = false;  ///< parts of the motion, by event to an integrator that has one
+  bool starts_to_move = false; ///< in a time step before which nothing accelerates: not in the sums
+  bool exact_in_time = true;   ///< no time step has an error of its own (event)
+  bool handed_over = false;    ///< parts of the motion, by event to an integrator that has one
   /// Large displacements: by how much cells, whose length is that of their chords, are longer than
   /// the curves that they stand for: the sum of l (2 a^2 - a b + 2 b^2)/30, a and b the angles
   /// between the chord and the line at its ends [m].
@@ -38,12 +39,15 @@ struct Resolution {
   /// Static increments: contacts closed a gap, opened, began or ceased to slip within one, and
   /// forces over time have a corner there.
   bool turned_within = false;
+  /// Static increments: contacts closed a gap or opened within one, while others have friction,
+  /// whose slip may have turned back there.
+  bool met_beside_friction = false;
 
   void include(const Resolution &other);
   void transfer(Archive &archive) {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
             exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known,
-            touched_within, turned_in_motion, turned_within);
+            touched_within, turned_in_motion, turned_within, met_beside_friction, starts_to_move);
   }
 };
 

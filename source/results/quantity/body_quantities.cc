@@ -3,6 +3,7 @@
 #include "results/body_results.h"
 #include "results/file/output_file.h"
 #include "results/page/html.h"
+#include "results/quantity/along_line.h"
 #include "results/text.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -214,45 +215,30 @@ double axial_force(const ContinuumBody<dim> &body, const ContinuumState &state,
   return Utilities::MPI::sum(below - all, body.communicator);
 }
 
-/// The coordinate in which a surface extends furthest.
-unsigned int long_axis(const std::vector<ContactRow> &rows) {
-  unsigned int longest = 0;
-  double extent = 0.;
-  for (unsigned int d = 0; d < 3; ++d) {
-    const auto [least, most] = std::minmax_element(
-        rows.begin(), rows.end(),
-        [d](const ContactRow &a, const ContactRow &b) { return a.position[d] < b.position[d]; });
-    if (least != rows.end() && most->position[d] - least->position[d] > (1. + 1e-9) * extent) {
-      extent = most->position[d] - least->position[d];
-      longest = d;
-    }
-  }
-  return longest;
-}
-
-/// Where the zone of nodes @p in_zone that begins at the lower end ends, with @p size going to zero
-/// there as distance^(3/2): where a parabola through its power 2/3 at four nodes meets zero. The
-/// last node of the zone is left out, which feels that the next one does not move.
+/// Where the zone of nodes @p in_zone that begins with the first one ends, of their coordinates
+/// @p at in rising order, with @p size going to zero there as distance^(3/2): where a parabola
+/// through its power 2/3 at four nodes meets zero. The last node of the zone is left out, which
+/// feels that the next one does not move.
 template <typename InZone, typename Size>
-double end_of_zone(const std::vector<ContactRow> &rows, const unsigned int axis,
+double end_of_zone(const std::vector<ContactRow> &rows, const std::vector<double> &at,
                    const InZone &in_zone, const Size &size) {
   constexpr unsigned int n_fit = 4;
   std::size_t n = 0;
   while (n < rows.size() && in_zone(rows[n]))
     ++n;
   if (n == 0)
-    return rows.empty() ? 0. : rows[0].position[axis];
+    return rows.empty() ? 0. : at[0];
   if (n == rows.size())
-    return rows.back().position[axis];
-  const double last = rows[n - 1].position[axis], next = rows[n].position[axis];
+    return at.back();
+  const double last = at[n - 1], next = at[n];
   if (n < n_fit + 1)
     return 0.5 * (last + next);
-  const double scale = last - rows[n - 1 - n_fit].position[axis];
+  const double scale = last - at[n - 1 - n_fit];
   Eigen::Matrix<double, n_fit, 3> powers;
   Eigen::Matrix<double, n_fit, 1> values;
   for (unsigned int i = 0; i < n_fit; ++i) {
     const ContactRow &row = rows[n - 1 - n_fit + i];
-    const double x = (row.position[axis] - last) / scale;
+    const double x = (at[n - 1 - n_fit + i] - last) / scale;
     powers.row(i) << 1., x, x * x;
     values[i] = std::pow(std::abs(size(row)), 2. / 3.);
   }
@@ -266,7 +252,7 @@ double end_of_zone(const std::vector<ContactRow> &rows, const unsigned int axis,
 }
 
 double of_rows(const std::vector<ContactRow> &all, const ContinuumScene &scene,
-               const ContinuumQuantity &quantity) {
+               const ContinuumQuantity &quantity, const bool is_plane) {
   std::vector<ContactRow> rows;
   for (const ContactRow &row : all)
     if (scene.contacts[row.surface].part == quantity.where)
@@ -275,18 +261,23 @@ double of_rows(const std::vector<ContactRow> &all, const ContinuumScene &scene,
   std::stable_sort(rows.begin(), rows.end(), [axis](const ContactRow &a, const ContactRow &b) {
     return a.position[axis] < b.position[axis];
   });
+  std::vector<double> coordinates;
+  for (const ContactRow &row : rows)
+    coordinates.push_back(row.position[axis]);
   const auto is_open = [](const ContactRow &row) { return row.status == ContactStatus::open; };
   const auto is_loose = [](const ContactRow &row) { return row.status != ContactStatus::stick; };
   const auto slip = [](const ContactRow &row) { return std::hypot(row.slip1, row.slip2); };
   const auto gap = [](const ContactRow &row) { return row.gap; };
   double sum = 0.;
   switch (quantity.kind) {
-  case Kind::slip_length:
-    return end_of_zone(rows, axis, is_loose, slip) - (rows.empty() ? 0. : rows[0].position[axis]);
+  case Kind::slip_length: // nodes across a surface have no order, along its edge they have
+    return rows.empty() ? 0.
+           : is_plane   ? end_of_zone(rows, along_line(rows), is_loose, slip)
+                        : end_of_zone(rows, coordinates, is_loose, slip) - coordinates[0];
   case Kind::slip_end:
-    return end_of_zone(rows, axis, is_loose, slip);
+    return end_of_zone(rows, coordinates, is_loose, slip);
   case Kind::open_end:
-    return end_of_zone(rows, axis, is_open, gap);
+    return end_of_zone(rows, coordinates, is_open, gap);
   case Kind::sum_normal:
     for (const ContactRow &row : rows)
       sum += row.area * row.pressure;
@@ -315,7 +306,7 @@ double evaluate_quantity(const ContinuumBody<dim> &body, const ContinuumState &s
   case Kind::axial_force:
     return axial_force(body, state, quantity);
   default:
-    return of_rows(rows, body.continuum, quantity);
+    return of_rows(rows, body.continuum, quantity, dim == 2);
   }
 }
 

@@ -6,9 +6,10 @@
 namespace frictionbeam {
 
 /**
- * What a quantity asks of several supports (QuantityKind::Of::supports). slip_length is from the
- * lowest x on the length over which supports slip [m], to a spacing of theirs; on rigid supports of
- * one bound, where the friction of a bed would be used up.
+ * What a quantity asks of several supports (QuantityKind::Of::supports). slip_length is the
+ * length over which supports slip [m], to a spacing of theirs, along the line from the lowest x, or
+ * of the coordinate in which they extend furthest, to the highest; on rigid supports of one bound,
+ * where the friction of a bed would be used up.
  */
 double value_of_supports(const std::vector<SupportInfo> &infos,
                          const std::vector<SupportState> &states, const QuantityKind &kind);

@@ -33,6 +33,25 @@ std::string range_with_physics(const double minimum, const double maximum,
                maximum >= unbounded ? largest : maximum);
 }
 
+/// What to try where a value is none: what a number is often written with, if that is all.
+std::string hint_for(const std::string &value, const bool is_number) {
+  const std::string otherwise = "another value; frictionbeam --print-parameters says what it means";
+  if (!is_number)
+    return otherwise;
+  double number = 0.;
+  std::string with_point = value;
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  if (std::count(value.begin(), value.end(), ',') == 1 && to_number(with_point, number))
+    return "'" + with_point + "', with a point";
+  const std::size_t end = value.find_first_not_of("+-.0123456789eE");
+  std::string begin = value.substr(0, end);
+  begin.erase(begin.find_last_not_of(" \teE") + 1);
+  if (end != std::string::npos && to_number(begin, number))
+    return std::string("a number alone: units are those of the entry Units") +
+           (value.find_first_of("/*+", end) == end ? ", and nothing is calculated" : "");
+  return otherwise;
+}
+
 bool same_value(const std::string &a, const std::string &b) {
   double x, y;
   return a == b || (to_number(a, x) && to_number(b, y) && x == y);
@@ -145,6 +164,7 @@ void ParameterReader::take() {
                       (like.empty() ? "frictionbeam --print-parameters, which explains every entry"
                                     : "'" + like + "'"));
     }
+    const Declared &declaration = declared[heading][known - names.begin()];
     if (!heading.empty())
       handler.enter_subsection(heading);
     const std::string before =
@@ -158,9 +178,7 @@ void ParameterReader::take() {
     if (!heading.empty())
       handler.leave_subsection();
     if (!fits)
-      fail(entry.name, declared[heading][known - names.begin()].allowed,
-           "another value; frictionbeam --print-parameters says what it means");
-    const Declared &declaration = declared[heading][known - names.begin()];
+      fail(entry.name, declaration.allowed, hint_for(entry.value, declaration.is_number));
     if (declaration.is_number)
       in_bounds(entry.name, number(entry.name), with_exponents(declaration.unit),
                 declaration.is_positive);
@@ -272,7 +290,12 @@ unsigned int ParameterReader::find(const std::string &entry, const std::string &
                                    const std::string &kind) const {
   const auto place = std::find(names.begin(), names.end(), name);
   if (place == names.end()) {
-    const std::string like = nearest(name, names);
+    std::string like = nearest(name, names);
+    const std::vector<std::string> words = split(name, ' ');
+    if (words.size() > 1 && std::all_of(words.begin(), words.end(), [&](const std::string &word) {
+          return std::count(names.begin(), names.end(), word) > 0;
+        }))
+      like = join(words);
     fail(entry,
          names.empty() ? "a " + kind + ", but the file has none"
                        : "the name of a " + kind + ": " + join(names),

@@ -8,6 +8,14 @@ namespace frictionbeam::parts {
 
 namespace {
 
+/// Of a section's entries those that were given, in a remark that says why they are not used.
+void remark_on(const ParameterReader &in, const std::string &section,
+               const std::vector<std::string> &entries, const std::string &why, Scene &scene) {
+  for (const std::string &entry : entries)
+    if (in.given(entry))
+      scene.remarks.push_back(section + ": its " + entry + " is not used " + why + ".");
+}
+
 /// Entries of Time that belong to other integrators than the one that is taken.
 void remark_on_integrator(ParameterReader &in, Scene &scene) {
   in.enter("Time");
@@ -23,6 +31,14 @@ void remark_on_integrator(ParameterReader &in, Scene &scene) {
   for (const auto &[entry, words] : users)
     scene.remarks.push_back("Time/" + entry + " is of " + join(words) +
                             " and is not used with Integrator = " + taken.word + ".");
+  for (const LoadStep &step : scene.steps)
+    if (step.transient && !scene.time.is_exact() && scene.time.step > step.duration)
+      scene.remarks.push_back("Time/Step is longer than step " + step.name +
+                              ", all of which is one time step.");
+  if (scene.time.is_exact())
+    remark_on(in, "Time", {"Tolerance"},
+              "with Integrator = " + std::string(taken.word) + ", which is exact with any step",
+              scene);
   const bool maps_back =
       taken.value == Integrator::newmark || taken.value == Integrator::generalized_alpha;
   if (!maps_back || scene.solver.is_exact())
@@ -68,14 +84,6 @@ void remark_on_initial(Scene &scene) {
         scene.remarks.push_back("The Initial of " + where + " has a part along " + motions[c] +
                                 ", which is not one of the Free motions: it does nothing.");
       }
-}
-
-/// Of a section's entries those that were given, in a remark that says why they are not used.
-void remark_on(const ParameterReader &in, const std::string &section,
-               const std::vector<std::string> &entries, const std::string &why, Scene &scene) {
-  for (const std::string &entry : entries)
-    if (in.given(entry))
-      scene.remarks.push_back(section + ": its " + entry + " is not used " + why + ".");
 }
 
 /// The number that the file gives for an entry of the section; 0 where it gives none.
@@ -134,6 +142,21 @@ void remark_on_creep(const ParameterReader &in, const std::string &section, Scen
               "without a Creep activation temperature", scene);
 }
 
+/// Corners of a route that are to be rounded, and at which it goes straight on.
+void remark_on_straight_bends(const Pipe &pipe, Scene &scene) {
+  constexpr double no_angle = 1e-9; // as PipePath has it [rad]
+  for (unsigned int i = 1; i + 1 < pipe.route.size(); ++i) {
+    const RoutePoint &point = pipe.route[i];
+    const Vector3 before = point.position - pipe.route[i - 1].position,
+                  after = pipe.route[i + 1].position - point.position;
+    if (point.bend_radius > 0. && before * after > 0. &&
+        cross_product_3d(before, after).norm() <= no_angle * before.norm() * after.norm())
+      scene.remarks.push_back("Pipe " + pipe.name + ": the route goes straight on at point " +
+                              (point.name.empty() ? std::to_string(i + 1) : point.name) +
+                              ", where it has a bend, and there is none.");
+  }
+}
+
 /// Entries of parts that another entry of the part leaves without effect.
 void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
   for (const ParameterFile::Section &section : in.file().sections()) {
@@ -142,6 +165,11 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
     if (kind == "Support")
       remark_on_support(in, heading, has_motion, scene);
     else if (kind == "Section") {
+      constexpr double widest = 20.; // that anybody has built [m]
+      const double diameter = number_of(in, "Outer diameter") * in.si("m");
+      if (diameter > widest)
+        scene.remarks.push_back(heading + ": its Outer diameter is " + to_text(diameter) +
+                                " m. Entries are in m where Units does not say otherwise.");
       if (number_of(in, "Insulation") == 0.)
         remark_on(in, heading, {"Insulation density"}, "without Insulation", scene);
       else if (number_of(in, "Insulation density") == 0.)
@@ -154,9 +182,27 @@ void remark_on_parts(ParameterReader &in, const bool has_motion, Scene &scene) {
       const auto pipe = std::find_if(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &one) {
         return "Pipe " + one.name == heading;
       });
+      if (pipe != scene.pipes.end())
+        remark_on_straight_bends(*pipe, scene);
       if (scene.mesh.file.empty() && pipe != scene.pipes.end() && !pipe->has_bend())
         remark_on(in, heading, {"Bend flexibility", "Stiffening pressure"}, "without a bend",
                   scene);
+    } else if (kind == "Spring") {
+      const auto spring =
+          std::find_if(scene.springs.begin(), scene.springs.end(),
+                       [&](const Spring &one) { return "Spring " + one.name == heading; });
+      if (spring != scene.springs.end() && spring->stiffness == Motion{} &&
+          (!has_motion || spring->damping == Motion{}))
+        scene.remarks.push_back(heading + " has no stiffness, and does nothing.");
+      else if (!has_motion)
+        remark_on(in, heading, {"Damping"}, "without a transient step", scene);
+    } else if (kind == "Joint") {
+      const auto joint =
+          std::find_if(scene.joints.begin(), scene.joints.end(),
+                       [&](const Joint &one) { return "Joint " + one.name == heading; });
+      if (joint != scene.joints.end() &&
+          std::min({joint->axial, joint->lateral, joint->bending, joint->torsion}) >= Joint::rigid)
+        scene.remarks.push_back(heading + " is rigid in all its motions, and does nothing.");
     } else if (kind == "Hanger" && number_of(in, "Cold load") > 0.)
       remark_on(in, heading, {"Weight step"}, "beside a Cold load: the hanger is not sized", scene);
     else if (kind == "Mass" &&
@@ -202,7 +248,18 @@ void remark_on_sections(ParameterReader &in, Scene &scene) {
     in.enter("Solver");
     remark_on(in, "Solver", {"Creep tolerance"}, "without a section that creeps", scene);
   }
+  if (!scene.continuum)
+    for (const ParameterFile::Section &section : in.file().sections())
+      if (section.heading == "Continuum" && !section.entries.empty())
+        scene.remarks.push_back("Section Continuum is not used with Model = " +
+                                std::string(row_of(model_kinds, scene.model).word) + ".");
   in.enter("Mesh");
+  if (!scene.continuum && scene.mesh.file.empty()) {
+    if (scene.mesh.arcs)
+      remark_on(in, "Mesh", {"Cells per bend"}, "with Bends = arcs, each of which is one", scene);
+    else if (!scene.has_bend())
+      remark_on(in, "Mesh", {"Cells per bend"}, "without a bend", scene);
+  }
   if (!any([](const Section &section) { return section.is_inelastic(); }))
     remark_on(in, "Mesh", {"Section points"}, "without a section that yields or creeps", scene);
   in.enter("Stress");

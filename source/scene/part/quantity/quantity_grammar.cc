@@ -78,7 +78,14 @@ void parse_subject(const ParameterReader &in, std::vector<std::string> words,
   if (quantity.absolute)
     what = what.substr(1, what.size() - 2);
   quantity.what = what;
-  in.find(quantity.name, what, words_of_kinds(quantity.over == Over::time_of), "quantity");
+  const std::vector<std::string> kinds = words_of_kinds(quantity.over == Over::time_of);
+  if (std::count(kinds.begin(), kinds.end(), what) == 0) {
+    const std::string like = nearest(what, kinds);
+    in.fail(quantity.name, "the name of a quantity: " + join(kinds),
+            like.empty() ? "'ux at A', 'fn at rest' or another of doc/quantities.md"
+                         : "'" + like + "'",
+            "'" + what + "'");
+  }
   using Side = Quantity::Side;
   if (words.size() == 3 && words[1] == "at")
     quantity.where = words[2];
