@@ -30,6 +30,25 @@ constexpr LawParameter parameters[n_parameters] = {
 
 enum State { remaining, n_states }; // d_p [m]
 
+/// The deflection from which on it has more than @p left remaining: d - C d^n/k = left, the larger
+/// root, by Newton's method from @p d beyond it.
+double deflection_of_flow(const double *const p, const double left, double d) {
+  for (int i = 0; i < 60; ++i) {
+    const double elastic = p[coefficient] * std::pow(d, p[exponent]) / p[stiffness],
+                 step = (d - elastic - left) / (1. - p[exponent] * elastic / d);
+    d -= step;
+    if (!(step > 1e-15 * d))
+      break;
+  }
+  return d;
+}
+
+/// Integral of F dd_p on the power's branch up to the deflection @p d, but for a constant [J].
+double plastic_work(const double *const p, const double d) {
+  const double limit = p[coefficient] * std::pow(d, p[exponent]);
+  return limit * d / (p[exponent] + 1.) - limit * limit / (2. * p[stiffness]);
+}
+
 class WhipRestraint final : public LawBase {
 public:
   LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {
@@ -56,7 +75,8 @@ public:
       force = limit;
       slope = p[exponent] * limit / d;
       out.new_state[remaining] = d - force / k;
-      out.dissipation = (out.new_state[remaining] - old) * force / l;
+      out.dissipation =
+          std::max(0., plastic_work(p, d) - plastic_work(p, deflection_of_flow(p, old, d))) / l;
     }
     out.stress[0] = -force;
     if (in.tangent == LawTangent::consistent)

@@ -51,6 +51,14 @@ bool has_bend(const Scene &scene) {
                                          [](const Pipe &pipe) { return pipe.bend_radius > 0.; });
 }
 
+/// Whether a pipe has mass along it, which cells have at their ends.
+bool has_mass(const Scene &scene) {
+  return std::any_of(scene.pipes.begin(), scene.pipes.end(), [&](const Pipe &pipe) {
+    return scene.materials[pipe.material].density > 0. ||
+           scene.sections[pipe.section].added_mass > 0. || pipe.total_mass.value_or(0.) > 0.;
+  });
+}
+
 /// Longest cell of a mesh file [m]: its cells are of any lengths, and short ones need no others.
 double longest_cell(const Scene &scene) {
   double longest = 0.;
@@ -167,8 +175,8 @@ std::vector<Refinable> refinables(const Scene &scene, const ParameterFile &file)
     if (const auto step = time_step_of(scene))
       list.push_back(*step);
   const bool is_large = scene.kinematics == Kinematics::corotational;
-  const bool has_modes = scene.modal.n_modes > 0; // whose masses are cells'
-  if ((has_bed || has_transient || has_modes || is_large || scene.yields()) && !scene.pipes.empty())
+  const bool moves_cells = (has_transient || scene.modal.n_modes > 0) && has_mass(scene);
+  if ((has_bed || moves_cells || is_large || scene.yields()) && !scene.pipes.empty())
     list.push_back(cells_of(shortest_run(scene), is_large && has_bend(scene)));
   if (std::any_of(scene.pipes.begin(), scene.pipes.end(),
                   [](const Pipe &pipe) { return pipe.end_section; }))

@@ -66,8 +66,10 @@ struct StepReport {
   std::optional<CycleVerdict> cycle;                         ///< that ended with it
   bool no_equilibrium = false;                               ///< proved that there is none
   std::vector<contact::BeyondUniqueness> several_equilibria; ///< at its end
-  /// Contacts whose shares of force nothing determines at its end.
+  /// Contacts whose shares of force nothing determines at its end; of a transient step, if there
+  /// are none, within it, where the first ones had them.
   std::vector<unsigned int> undetermined_forces;
+  bool undetermined_within = false;
   std::string remark;                        ///< why it was cut or stopped, in plain words
   std::string warning;                       ///< of its time integrator, to be said once
   std::optional<ReductionAccount> reduction; ///< of a transient step that might be reduced
@@ -85,8 +87,8 @@ struct StepReport {
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
             contact, sections.yield_violation, sections.imbalance, energy, converged, limit, cycle,
-            no_equilibrium, several_equilibria, undetermined_forces, remark, warning, reduction,
-            margins, struck, resolution, velocity_jumps, torn_off);
+            no_equilibrium, several_equilibria, undetermined_forces, undetermined_within, remark,
+            warning, reduction, margins, struck, resolution, velocity_jumps, torn_off);
   }
 };
 

@@ -3,6 +3,7 @@
 #include "base/number_text.h"
 #include "base/numbers.h"
 
+#include "analysis/contact/undetermined_forces.h"
 #include "analysis/increment/contact_watch.h"
 #include "analysis/increment/follow_resolution.h"
 #include "analysis/increment/report_result.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace frictionbeam {
@@ -44,13 +46,24 @@ bool rates_jump(const std::vector<double> &before, const std::vector<double> &af
   return false;
 }
 
+/// Whether two of the contacts may move the same unknowns.
+bool have_common_unknowns(const Contacts &contacts) {
+  std::set<int> met;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (const int unknown : contacts[i].unknowns)
+      if (!met.insert(unknown).second)
+        return true;
+  return false;
+}
+
 bool is_any(const LoadCourse::Factors &jumps) {
   return std::any_of(jumps.begin(), jumps.end(), [](const double jump) { return jump != 0.; });
 }
 } // namespace
 
 TimeMarch::TimeMarch(const Model &model, const PieceObserver &observer)
-    : model(model), integrator(make_time_integrator(model, observer)) {}
+    : model(model), integrator(make_time_integrator(model, observer)),
+      may_share_forces(model.scene.solver.is_exact() && have_common_unknowns(model.contacts)) {}
 
 void TimeMarch::transfer(Archive &archive) {
   archive(instant, n_increments, time_step, last_error, contacts_before, *integrator);
@@ -209,7 +222,13 @@ bool TimeMarch::take_time_step(const double time) {
   check_sections(model, next, *report);
   watch_contacts(model, contacts_before, next, *report);
   contacts_before.take(model, next);
-  if (watchers->resolution != nullptr)
+  const bool is_whole = watchers->resolution != nullptr;
+  if (is_whole && may_share_forces && report->undetermined_forces.empty() &&
+      next.contact_status != state->contact_status) {
+    report->undetermined_forces = contacts_with_undetermined_forces(model.contacts, next);
+    report->undetermined_within = !report->undetermined_forces.empty();
+  }
+  if (is_whole)
     watchers->resolution->add_time_step(*state, next, integrator->is_exact(), report->resolution);
   report->resolution.handed_over = report->resolution.handed_over || step.handed_over;
   return true;

@@ -66,6 +66,7 @@ private:
 
   const Model &model;
   const std::unique_ptr<TimeIntegrator> integrator;
+  const bool may_share_forces;   ///< contacts at one point, rigid ones of which nothing determines
   std::size_t instant = 0;       ///< that the march goes to, of those of the step
   unsigned int n_increments = 0; ///< of the step so far
   double time_step = 0.;         ///< at present [s]

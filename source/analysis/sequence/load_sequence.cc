@@ -135,8 +135,12 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
     step_reports.back().cycle = cycles.step_ends(declared_step, current);
     factors_at_ends.push_back(current.load_factors);
     if (judges && model.scene.solver.is_exact())
-      step_reports.back().undetermined_forces =
-          contacts_with_undetermined_forces(model.contacts, current);
+      if (std::vector<unsigned int> found =
+              contacts_with_undetermined_forces(model.contacts, current);
+          !found.empty()) {
+        step_reports.back().undetermined_forces = std::move(found);
+        step_reports.back().undetermined_within = false;
+      }
     if (is_returned_to(model.scene, position.step)) {
       Archive archive;
       transfer_state(archive);

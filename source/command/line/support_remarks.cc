@@ -118,9 +118,15 @@ std::string undetermined_forces(const Results &results) {
     contacts.insert(step.undetermined_forces.begin(), step.undetermined_forces.end());
   if (contacts.empty())
     return "";
-  return "Nothing determines how these rigid supports share their forces at the end of " +
-         steps_where(results,
-                     [](const StepReport &step) { return !step.undetermined_forces.empty(); }) +
+  const auto have_them = [&](const bool within) {
+    return steps_where(results, [within](const StepReport &step) {
+      return !step.undetermined_forces.empty() && step.undetermined_within == within;
+    });
+  };
+  const std::string at_ends = have_them(false), within = have_them(true);
+  return "Nothing determines how these rigid supports share their forces" +
+         (at_ends.empty() ? "" : " at the end of " + at_ends) +
+         (within.empty() ? "" : (at_ends.empty() ? " within " : " and within ") + within) +
          ", for they hold the same motion: " + names_of(contacts, results) +
          ". Their sum is right, and all displacements where none of them slides; each share is one "
          "of many, and what slides goes as far as its share lets it. An Axial and a Shear rigidity "
