@@ -31,7 +31,8 @@ LineModel::LineModel(const Scene &scene, LineMesh line_mesh, const LawLibrary &l
 
 void LineModel::hold_less() {
   const Scene &scene = whole.scene;
-  if (scene.solver.is_exact() && cells->is_linear() && !has_transient_step(scene))
+  if (scene.solver.is_exact() && cells->is_linear() && !has_transient_step(scene) &&
+      !linear.has_pressed_parts()) // whose matrices come one after the other
     linear.leave_out_zeros();
 }
 

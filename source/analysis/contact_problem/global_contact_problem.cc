@@ -17,6 +17,8 @@ std::string find_obstacle(const Model &model) {
   const Contacts &contacts = model.contacts;
   if (!model.scene.solver.is_exact())
     return "the method is not 'exact'";
+  if (model.linear.has_pressed_parts())
+    return "pressure stiffens a solid part of the line, whose stiffness changes with it";
   for (unsigned int i = 0; i < contacts.size(); ++i) {
     const std::string support = model.scene.supports[contacts[i].support].name;
     if (!contacts[i].law.has_closed_form())

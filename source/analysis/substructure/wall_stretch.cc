@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/substructure/wall_stretch.h"
 
-#include "analysis/algebra/elastic_system.h"
+#include "analysis/substructure/free_pressed_wall.h"
 #include "mesh/solid/held_points.h"
 #include "mesh/solid/wall_layout.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
 
 namespace frictionbeam {
 
@@ -25,7 +29,8 @@ Scene body_scene_of(const Scene &scene, const PipeWall &wall, const SolidStretch
   const WallRing &end = stretch.anchored[1] ? wall.rings.back() : wall.rings.front();
   if (stretch.anchored[0] || stretch.anchored[1])
     body.sections.push_back({end.centre, end.tangent, wall.outer, breathes});
-  body.holds = holds_at_points(wall);
+  else
+    body.holds = holds_at_points(wall);
   Scene result = scene;
   result.continuum = body;
   result.continuum_settings.degree = scene.solid.degree;
@@ -33,26 +38,26 @@ Scene body_scene_of(const Scene &scene, const PipeWall &wall, const SolidStretch
   return result;
 }
 
-/// Of a symmetric positive definite matrix, scaled, for forces and moments have their own units.
-Eigen::MatrixXd inverse_of(const Eigen::MatrixXd &matrix) {
+/// Of a symmetric matrix, scaled, for forces and moments have their own units.
+/// @return its inverse, and whether it is positive definite
+std::pair<Eigen::MatrixXd, bool> inverse_of(const Eigen::MatrixXd &matrix) {
   const Eigen::MatrixXd symmetric = 0.5 * (matrix + matrix.transpose());
-  const Eigen::VectorXd scale = symmetric.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal();
+  const Eigen::VectorXd scale = symmetric.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * symmetric * scale.asDiagonal(),
+                        one = Eigen::MatrixXd::Identity(matrix.rows(), matrix.rows());
   const Eigen::LLT<Eigen::MatrixXd> factors(scaled);
-  AssertThrow(factors.info() == Eigen::Success, ExcInternalError());
-  const Eigen::MatrixXd inverse =
-      scale.asDiagonal() *
-      factors.solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.rows())).eval() *
-      scale.asDiagonal();
-  return 0.5 * (inverse + inverse.transpose());
+  const bool is_positive = factors.info() == Eigen::Success;
+  const Eigen::MatrixXd solved = is_positive ? Eigen::MatrixXd(factors.solve(one))
+                                             : Eigen::MatrixXd(scaled.partialPivLu().solve(one)),
+                        inverse = scale.asDiagonal() * solved * scale.asDiagonal();
+  return {0.5 * (inverse + inverse.transpose()), is_positive};
 }
 
 } // namespace
 
 WallStretch::WallStretch(const Scene &whole, const LineMesh &line, const SolidStretch &stretch)
     : stretch(stretch), own(whole, line, stretch),
-      wall(has_held_end() ? build_pipe_wall(own.scene, own.line)
-                          : with_held_points(build_pipe_wall(own.scene, own.line))),
+      wall(with_held_points(build_pipe_wall(own.scene, own.line))),
       body_scene(body_scene_of(own.scene, wall, stretch)), body(body_scene, wall.mesh) {
   body.distribute();
   loads = std::make_unique<const WallLoads>(own.scene, own.line, wall, body);
@@ -112,8 +117,8 @@ Eigen::VectorXd WallStretch::push(const unsigned int rest) const {
 }
 
 Eigen::MatrixXd WallStretch::on_sections() const {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(6 * (sections.size() - 1), own.at_sections.size());
-  for (unsigned int l = 0; l < result.cols() && !of_rests.empty(); ++l)
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_forces, n_loads);
+  for (unsigned int l = 0; l < own.at_sections.size() && !wall.patches.empty(); ++l)
     for (unsigned int i = 0, row = 0; i < sections.size(); ++i)
       if (i != reference) {
         result.block<6, 1>(row, l) = Eigen::Map<const Vector6>(own.at_sections[l][i].data());
@@ -134,44 +139,92 @@ Eigen::MatrixXd WallStretch::relation() const {
   return G;
 }
 
-Eigen::MatrixXd WallStretch::solve_fields(const std::vector<Vector6> &resultants) {
+void WallStretch::solve_fields(const std::vector<Vector6> &resultants,
+                               const std::vector<double> &pressures) {
+  std::vector<ContinuumVector> all;
   for (unsigned int i = 0; i < sections.size(); ++i)
     for (unsigned int c = 0; c < 6 && i != reference; ++c) {
       const Vector6 unit = Vector6::Unit(c);
       ContinuumVector forces;
       body.reinit(forces);
       sections[i].add_forces(unit, forces);
-      of_forces.push_back(balanced(std::move(forces), carried(i).transpose() * unit));
+      all.push_back(balanced(std::move(forces), carried(i).transpose() * unit));
     }
-  of_loads = loads->forces();
+  n_forces = all.size();
+  std::vector<ContinuumVector> of_loads = loads->forces();
   for (unsigned int l = 0; l < of_loads.size(); ++l)
-    of_loads[l] = balanced(std::move(of_loads[l]), resultants[l]);
-  for (unsigned int p = 0; p < wall.patches.size(); ++p)
-    of_rests.push_back(sections[wall.patches[p].vertex].pressure(wall, body, p));
-  const std::vector<ContinuumVector> presses = of_rests;
-  const std::unique_ptr<ContinuumSystem> system = make_condensed_system(body);
-  for (std::vector<ContinuumVector> *const fields : {&of_forces, &of_loads, &of_rests}) {
-    AssertThrow(system->solve_all(*fields), ExcInternalError());
-    for (ContinuumVector &field : *fields)
-      body.constraints.distribute(field);
+    all.push_back(balanced(std::move(of_loads[l]), resultants[l]));
+  const bool is_pressed = std::any_of(pressures.begin(), pressures.end(),
+                                      [](const double pressure) { return pressure != 0.; });
+  if (is_pressed && own.scene.solid.pressure_stiffening) {
+    stiffening = std::make_unique<const PressureStiffness>(
+        PressureStiffness{wall, body, free_pressed_wall(body_scene, wall)});
+    all.push_back(stiffening->times_free_field());
   }
-  Eigen::MatrixXd of_rests_by_loads(presses.size(), of_loads.size());
-  for (unsigned int p = 0; p < presses.size(); ++p)
-    for (unsigned int l = 0; l < of_loads.size(); ++l)
-      of_rests_by_loads(p, l) = presses[p] * of_loads[l];
-  return of_rests_by_loads;
+  n_loads = all.size() - n_forces;
+  std::vector<ContinuumVector> presses;
+  for (unsigned int p = 0; p < wall.patches.size(); ++p)
+    presses.push_back(sections[wall.patches[p].vertex].pressure(wall, body, p));
+  all.insert(all.end(), presses.begin(), presses.end());
+  fields = std::make_unique<const WallFields>(body, std::move(all), stiffening.get(),
+                                              stiffening ? pressures : std::vector<double>());
+  motions = relative(fields->basis());
+  rest_work.resize(motions.cols(), presses.size());
+  for (unsigned int k = 0; k < rest_work.rows(); ++k)
+    for (unsigned int p = 0; p < presses.size(); ++p)
+      rest_work(k, p) = presses[p] * fields->basis()[k];
 }
 
-Eigen::MatrixXd WallStretch::directions(const Eigen::MatrixXd &stiffness) const {
+Eigen::MatrixXd WallStretch::directions(const Eigen::MatrixXd &stiffness,
+                                        const Eigen::MatrixXd &of_rests) const {
   Eigen::MatrixXd B = Eigen::MatrixXd::Identity(stiffness.rows(), stiffness.rows());
-  for (unsigned int p = 0; p < of_rests.size(); ++p) {
+  for (unsigned int p = 0; p < of_rests.cols(); ++p) {
     const Eigen::VectorXd n = push(p), kn = stiffness * n;
-    Eigen::VectorXd forces = stiffness * relative(of_rests[p]);
+    Eigen::VectorXd forces = stiffness * of_rests.col(p);
     // Its own section is taken to be where no force along n holds it.
     forces -= n.dot(forces) / n.dot(kn) * kn;
     B += forces * n.transpose();
   }
   return B;
+}
+
+WallStretch::Condensed WallStretch::condense(const double pressure) const {
+  Condensed result{pressure, fields->coefficients(pressure), {}, {}, true};
+  const Eigen::MatrixXd of_all = motions * result.fields, F = of_all.leftCols(n_forces);
+  const auto [stiffness, is_positive] = inverse_of(F);
+  result.holds = is_positive;
+  const Eigen::MatrixXd B = directions(stiffness, of_all.rightCols(wall.patches.size())),
+                        of_loads = result.fields.middleCols(n_forces, n_loads);
+  result.inverse = inverse_of(B.transpose() * F * B).first;
+  result.free_motions = of_all.middleCols(n_forces, n_loads);
+  for (unsigned int p = 0; p < wall.patches.size(); ++p)
+    result.free_motions += push(p) * (rest_work.col(p).transpose() * of_loads);
+  result.free_motions += B.transpose() * F * point_forces;
+  return result;
+}
+
+Eigen::MatrixXd WallStretch::forces(const Condensed &at) const {
+  Eigen::MatrixXd result = relation().transpose() * (at.inverse * at.free_motions - point_forces);
+  result.middleRows(6 * reference, 6) += on_reference;
+  return result;
+}
+
+SolidPart::Pressed WallStretch::pressed(const double pressure) const {
+  const Condensed at = condense(pressure);
+  const Eigen::MatrixXd G = relation(), added = forces(at) - forces(unpressed);
+  SolidPart::Pressed result;
+  result.stiffness = G.transpose() * (at.inverse - unpressed.inverse) * G;
+  result.forces = added.leftCols(n_loads - 1);
+  result.by_itself = pressure * pressure * forces(at).col(n_loads - 1);
+  // With all sections held, the wall has as many negative eigenvalues less as the forces that hold
+  // them take away.
+  if (fields->is_stable(pressure))
+    result.stability = SolidPart::Stability::known;
+  else if (at.holds && fields->n_negative(pressure) > 0)
+    result.stability = SolidPart::Stability::buckled;
+  else
+    result.stability = SolidPart::Stability::of_the_line;
+  return result;
 }
 
 std::vector<WallStretch::Vector6> WallStretch::resultants(const SolidPart &part) const {
@@ -184,7 +237,7 @@ std::vector<WallStretch::Vector6> WallStretch::resultants(const SolidPart &part)
   return result;
 }
 
-SolidPart WallStretch::superelement() {
+SolidPart WallStretch::superelement(const std::vector<double> &pressures) {
   for (const unsigned int ring : rings)
     sections.emplace_back(wall, body, ring);
   SolidPart part;
@@ -192,39 +245,55 @@ SolidPart WallStretch::superelement() {
   part.first_cell = own.first_cell;
   part.vertices = own.vertices;
   part.cell_loads = cell_loads();
-  const std::vector<Vector6> on_reference = resultants(part);
-  const Eigen::MatrixXd rest_motions = solve_fields(on_reference);
-
-  const Eigen::MatrixXd F = relative(of_forces), stiffness = inverse_of(F),
-                        B = directions(stiffness), G = relation();
-  inverse = inverse_of(B.transpose() * F * B);
-  part.stiffness = G.transpose() * inverse * G;
-  free_motions = relative(of_loads);
-  for (unsigned int p = 0; p < of_rests.size(); ++p)
-    free_motions += push(p) * rest_motions.row(p);
+  const std::vector<Vector6> of_cells = resultants(part);
+  solve_fields(of_cells, pressures);
+  on_reference = Eigen::MatrixXd::Zero(6, n_loads);
+  for (unsigned int l = 0; l < of_cells.size(); ++l)
+    on_reference.col(l) = of_cells[l];
   point_forces = on_sections();
-  free_motions += B.transpose() * F * point_forces;
-  for (unsigned int l = 0; l < of_loads.size(); ++l) {
-    part.forces.push_back(G.transpose() * (inverse * free_motions.col(l) - point_forces.col(l)));
-    part.forces.back().segment<6>(6 * reference) += on_reference[l];
-  }
+  unpressed = condense(0.);
+  AssertThrow(unpressed.holds, ExcInternalError());
+  part.stiffness = relation().transpose() * unpressed.inverse * relation();
+  const Eigen::MatrixXd by_load = forces(unpressed);
+  for (unsigned int l = 0; l < of_cells.size(); ++l)
+    part.forces.push_back(by_load.col(l));
+  if (!stiffening)
+    return part;
+  for (const Load &load : own.scene.loads)
+    part.pressures.push_back(load.kind == Load::Kind::pressure ? load.value : 0.);
+  part.pressed = [this](const double pressure) -> const SolidPart::Pressed & {
+    if (!last_pressed || pressure != last_pressure)
+      last_pressed = pressed(pressure);
+    last_pressure = pressure;
+    return *last_pressed;
+  };
   return part;
 }
 
-ContinuumVector WallStretch::displacement(const Eigen::VectorXd &motions,
+Eigen::VectorXd WallStretch::load_factors(const std::vector<double> &factors) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(n_loads);
+  result.head(factors.size()) = Eigen::Map<const Eigen::VectorXd>(factors.data(), factors.size());
+  if (stiffening)
+    result[n_loads - 1] = std::pow(loads->pressure(factors), 2);
+  return result;
+}
+
+ContinuumVector WallStretch::displacement(const Eigen::VectorXd &of_sections,
                                           const std::vector<double> &factors) const {
-  const Eigen::Map<const Eigen::VectorXd> x(factors.data(), factors.size());
-  const Eigen::VectorXd pushes = inverse * (relation() * motions - free_motions * x);
-  const Eigen::VectorXd amplitudes = pushes + point_forces * x;
+  const Condensed at = condense(stiffening ? loads->pressure(factors) : 0.);
+  const Eigen::VectorXd x = load_factors(factors),
+                        pushes = at.inverse * (relation() * of_sections - at.free_motions * x);
+  Eigen::VectorXd amplitudes(at.fields.cols());
+  amplitudes << pushes + point_forces * x, x, Eigen::VectorXd::Zero(wall.patches.size());
+  for (unsigned int p = 0; p < wall.patches.size(); ++p)
+    amplitudes[n_forces + n_loads + p] = push(p).dot(pushes);
+  const Eigen::VectorXd parts = at.fields * amplitudes;
   ContinuumVector field;
   body.reinit(field);
-  for (unsigned int k = 0; k < of_forces.size(); ++k)
-    field.add(amplitudes[k], of_forces[k]);
-  for (unsigned int l = 0; l < of_loads.size(); ++l)
-    field.add(factors[l], of_loads[l]);
-  for (unsigned int p = 0; p < of_rests.size(); ++p)
-    field.add(push(p).dot(pushes), of_rests[p]);
-  Vector6 rigid = motions.segment<6>(6 * reference);
+  for (unsigned int k = 0; k < parts.size(); ++k)
+    if (parts[k] != 0.)
+      field.add(parts[k], fields->basis()[k]);
+  Vector6 rigid = of_sections.segment<6>(6 * reference);
   if (!has_held_end())
     rigid -= sections[reference].motion(field);
   field += rigid_displacement(body, place(reference), rigid);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/substructure/section_motion.h"
+#include "analysis/substructure/wall_fields.h"
 #include "mesh/solid/solid_stretches.h"
 #include "model/body/wall_loads.h"
 #include "model/line/solid_part.h"
@@ -51,6 +52,10 @@ private:
  * Forces p at points act on sections, not on patches, though the line puts them on the same motion:
  * U gets F p and the line p less, which is the same without rests.
  * Widening is left out of P, e and d, as the line's other rests do not know it.
+ *
+ * Pressure that stiffens the wall makes all of this another one at each pressure (WallFields).
+ * Forces through sections are effective ones still: each length of the wall with what the fluid in
+ * it does to its bore and to two caps is in balance as it is turned.
  */
 class WallStretch {
 public:
@@ -58,7 +63,9 @@ public:
   WallStretch(const Scene &whole, const LineMesh &line, const SolidStretch &stretch);
 
   /// What the line takes. Factors the stiffness.
-  SolidPart superelement();
+  /// @param pressures in the pipe that there are [Pa], to which and between which those that
+  /// stiffen the wall go
+  SolidPart superelement(const std::vector<double> &pressures);
   /// The field that belongs to motions of the sections, six each, and loads. After superelement().
   ContinuumVector displacement(const Eigen::VectorXd &motions,
                                const std::vector<double> &factors) const;
@@ -69,6 +76,9 @@ public:
   /// Whether a ring is nearer than r sqrt(r/t) to a rest that stands as near as 1.5 times that to
   /// where the wall is cut, or beyond it: a free end gives way, and the oval there is too large.
   bool is_disturbed(const unsigned int ring) const;
+
+  /// What pressure adds to the wall's stiffness; null: nothing.
+  const PressureStiffness *pressure_stiffness() const { return stiffening.get(); }
 
   const SolidStretch stretch;
   const StretchScene own;
@@ -90,8 +100,8 @@ private:
   /// Forces at points that act on sections, among those of unit forces, of each load (columns);
   /// zero without rests, where it is all the same.
   Eigen::MatrixXd on_sections() const;
-  /// Find the fields of unit forces, loads and rests. @return d of each rest (rows) by each load
-  Eigen::MatrixXd solve_fields(const std::vector<Vector6> &resultants);
+  /// Find the fields of unit forces, loads and rests.
+  void solve_fields(const std::vector<Vector6> &resultants, const std::vector<double> &pressures);
   /// Resultants of the loads on cells about the reference.
   std::vector<Vector6> resultants(const SolidPart &part) const;
   /// Motions of all sections but the reference relative to it.
@@ -101,20 +111,44 @@ private:
   /// n of a rest among relative motions.
   Eigen::VectorXd push(const unsigned int rest) const;
   /// B, columns of which are unit forces and the b of rests. @param stiffness F^-1
-  Eigen::MatrixXd directions(const Eigen::MatrixXd &stiffness) const;
+  /// @param of_rests relative motions in the fields of rests
+  Eigen::MatrixXd directions(const Eigen::MatrixXd &stiffness,
+                             const Eigen::MatrixXd &of_rests) const;
   /// G, motions to relative motions.
   Eigen::MatrixXd relation() const;
   /// Of each load at factor one: on what lies between sections.
   std::vector<std::vector<Motion>> cell_loads() const;
 
+  /// All of it at one pressure.
+  struct Condensed {
+    double pressure;
+    Eigen::MatrixXd fields;       ///< of forces, loads and rests (columns), by the basis of fields
+    Eigen::MatrixXd inverse;      ///< (B^T F B)^-1
+    Eigen::MatrixXd free_motions; ///< relative ones of each load (columns), those of rests with d
+    bool holds = true;            ///< F is positive definite
+  };
+  Condensed condense(const double pressure) const;
+  /// Forces on the sections of each load (columns).
+  Eigen::MatrixXd forces(const Condensed &at) const;
+  SolidPart::Pressed pressed(const double pressure) const;
+  /// Factors of all loads, the pressure's own among them.
+  Eigen::VectorXd load_factors(const std::vector<double> &factors) const;
+
   std::vector<unsigned int> rings; ///< of the sections
   unsigned int reference = 0;      ///< among them
   std::vector<SectionMotion> sections;
-  /// Fields; of rests in the order of the wall's patches.
-  std::vector<ContinuumVector> of_forces, of_loads, of_rests;
-  Eigen::MatrixXd inverse;      ///< (B^T F B)^-1
+  std::unique_ptr<const PressureStiffness> stiffening;
+  std::unique_ptr<const WallFields> fields; ///< of forces, loads and rests in the order of patches
+  /// Of loads those of the scene and, where it stiffens, of the pressure by itself, which goes with
+  /// its square.
+  unsigned int n_forces = 0, n_loads = 0;
+  Eigen::MatrixXd motions;      ///< relative ones of the basis of fields (columns)
+  Eigen::MatrixXd rest_work;    ///< of P - W n of each rest (columns) on that basis (rows)
   Eigen::MatrixXd point_forces; ///< p of each load (columns)
-  Eigen::MatrixXd free_motions; ///< relative ones of each load (columns), those of rests with d
+  Eigen::MatrixXd on_reference; ///< resultants of each load on cells (columns)
+  Condensed unpressed;
+  std::optional<SolidPart::Pressed> last_pressed;
+  double last_pressure = 0.;
 };
 
 } // namespace frictionbeam

@@ -8,9 +8,13 @@
 #include "results/file/output_file.h"
 #include "results/solid/solid_files.h"
 #include "results/solid/wall_doubts.h"
+#include "results/stress/inner_pressure.h"
 #include "results/text.h"
 #include "scene/in_units.h"
 #include "scene/solid/mixed_entries.h"
+#include "scene/steps/history_origins.h"
+#include "scene/steps/step_factors.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 
@@ -41,7 +45,9 @@ double disagreement(const WallStretch &wall, const SolidPart &part, const Frame 
     const unsigned int section = at_end ? part.vertices.size() - 1 : 0,
                        ring = wall.ring_of(section);
     const Station &station = station_at(frame, part.pipe, part.vertices[section], !at_end);
-    const Motion &cut = rings[ring].cut[at_end ? 0 : 1];
+    Motion cut = rings[ring].cut[at_end ? 0 : 1];
+    for (unsigned int c = 0; c < 6; ++c)
+      cut[c] -= rings[ring].moved_thrust[c];
     const Vector3 force({cut[0], cut[1], cut[2]}), moment({cut[3], cut[4], cut[5]}),
         x = wall.wall.rings[ring].tangent;
     const Motion local = {{force * x - thrust, force * station.y, force * station.z, moment * x,
@@ -53,6 +59,52 @@ double disagreement(const WallStretch &wall, const SolidPart &part, const Frame 
     }
   }
   return difference / largest;
+}
+
+/// Pressures in a pipe between which that of all steps is [Pa]: at the ends of the steps, and with
+/// histories the largest and the least on the way.
+std::vector<double> pressures_in(const Scene &scene, const unsigned int pipe) {
+  std::vector<double> result;
+  const auto acts_there = [&](const Load &load) {
+    return load.kind == Load::Kind::pressure && load.is_on(scene.pipes[pipe].name);
+  };
+  bool has_history = false;
+  for (const Load &load : scene.loads)
+    has_history = has_history || (acts_there(load) && load.history.is_given());
+  for (const LoadStep &step : scene.steps)
+    result.push_back(pressure_in(scene, step.name, pipe));
+  if (!has_history)
+    return result;
+  constexpr unsigned int n_instants = 200; // of a step, of histories that have no corners
+  constexpr double margin = 1.05;
+  double begin = 0., least = 0., largest = 0.;
+  for (unsigned int s = 0; s < scene.steps.size(); ++s) {
+    const HistoryOrigins origins(scene, s);
+    const double duration = scene.steps[s].duration;
+    std::vector<double> instants;
+    for (unsigned int i = 0; i <= n_instants; ++i)
+      instants.push_back(begin + duration * i / n_instants);
+    for (unsigned int l = 0; l < scene.loads.size(); ++l)
+      for (const double corner : scene.loads[l].history.breaks)
+        instants.push_back(std::clamp(origins.loads[l] + corner, begin, begin + duration));
+    for (const unsigned int of : {s, step_before(scene, s).value_or(s)}) {
+      const std::vector<double> factors = declared_factors(scene.steps[of], scene.loads.size());
+      for (const double time : instants) {
+        double before = 0., after = 0.;
+        for (unsigned int l = 0; l < scene.loads.size(); ++l)
+          if (const Load &load = scene.loads[l]; acts_there(load)) {
+            const double value = factors[l] * load.value, t = time - origins.loads[l];
+            before += value * (load.history.is_given() ? load.history.before(t) : 1.);
+            after += value * (load.history.is_given() ? load.history.after(t) : 1.);
+          }
+        least = std::min({least, before, after});
+        largest = std::max({largest, before, after});
+      }
+    }
+    begin += duration;
+  }
+  result.insert(result.end(), {margin * least, margin * largest});
+  return result;
 }
 
 /// Quantities that are stresses of a beam's wall where the wall is a solid.
@@ -92,7 +144,7 @@ MixedWalls::MixedWalls(const Scene &scene, const LineMesh &mesh) : scene(scene) 
 std::vector<SolidPart> MixedWalls::superelements() {
   std::vector<SolidPart> result;
   for (const auto &wall : walls)
-    result.push_back(wall->superelement());
+    result.push_back(wall->superelement(pressures_in(scene, wall->stretch.pipe)));
   parts = result;
   return result;
 }
@@ -159,7 +211,8 @@ void MixedWalls::report(const LoadSequence &sequence, Results &results) {
       state.time = frame.time;
       state.factors = sequence.factors_at_end(frame.step);
       state.displacement = wall.displacement(motions, state.factors);
-      frames.push_back({frame.step, wall_state(wall.wall, *wall.loads, wall.body, state, nullptr)});
+      frames.push_back({frame.step, wall_state(wall.wall, *wall.loads, wall.body, state,
+                                               wall.pressure_stiffness())});
       join = std::max(join, disagreement(wall, part, frame, frames.back().rings, state.factors));
       states.push_back(std::move(state));
     }

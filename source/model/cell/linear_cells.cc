@@ -114,6 +114,11 @@ LineCells::Vector12 LinearCells::ends_in_solid(const SolidPart &part, const Pipe
   Vector outside = part.stiffness * q;
   for (unsigned int l = 0; l < factors.size(); ++l)
     outside -= factors[l] * part.forces[l];
+  if (const double p = part.pressure(factors); p != 0.) {
+    const SolidPart::Pressed &pressed = part.pressed(p);
+    outside += pressed.stiffness * q - pressed.by_itself -
+               pressed.forces * Eigen::Map<const Vector>(factors.data(), factors.size());
+  }
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   Vector6 begin = Vector6::Zero(), end = Vector6::Zero();
   for (unsigned int i = 0; i <= k; ++i) {

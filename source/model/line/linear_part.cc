@@ -263,6 +263,11 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
   }
 }
 
+bool LinearPart::has_pressed_parts() const {
+  return std::any_of(solid_parts.begin(), solid_parts.end(),
+                     [](const SolidPart &part) { return part.pressed != nullptr; });
+}
+
 const SolidPart *LinearPart::solid_part(const PipeCell &cell) const {
   const auto found =
       std::find_if(solid_parts.begin(), solid_parts.end(),

@@ -81,6 +81,9 @@ public:
   double kinetic_by_imposed(const std::vector<double> &rates, const Vector &velocity) const;
   /// Forces and moments that load @p l puts on vertices by itself (point loads, weight of masses).
   const std::map<unsigned int, Motion> &nodal(const unsigned int l) const { return nodal_loads[l]; }
+  /// Of the pipes, and whether pressure stiffens one of them, which stiffness() leaves out.
+  const std::vector<SolidPart> &parts() const { return solid_parts; }
+  bool has_pressed_parts() const;
   /// The solid part that a pipe cell belongs to; null: none.
   const SolidPart *solid_part(const PipeCell &cell) const;
 

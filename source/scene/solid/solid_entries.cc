@@ -273,20 +273,6 @@ void remark_on_pairs(ParameterReader &in, Scene &scene) {
   }
 }
 
-/// A superelement has one stiffness, whatever the pressure is.
-void remark_on_pressed_parts(Scene &scene) {
-  const bool is_pressed = std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load &load) {
-    return load.kind == Load::Kind::pressure && load.value != 0.;
-  });
-  const bool is_stiffened =
-      std::any_of(scene.pipes.begin(), scene.pipes.end(),
-                  [](const Pipe &pipe) { return pipe.bend_flexibility.pressure > 0.; });
-  if (scene.has_bend() && (is_pressed || is_stiffened))
-    scene.remarks.push_back("Section Solid: pressure does not stiffen the bends that are solid by "
-                            "At; those of beams have their pipe's Stiffening pressure. Model = "
-                            "solid stiffens them.");
-}
-
 /// What a line does not use.
 void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
   const auto wide = std::find_if(scene.supports.begin(), scene.supports.end(),
@@ -310,10 +296,8 @@ void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
 
 void check_solid(ParameterReader &in, Scene &scene) {
   const bool is_mixed = !solid_places(scene).empty();
-  if (is_mixed) {
+  if (is_mixed)
     check_mixed(in, scene);
-    remark_on_pressed_parts(scene);
-  }
   if (scene.is_solid()) {
     SolidCheck(in, scene).all();
     remark_on_pairs(in, scene);
