@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/statics/pressed_parts.h"
 #include "analysis/statics/statics.h"
+#include "analysis/substructure/pressed_parts.h"
 
 namespace frictionbeam {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/statics/pressed_parts.h"
+#include "analysis/substructure/pressed_parts.h"
 
 namespace frictionbeam {
 
