@@ -31,15 +31,22 @@ double flexibility_of_wall(const Scene &scene, const Pipe &pipe, const double h,
                                                scene.materials[pipe.material], radius));
 }
 
+/// Largest pressure from inside that stiffens the walls of a pipe [Pa].
+double stiffening_pressure(const Scene &scene, const unsigned int pipe) {
+  double pressure = 0.;
+  if (scene.solid.pressure_stiffening)
+    for (const LoadStep &step : scene.steps)
+      pressure = std::max(pressure, pressure_bounds(scene, step.name, pipe).largest);
+  return pressure;
+}
+
 /// A pipe whose bends have the code's rule, stiffened by what its entry says or its loads bring.
 Pipe like_a_wall(const Scene &scene, const unsigned int number) {
   Pipe pipe = scene.pipes[number];
   if (pipe.bend_flexibility.rule != BendFlexibility::Rule::code)
     pipe.bend_flexibility = {};
   double &pressure = pipe.bend_flexibility.pressure;
-  if (scene.solid.pressure_stiffening)
-    for (const LoadStep &step : scene.steps)
-      pressure = std::max(pressure, pressure_bounds(scene, step.name, number).largest);
+  pressure = std::max(pressure, stiffening_pressure(scene, number));
   return pipe;
 }
 
@@ -113,12 +120,12 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
     if (tangent.until != Tangent::Until::end)
       model.off +=
           std::max(0., 1. - tangent.length / diameter) * std::max(0., -std::log(model.h)) / 6.;
-  Pipe unpressed = wall;
-  unpressed.bend_flexibility.pressure = 0.;
+  Pipe solid = wall;
+  solid.bend_flexibility.pressure = stiffening_pressure(scene, room.pipe);
   const auto by_code = [&](const Pipe &one) {
     return bend_flexibility(one, section, scene.materials[pipe.material], bend.radius);
   };
-  model.stiffening = by_code(unpressed) / by_code(wall);
+  model.stiffening = by_code(solid) / by_code(wall);
   return model;
 }
 

@@ -19,6 +19,7 @@ constexpr unsigned int degree_of_walls = 3, cells_along_walls = 6;
 constexpr double most_of_all = 0.9;     ///< of what is demanded, that a model may leave
 constexpr double off_by_of_rings = 0.1; ///< part that a held ring's elasticity may be off
 constexpr double off_by = 1. / 3.; ///< part that the elasticity of walls at supports may be off
+constexpr double off_by_of_growth = 0.1; ///< part that their growth by heat and pressure may be off
 constexpr double formula_of_cells = 1.5; ///< times as much as it says may be left by cells
 constexpr double nothing_known = 1.;     ///< error of a quantity
 
@@ -83,15 +84,46 @@ public:
   void judge(const double most, const double most_left, PipeModel &model);
 
 private:
+  /// Elastic supports, with such growth as is an entry.
   Results elastic(const WallsAre as, const std::string &what) const {
-    return solve(with_walls(scene, walls, as), what);
+    return solve(with_growth(with_walls(scene, walls, as), entries), what);
   }
+
+  /// What elastic supports leave.
+  struct Left {
+    double by_formula, by_growth, by_patches;
+    double all() const { return by_formula + by_growth + by_patches; }
+  };
+  /// Growth and edges of patches may undo each other: growth is among the entries only where less
+  /// is left with it. @param full with both
+  Left left_by_elastic(const Scene &of_walls, const Results &full);
 
   const Scene &scene;
   const Results &beams;
   const SolveAs &solve;
   const WallsAtSupports walls;
+  std::vector<GrowingSupport> entries; ///< of growth
 };
+
+SupportsJudge::Left SupportsJudge::left_by_elastic(const Scene &of_walls, const Results &full) {
+  Results as_walls = solve(of_walls, "supports as elastic as walls");
+  Left left{0., 0., change_between(scene, as_walls, full).value};
+  if (!entries.empty()) {
+    Results growing = elastic(WallsAre::as_measured, "supports as elastic as walls that grow");
+    const double off = off_by_of_growth * change_between(scene, as_walls, growing).value,
+                 by_patches = change_between(scene, growing, full).value;
+    if (off + by_patches < left.by_patches) {
+      left = {0., off, by_patches};
+      as_walls = std::move(growing);
+    } else
+      entries.clear();
+  }
+  const Results softer = elastic(WallsAre::softer, "supports softer than walls"),
+                stiffer = elastic(WallsAre::stiffer, "supports stiffer than walls");
+  left.by_formula = std::max(change_between(scene, as_walls, softer).value,
+                             change_between(scene, as_walls, stiffer).value);
+  return left;
+}
 
 void SupportsJudge::judge(const double most, const double most_left, PipeModel &model) {
   for (const std::string &one : walls.unknown)
@@ -106,8 +138,12 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
   if (walls.walls.empty() || beams.status != RunStatus::converged)
     return;
   std::vector<std::string> do_not_grow;
-  const Scene grown =
-      with_patches(with_walls(scene, walls, WallsAre::as_measured), walls, beams, do_not_grow);
+  const std::vector<GrowingSupport> growing = growing_supports(scene, walls, beams, do_not_grow);
+  for (const GrowingSupport &one : growing)
+    if (one.is_an_entry)
+      entries.push_back(one);
+  const Scene of_walls = with_walls(scene, walls, WallsAre::as_measured),
+              grown = with_edges(with_growth(of_walls, growing), walls, beams);
   for (const std::string &one : do_not_grow)
     model.left_out.push_back("that a hot pipe grows thicker at support " + one);
   const Results full = solve(grown, "supports as patches of walls");
@@ -121,30 +157,32 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
     model.judged.push_back(what + ": beams answer for them.");
     return;
   }
-  const Results as_walls = elastic(WallsAre::as_measured, "supports as elastic as walls"),
-                softer = elastic(WallsAre::softer, "supports softer than walls"),
-                stiffer = elastic(WallsAre::stiffer, "supports stiffer than walls");
-  const double by_patches = change_between(scene, as_walls, full).value,
-               by_formula = std::max(change_between(scene, as_walls, softer).value,
-                                     change_between(scene, as_walls, stiffer).value),
-               as_elastic = by_patches + by_formula;
-  const bool helps = as_elastic < as_rigid;
+  const Left left = left_by_elastic(of_walls, full);
+  const bool helps = left.all() < as_rigid;
+  const double total = model.error + std::min(left.all(), as_rigid);
   model.judged.push_back(
       what +
-      (helps ? ". They are made as elastic as it is, which leaves "
-             : ", which beams and solid bends leave out; as elastic supports they leave ") +
-      rounded_number(by_formula, 2) +
-      " since that is known within a third (near anchors less), and " +
-      rounded_number(by_patches, 2) + " by growth and the edges of patches" +
-      (model.error + std::min(as_elastic, as_rigid) > most_left
-           ? "; that is a bound, and more than what was asked, which no mixed model mends, for its "
-             "rests do not give way either. Proposed: Model = solid, which has all this, or Model "
-             "= "
-             "both, which shows how much of it there is."
+      (!helps ? ", which beams and solid bends leave out; as elastic supports they leave "
+       : entries.empty() ? ". They are made as elastic as it is, which leaves "
+                         : ". They are made as elastic as it is and come nearer by as much as it "
+                           "grows, which leaves ") +
+      rounded_number(left.by_formula, 2) +
+      " since that is known within a third (near anchors less), " +
+      (entries.empty() ? ""
+                       : rounded_number(left.by_growth, 2) +
+                             " by what their growth, as Ground motion, may be off, ") +
+      "and " + rounded_number(left.by_patches, 2) +
+      (entries.empty() ? " by growth and the edges of patches"
+                       : " by the edges of patches, and growth within guides") +
+      (total > most_left
+           ? ". With all else that is left this makes " + rounded_number(total, 2) +
+                 ", a bound, and more than what was asked, which no mixed model mends, for its "
+                 "rests are points, too. Proposed: Model = solid, which has all this, Model "
+                 "= both, which shows how much of it there is, or a larger Accuracy."
            : "."));
   if (helps)
-    model.line = settings_of(scene, walls);
-  model.error += std::min(as_elastic, as_rigid);
+    model.line = settings_of(scene, walls, entries);
+  model.error = total;
 }
 
 } // namespace
@@ -170,13 +208,14 @@ PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const
                    "Solid/Degree = " + std::to_string(degree_of_walls),
                    "Solid/Cells around = " + std::to_string(n_around),
                    "Solid/Cells per bend = " + std::to_string(cells_along_walls)};
-    model.judged.push_back("Solid bends leave " +
-                           rounded_number(bends.per_part * bends.of_joints, 2) +
-                           " where they are joined to beams, and " +
-                           rounded_number(bends.per_part * of_cells, 2) + " by their cells" +
-                           (bends.by_pressure > 0. ? "; that pressure does not stiffen them, " +
-                                                         rounded_number(bends.by_pressure, 2) + "."
-                                                   : "."));
+    model.judged.push_back(
+        "Solid bends leave " + rounded_number(bends.per_part * bends.of_joints, 2) +
+        " where they are joined to beams, and " + rounded_number(bends.per_part * of_cells, 2) +
+        " by their cells" +
+        (bends.by_pressure > 0.
+             ? "; the Stiffening pressure above that of the loads does not stiffen them, " +
+                   rounded_number(bends.by_pressure, 2) + "."
+             : "."));
   }
   judge_held_sections(scene, beams, solve, model);
   judge_points(scene, beams, model);

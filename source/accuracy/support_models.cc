@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/support_models.h"
 
+#include "base/numbers.h"
 #include "mesh/places_on_pipe.h"
 #include "results/text.h"
 #include "scene/steps/history_origins.h"
@@ -242,7 +243,64 @@ Scene with_walls(Scene scene, const WallsAtSupports &walls, const WallsAre as) {
   return scene;
 }
 
-std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls) {
+std::vector<GrowingSupport> growing_supports(const Scene &scene, const WallsAtSupports &walls,
+                                             const Results &results,
+                                             std::vector<std::string> &left_out) {
+  std::vector<GrowingSupport> result;
+  std::set<std::string> unknown;
+  for (const WallAtSupport &wall : walls.walls) {
+    const FrictionSupport &support = scene.supports[wall.support];
+    const Growth growth = growth_of(scene, wall, results);
+    if (std::all_of(growth.begin(), growth.end(), [](const auto &at) { return at.second == 0.; }))
+      continue;
+    const std::optional<Vector3> normal = normal_of(places_of(support, results));
+    if (normal && !support.ground_moves() && std::is_sorted(growth.begin(), growth.end()))
+      result.push_back({wall.support, *normal, growth, !is_of_a_pair(support.kind)});
+    else
+      unknown.insert(part_name(support));
+  }
+  left_out.assign(unknown.begin(), unknown.end());
+  return result;
+}
+
+Scene with_growth(Scene scene, const std::vector<GrowingSupport> &supports) {
+  for (const GrowingSupport &one : supports)
+    for (unsigned int d = 0; d < 3; ++d) {
+      TimeFunction &motion = scene.supports[one.support].ground_motion[d];
+      motion.text = "growth of the pipe";
+      motion.clock = TimeFunction::Clock::run;
+      motion.course = [growth = one.growth, part = one.normal[d]](const double time) {
+        return part * value_at(growth, time);
+      };
+      for (const auto &at : one.growth)
+        motion.breaks.push_back(at.first);
+    }
+  return scene;
+}
+
+namespace {
+
+/// Settings of Ground motion.
+void add_growth(const Scene &scene, const GrowingSupport &growing,
+                std::vector<std::string> &settings) {
+  constexpr unsigned int digits = 6;
+  const std::string heading = "Support " + part_name(scene.supports[growing.support]) + "/";
+  std::string courses;
+  for (unsigned int d = 0; d < 3; ++d) {
+    std::string table;
+    for (const auto &[time, radius] : growing.growth)
+      table += (table.empty() ? "table " : ", ") + exact_number(time) + " " +
+               rounded_number(growing.normal[d] * radius / scene.units.factor("m"), digits);
+    courses += (d > 0 ? "; " : "") + (std::abs(growing.normal[d]) > no_component ? table : "0");
+  }
+  settings.push_back(heading + "Ground motion = " + courses);
+  settings.push_back(heading + "Ground motion time = run");
+}
+
+} // namespace
+
+std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls,
+                                     const std::vector<GrowingSupport> &growing) {
   std::vector<std::string> settings;
   const Scene elastic = with_walls(scene, walls, WallsAre::as_measured);
   std::set<std::string> done; // the halves of pairs have one section
@@ -260,44 +318,25 @@ std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &
                          "Length = " + exact_number(support.length / scene.units.factor("m")));
     }
   }
+  for (const GrowingSupport &one : growing)
+    if (one.is_an_entry)
+      add_growth(scene, one, settings);
   return settings;
 }
 
-Scene with_patches(Scene scene, const WallsAtSupports &walls, const Results &results,
-                   std::vector<std::string> &left_out) {
+Scene with_edges(Scene scene, const WallsAtSupports &walls, const Results &results) {
   std::vector<PipePath> paths;
   for (const Pipe &pipe : scene.pipes)
     paths.emplace_back(pipe, scene.units);
-  std::set<std::string> unknown;
   for (const WallAtSupport &wall : walls.walls) {
-    FrictionSupport &support = scene.supports[wall.support];
-    const std::vector<const SupportInfo *> places = places_of(support, results);
-    for (const SupportInfo *const place : places)
+    const FrictionSupport &support = scene.supports[wall.support];
+    for (const SupportInfo *const place : places_of(support, results))
       if (const auto tangent = tangent_at(scene, paths, place->position)) {
         const Spring spring = spring_of_edges(support, wall, *place, *tangent);
         scene.add_point(spring.point, place->position);
         scene.springs.push_back(spring);
       }
-    const Growth growth = growth_of(scene, wall, results);
-    if (std::all_of(growth.begin(), growth.end(), [](const auto &at) { return at.second == 0.; }))
-      continue;
-    const std::optional<Vector3> normal = normal_of(places);
-    if (!normal || support.ground_moves() || !std::is_sorted(growth.begin(), growth.end())) {
-      unknown.insert(part_name(support));
-      continue;
-    }
-    for (unsigned int d = 0; d < 3; ++d) {
-      TimeFunction &motion = support.ground_motion[d];
-      motion.text = "growth of the pipe";
-      motion.clock = TimeFunction::Clock::run;
-      motion.course = [growth, part = (*normal)[d]](const double time) {
-        return part * value_at(growth, time);
-      };
-      for (const auto &at : growth)
-        motion.breaks.push_back(at.first);
-    }
   }
-  left_out.assign(unknown.begin(), unknown.end());
   return scene;
 }
 

@@ -45,17 +45,31 @@ WallsAtSupports walls_at_supports(const Scene &scene);
 enum class WallsAre { as_measured, softer, stiffer };
 /// Supports as elastic as walls are, or may be at most, with friction on the pipes' outside.
 Scene with_walls(Scene scene, const WallsAtSupports &walls, const WallsAre as);
-/// The same as settings, as follow --set.
-std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls);
-
 /**
- * Supports that are patches of the pipes' outside: their edges hold its rotation, and their ground
- * comes nearer by as much as heat makes the radius grow, linear in time between the ends of steps.
- * @param results of the scene, for these instants and the supports' places and normals
- * @param left_out supports whose growth cannot be said, whose places have several normals or whose
- * ground moves
+ * Supports whose ground comes nearer by as much as heat and pressure make the pipe's radius grow,
+ * linear in time between the ends of steps.
  */
-Scene with_patches(Scene scene, const WallsAtSupports &walls, const Results &results,
-                   std::vector<std::string> &left_out);
+struct GrowingSupport {
+  unsigned int support = 0; ///< in Scene::supports
+  Vector3 normal;
+  std::vector<std::pair<double, double>> growth; ///< by instant [s, m]
+  /// Whether Ground motion says it, which the two halves of a guide or stop have in common.
+  bool is_an_entry = true;
+};
+/// @param results of the scene, for these instants and the supports' normals
+/// @param left_out supports whose growth cannot be said, whose places have several normals or whose
+/// ground moves
+std::vector<GrowingSupport> growing_supports(const Scene &scene, const WallsAtSupports &walls,
+                                             const Results &results,
+                                             std::vector<std::string> &left_out);
+Scene with_growth(Scene scene, const std::vector<GrowingSupport> &supports);
+
+/// Supports as elastic as walls that grow, as settings, as follow --set.
+std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls,
+                                     const std::vector<GrowingSupport> &growing);
+
+/// Supports that are patches of the pipes' outside, whose edges hold its rotation.
+/// @param results of the scene, for the supports' places
+Scene with_edges(Scene scene, const WallsAtSupports &walls, const Results &results);
 
 } // namespace frictionbeam::accuracy

@@ -36,7 +36,7 @@ struct BendModel {
   /// E left out, for it is in both [m3]; and the part of it by which a wall turns more.
   Vector3 turn_by_pressure;
   double more_turn = 0.;
-  double stiffening = 1.; ///< of the wall, by pressure, which no solid part has
+  double stiffening = 1.; ///< by a Stiffening pressure above that of the loads, of no solid part
 };
 
 struct BendModels {
