@@ -12,8 +12,9 @@
  * length stays below the locking velocity (and its change below the locking acceleration, where one
  * is given) it follows with a drag force against the motion at most. Above, it locks: a spring k
  * from where it locked, with a dead band b on either side, F = k (d - d_lock
- * -+ b). It lets go when its force has come back to zero and the motion is slow again. It pulls and
- * pushes. The state is that of the end of the increment: order 1 in time at locking.
+ * -+ b). It lets go when its force has come back to zero, or goes through zero in the increment,
+ * and the motion is slow again: never while its force keeps its sign. It pulls and pushes. The
+ * state is that of the end of the increment: order 1 in time at locking.
  */
 namespace {
 
@@ -32,6 +33,11 @@ constexpr LawParameter parameters[n_parameters] = {
     {"Drag", "N s/m", 0., 0., 1e300, "force per velocity when it is free"}};
 
 enum State { is_locked, position, rate_before, n_states };
+
+/// What of a stretch is beyond a play @p band on either side.
+double beyond_band(const double stretch, const double band) {
+  return stretch > band ? stretch - band : stretch < -band ? stretch + band : 0.;
+}
 
 class Snubber final : public LawBase {
 public:
@@ -58,11 +64,12 @@ public:
       locked = true;
       lock = before;
     }
-    const double stretch = d - lock;
-    const double force = p[stiffness] * (stretch > p[dead_band]    ? stretch - p[dead_band]
-                                         : stretch < -p[dead_band] ? stretch + p[dead_band]
-                                                                   : 0.);
-    if (locked && !fast && force == 0.)
+    const double stretch = beyond_band(d - lock, p[dead_band]),
+                 stretch_before = beyond_band(before - lock, p[dead_band]);
+    const double force = p[stiffness] * stretch;
+    const bool keeps_sign =
+        stretch > 0. ? stretch_before > 0. : stretch < 0. && stretch_before < 0.;
+    if (locked && !fast && !keeps_sign)
       locked = false;
     out.new_state[is_locked] = locked ? 1. : 0.;
     out.new_state[position] = locked ? lock : d;
