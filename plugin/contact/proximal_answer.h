@@ -84,16 +84,16 @@ namespace frictionbeam::contact {
 [[gnu::always_inline]] inline void add_torsion(const FrictionThreshold &law,
                                                const ProximalPoint &point, const Slip &old,
                                                const double P, ProximalAnswer &answer) {
-  const double f = point.friction;
+  const double lever = point.friction * point.patch_scale * law.patch_radius;
   const double moment = law.torsional_rigidity * (point.strain[3] - old.twist);
-  const double limit = f * P * law.patch_radius;
+  const double limit = lever * P;
   if (law.patch_radius == 0. || std::abs(moment) <= limit) {
     answer.stress[3] = moment;
     answer.tangent(3, 3) = law.torsional_rigidity;
     return;
   }
   answer.stress[3] = std::copysign(limit, moment);
-  answer.tangent(3, 0) = std::copysign(f * law.patch_radius * answer.tangent(0, 0), -moment);
+  answer.tangent(3, 0) = std::copysign(lever * answer.tangent(0, 0), -moment);
   answer.slip.twist = point.strain[3] - answer.stress[3] / law.torsional_rigidity;
   answer.dissipated += answer.stress[3] * (answer.slip.twist - old.twist);
 }

@@ -28,7 +28,7 @@ double stiffness_along(const Site &contact, const int strain, const Vector &diag
 
 ProximalSites::ProximalSites(const SiteList &contacts, const Vector &diagonal)
     : contacts(contacts), scales(contacts.size()), stiffness(contacts.size()),
-      friction(contacts.size(), 0.) {
+      friction(contacts.size(), 0.), patch_scale(contacts.size(), 1.) {
   centre.assign(contacts.size(), Strains::Zero());
   misfit = centre;
   double mean = 0.;
@@ -61,12 +61,15 @@ void ProximalSites::begin(const State &committed, const Overrides *const overrid
   take_all();
   factor_of_stiffness = 0.; // the host may have changed the laws' numbers
   friction_scale.assign(scales.size(), 1.);
+  patch_scale = friction_scale;
   gap.resize(scales.size());
   for (unsigned int i = 0; i < scales.size(); ++i)
     gap[i] = contacts[i].law.closed_form().gap;
   if (overrides != nullptr) {
     friction_scale = overrides->friction_scale;
     gap = overrides->gap;
+    if (!overrides->patch_scale.empty())
+      patch_scale = overrides->patch_scale;
   }
   for (unsigned int i = 0; i < scales.size(); ++i)
     if (is_exact(i))
@@ -141,6 +144,7 @@ void ProximalSites::evaluate_exact(const unsigned int i, const State &committed,
                       stiffness_factor * scales[i].normal_diagonal,
                       stiffness_factor * scales[i].shear_diagonal,
                       centre[i]};
+  point.patch_scale = patch_scale[i];
   if (!branch.empty())
     point.branch = branch[i];
   const ProximalAnswer answer = answer_of(law, point, stiffness[i], Slip::read(law, old_state));

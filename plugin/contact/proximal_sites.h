@@ -86,8 +86,8 @@ private:
   std::vector<Scale> scales;
   std::vector<ProximalStiffness> stiffness; ///< of exact contacts, for the c that follows
   double factor_of_stiffness = 0.;
-  std::vector<double> friction;            ///< coefficient in force in this increment
-  std::vector<double> friction_scale, gap; ///< of this increment
+  std::vector<double> friction;                         ///< coefficient in force in this increment
+  std::vector<double> friction_scale, patch_scale, gap; ///< of this increment
   std::vector<bool> is_left_out;
 };
 

@@ -23,6 +23,9 @@ struct Settings {
 struct Overrides {
   std::vector<double> gap;            ///< [m]; far for sites that do not take part
   std::vector<double> friction_scale; ///< on the coefficient
+  /// On the patch's radius, beside it; empty: 1. Where forces of friction are impulses, moments,
+  /// which are elastic, are not.
+  std::vector<double> patch_scale = {};
 };
 
 /// Find q with  A q + sum weight B^T stress(B q + imposed strain) = right_hand_side.

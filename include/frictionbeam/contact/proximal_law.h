@@ -37,6 +37,7 @@ struct ProximalPoint {
   /// `open`, `stick` or `slip`, whatever P and |T| say: the branch that an active set has chosen.
   /// What slides against the friction at the centre keeps this friction's direction.
   std::optional<ContactStatus> branch = {};
+  double patch_scale = 1.; ///< on the law's patch radius
 };
 
 /// Of the friction element and of its numerical stiffness, which many answers have in common.

@@ -132,6 +132,7 @@ void ImpulseContacts::set_laws(const EquilibriumProblem &problem, const LineStat
   shifted = from.contacts;
   overrides.gap.assign(kinds.size(), 0.);
   overrides.friction_scale.assign(kinds.size(), 1.);
+  overrides.patch_scale.assign(kinds.size(), 1.);
   for (unsigned int i = 0; i < kinds.size(); ++i) {
     const Kind &kind = kinds[i];
     if (!kind.is_exact)
@@ -157,6 +158,8 @@ void ImpulseContacts::set_laws(const EquilibriumProblem &problem, const LineStat
     }
     if (kind.rigid_normal != kind.rigid_shear)
       overrides.friction_scale[i] = kind.rigid_normal ? relation.share : 1. / relation.share;
+    if (kind.rigid_shear) // the scale above is that of impulses, and moments are forces
+      overrides.patch_scale[i] = relation.share;
   }
 }
 
@@ -245,9 +248,13 @@ void ImpulseContacts::add_histories(const LineState &from, const double step, Li
                                           part(i, from.contact_stress[i], false);
     const double slip_y = change[1] - force_change[1] / law.shear_rigidity_y,
                  slip_z = change[2] - force_change[2] / law.shear_rigidity_z;
+    double twist = 0.;
+    if (law.torsional_rigidity > 0.)
+      twist = change[3] - force_change[3] / law.torsional_rigidity;
     const Contact::Strains &mean = contact_work[i].mean_stress;
     to.contacts.dissipated[i] =
-        from.contacts.dissipated[i] + contact.weight * (mean[1] * slip_y + mean[2] * slip_z);
+        from.contacts.dissipated[i] +
+        contact.weight * (mean[1] * slip_y + mean[2] * slip_z + mean[3] * twist);
     // What sticks at the end may have slipped before: an impact that stops it.
     to.contacts.wear[i] += normal * contact.length * std::hypot(slip_y, slip_z);
   }
