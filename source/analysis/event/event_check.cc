@@ -74,7 +74,11 @@ EventIntegrator::LawCheck EventIntegrator::what_laws_allow(const double x, const
   allowed.way = largest_miss * farthest + allowed.rate * length +
                 rounding_of_laws * q.lpNorm<Eigen::Infinity>();
   allowed.force = largest_miss * strongest;
-  allowed.offset = largest_miss * std::max(farthest, q.lpNorm<Eigen::Infinity>());
+  // Where nothing moves displacements are rounding themselves: of what forces as large as those so
+  // far push in a step.
+  const double push = most_force > 0. ? pushed * (strongest / most_force) : 0.;
+  allowed.offset = largest_miss * std::max(farthest, q.lpNorm<Eigen::Infinity>()) +
+                   rounding_of_laws * push * output_step * output_step;
   return allowed;
 }
 
