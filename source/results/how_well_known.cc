@@ -48,6 +48,11 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
     return {0., "there is no static increment"};
   if (has_flowed(results))
     return {{}, "pipes yield or creep within increments; Accuracy measures it"};
+  constexpr double as_near = 1. + rounding;
+  if (std::any_of(results.steps.begin(), results.steps.end(), [](const StepReport &step) {
+        return step.limit && !(step.limit->bound <= as_near * step.limit->reached);
+      }))
+    return {{}, "a limit load lies between what is carried and its bound (limit_bound)"};
   if (!all.slip_is_known)
     return {{}, "a law does not say what of its motion is slip"};
   if (all.touched_within)
