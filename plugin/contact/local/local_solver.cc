@@ -4,6 +4,7 @@
 #include "clock.h"
 #include "gauss_seidel.h"
 #include "local_newton.h"
+#include "planar_states.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,11 @@ LocalSolution Turns<d>::solve() {
   for (const Plan &plan : {Plan{40, 10., 10.}, Plan{0, 1., 1e-12}})
     if (!is_done())
       solve_from_rest(plan);
+  if (!is_done() && d == 2 && problem.n_contacts() <= most_planar_contacts)
+    try_planar_states(problem, [this](const VectorXd &forces) {
+      judge(forces);
+      return is_done();
+    });
   if (best.converged) // forces become as right as they can be
     refine();
   best.out_of_time = !best.converged && clock.is_over();
