@@ -67,9 +67,7 @@ public:
     const double stretch = beyond_band(d - lock, p[dead_band]),
                  stretch_before = beyond_band(before - lock, p[dead_band]);
     const double force = p[stiffness] * stretch;
-    const bool keeps_sign =
-        stretch > 0. ? stretch_before > 0. : stretch < 0. && stretch_before < 0.;
-    if (locked && !fast && !keeps_sign)
+    if (locked && !fast && (stretch == 0. || stretch * stretch_before < 0.))
       locked = false;
     out.new_state[is_locked] = locked ? 1. : 0.;
     out.new_state[position] = locked ? lock : d;

@@ -66,7 +66,8 @@ struct Tests {
   void global_problem() const;
   void time_limit() const;
   void exported_rack(const std::string &friction) const;
-  void exported_history() const;
+  void exported_history(const std::string &name, std::vector<std::string> settings,
+                        const int n_increments) const;
   void line_on_contacts_alone() const;
 };
 
@@ -337,16 +338,13 @@ void Tests::exported_rack(const std::string &friction) const {
         1e-6 * own.r.lpNorm<Eigen::Infinity>());
 }
 
-/// Weighed, heated, cooled on supports of finite stiffness with old slips: each increment's problem
-/// is solved by the forces of the run.
-void Tests::exported_history() const {
-  const fs::path results = folder.path / "slide";
-  const program::Run run = program::run(program, source + "/tests/cases/line/slide.prm",
-                                        {"--set", "Support rests/Axial rigidity = 1e8", "--set",
-                                         "Support rests/Shear rigidity = 1e7", "--set",
-                                         "Output/Write contact problems = true"},
-                                        results);
-  CHECK(run.exit_status == 0);
+/// Each increment's problem is solved by the forces of the run.
+/// @param settings of the case, as the program's options
+void Tests::exported_history(const std::string &name, std::vector<std::string> settings,
+                             const int n_increments) const {
+  const fs::path results = folder.path / fs::path(name).stem();
+  settings.insert(settings.end(), {"--set", "Output/Write contact problems = true"});
+  CHECK(program::run(program, source + name, settings, results).exit_status == 0);
   int n_files = 0;
   for (const auto &entry : fs::directory_iterator(results / "contact_problems")) {
     if (entry.path().stem().string().find("global") != std::string::npos)
@@ -360,7 +358,7 @@ void Tests::exported_history() const {
     const Solution found = read_solution(entry.path(), n);
     CHECK((found.r - own.r).norm() <= 1e-6 * own.r.norm());
   }
-  CHECK(n_files == 11);
+  CHECK(n_files == n_increments);
 }
 
 /// The slab is held by friction alone: no W, but the global form, and a remark.
@@ -390,7 +388,12 @@ int main(int argc, char **argv) {
   tests.time_limit();
   tests.exported_rack("0.3");
   tests.exported_rack("1");
-  tests.exported_history();
+  // Weighed, heated, cooled on supports of finite stiffness with old slips; with spring hangers.
+  tests.exported_history("/tests/cases/line/slide.prm",
+                         {"--set", "Support rests/Axial rigidity = 1e8", "--set",
+                          "Support rests/Shear rigidity = 1e7"},
+                         11);
+  tests.exported_history("/prm/example/pump_line.prm", {}, 5);
   tests.line_on_contacts_alone();
   return check::report();
 }
