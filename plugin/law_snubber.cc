@@ -12,9 +12,9 @@
  * length stays below the locking velocity (and its change below the locking acceleration, where one
  * is given) it follows with a drag force against the motion at most. Above, it locks: a spring k
  * from where it locked, with a dead band b on either side, F = k (d - d_lock
- * -+ b). It lets go when its force has come back to zero, or goes through zero in the increment,
- * and the motion is slow again: never while its force keeps its sign. It pulls and pushes. The
- * state is that of the end of the increment: order 1 in time at locking.
+ * -+ b). It lets go when its force has come back to zero, or has gone through zero since the
+ * last increment, and the motion is slow again: never while its force keeps its sign. It pulls and
+ * pushes. The state is that of the end of the increment: order 1 in time at locking.
  */
 namespace {
 
@@ -32,12 +32,7 @@ constexpr LawParameter parameters[n_parameters] = {
     {"Dead band", "m", 0., 0., 1e300, "b, play on either side when it is locked"},
     {"Drag", "N s/m", 0., 0., 1e300, "force per velocity when it is free"}};
 
-enum State { is_locked, position, rate_before, n_states };
-
-/// What of a stretch is beyond a play @p band on either side.
-double beyond_band(const double stretch, const double band) {
-  return stretch > band ? stretch - band : stretch < -band ? stretch + band : 0.;
-}
+enum State { is_locked, position, rate_before, side, n_states }; // side: of its force, -1, 0, 1
 
 class Snubber final : public LawBase {
 public:
@@ -64,11 +59,13 @@ public:
       locked = true;
       lock = before;
     }
-    const double stretch = beyond_band(d - lock, p[dead_band]),
-                 stretch_before = beyond_band(before - lock, p[dead_band]);
-    const double force = p[stiffness] * stretch;
-    if (locked && !fast && (stretch == 0. || stretch * stretch_before < 0.))
+    const double stretch = d - lock;
+    const double force = p[stiffness] * (stretch > p[dead_band]    ? stretch - p[dead_band]
+                                         : stretch < -p[dead_band] ? stretch + p[dead_band]
+                                                                   : 0.);
+    if (locked && !fast && (force == 0. || force * in.old_state[side] < 0.))
       locked = false;
+    out.new_state[side] = !locked || force == 0. ? 0. : std::copysign(1., force);
     out.new_state[is_locked] = locked ? 1. : 0.;
     out.new_state[position] = locked ? lock : d;
     out.contact = locked ? ContactStatus::stick : ContactStatus::slip;
