@@ -173,7 +173,6 @@ Outcome ActiveSet::solve(const bool is_first, const double factor, Vector &x, Re
     x = kept.motion; // slip turns friction about as it did
   const bool is_settled = predict(is_first, x, response, result);
   if (is_settled && is_first) { // what its branches have yielded, a correction takes
-    learn(true);
     has_solved = is_sketched = true;
     proximal.stiffness_factor = factor;
     return Outcome::solved;
@@ -249,8 +248,8 @@ Outcome ActiveSet::correct(Vector &x, Response &response, Result &result) {
     outcome = newton.solve_together(most_to_finish, x, response, result, excess());
   if (outcome == Outcome::solved && result.iterations == n_iterations)
     settled = kept.status;
-  if (is_sketched && outcome == Outcome::stalled)
-    learn(false);
+  if (is_sketched) // a failure after others makes a longer pause
+    learn(outcome != Outcome::stalled);
   is_sketched = false;
   if (outcome == Outcome::stalled) {
     proximal.centre = centre;

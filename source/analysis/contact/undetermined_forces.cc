@@ -206,4 +206,13 @@ std::vector<unsigned int> contacts_with_undetermined_forces(const Contacts &cont
   return {undetermined.begin(), undetermined.end()};
 }
 
+bool share_unknowns(const Contacts &contacts) {
+  std::set<int> taken;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    for (const int unknown : contacts[i].unknowns)
+      if (!taken.insert(unknown).second)
+        return true;
+  return false;
+}
+
 } // namespace frictionbeam

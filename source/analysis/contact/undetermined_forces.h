@@ -19,4 +19,7 @@ namespace frictionbeam {
 std::vector<unsigned int> contacts_with_undetermined_forces(const Contacts &contacts,
                                                             const LineState &state);
 
+/// Whether contacts have unknowns in common, without which none has undetermined forces.
+bool share_unknowns(const Contacts &contacts);
+
 } // namespace frictionbeam

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace frictionbeam {
@@ -46,16 +45,6 @@ bool rates_jump(const std::vector<double> &before, const std::vector<double> &af
   return false;
 }
 
-/// Whether two of the contacts may move the same unknowns.
-bool have_common_unknowns(const Contacts &contacts) {
-  std::set<int> met;
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    for (const int unknown : contacts[i].unknowns)
-      if (!met.insert(unknown).second)
-        return true;
-  return false;
-}
-
 bool is_any(const LoadCourse::Factors &jumps) {
   return std::any_of(jumps.begin(), jumps.end(), [](const double jump) { return jump != 0.; });
 }
@@ -78,7 +67,7 @@ double energy_of_rounding(const Model &model, const LineState &state, const doub
 
 TimeMarch::TimeMarch(const Model &model, const PieceObserver &observer)
     : model(model), integrator(make_time_integrator(model, observer)),
-      may_share_forces(model.scene.solver.is_exact() && have_common_unknowns(model.contacts)) {}
+      may_share_forces(model.scene.solver.is_exact() && share_unknowns(model.contacts)) {}
 
 void TimeMarch::transfer(Archive &archive) {
   archive(instant, n_increments, time_step, last_error, contacts_before, *integrator);

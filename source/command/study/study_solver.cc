@@ -15,7 +15,6 @@
 #include "scene/support_pair.h"
 
 #include <algorithm>
-#include <set>
 
 namespace frictionbeam::study {
 
@@ -108,16 +107,6 @@ bool set_parameter(const std::string &heading, const std::string &entry, const d
     found = true;
   }
   return found;
-}
-
-/// Whether contacts have unknowns in common, so that nothing may determine which carries what.
-bool share_unknowns(const Contacts &contacts) {
-  std::set<int> taken;
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    for (const int unknown : contacts[i].unknowns)
-      if (!taken.insert(unknown).second)
-        return true;
-  return false;
 }
 
 /// What a run has come to.

@@ -35,12 +35,14 @@ std::vector<double> along_line(const Rows &rows) {
       std::max_element(rows.begin(), rows.end(), [axis](const auto &a, const auto &b) {
         return a.position[axis] < b.position[axis];
       });
-  std::vector<double> distances;
-  for (const auto &row : rows) {
-    const Vector3 whole = last->position - rows.front().position;
-    const double length = whole.norm();
-    distances.push_back(length > 0. ? (row.position - rows.front().position) * whole / length : 0.);
-  }
+  std::vector<double> distances(rows.size(), 0.);
+  if (rows.empty())
+    return distances;
+  const Point3 begin = rows.front().position;
+  const Vector3 whole = last->position - begin;
+  const double length = whole.norm();
+  for (std::size_t i = 0; i < rows.size() && length > 0.; ++i)
+    distances[i] = (rows[i].position - begin) * whole / length;
   return distances;
 }
 
