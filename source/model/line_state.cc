@@ -11,7 +11,7 @@ void transfer(Archive &archive, LineState &state) {
   archive(state.unknowns, state.dofs, state.velocity, state.acceleration, state.turns,
           state.sections, state.contacts, state.contact_stress, state.contact_status,
           state.load_factors, state.load_rates, state.load_accelerations, state.time,
-          state.auxiliary, state.events, state.with_preload);
+          state.auxiliary, state.events);
 }
 
 } // namespace frictionbeam

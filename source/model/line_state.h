@@ -33,7 +33,6 @@ struct LineState {
   double time = 0.;
   Vector auxiliary;                 ///< of the time integrator
   std::vector<ContactEvent> events; ///< of the last increment
-  bool with_preload = true;         ///< false in vibrations: springs answer to the motion alone
 };
 
 void transfer(Archive &archive, ContactState &state);

@@ -335,6 +335,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   read_quantities(in, scene);
   parts::check_solid(in, scene);
   parts::read_study(in, scene.study);
+  parts::add_preload(scene);
   find_corners(scene);
   return scene;
 }

@@ -240,7 +240,9 @@ struct PointMass {
 };
 
 struct Load {
-  enum class Kind { weight, temperature, pressure, force, line_force, displacement, wind };
+  /// preload: what hangers pull with before anything has moved (Spring::preload). No user's load:
+  /// the scene has one if it has hangers, and all steps have it.
+  enum class Kind { weight, temperature, pressure, force, line_force, displacement, wind, preload };
   struct AtPoint {
     std::string point;
     Motion value{};              ///< force and moment, or displacement and rotation

@@ -32,7 +32,7 @@ std::string find_obstacle(const Model &model) {
 
 /// Forces of the loads on the unknowns, and those that are always there.
 Vector load_forces(const Model &model, const LineState &state) {
-  Vector forces = model.contacts.platen_forces() + model.linear.preload();
+  Vector forces = model.contacts.platen_forces();
   for (unsigned int l = 0; l < state.load_factors.size(); ++l)
     if (state.load_factors[l] != 0.)
       forces += state.load_factors[l] * model.linear.forces(l);

@@ -54,8 +54,7 @@ double EventIntegrator::work_of_loads(const double x, const double length) const
   const auto of_unknowns = [](const Eigen::MatrixXd &m, const Vector &forces) {
     return Polynomial(m.transpose() * forces);
   };
-  double work =
-      length * integral_of_product(Polynomial::Ones(1), of_unknowns(motion.v, linear.preload()), x);
+  double work = 0.;
   for (int l = 0; l < motion.loads.factors.cols(); ++l) {
     const Polynomial factor = motion.loads.factors.col(l), rate = derivative(factor);
     if (factor.isZero(0.))

@@ -102,7 +102,7 @@ void TaylorMotion::begin_series(const Vector *const unknowns, const Vector *cons
 Vector TaylorMotion::load_forces(const int k, const double length) const {
   const LinearPart &linear = model.model.linear;
   const Eigen::MatrixXd &factors = loads.factors;
-  Vector forces = k == 0 ? linear.preload() : Vector(Vector::Zero(model.has_mass.size()));
+  Vector forces = Vector::Zero(model.has_mass.size());
   if (k < factors.rows())
     for (int l = 0; l < factors.cols(); ++l)
       if (factors(k, l) != 0.)

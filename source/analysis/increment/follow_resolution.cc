@@ -15,22 +15,21 @@ constexpr double no_friction = 1e-9; ///< of the contact's force
 /// Sine by which friction is taken to turn from where it begins to slip to the increment's end.
 constexpr double turn_of_a_beginning = 0.3;
 
-/// What friction is held to displace the line by at most, per force [m/N]: by the diagonal of the
-/// stiffness at the contact, which a long line undercuts as it has cells.
+/// What friction is held to displace the line by at most, per force [m/N]: by the stiffness of the
+/// contact's own unknowns, all others held, which a long line undercuts as it has cells.
 double largest_compliance(const Contact &contact, const SparseMatrix &stiffness) {
   constexpr double cells_that_give = 4096.;
-  double largest = 0.;
-  for (const int strain : {1, 2}) {
-    double compliance = 0.;
-    for (unsigned int j = 0; j < contact.unknowns.size(); ++j) {
-      const double b = contact.length * contact.B(strain, j),
-                   k = stiffness.coeff(contact.unknowns[j], contact.unknowns[j]);
-      if (k > 0.)
-        compliance += b * b / k;
-    }
-    largest = std::max(largest, compliance);
-  }
-  return cells_that_give * largest;
+  const unsigned int n = contact.unknowns.size();
+  Eigen::MatrixXd K(n, n);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      K(i, j) = stiffness.coeff(contact.unknowns[i], contact.unknowns[j]);
+  // Nothing displaces the line in what it does not resist: the pseudo-inverse.
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> of_own(K);
+  const Eigen::MatrixXd B = contact.length * contact.B.middleRows(1, 2);
+  const Eigen::Matrix2d compliance = B * of_own.solve(B.transpose());
+  return cells_that_give *
+         Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(compliance).eigenvalues()[1];
 }
 
 /// Of a motion of the line: whether nothing of it goes along a direction.
@@ -139,6 +138,7 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
                                      Resolution &resolution) {
   add_displacement(after, resolution);
   slip_turned.resize(model.contacts.size(), 0.);
+  compliances.resize(model.contacts.size(), -1.);
   const Directions motion(before, after, translations);
   bool has_friction = false, has_met = false;
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
@@ -168,8 +168,9 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
         T0 = before.contact_stress[i].segment<2>(1), T1 = after.contact_stress[i].segment<2>(1);
     const double largest = std::max(T0.norm(), T1.norm());
     const Eigen::Vector2d change = T1 - T0;
-    const double moved_by_friction =
-        largest * contact.share() * largest_compliance(contact, model.linear.stiffness());
+    if (compliances[i] < 0.)
+      compliances[i] = largest_compliance(contact, model.linear.stiffness());
+    const double moved_by_friction = largest * contact.share() * compliances[i];
     if (T0.norm() <= 1e-9 * largest)
       resolution.slip_from_rest = std::max(resolution.slip_from_rest, path.norm());
     if (largest > 0. && path.norm() > 0.) {

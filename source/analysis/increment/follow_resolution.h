@@ -27,6 +27,7 @@ private:
   std::vector<unsigned int> translations; ///< degrees of freedom
   std::vector<bool> is_translation;       ///< of each unknown
   std::vector<double> slip_turned;        ///< of each contact, so far [m]
+  std::vector<double> compliances; ///< of each contact that has slipped, at most [m/N]; others < 0
 };
 
 } // namespace frictionbeam

@@ -80,7 +80,7 @@ LoadCourse::Factors LoadCourse::factors_after(const double time) const {
 }
 
 Vector LoadCourse::forces(const Factors &factors) const {
-  Vector result = model.contacts.platen_forces() + model.linear.preload();
+  Vector result = model.contacts.platen_forces();
   for (unsigned int l = 0; l < factors.size(); ++l)
     if (factors[l] != 0.)
       result += factors[l] * model.linear.forces(l);

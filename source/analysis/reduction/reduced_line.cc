@@ -288,15 +288,16 @@ LinearPart::Matrices ReducedLine::make_matrices() const {
       C.add(p, share);
     }
   }
-  LinearPart::Matrices matrices{
-      K.matrix(), M.matrix(), C.matrix(), Vector(), {},
-      {},         {},         {},         {},       line.linear.imposed_products()};
+  LinearPart::Matrices matrices;
+  matrices.stiffness = K.matrix();
+  matrices.mass = M.matrix();
+  matrices.damping = C.matrix();
+  matrices.products = line.linear.imposed_products();
   add_loads(matrices);
   return matrices;
 }
 
 void ReducedLine::add_loads(LinearPart::Matrices &matrices) const {
-  matrices.preload = reduce_forces(line.linear.preload());
   for (unsigned int l = 0; l < line.scene.loads.size(); ++l) {
     matrices.forces.push_back(reduce_forces(line.linear.forces(l)));
     const bool moves = line.linear.accelerates(l);

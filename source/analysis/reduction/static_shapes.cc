@@ -42,7 +42,6 @@ void StaticShapes::add_loads(const LinearPart &line, const std::vector<bool> &ac
       if (line.accelerates(l))
         respond_to(line.inertia(l));
     }
-  respond_to(line.preload());
 }
 
 void StaticShapes::add_border_inertia() {

@@ -27,20 +27,27 @@ bool has_moved_before(const Scene &scene, const unsigned int step) {
       return true;
   return false;
 }
+
+/// Of the line as it is built: no load acts, but preloads do of which no limit is to be a part.
+std::vector<double> factors_at_start(const Scene &scene) {
+  if (!scene.steps.empty() && scene.steps[0].finds_limit)
+    return declared_factors(scene, LoadStep());
+  return std::vector<double>(scene.loads.size(), 0.);
+}
 } // namespace
 
 LoadSequence::LoadSequence(const Model &model)
     : model(model), own_statics(make_statics(model)), statics(*own_statics), course(model),
-      declared(model.scene.loads.size(), 0.), path(model), cycles(model) {}
+      declared(factors_at_start(model.scene)), path(model), cycles(model) {}
 
 LoadSequence::LoadSequence(const Model &model, Statics &statics)
-    : model(model), statics(statics), course(model), declared(model.scene.loads.size(), 0.),
+    : model(model), statics(statics), course(model), declared(factors_at_start(model.scene)),
       path(model), cycles(model) {}
 
 LoadSequence::~LoadSequence() = default;
 
 LoadSequence::Factors LoadSequence::target_of(const LoadStep &step) const {
-  return declared_factors(step, model.scene.loads.size());
+  return declared_factors(model.scene, step);
 }
 
 std::string LoadSequence::integrator_name() const {

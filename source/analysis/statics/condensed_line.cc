@@ -118,7 +118,7 @@ void CondensedLine::condense_loads() {
     forces.push_back(kept_of(contact::unbalanced_forces({K, on_unknowns}, motion, low)));
     motions.push_back(motion + low);
   };
-  add(model.contacts.platen_forces() + model.linear.preload());
+  add(model.contacts.platen_forces());
   for (unsigned int load = 0; load < model.scene.loads.size(); ++load)
     add(model.linear.forces(load));
 }

@@ -61,7 +61,6 @@ inline void take_over_contacts(const LineState &from, LineState &to) {
   to.contacts = from.contacts;
   to.contact_stress = from.contact_stress;
   to.contact_status = from.contact_status;
-  to.with_preload = from.with_preload;
 }
 
 } // namespace frictionbeam

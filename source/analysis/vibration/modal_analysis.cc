@@ -275,7 +275,6 @@ ModalAnalysis::Vibration ModalAnalysis::of_inertia(const Vector &motion) const {
 LineState ModalAnalysis::displaced(const Vector &unknowns) const {
   LineState state = start;
   state.unknowns = unknowns;
-  state.with_preload = false;
   state.sections.resize(0); // pipes answer elastically
   model.space.expand(unknowns, state.dofs);
   state.load_factors.assign(state.load_factors.size(), 0.);

@@ -88,7 +88,7 @@ std::vector<double> pressures_in(const Scene &scene, const unsigned int pipe) {
       for (const double corner : scene.loads[l].history.breaks)
         instants.push_back(std::clamp(origins.loads[l] + corner, begin, begin + duration));
     for (const unsigned int of : {s, step_before(scene, s).value_or(s)}) {
-      const std::vector<double> factors = declared_factors(scene.steps[of], scene.loads.size());
+      const std::vector<double> factors = declared_factors(scene, scene.steps[of]);
       for (const double time : instants) {
         double before = 0., after = 0.;
         for (unsigned int l = 0; l < scene.loads.size(); ++l)

@@ -56,11 +56,13 @@ void for_each_restraint(const Scene &scene, const Model &line, const PipeWall &w
       call(wall.rings[wall.ring_at(site.vertex)], held_motions(scene.restraints[i], site));
 }
 
-ContinuumStep as_step_of_body(const LoadStep &step, const std::size_t n_loads) {
+ContinuumStep as_step_of_body(const Scene &scene, const LoadStep &step) {
   ContinuumStep result;
   result.name = step.name;
   result.n_increments = step.n_increments;
-  result.factors = declared_factors(step, std::max<std::size_t>(1, n_loads));
+  result.factors = declared_factors(scene, step);
+  if (result.factors.empty())
+    result.factors = {0.};
   return result;
 }
 
@@ -81,7 +83,7 @@ Scene scene_of_wall(const Scene &scene, const Model &line, const PipeWall &wall)
   for (const WallPatch &patch : wall.patches)
     body.contacts.push_back(contact_on(scene, line, wall, patch));
   for (const LoadStep &step : scene.steps)
-    body.steps.push_back(as_step_of_body(step, scene.loads.size()));
+    body.steps.push_back(as_step_of_body(scene, step));
   Scene result = scene;
   result.continuum = body;
   result.continuum_settings.degree = scene.solid.degree;

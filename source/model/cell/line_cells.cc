@@ -113,15 +113,10 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
 }
 
 void LineCells::add_springs(const Step &step, Balance &balance) const {
-  for (const Spring &spring : scene.springs) {
-    const unsigned int vertex = mesh.points.at(spring.point);
-    for (unsigned int d = 0; d < 3; ++d)
-      balance.loads[discretization.vertex_dofs().index(vertex, d)] +=
-          spring.directions[2][d] * spring.preload;
+  for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c)
       if (spring.stiffness[c] != 0. || (spring.damping[c] != 0. && step.duration > 0.))
         add_spring(spring, c, step, balance);
-  }
 }
 
 void LineCells::add_spring(const Spring &spring, const unsigned int c, const Step &step,

@@ -44,6 +44,7 @@ CellLoad cell_load(const Load &load, const std::string &pipe, const Profile &pro
   }
   case Load::Kind::force:
   case Load::Kind::displacement:
+  case Load::Kind::preload:
     break;
   }
   return result;
@@ -136,10 +137,10 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
 
 LinearPart::LinearPart(Matrices matrices)
     : K(std::move(matrices.stiffness)), M(std::move(matrices.mass)), C(std::move(matrices.damping)),
-      spring_preload(std::move(matrices.preload)), load_forces(std::move(matrices.forces)),
-      load_inertia(std::move(matrices.inertia)), load_drag(std::move(matrices.drag)),
-      moves_mass(std::move(matrices.moves_mass)), imposed_motions(std::move(matrices.imposed)),
-      products(std::move(matrices.products)), nodal_loads(load_forces.size()) {
+      load_forces(std::move(matrices.forces)), load_inertia(std::move(matrices.inertia)),
+      load_drag(std::move(matrices.drag)), moves_mass(std::move(matrices.moves_mass)),
+      imposed_motions(std::move(matrices.imposed)), products(std::move(matrices.products)),
+      nodal_loads(load_forces.size()) {
   sort_imposed_motions();
 }
 
@@ -291,11 +292,6 @@ void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
                              const Discretization &discretization, const ReducedSpace &space,
                              const bool with_mass) {
   const VertexDofs &vertex_dofs = discretization.vertex_dofs();
-  spring_preload = Vector::Zero(space.n_unknowns());
-  for (const Spring &spring : scene.springs)
-    for (unsigned int d = 0; d < 3 && spring.preload != 0.; ++d)
-      for (const auto &term : space.terms(vertex_dofs.index(mesh.points.at(spring.point), d)))
-        spring_preload[term.unknown] += term.weight * spring.directions[2][d] * spring.preload;
   for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c) {
       if (spring.stiffness[c] == 0.)

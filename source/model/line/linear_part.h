@@ -30,7 +30,6 @@ public:
   /// Of a model whose matrices come from elsewhere; damping may be without entries.
   struct Matrices {
     SparseMatrix stiffness, mass, damping;
-    Vector preload;
     std::vector<Vector> forces;        ///< by load
     std::vector<Vector> inertia, drag; ///< likewise
     std::vector<bool> moves_mass;      ///< likewise, LinearPart::accelerates()
@@ -63,8 +62,6 @@ public:
   /// inertia -M_ub u_b and Rayleigh damping of the motions that it imposes.
   const Vector &inertia(const unsigned int l) const { return load_inertia[l]; }
   const Vector &drag(const unsigned int l) const { return load_drag[l]; }
-  /// Forces that are there from the start, of springs and hangers.
-  const Vector &preload() const { return spring_preload; }
   /// Motions that load @p l imposes on all degrees of freedom, as (dof, value) pairs.
   const std::vector<std::pair<unsigned int, double>> &imposed(const unsigned int l) const {
     return imposed_motions[l];
@@ -112,7 +109,6 @@ private:
 
   SparseMatrix K, M, C;
   std::optional<ZerosLeftOut> zeros; ///< of K
-  Vector spring_preload;
   std::vector<Vector> load_forces, load_inertia, load_drag;
   std::vector<bool> moves_mass; ///< by load; inertia is a vector of no entries where all is imposed
   std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;

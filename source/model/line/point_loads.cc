@@ -15,6 +15,10 @@ std::map<unsigned int, Motion> point_loads(const Scene &scene, const LineMesh &m
       for (const std::string &point : mass.points)
         for (unsigned int d = 0; d < 3; ++d)
           result[mesh.points.at(point)][d] += mass.mass * load.vector[d];
+  if (load.kind == Load::Kind::preload)
+    for (const Spring &spring : scene.springs)
+      for (unsigned int d = 0; d < 3 && spring.preload != 0.; ++d)
+        result[mesh.points.at(spring.point)][d] += spring.directions[2][d] * spring.preload;
   return result;
 }
 

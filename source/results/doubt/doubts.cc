@@ -4,7 +4,6 @@
 #include "mesh/point_set.h"
 #include "model/line_model.h"
 #include "results/doubt/buckling.h"
-#include "results/doubt/hangers_first.h"
 #include "results/doubt/idle_supports.h"
 #include "results/doubt/pressed_span.h"
 #include "results/doubt/soft_rigid_pipe.h"
@@ -372,7 +371,6 @@ void add_doubts(const Model &model, Results &results) {
   doubts.of_restraints_in_one_place();
   doubts.of_rigid_pipes();
   remark_on_idle_supports(scene, results);
-  remark_on_hangers_first(scene, results);
 }
 
 } // namespace frictionbeam

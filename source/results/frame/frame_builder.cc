@@ -141,8 +141,9 @@ Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) 
   const Motion moved = relative([&](const std::string &point) { return motion(state, point); });
   for (unsigned int k = 0; k < 6; ++k)
     push(spring.directions[k], -spring.stiffness[k] * product(spring.directions[k], moved));
-  if (state.with_preload)
-    push(spring.directions[2], spring.preload);
+  for (unsigned int l = 0; l < state.load_factors.size(); ++l)
+    if (model.scene.loads[l].kind == Load::Kind::preload)
+      push(spring.directions[2], state.load_factors[l] * spring.preload);
   if (state.velocity.size() == 0)
     return force;
   const Motion rate = relative([&](const std::string &point) { return velocity(state, point); });
@@ -368,6 +369,8 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
 void FrameBuilder::add_vertex_forces(const LineState &state, const Pose &pose) {
   for (unsigned int l = 0; l < state.load_factors.size(); ++l)
     for (const auto &entry : model.linear.nodal(l)) {
+      if (model.scene.loads[l].kind == Load::Kind::preload) // the springs below have it
+        continue;
       const unsigned int vertex = entry.first;
       const Motion force = model.cells.nodal_load(l, vertex, pose);
       for (unsigned int c = 0; c < 6; ++c)

@@ -105,10 +105,10 @@ bool changes_loads(const Scene &scene, const unsigned int step) {
     if (scene.loads[load].history.is_given())
       return true;
   const auto before = step_before(scene, step);
-  const std::size_t n = scene.loads.size();
   return (before && scene.steps[*before].finds_limit) || // where it ended nobody knows
-         declared_factors(scene.steps[step], n) !=
-             (before ? declared_factors(scene.steps[*before], n) : std::vector<double>(n, 0.));
+         declared_factors(scene, scene.steps[step]) !=
+             (before ? declared_factors(scene, scene.steps[*before])
+                     : std::vector<double>(scene.loads.size(), 0.));
 }
 
 /// A limit is a part of loads that grow evenly, on lines that may have one.

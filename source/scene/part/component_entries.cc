@@ -230,6 +230,15 @@ void check_hangers(const ParameterReader &in, Scene &scene) {
   }
 }
 
+void add_preload(Scene &scene) {
+  if (scene.hangers.empty())
+    return;
+  Load load;
+  load.name = "of hangers";
+  load.kind = Load::Kind::preload;
+  scene.loads.push_back(load);
+}
+
 void declare_nozzle(ParameterReader &in) {
   in.declare_text("Support", "", "name of an anchor, restraint or spring",
                   "Whose forces are compared. Of one that stands at several points: name.1, ...");

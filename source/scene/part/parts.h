@@ -83,6 +83,8 @@ void declare_hanger(ParameterReader &in);
 void parse_hanger(const ParameterReader &in, const std::string &name, Scene &scene);
 /// What of the hangers depends on steps.
 void check_hangers(const ParameterReader &in, Scene &scene);
+/// The load of their preloads, after all others.
+void add_preload(Scene &scene);
 void declare_nozzle(ParameterReader &in);
 void parse_nozzle(const ParameterReader &in, const std::string &name, Scene &scene);
 void declare_stress(ParameterReader &in);

@@ -3,8 +3,10 @@
 
 namespace frictionbeam {
 
-std::vector<double> declared_factors(const LoadStep &step, const std::size_t n_loads) {
-  std::vector<double> factors(n_loads, 0.);
+std::vector<double> declared_factors(const Scene &scene, const LoadStep &step) {
+  std::vector<double> factors;
+  for (const Load &load : scene.loads)
+    factors.push_back(load.kind == Load::Kind::preload ? 1. : 0.);
   for (const auto &[load, factor] : step.loads)
     factors[load] += factor;
   return factors;
