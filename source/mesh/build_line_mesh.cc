@@ -163,10 +163,8 @@ private:
       const double s = from + i * placement.every;
       const unsigned int at =
           std::lower_bound(pipe.s.begin(), pipe.s.end(), s - tolerance(pipe)) - pipe.s.begin();
-      if (at == pipe.s.size() || std::abs(pipe.s[at] - s) > tolerance(pipe))
-        throw UserError("Support " + support + ": the mesh file has no node at " +
-                        in_units(scene.units, s, "m") + " along pipe '" + placement.pipe +
-                        "'. Place the support at named points of the file.");
+      Assert(at < pipe.s.size() && std::abs(pipe.s[at] - s) <= tolerance(pipe),
+             ExcMessage("RoutePlan breaks pipes at repeated supports"));
       result.push_back({pipe.vertices[at], tangent_of_pipe(mesh, pipe, at), 1.});
     }
     if (result.empty() && to <= from)

@@ -13,6 +13,28 @@ using namespace dealii;
 
 namespace {
 
+/// The vertices inside a piece, which divide its arc length evenly.
+std::vector<Point3> points_inside(const RoutePiece &piece) {
+  std::vector<Point3> result;
+  for (int i = 1; i < piece.n_cells; ++i)
+    result.push_back(piece.segment->point(piece.s(i) - piece.segment->start));
+  return result;
+}
+
+/// Say what lies between the vertices of a piece of a pipe, which has been divided.
+void add_cells(const RoutePiece &piece, MeshedPipe &pipe) {
+  const PipePath::Segment &segment = *piece.segment;
+  for (int i = 0; i < piece.n_cells; ++i) {
+    const unsigned int cell = pipe.bend_radius.size();
+    if (piece.bends())
+      pipe.bend_axis[cell] = cross_product_3d(segment.first_tangent, segment.inward);
+    if (piece.is_arc)
+      pipe.arc_centre[cell] = segment.centre;
+    pipe.bend_radius.push_back(segment.radius);
+    pipe.s.push_back(piece.s(i + 1));
+  }
+}
+
 /// Puts vertices into a mesh in the order in which pipes reach them.
 class RouteMesher {
 public:
@@ -84,40 +106,30 @@ void find_points(const Scene &scene, const RoutePlan &plan, LineMesh &mesh) {
 
 } // namespace
 
-std::vector<Point3> points_inside(const RoutePiece &piece) {
-  std::vector<Point3> result;
-  for (int i = 1; i < piece.n_cells; ++i)
-    result.push_back(piece.segment->point(piece.s(i) - piece.segment->start));
-  return result;
-}
-
-void add_cells(const RoutePiece &piece, MeshedPipe &pipe) {
-  const PipePath::Segment &segment = *piece.segment;
-  for (int i = 0; i < piece.n_cells; ++i) {
-    const unsigned int cell = pipe.bend_radius.size();
-    if (piece.bends())
-      pipe.bend_axis[cell] = cross_product_3d(segment.first_tangent, segment.inward);
-    if (piece.is_arc)
-      pipe.arc_centre[cell] = segment.centre;
-    pipe.bend_radius.push_back(segment.radius);
-    pipe.s.push_back(piece.s(i + 1));
-  }
-}
-
-LineMesh mesh_routes(const Scene &scene) {
+namespace {
+LineMesh mesh_plan(const Scene &scene, const RoutePlan &plan, const DrawnRoutes *const drawn) {
   LineMesh mesh;
-  if (scene.pipes.empty())
-    return mesh;
-  const RoutePlan plan(scene);
-  std::unique_ptr<const DrawnRoutes> drawn;
-  if (scene.mesh.mesher == Mesher::gmsh)
-    drawn = std::make_unique<const DrawnRoutes>(scene.name, plan);
-  RouteMesher mesher(plan, drawn.get(), mesh);
+  RouteMesher mesher(plan, drawn, mesh);
   for (unsigned int p = 0; p < plan.n_pipes(); ++p)
     mesher.add_pipe(p);
   find_points(scene, plan, mesh);
   mesh.remarks = plan.junctions().remarks();
   return mesh;
+}
+} // namespace
+
+LineMesh mesh_plan(const Scene &scene, const RoutePlan &plan) {
+  return mesh_plan(scene, plan, nullptr);
+}
+
+LineMesh mesh_routes(const Scene &scene) {
+  if (scene.pipes.empty())
+    return {};
+  const RoutePlan plan(scene);
+  if (scene.mesh.mesher != Mesher::gmsh)
+    return mesh_plan(scene, plan);
+  const DrawnRoutes drawn(scene.name, plan);
+  return mesh_plan(scene, plan, &drawn);
 }
 
 } // namespace frictionbeam

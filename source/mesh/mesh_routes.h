@@ -10,10 +10,7 @@ namespace frictionbeam {
 /// bends are divided evenly, without gmsh unless Mesh/Mesher asks for it.
 LineMesh mesh_routes(const Scene &scene);
 
-/// The vertices inside a piece, which divide its arc length evenly.
-std::vector<Point3> points_inside(const RoutePiece &piece);
-
-/// Say what lies between the vertices of a piece of a pipe, which has been divided.
-void add_cells(const RoutePiece &piece, MeshedPipe &pipe);
+/// The same of a plan, whose pieces are divided evenly.
+LineMesh mesh_plan(const Scene &scene, const RoutePlan &plan);
 
 } // namespace frictionbeam

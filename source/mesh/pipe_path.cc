@@ -111,6 +111,10 @@ PipePath::PipePath(const Pipe &pipe, const UnitSystem &units) {
   }
 }
 
+PipePath::PipePath(std::vector<Segment> segments, std::vector<RoutePlace> route_points)
+    : parts(std::move(segments)), places(std::move(route_points)),
+      total_length(parts.back().start + parts.back().length) {}
+
 void PipePath::append_run(const Point3 &begin, const Vector3 &tangent, const double length) {
   Segment straight;
   straight.length = length;

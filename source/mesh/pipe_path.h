@@ -5,7 +5,8 @@
 
 namespace frictionbeam {
 
-/// The axis of a pipe: straight runs and circular bends, as the route gives them, by arc length.
+/// The axis of a pipe: straight runs and circular bends, as its route or the cells of a mesh file
+/// give them, by arc length.
 class PipePath {
 public:
   struct Segment {
@@ -43,12 +44,15 @@ public:
   std::vector<double> all_places(const Point3 &position, const double tolerance) const;
 
   /// A point of the route that is on the path: its ends, a sharp corner, the middle of a bend whose
-  /// corner has a name.
+  /// corner has a name. Of a file: the pipe's ends, nodes with a name, nodes of several pipes.
   struct RoutePlace {
     std::string name; ///< may be empty
     double s;
   };
   const std::vector<RoutePlace> &route_points() const { return places; }
+
+  /// Of segments that follow each other and the places on them.
+  PipePath(std::vector<Segment> segments, std::vector<RoutePlace> route_points);
 
 private:
   const Segment &segment_at(const double s) const;

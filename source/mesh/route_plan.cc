@@ -184,6 +184,8 @@ public:
     }
     return result;
   }
+
+private:
   /// @param cell_length of the longest one [m]; 0: no bound
   void divide(RoutePiece &piece, const bool is_reducer, const double cell_length) const {
     piece.n_cells = straight_cells(scene.mesh, piece, cell_length);
@@ -202,7 +204,6 @@ public:
     }
   }
 
-private:
   bool is_solid(const unsigned int pipe, const double s) const {
     return std::any_of(solid.begin(), solid.end(), [&](const SolidStretch &stretch) {
       return stretch.pipe == pipe && stretch.from < s && s < stretch.to;
@@ -235,12 +236,10 @@ double tolerance_of(const Scene &scene, const std::vector<PipePath> &paths) {
 
 } // namespace
 
-void divide(const Scene &scene, const Pipe &pipe, RoutePiece &piece) {
-  Divider(scene, {}).divide(piece, pipe.end_section.has_value(), scene.mesh.cell_length);
-}
+RoutePlan::RoutePlan(const Scene &scene) : RoutePlan(scene, paths_of(scene)) {}
 
-RoutePlan::RoutePlan(const Scene &scene)
-    : axes(paths_of(scene)), same(tolerance_of(scene, axes)), meetings(scene, axes, same) {
+RoutePlan::RoutePlan(const Scene &scene, std::vector<PipePath> paths)
+    : axes(std::move(paths)), same(tolerance_of(scene, axes)), meetings(scene, axes, same) {
   std::vector<SolidStretch> solid;
   if (!solid_places(scene).empty())
     solid = solid_stretches(scene, axes);

@@ -19,11 +19,8 @@ struct RoutePiece {
   double s(const int cell) const { return start + cell * length() / n_cells; }
 };
 
-/// Say in how many cells the entries of section Mesh cut a piece of a pipe, and of which kind.
-void divide(const Scene &scene, const Pipe &pipe, RoutePiece &piece);
-
 /**
- * What a mesh of the scene's routes is to be, whoever makes it: the pipes' axes, where they are
+ * What a mesh of the scene's pipes is to be, whoever makes it: the pipes' axes, where they are
  * joined, and how each is divided. A pipe has a vertex at every corner and end of a bend, where it
  * is joined to others, at repeated supports, named points and hinges.
  */
@@ -32,6 +29,8 @@ public:
   /// @throws UserError for routes that are none, pipes that vanish beside others, supports off
   /// their pipe, too many cells
   explicit RoutePlan(const Scene &scene);
+  /// Of axes that come from elsewhere than routes, beside Scene::pipes.
+  RoutePlan(const Scene &scene, std::vector<PipePath> axes);
   RoutePlan(const RoutePlan &) = delete; // pieces point at segments
   RoutePlan &operator=(const RoutePlan &) = delete;
 

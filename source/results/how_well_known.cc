@@ -225,6 +225,11 @@ void add_remarks(const HowWellKnown &known, Results &results) {
   };
   add(known.increments, "the size of the load increments",
       "Take more Increments in the steps" + ask);
+  if (!known.increments.error && !has_flowed(results))
+    results.remarks.push_back("What the size of the load increments does to the answers is not "
+                              "estimated (" +
+                              known.increments.reason + "). Take more Increments and compare" +
+                              ask);
   add(known.time_step, "the time step", "Take a shorter Time/Step" + ask);
   add(known.cells, "the length of the cells",
       "Take shorter cells (Mesh/Cell length, Cells per bend; Degree and Cells around of section "

@@ -42,6 +42,24 @@ Circle circle_through(const Point3 &a, const Point3 &b, const Point3 &c) {
 
 } // namespace
 
+std::optional<Arc> arc_among(const std::vector<Point3> &nodes, const double largest_radius) {
+  constexpr double longest_chord = 0.6; // of the radius: four corners of a loop are no arc
+  for (std::size_t i = 0; i + 3 < nodes.size(); ++i) {
+    const Circle circle = circle_through(nodes[i], nodes[i + 1], nodes[i + 2]);
+    const Vector3 last = nodes[i + 3] - circle.centre;
+    if (!(circle.radius > 0.) || circle.radius > largest_radius ||
+        std::abs(last.norm() - circle.radius) > miss_of_node * circle.radius ||
+        std::abs(last * circle.axis) > miss_of_node * circle.radius)
+      continue;
+    const auto is_short = [&](const std::size_t cell) {
+      return nodes[cell].distance(nodes[cell + 1]) < longest_chord * circle.radius;
+    };
+    if (is_short(i) && is_short(i + 1) && is_short(i + 2))
+      return Arc{nodes[i], circle.radius};
+  }
+  return {};
+}
+
 std::vector<PipePath::Segment> arcs_of_bend(const Scene &scene, const Pipe &pipe,
                                             std::vector<Point3> &nodes) {
   const std::size_t last = nodes.size() - 1;

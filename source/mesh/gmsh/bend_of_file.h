@@ -3,6 +3,8 @@
 
 #include "mesh/pipe_path.h"
 
+#include <optional>
+
 namespace frictionbeam {
 
 /**
@@ -15,5 +17,14 @@ namespace frictionbeam {
  */
 std::vector<PipePath::Segment> arcs_of_bend(const Scene &scene, const Pipe &pipe,
                                             std::vector<Point3> &nodes);
+
+/// A part of a pipe's nodes that lie on one arc.
+struct Arc {
+  Point3 begin;
+  double radius = 0.; ///< [m]
+};
+/// The first three cells in a row that are the chords of one arc of at most this radius; empty:
+/// none.
+std::optional<Arc> arc_among(const std::vector<Point3> &nodes, const double largest_radius);
 
 } // namespace frictionbeam

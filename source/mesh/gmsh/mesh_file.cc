@@ -5,12 +5,16 @@
 #include "mesh/gmsh/session.h"
 #include "mesh/gmsh/vertices.h"
 #include "mesh/mesh_routes.h"
+#include "mesh/point_set.h"
 
 #include "base/user_error.h"
+#include "scene/doubt/route_doubts.h"
+#include "scene/in_units.h"
 
 #include <gmsh.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 namespace frictionbeam {
@@ -19,24 +23,24 @@ using namespace dealii;
 
 namespace {
 
-/// Physical groups of one dimension by name.
-std::map<std::string, int> physical_groups(const int dim) {
+/// Physical groups of one dimension by name; gmsh leaves all but one of a name without any.
+std::multimap<std::string, int> physical_groups(const int dim) {
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, dim);
-  std::map<std::string, int> names;
+  std::multimap<std::string, int> names;
   for (const auto &[d, tag] : groups) {
     std::string name;
     gmsh::model::getPhysicalName(d, tag, name);
-    if (!name.empty())
-      names[name] = tag;
+    names.emplace(name, tag);
   }
   return names;
 }
 
-std::string list(const std::map<std::string, int> &names) {
+std::string list(const std::multimap<std::string, int> &names) {
   std::string text;
   for (const auto &entry : names)
-    text += (text.empty() ? "" : ", ") + entry.first;
+    if (!entry.first.empty())
+      text += (text.empty() ? "" : ", ") + entry.first;
   return text.empty() ? "none" : text;
 }
 
@@ -47,8 +51,14 @@ std::vector<std::size_t> chain(const std::vector<Edge> &edges, const std::string
                                const std::string &file) {
   std::unordered_map<std::size_t, std::vector<std::size_t>> neighbours;
   for (const Edge &edge : edges)
-    for (const unsigned int i : {0, 1})
-      neighbours[edge[i]].push_back(edge[1 - i]);
+    for (const unsigned int i : {0, 1}) {
+      std::vector<std::size_t> &of_node = neighbours[edge[i]];
+      if (std::count(of_node.begin(), of_node.end(), edge[1 - i]) > 0)
+        throw UserError("The physical curve '" + pipe + "' of '" + file +
+                        "' has one cell twice, between its nodes " + std::to_string(edge[0]) +
+                        " and " + std::to_string(edge[1]) + ". Take one of them out.");
+      of_node.push_back(edge[1 - i]);
+    }
   std::size_t start = edges.front()[0]; // of a ring; otherwise the first free end
   bool ring = true;
   for (const Edge &edge : edges)
@@ -100,7 +110,9 @@ std::vector<Edge> edges_of(const int curve, const std::string &pipe, const std::
 }
 
 /// The straight runs from node to node.
-std::vector<PipePath::Segment> runs_of(const std::vector<Point3> &nodes) {
+/// @throws UserError where two nodes are one place
+std::vector<PipePath::Segment> runs_of(const Scene &scene, const Pipe &pipe,
+                                       const std::vector<Point3> &nodes) {
   std::vector<PipePath::Segment> runs;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     PipePath::Segment run;
@@ -108,79 +120,188 @@ std::vector<PipePath::Segment> runs_of(const std::vector<Point3> &nodes) {
     run.begin = nodes[i];
     run.end = nodes[i + 1];
     run.length = run.begin.distance(run.end);
+    if (run.length == 0.)
+      throw UserError("The physical curve '" + pipe.name + "' of '" + scene.mesh.file +
+                      "' has a cell of no length at " + in_units(scene.units, run.begin) +
+                      ". Make one node of its two (Coherence Mesh; in gmsh).");
     run.first_tangent = (run.end - run.begin) / run.length;
     runs.push_back(run);
   }
   return runs;
 }
 
-/// The pipe between nodes of the file, divided as the route between them would be.
-/// @param nodes that the pipe has in the file, as places in @p vertices
-MeshedPipe mesh_pipe(const Scene &scene, const Pipe &pipe, const std::vector<unsigned int> &nodes,
-                     std::vector<Point3> &vertices) {
-  std::vector<Point3> points;
-  for (const unsigned int node : nodes)
-    points.push_back(vertices[node]);
-  const std::vector<PipePath::Segment> segments =
-      pipe.bend_radius > 0. ? arcs_of_bend(scene, pipe, points) : runs_of(points);
-  MeshedPipe meshed;
-  meshed.vertices = {nodes.front()};
-  meshed.s = {0.};
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const PipePath::Segment &segment = segments[i];
-    RoutePiece piece{&segment, segment.start, segment.start + segment.length, 0};
-    divide(scene, pipe, piece);
-    refuse_too_many_cells(scene, 1. * vertices.size() + piece.n_cells);
-    for (const Point3 &point : points_inside(piece)) {
-      meshed.vertices.push_back(vertices.size());
-      vertices.push_back(point);
-    }
-    meshed.vertices.push_back(nodes[i + 1]);
-    vertices[nodes[i + 1]] = points[i + 1];
-    add_cells(piece, meshed);
-  }
-  return meshed;
+/// An arc that is meant as a bend is straight pieces if it is not said to be one.
+void remark_on_arc(const Scene &scene, const Pipe &pipe, const std::vector<Point3> &nodes,
+                   std::vector<std::string> &remarks) {
+  constexpr double of_bends = 40.; // outer radii: longer ones bend as straight pipes do
+  if (const auto arc = arc_among(nodes, of_bends * scene.sections[pipe.section].outer_radius))
+    remarks.push_back(
+        "Pipe " + pipe.name + ": its cells from " + in_units(scene.units, arc->begin) +
+        " on are chords of an arc of radius " + in_units(scene.units, arc->radius, "m") +
+        ", without a Bend radius: they bend as straight pipes do, and no stress code sees a bend. "
+        "Give the arc a physical curve and a Pipe of its own, with its Bend radius.");
 }
 
-/// Put the names on vertices: of physical points, and of points that the scene places.
-void name_points(const Scene &scene, GmshVertices &vertex_of, LineMesh &mesh) {
-  for (const auto &[name, group] : physical_groups(0)) {
-    std::vector<std::size_t> nodes;
-    std::vector<double> coordinates;
-    gmsh::model::mesh::getNodesForPhysicalGroup(0, group, nodes, coordinates);
-    if (nodes.size() != 1 || !vertex_of.has(nodes[0]))
-      throw UserError("The physical point '" + name + "' of '" + scene.mesh.file +
-                      "' is no node of a pipe. Split the curve there, so that the point is the end "
-                      "of a curve.");
-    mesh.points[name] = vertex_of(nodes[0]);
+/// The lines of a mesh file: the scene's pipes by its nodes.
+class FileLine {
+public:
+  explicit FileLine(const Scene &scene)
+      : scene(scene), file(scene.mesh.file), vertex_of(scene.units.factor("m"), nodes) {
+    read_curves();
+    read_points();
   }
-  for (const NamedPoint &point : scene.points)
-    for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
-      if (mesh.vertices[v].distance(point.position) <= 1e-6)
-        mesh.points[point.name] = v;
-}
+
+  /// The axes of the pipes. Nodes that several pipes have are points of their routes.
+  std::vector<PipePath> paths() const {
+    std::vector<unsigned int> n_pipes(nodes.size(), 0);
+    for (const std::vector<unsigned int> &list : in_pipe)
+      for (const unsigned int node : std::set<unsigned int>(list.begin(), list.end()))
+        ++n_pipes[node];
+    std::vector<PipePath> result;
+    for (unsigned int p = 0; p < in_pipe.size(); ++p) {
+      const Pipe &pipe = scene.pipes[p];
+      std::vector<Point3> points = points_of(p);
+      std::vector<PipePath::Segment> segments =
+          pipe.bend_radius > 0. ? arcs_of_bend(scene, pipe, points) : runs_of(scene, pipe, points);
+      std::vector<PipePath::RoutePlace> places;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const double s = i < segments.size() ? segments[i].start
+                                             : segments.back().start + segments.back().length;
+        const auto [first, last] = names.equal_range(in_pipe[p][i]);
+        for (auto name = first; name != last; ++name)
+          places.push_back({name->second, s});
+        if (first == last && (i == 0 || i + 1 == points.size() || n_pipes[in_pipe[p][i]] > 1))
+          places.push_back({"", s});
+      }
+      result.emplace_back(std::move(segments), std::move(places));
+    }
+    return result;
+  }
+
+  /// @param tolerance within which two places are one [m]
+  std::vector<std::string> remarks(const double tolerance) const {
+    std::vector<std::string> texts = of_groups;
+    for (unsigned int p = 0; p < in_pipe.size(); ++p)
+      if (scene.pipes[p].bend_radius == 0.)
+        remark_on_arc(scene, scene.pipes[p], points_of(p), texts);
+    Scene drawn = scene; // as if its routes went from node to node
+    drawn.doubts.clear();
+    for (unsigned int p = 0; p < in_pipe.size(); ++p)
+      for (const Point3 &point : points_of(p))
+        drawn.pipes[p].route.push_back({"", point, 0.});
+    doubt_routes(drawn);
+    texts.insert(texts.end(), drawn.doubts.begin(), drawn.doubts.end());
+    remark_on_twins(tolerance, texts);
+    return texts;
+  }
+
+  /// @throws UserError where a Point of the scene has the name of another place of the file
+  void check_points(const double tolerance) const {
+    for (const NamedPoint &point : scene.points)
+      for (const auto &[node, name] : names)
+        if (name == point.name && !(nodes[node].distance(point.position) <= tolerance))
+          throw UserError("Point " + point.name + "/Position\n  read:    " +
+                          in_units(scene.units, point.position) + ", and a physical point '" +
+                          name + "' of '" + file + "' at " + in_units(scene.units, nodes[node]) +
+                          "\n  allowed: one place for a name\n  try:     another name for one of "
+                          "the two");
+  }
+
+private:
+  std::vector<Point3> points_of(const unsigned int pipe) const {
+    std::vector<Point3> points;
+    for (const unsigned int node : in_pipe[pipe])
+      points.push_back(nodes[node]);
+    return points;
+  }
+
+  void read_curves() {
+    const auto curves = physical_groups(1);
+    for (const Pipe &pipe : scene.pipes) {
+      const auto curve = curves.find(pipe.name);
+      if (curve == curves.end())
+        throw UserError("The file '" + file + "' has no physical curve called '" + pipe.name +
+                        "', as one of the pipes is. It has: " + list(curves) + ".");
+      std::vector<unsigned int> &places = in_pipe.emplace_back();
+      for (const std::size_t tag : chain(edges_of(curve->second, pipe.name, file), pipe.name, file))
+        places.push_back(vertex_of(tag));
+    }
+    for (const auto &[name, tag] : curves)
+      if (std::none_of(scene.pipes.begin(), scene.pipes.end(),
+                       [&, name = name](const Pipe &pipe) { return pipe.name == name; }))
+        of_groups.push_back((name.empty()
+                                 ? "A physical curve without a name (tag " + std::to_string(tag) +
+                                       "; of two of one name, gmsh leaves one without)"
+                                 : "The physical curve '" + name + "'") +
+                            " of '" + file + "' is no Pipe of the parameter file, and left out.");
+  }
+
+  void read_points() {
+    for (const auto &[name, group] : physical_groups(0)) {
+      if (name.empty())
+        continue;
+      std::vector<std::size_t> tags;
+      std::vector<double> coordinates;
+      gmsh::model::mesh::getNodesForPhysicalGroup(0, group, tags, coordinates);
+      if (tags.size() != 1 || !vertex_of.has(tags[0]))
+        throw UserError("The physical point '" + name + "' of '" + file +
+                        "' is no node of a pipe. Split the curve there, so that the point is the "
+                        "end of a curve.");
+      names.emplace(vertex_of(tags[0]), name);
+    }
+  }
+
+  /// Ends and named nodes at one place are joined, as points of routes are.
+  void remark_on_twins(const double tolerance, std::vector<std::string> &texts) const {
+    constexpr unsigned int most_named = 10;
+    PointSet places(tolerance);
+    std::set<unsigned int> known;
+    unsigned int n_twins = 0;
+    const auto add = [&](const unsigned int node) {
+      const std::size_t n_before = places.points.size();
+      if (!known.insert(node).second || places.insert(nodes[node]) == static_cast<int>(n_before))
+        return;
+      if (++n_twins <= most_named)
+        texts.push_back("Joined: two nodes of '" + file + "' at " +
+                        in_units(scene.units, nodes[node]) +
+                        ". To keep what meets there apart, draw it a little apart.");
+    };
+    for (const std::vector<unsigned int> &list : in_pipe) {
+      add(list.front());
+      add(list.back());
+    }
+    for (const auto &[node, name] : names)
+      add(node);
+    if (n_twins > most_named)
+      texts.push_back("Joined: two nodes of '" + file + "' at " +
+                      std::to_string(n_twins - most_named) + " more places.");
+  }
+
+  const Scene &scene;
+  const std::string &file;
+  std::vector<Point3> nodes; ///< that pipes have
+  GmshVertices vertex_of;
+  std::vector<std::vector<unsigned int>> in_pipe; ///< nodes, beside Scene::pipes
+  std::multimap<unsigned int, std::string> names; ///< of nodes: physical points
+  std::vector<std::string> of_groups;             ///< remarks
+};
 
 } // namespace
 
 LineMesh mesh_file(const Scene &scene) {
-  const std::string &file = scene.mesh.file;
   const GmshSession session;
   open_own_mesh(scene, 1);
-  LineMesh mesh;
-  GmshVertices vertex_of(scene.units.factor("m"),
-                         mesh.vertices); // the file is in the input's units
-  const auto curves = physical_groups(1);
-  for (const Pipe &pipe : scene.pipes) {
-    const auto curve = curves.find(pipe.name);
-    if (curve == curves.end())
-      throw UserError("The file '" + file + "' has no physical curve called '" + pipe.name +
-                      "', as one of the pipes is. It has: " + list(curves) + ".");
-    std::vector<unsigned int> nodes;
-    for (const std::size_t tag : chain(edges_of(curve->second, pipe.name, file), pipe.name, file))
-      nodes.push_back(vertex_of(tag));
-    mesh.pipes.push_back(mesh_pipe(scene, pipe, nodes, mesh.vertices));
-  }
-  name_points(scene, vertex_of, mesh);
+  const FileLine line(scene);
+  const RoutePlan plan(scene, line.paths());
+  double n_cells = 0.;
+  for (unsigned int p = 0; p < plan.n_pipes(); ++p)
+    for (const RoutePiece &piece : plan.pieces(p))
+      n_cells += piece.n_cells;
+  refuse_too_many_cells(scene, n_cells);
+  line.check_points(plan.tolerance());
+  LineMesh mesh = mesh_plan(scene, plan);
+  const std::vector<std::string> remarks = line.remarks(plan.tolerance());
+  mesh.remarks.insert(mesh.remarks.end(), remarks.begin(), remarks.end());
   return mesh;
 }
 
