@@ -29,7 +29,8 @@ Points factorial(const Variables &variables) {
   return points;
 }
 
-constexpr unsigned int morris_levels = 4; ///< of the grid, with jumps of 2/3 (Morris 1991)
+constexpr unsigned int morris_levels = 4;               ///< of the grid
+constexpr unsigned int morris_jump = morris_levels / 2; ///< by 2/3 of its range (Morris 1991)
 
 /// Whether a distribution has a tail: probabilities of 0 and 1 have no value then.
 bool has_tails(const Variation &variation) {
@@ -46,7 +47,6 @@ Points morris(const unsigned int n_ways, const Variables &variables, const unsig
   std::mt19937_64 generator(seed);
   const auto below = [&](const std::size_t n) { return generator() % n; };
   const std::size_t d = variables.size();
-  const unsigned int jump = morris_levels / 2;
   Points points;
   const auto add = [&](const std::vector<unsigned int> &levels) {
     constexpr double tail = 0.01;
@@ -67,7 +67,8 @@ Points morris(const unsigned int n_ways, const Variables &variables, const unsig
       std::swap(order[i - 1], order[below(i)]);
     add(levels);
     for (const std::size_t i : order) {
-      levels[i] = (levels[i] + jump) % morris_levels; // up from the lower half, down from the upper
+      levels[i] =
+          (levels[i] + morris_jump) % morris_levels; // up from the lower half, down from the upper
       add(levels);
     }
   }
@@ -122,14 +123,15 @@ Points make_design(const StudySettings &settings, const Variables &variables,
 }
 
 std::vector<MorrisStep> morris_steps(const Points &design) {
+  constexpr double jump = morris_jump / (morris_levels - 1.);
   std::vector<MorrisStep> steps;
   const std::size_t d = design.empty() ? 0 : design.front().size();
   for (std::size_t run = 1; run < design.size(); ++run) {
     if (run % (d + 1) == 0)
       continue; // the next way begins
     for (std::size_t i = 0; i < d; ++i)
-      if (design[run][i] != design[run - 1][i])
-        steps.push_back({run - 1, run, i, design[run][i] - design[run - 1][i]});
+      if (const double change = design[run][i] - design[run - 1][i]; change != 0.)
+        steps.push_back({run - 1, run, i, std::copysign(jump, change)});
   }
   return steps;
 }

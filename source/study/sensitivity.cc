@@ -42,7 +42,7 @@ std::vector<Sensitivity> by_rank(const StudyResults &study, const std::vector<st
     if (!std::all_of(names.begin(), names.end(),
                      [&](const std::size_t name) { return has_number(study.runs[run], name); }))
       continue;
-    points.push_back(study.design[run]);
+    points.push_back(study.values[run]);
     for (std::size_t k = 0; k < names.size(); ++k)
       results[k].push_back(study.runs[run].numbers[names[k]]);
   }

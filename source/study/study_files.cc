@@ -29,6 +29,10 @@ double shown(const StudyResults &study, const ResultName &name, const double num
              : number / study.units.factor(name.unit);
 }
 
+std::string unit_of(const StudyResults &study, const ResultName &name) {
+  return name.of == ResultName::Of::quantity ? name.unit : study.units.name(name.unit);
+}
+
 /// A number as a field: empty if there is none.
 std::string field(const double number) { return std::isfinite(number) ? exact_number(number) : ""; }
 
@@ -106,10 +110,8 @@ void write_spread(const StudyResults &study, const std::string &folder) {
     const ResultName &name = study.names[i];
     const Spread spread = spread_of(study, i);
     const auto number = [&](const double value) { return ',' + field(shown(study, name, value)); };
-    text +=
-        csv_field(column_name(name)) + ',' +
-        csv_field(name.of == ResultName::Of::quantity ? name.unit : study.units.name(name.unit)) +
-        ',' + std::to_string(spread.n);
+    text += csv_field(column_name(name)) + ',' + csv_field(unit_of(study, name)) + ',' +
+            std::to_string(spread.n);
     if (name.is_a_word()) {
       const StatusShares shares = shares_of(study, i);
       text += std::string(3 * study.settings.quantiles.size() + 6, ',') + ',' +
@@ -174,32 +176,35 @@ void write_failed(const StudyResults &study, const std::string &folder) {
   write_file(folder + "/failed.csv", text);
 }
 
-Json number(const std::optional<double> &value) { return value ? Json(*value) : Json(); }
-
 Json summary_of(const StudyResults &study, const std::size_t i) {
   const Spread spread = spread_of(study, i);
-  Json result{{"result", column_name(study.names[i])},
-              {"unit", study.names[i].unit},
+  const ResultName &name = study.names[i];
+  const auto in_unit = [&](const double value) { return shown(study, name, value); };
+  const auto bound = [&](const std::optional<double> &value) {
+    return value ? Json(in_unit(*value)) : Json();
+  };
+  Json result{{"result", column_name(name)},
+              {"unit", unit_of(study, name)},
               {"runs", spread.n},
-              {"nominal", study.nominal[i]}};
+              {"nominal", in_unit(study.nominal[i])}};
   if (spread.n == 0)
     return result;
-  result.update({{"least", spread.least},
-                 {"largest", spread.largest},
-                 {"mean", spread.mean},
-                 {"deviation", spread.deviation},
+  result.update({{"least", in_unit(spread.least)},
+                 {"largest", in_unit(spread.largest)},
+                 {"mean", in_unit(spread.mean)},
+                 {"deviation", in_unit(spread.deviation)},
                  {"least_in_run", spread.least_run + 1},
                  {"largest_in_run", spread.largest_run + 1}});
   Json &quantiles = result["quantiles"] = Json::array();
   for (std::size_t q = 0; q < spread.quantiles.size(); ++q)
     quantiles.push_back({{"probability", study.settings.quantiles[q]},
-                         {"value", spread.quantiles[q].value},
-                         {"low", number(spread.quantiles[q].low)},
-                         {"high", number(spread.quantiles[q].high)}});
+                         {"value", in_unit(spread.quantiles[q].value)},
+                         {"low", bound(spread.quantiles[q].low)},
+                         {"high", bound(spread.quantiles[q].high)}});
   return result;
 }
 
-Json summary_of(const Effect &effect) {
+Json summary_of(const StudyResults &study, const ResultName &name, const Effect &effect) {
   Json result = Json::object();
   if (effect.rank_correlation)
     result["rank_correlation"] = *effect.rank_correlation;
@@ -210,9 +215,9 @@ Json summary_of(const Effect &effect) {
     result["total"] = {
         {"value", effect.total->value}, {"low", effect.total->low}, {"high", effect.total->high}};
   if (effect.elementary)
-    result["elementary"] = {{"mean", effect.elementary->mean},
-                            {"mean_size", effect.elementary->mean_size},
-                            {"deviation", effect.elementary->deviation},
+    result["elementary"] = {{"mean", shown(study, name, effect.elementary->mean)},
+                            {"mean_size", shown(study, name, effect.elementary->mean_size)},
+                            {"deviation", shown(study, name, effect.elementary->deviation)},
                             {"n", effect.elementary->n}};
   return result;
 }
@@ -238,7 +243,7 @@ void write_summary(const StudyResults &study, const std::vector<Sensitivity> &ef
   for (const Sensitivity &of : effects) {
     Json by_variable = Json::object();
     for (std::size_t i = 0; i < of.effects.size(); ++i)
-      by_variable[study.variables[i]] = summary_of(of.effects[i]);
+      by_variable[study.variables[i]] = summary_of(study, study.names[of.name], of.effects[i]);
     sensitivities.push_back(
         {{"result", column_name(study.names[of.name])}, {"effects", by_variable}});
   }

@@ -15,7 +15,7 @@ namespace frictionbeam::study {
  *   standard deviation, the run of the largest; of a support's status the parts of the runs;
  * - `sensitivities.csv`: what each variable does to each number that is one for a run;
  * - `failed.csv`: the runs without an answer, why, and their variables;
- * - `study.json`: all of that in short, in SI units.
+ * - `study.json`: all of that in short.
  * Tables are in the units of the case.
  */
 void write_study_files(const StudyResults &study, const std::vector<Sensitivity> &effects,

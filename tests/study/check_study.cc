@@ -125,6 +125,16 @@ void check_samples() {
              0.3 / std::sqrt(1.04) * (P1 + P2), 2e-3);
 }
 
+/// Ranks are those of a list's values, whatever their order and however often they come: what
+/// depends on one variable alone has a correlation of 1 with it.
+void check_ranks_of_lists() {
+  const program::TemporaryFolder into;
+  const Study found = study(folder + "/sliders_of_a_list.prm", {}, into.path / "results");
+  CHECK(found.exit_status == 0);
+  CHECK_NEAR(found.effect("quantity friction", "friction").at("rank_correlation").get<double>(), 1.,
+             1e-12);
+}
+
 /// friction = f1 P1 + f2 P2 with equal variances of both: shares P1^2 and P2^2 of the sum.
 void check_sobol_indices() {
   const Study found =
@@ -162,6 +172,24 @@ void check_morris() {
     CHECK_NEAR(effect.at("deviation").get<double>(), 0., 1e-6);
     CHECK(effect.at("n") == 4);
   }
+  // Of a distribution with tails the range is from 1 % to 99 %, and each of the two jumps by 2/3 of
+  // it, from 0.01 to 0.6633 and from 0.3367 to 0.99, changes a normal variable by as much.
+  const program::TemporaryFolder into;
+  const Study tails = study(folder + "/sliders_with_tails.prm", {}, into.path / "results");
+  constexpr double jump = 0.05 * (2.3263478740408408 + 0.4215776353171568);
+  CHECK_NEAR(
+      tails.effect("quantity friction", "friction").at("elementary").at("mean").get<double>(),
+      1.5 * jump * (P1 + P2), 1e-6 * (P1 + P2));
+}
+
+/// Numbers of study.json are in the units of the case, as those of the tables.
+void check_units() {
+  const program::TemporaryFolder into;
+  const Study found = study(folder + "/sliders.prm", {"Units = mm N"}, into.path / "results");
+  CHECK(found.exit_status == 0);
+  CHECK(found.result("quantity motion").at("unit") == "mm");
+  const double f = 0.1 + 0.4 * 0.95;
+  CHECK_NEAR(found.quantile("force slide.1", 2), P1 * std::hypot(1., f), 1e-3);
 }
 
 /// Rows of a csv file without quotes.
@@ -378,6 +406,10 @@ int main(int argc, char **argv) {
     check_quantiles();
   else if (test == "samples")
     check_samples();
+  else if (test == "ranks")
+    check_ranks_of_lists();
+  else if (test == "units")
+    check_units();
   else if (test == "sobol_indices")
     check_sobol_indices();
   else if (test == "morris")
