@@ -101,6 +101,9 @@ private:
   /// What becomes of an increment along the path.
   enum class OnPath { failed, strayed, passed, accepted };
   OnPath try_on_path(const LimitPath::Trial &trial, const double done);
+  /// Whether the loads fall along the path behind a state that is led to, since contacts have changed
+  /// theirs on the way: there they were the largest somewhere between.
+  bool descends_behind(PathLead lead, const double time, const LineState &to);
   /// Whether the path ends where a contact is about to close: what is carried there is another
   /// branch's, and the step has failed.
   bool is_about_to_meet();

@@ -168,7 +168,7 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
   if (path.strays(trial, to.unknowns - current.unknowns, done, part))
     return OnPath::strayed;
   to.load_factors = course.factors_at(to.time, side);
-  if (statics.is_unstable(to))
+  if (statics.is_unstable(to) || (lead && descends_behind(*lead, at_time, to)))
     return OnPath::passed;
   to.time = std::max(to.time, current.time); // equal but for rounding
   take(to, course.declared(to.time), to.time);
@@ -177,6 +177,18 @@ LoadSequence::OnPath LoadSequence::try_on_path(const LimitPath::Trial &trial, co
     each_increment({static_cast<unsigned int>(step_reports.size() - 1), report.increments, 0},
                    current);
   return OnPath::accepted;
+}
+
+bool LoadSequence::descends_behind(PathLead lead, const double time, const LineState &to) {
+  constexpr double further = 1e-3; // of the increment
+  if (response.status == current.contact_status || lead.before != nullptr)
+    return false;
+  const contact::Response of_it = response; // which is committed with it
+  LineState beyond = current;
+  lead.motion *= 1. + further;
+  const bool is_found = solve_statics(course.factors_at(time, side), time, lead, beyond).converged;
+  response = of_it;
+  return is_found && beyond.time < to.time;
 }
 
 bool LoadSequence::is_unstable_as_it_stands(const double time) const {
