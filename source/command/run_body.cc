@@ -52,6 +52,7 @@ public:
       : scene(scene), laws(laws), results(results), mesh(build_continuum_mesh<dim>(scene)),
         body(scene, mesh), checkpoint(body) {
     results.cost.mesh_seconds = wall.wall_time();
+    results.remarks.insert(results.remarks.end(), mesh.remarks.begin(), mesh.remarks.end());
   }
 
   void run();

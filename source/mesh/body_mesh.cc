@@ -2,8 +2,10 @@
 #include "mesh/gmsh/own_mesh.h"
 #include "mesh/gmsh/session.h"
 
+#include "base/number_text.h"
 #include "base/user_error.h"
 #include "mesh/body_mesh.h"
+#include "mesh/point_set.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -12,6 +14,7 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 namespace frictionbeam {
@@ -78,6 +81,8 @@ public:
 
 private:
   Point<dim> position(const std::size_t tag) const;
+  std::string places_of(const std::vector<unsigned int> &vertices) const;
+  void remark_on_twins(); ///< vertices at one place
   /// The face with these vertices, of the part that was named last.
   void add_face(const std::size_t *const tags);
 
@@ -114,6 +119,7 @@ template <int dim>
 void MeshOfGmsh<dim>::take_cells() {
   constexpr std::array<unsigned int, 8> order = {{0, 1, 3, 2, 4, 5, 7, 6}}; // of gmsh's vertices
   const auto cells = element_nodes(dim, -1, dim == 2 ? 3 : 5, dim == 2 ? "surfaces" : "volumes");
+  std::set<std::vector<unsigned int>> known;
   for (std::size_t i = 0; i < cells.size(); i += n_vertices) {
     CellData<dim> cell(n_vertices);
     for (unsigned int v = 0; v < n_vertices; ++v) {
@@ -123,9 +129,55 @@ void MeshOfGmsh<dim>::take_cells() {
       cell.vertices[order[v]] = entry->second;
     }
     mesh.cells.push_back(cell);
+    std::sort(cell.vertices.begin(), cell.vertices.end());
+    if (!known.insert(cell.vertices).second)
+      throw UserError("The mesh has one cell twice, between the nodes" + places_of(cell.vertices) +
+                      ". Take one of them out.");
   }
   if (mesh.cells.empty())
     throw UserError("The mesh has no cells of dimension " + std::to_string(dim) + ".");
+  remark_on_twins();
+}
+
+template <int dim>
+std::string MeshOfGmsh<dim>::places_of(const std::vector<unsigned int> &vertices) const {
+  std::string text;
+  for (const unsigned int v : vertices) {
+    text += " (";
+    for (unsigned int d = 0; d < dim; ++d)
+      text += (d > 0 ? ", " : "") + rounded_number(mesh.vertices[v][d]);
+    text += ")";
+  }
+  return text;
+}
+
+template <int dim>
+void MeshOfGmsh<dim>::remark_on_twins() {
+  constexpr double same = 1e-7; // of the body's extent
+  Point3 low, high;
+  std::vector<Point3> points;
+  for (const Point<dim> &vertex_of_mesh : mesh.vertices) {
+    Point3 p;
+    for (unsigned int d = 0; d < dim; ++d)
+      p[d] = vertex_of_mesh[d];
+    if (points.empty())
+      low = high = p;
+    for (unsigned int d = 0; d < dim; ++d) {
+      low[d] = std::min(low[d], p[d]);
+      high[d] = std::max(high[d], p[d]);
+    }
+    points.push_back(p);
+  }
+  PointSet places(same * low.distance(high));
+  unsigned int n_twins = 0, first = 0;
+  for (unsigned int v = 0; v < points.size(); ++v)
+    if (places.insert(points[v]) < static_cast<int>(v - n_twins) && n_twins++ == 0)
+      first = v;
+  if (n_twins > 0)
+    mesh.remarks.push_back("The mesh has two vertices at one place, such as at" +
+                           places_of({first}) + ", " + std::to_string(n_twins) +
+                           " times: cells are not joined there, nor do they touch. If that is not "
+                           "meant, make one node of the two (Coherence Mesh; in gmsh).");
 }
 
 template <int dim>
@@ -152,8 +204,15 @@ void MeshOfGmsh<dim>::take_faces() {
   for (const auto &[d, group] : groups) {
     std::string name;
     gmsh::model::getPhysicalName(d, group, name);
-    if (name.empty())
+    if (name.empty()) {
+      mesh.remarks.push_back("A physical group of the boundary without a name (tag " +
+                             std::to_string(group) +
+                             "; of two of one name, gmsh leaves one without) is not used.");
       continue;
+    }
+    if (std::count(mesh.parts.begin(), mesh.parts.end(), name) > 0)
+      throw UserError("The mesh has two parts of its boundary called '" + name +
+                      "'. Give them two names, or all that is meant one tag.");
     mesh.parts.push_back(name);
     std::vector<int> entities;
     gmsh::model::getEntitiesForPhysicalGroup(d, group, entities);
@@ -181,6 +240,40 @@ void MeshOfGmsh<dim>::take_points() {
       throw UserError("The physical point '" + name + "' of the mesh is no vertex of a cell.");
     mesh.points[name] = position(nodes[0]);
   }
+}
+
+/// Parts that are held, loaded or frictional are on the boundary.
+/// @throws UserError where one has faces between two cells
+template <int dim>
+void check_parts(const Scene &scene, const ContinuumMesh<dim> &mesh) {
+  std::set<std::string> used;
+  for (const ContinuumHold &hold : scene.continuum->holds)
+    used.insert(hold.part);
+  for (const ContinuumTraction &traction : scene.continuum->tractions)
+    used.insert(traction.part);
+  for (const ContinuumContact &contact : scene.continuum->contacts)
+    used.insert(contact.part);
+  std::map<std::vector<unsigned int>, unsigned int> n_cells; // of the faces of those parts
+  for (const auto &face : mesh.faces)
+    if (used.count(mesh.parts[face.part - 1]) > 0)
+      n_cells[face.vertices] = 0;
+  for (const CellData<dim> &cell : mesh.cells)
+    for (const unsigned int f : GeometryInfo<dim>::face_indices()) {
+      std::vector<unsigned int> face;
+      for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+        face.push_back(cell.vertices[GeometryInfo<dim>::face_to_cell_vertices(f, v)]);
+      std::sort(face.begin(), face.end());
+      if (const auto found = n_cells.find(face); found != n_cells.end())
+        ++found->second;
+    }
+  for (const auto &face : mesh.faces)
+    if (const auto found = n_cells.find(face.vertices);
+        found != n_cells.end() && found->second != 1)
+      throw UserError("The part '" + mesh.parts[face.part - 1] +
+                      "' of the mesh has faces inside of the body.\n  read:    a face between " +
+                      std::to_string(found->second) +
+                      " cells\n  allowed: parts of the boundary in Held, Loaded and Frictional\n"
+                      "  try:     a physical group of faces of one cell each");
 }
 
 } // namespace
@@ -213,6 +306,7 @@ ContinuumMesh<dim> build_continuum_mesh(const Scene &scene) {
     });
     GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
     GridTools::consistently_order_cells(mesh.cells);
+    check_parts(scene, mesh);
   }
   for (const auto &[name, position] : scene.continuum->points) {
     Point<dim> p;

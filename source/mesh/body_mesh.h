@@ -27,6 +27,7 @@ struct ContinuumMesh {
   /// By the cells' manifold id; none: all is flat.
   std::vector<std::unique_ptr<dealii::Manifold<dim>>> manifolds;
   unsigned int geometry_degree = 1; ///< of the cells
+  std::vector<std::string> remarks; ///< on what of a file is hardly meant
 
   /// Id of a named part. @throws UserError that lists those there are.
   dealii::types::boundary_id part(const std::string &name) const;

@@ -53,6 +53,10 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
         return step.limit && !(step.limit->bound <= as_near * step.limit->reached);
       }))
     return {{}, "a limit load lies between what is carried and its bound (limit_bound)"};
+  if (all.loads_bend_within)
+    return {{},
+            "what a History, or the ground, does within an increment is not seen; Accuracy "
+            "measures it"};
   if (!all.slip_is_known)
     return {{}, "a law does not say what of its motion is slip"};
   if (all.touched_within)
@@ -225,7 +229,7 @@ void add_remarks(const HowWellKnown &known, Results &results) {
   };
   add(known.increments, "the size of the load increments",
       "Take more Increments in the steps" + ask);
-  if (!known.increments.error && !has_flowed(results))
+  if (!known.increments.error && !known.increments.reason.empty() && !has_flowed(results))
     results.remarks.push_back("What the size of the load increments does to the answers is not "
                               "estimated (" +
                               known.increments.reason + "). Take more Increments and compare" +

@@ -39,6 +39,14 @@ void check_closed_form(const ParameterReader &in, const LawDescription &law,
             "another law, or mend this one until frictionbeam-check-law says that it conforms");
 }
 
+void remark_on_units(const ParameterReader &in, const std::string &part, const LawDescription &law,
+                     std::vector<std::string> &remarks) {
+  for (int i = 0; i < law.n_parameters; ++i)
+    if (const LawParameter &p = law.parameters[i]; in.given(p.name) && !in.converts(p.unit))
+      remarks.push_back(part + ": its " + p.name + " is in " + p.unit +
+                        " whatever the Units of the file are.");
+}
+
 void check_dynamic_friction(const ParameterReader &in, const LawDescription &law) {
   const std::string dynamic = "Dynamic friction coefficient", fixed = "Friction coefficient";
   const std::vector<std::string> entries = law_entries(law);

@@ -23,6 +23,11 @@ std::vector<std::string> law_entries(const LawDescription &law);
 void check_closed_form(const ParameterReader &in, const LawDescription &law,
                        const std::vector<double> &parameters);
 
+/// Say of a law's given parameters which ones Units does not convert.
+/// @param part whose law it is, such as "Support rest"
+void remark_on_units(const ParameterReader &in, const std::string &part, const LawDescription &law,
+                     std::vector<std::string> &remarks);
+
 /// Friction that grows when slip begins is none: the law would take the static coefficient.
 /// @throws UserError if the current section has such
 void check_dynamic_friction(const ParameterReader &in, const LawDescription &law);

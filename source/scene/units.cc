@@ -4,7 +4,9 @@
 #include "base/unit_constants.h"
 #include "scene/file/parameter_file.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace frictionbeam {
@@ -59,6 +61,13 @@ Power power(const std::string &word) {
   if (end == std::string::npos || end == 0)
     return {word, ""};
   return {word.substr(0, end), word.substr(end)};
+}
+
+/// "N/m^(Plastic exponent)" as "N/m^".
+std::string without_exponents_in_brackets(std::string unit) {
+  for (auto begin = unit.find("^("); begin != std::string::npos; begin = unit.find("^("))
+    unit.erase(begin + 1, unit.find(')', begin) - begin);
+  return unit;
 }
 
 } // namespace
@@ -122,8 +131,22 @@ std::optional<UnitSystem::Unit> UnitSystem::base(const std::string &word) const 
   return {};
 }
 
+bool UnitSystem::converts(const std::string &si_unit) const {
+  constexpr const char *as_they_are[] = {"-",       "1",  "s", "h",    "g", "rad",
+                                         "degrees", "Hz", "K", "degC", "%"};
+  const std::string unit = without_exponents_in_brackets(si_unit);
+  for (const std::string &part : split(unit, '/'))
+    for (const std::string &word : split(part, ' ')) {
+      const std::string of = power(word).base;
+      const auto is_it = [&](const char *const known) { return of == known; };
+      if (!base(of) && std::none_of(std::begin(as_they_are), std::end(as_they_are), is_it))
+        return false;
+    }
+  return true;
+}
+
 double UnitSystem::factor(const std::string &si_unit) const {
-  if (is_si())
+  if (is_si() || !converts(si_unit))
     return 1.;
   double result = 1.;
   bool below = false;
@@ -139,7 +162,7 @@ double UnitSystem::factor(const std::string &si_unit) const {
 }
 
 std::string UnitSystem::name(const std::string &si_unit) const {
-  if (is_si())
+  if (is_si() || !converts(si_unit))
     return si_unit;
   std::string result;
   bool below = false;

@@ -27,6 +27,9 @@ public:
 
   bool is_si() const { return given.empty(); }
 
+  /// Whether numbers in @p si_unit are converted: not if it has brackets or words that no system of
+  /// units knows, such as W. Those stay in SI units.
+  bool converts(const std::string &si_unit) const;
   /// How many of @p si_unit (such as "N/m", "kg/m3", "degC", "N/m^0.2") one of the user's units is.
   double factor(const std::string &si_unit) const;
   /// The user's unit for @p si_unit.

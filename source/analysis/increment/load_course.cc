@@ -273,6 +273,44 @@ bool LoadCourse::may_jump(const double start, const double end) const {
   return next_break(start - rounding) < end - rounding;
 }
 
+bool LoadCourse::is_straight(const double begin, const double end) const {
+  constexpr double between[] = {0.137, 0.311, 0.5, 0.723}, same = 1e-9;
+  const Scene &scene = model.scene;
+  if (std::none_of(scene.loads.begin(), scene.loads.end(),
+                   [](const Load &load) { return load.history.is_given(); }) &&
+      !model.contacts.ground_moves())
+    return true;
+  const auto values_at = [&](const double time, const Side of = Side::both) {
+    const Factors factors_then = factors_at(time, of);
+    const Vector motions = imposed(time, of);
+    Vector values(factors_then.size() + motions.size());
+    values << Eigen::Map<const Vector>(factors_then.data(), factors_then.size()), motions;
+    return values;
+  };
+  std::vector<Vector> values = {values_at(begin, Side::after)};
+  for (const double part : between)
+    values.push_back(values_at(begin + part * (end - begin)));
+  values.push_back(values_at(end, Side::before));
+  Vector largest = Vector::Zero(values[0].size());
+  for (const Vector &value : values)
+    largest = largest.cwiseMax(value.cwiseAbs());
+  for (Vector &value : values)
+    for (int i = 0; i < value.size(); ++i)
+      value[i] /= largest[i] > 0. ? largest[i] : 1.;
+  const Vector way = values.back() - values.front();
+  const double square = way.squaredNorm();
+  double last = 0.; // how far along the way
+  for (const Vector &value : values) {
+    const Vector gone = value - values.front();
+    const double part = square > 0. ? gone.dot(way) / square : 0.;
+    if ((gone - part * way).lpNorm<Eigen::Infinity>() > same || part < last - same ||
+        part > 1. + same)
+      return false;
+    last = part;
+  }
+  return true;
+}
+
 bool LoadCourse::forces_jump(const double time) const {
   if (!is_break(time))
     return false;

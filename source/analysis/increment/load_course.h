@@ -66,6 +66,9 @@ public:
   double next_break(const double time) const;
   /// Whether there is such an instant from @p start on and before @p end.
   bool may_jump(const double start, const double end) const;
+  /// Whether factors of loads and motions of the ground go straight from one instant to another, at
+  /// whatever pace, as far as a few instants between them show.
+  bool is_straight(const double begin, const double end) const;
   /// Whether forces jump at @p time.
   bool forces_jump(const double time) const;
   /// Whether forces, or velocities of nodes with mass that loads move, jump at @p time.

@@ -42,12 +42,15 @@ struct Resolution {
   /// Static increments: contacts closed a gap or opened within one, while others have friction,
   /// whose slip may have turned back there.
   bool met_beside_friction = false;
+  /// Static increments: a History, or motion of the ground, goes no straight way within one.
+  bool loads_bend_within = false;
 
   void include(const Resolution &other);
   void transfer(Archive &archive) {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
             exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known,
-            touched_within, turned_in_motion, turned_within, met_beside_friction, starts_to_move);
+            touched_within, turned_in_motion, turned_within, met_beside_friction, starts_to_move,
+            loads_bend_within);
   }
 };
 

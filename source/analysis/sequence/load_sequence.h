@@ -101,8 +101,8 @@ private:
   /// What becomes of an increment along the path.
   enum class OnPath { failed, strayed, passed, accepted };
   OnPath try_on_path(const LimitPath::Trial &trial, const double done);
-  /// Whether the loads fall along the path behind a state that is led to, since contacts have changed
-  /// theirs on the way: there they were the largest somewhere between.
+  /// Whether the loads fall along the path behind a state that is led to, since contacts have
+  /// changed theirs on the way: there they were the largest somewhere between.
   bool descends_behind(PathLead lead, const double time, const LineState &to);
   /// Whether the path ends where a contact is about to close: what is carried there is another
   /// branch's, and the step has failed.
@@ -130,6 +130,10 @@ private:
   bool solve_increment(const Factors &factors, const double time);
   /// Whether a solution of a step that looks for its limit is too far away to be on its path.
   bool jumps(const LineState &to, const double time) const;
+  /// Slip that has turned within the increment that is solved has been at rest in between, where
+  /// static friction holds: contacts whose dynamic friction is lower begin the increment so.
+  /// @return whether any did not, so that it is to be solved again
+  bool let_turned_slip_rest();
   EquilibriumResult solve_statics(const Factors &full, const double time,
                                   const std::optional<PathLead> &lead, LineState &to);
   /// Make a solution the present state.

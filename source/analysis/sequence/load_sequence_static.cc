@@ -226,6 +226,9 @@ void LoadSequence::judge_increment(const LineState &before, EnergyAccount accoun
   report.energy += account;
   check_sections(model, current, report);
   resolution->add_increment(before, current, report.resolution);
+  report.resolution.loads_bend_within =
+      report.resolution.loads_bend_within ||
+      (model.contacts.size() > 0 && !course.is_straight(before.time, current.time));
   double largest = 0.;
   for (const Contact::Strains &stress : before.contact_stress)
     largest = std::max(largest, stress.head<3>().norm());
@@ -248,11 +251,37 @@ EquilibriumResult LoadSequence::solve_statics(const Factors &full, const double 
   return result;
 }
 
+bool LoadSequence::let_turned_slip_rest() {
+  bool any = false;
+  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
+    const Contact &contact = model.contacts[i];
+    if (!contact.law.has_closed_form() || response.status[i] != ContactStatus::slip)
+      continue;
+    const FrictionThreshold &law = contact.law.closed_form();
+    if (law.dynamic_friction == law.static_friction)
+      continue;
+    double &was_slipping = current.contacts.internal[contact.state_offset + law.was_slipping];
+    if (was_slipping != 0. &&
+        current.contact_stress[i].segment<2>(1).dot(response.stress[i].segment<2>(1)) < 0.) {
+      was_slipping = 0.;
+      any = true;
+    }
+  }
+  return any;
+}
+
 bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   LineState to = current;
-  last_result = solve_statics(course.factors_at(time, side), time, {}, to);
+  const contact::State as_it_was = current.contacts;
+  bool is_solved = true;
+  do {
+    to = current;
+    last_result = solve_statics(course.factors_at(time, side), time, {}, to);
+    is_solved = add_result(last_result, step_reports.back());
+  } while (is_solved && let_turned_slip_rest());
+  current.contacts = as_it_was;
   has_jumped = false;
-  if (!add_result(last_result, step_reports.back()))
+  if (!is_solved)
     return false;
   if (jumps(to, time)) {
     has_jumped = true;

@@ -57,6 +57,8 @@ std::string doubt_of_bore(const Scene &scene, const PipeWall &wall,
 }
 
 KnownError error_of_cells(const Scene &scene, const std::string &name) {
+  if (!scene.has_bend())
+    return {{}, "what cells leave is known of bends, of which there is none; Accuracy measures it"};
   const SolidSettings &solid = scene.solid;
   const Section &section = scene.sections[scene.pipes.front().section];
   const auto error = flexibility_error(solid.degree, solid.cells_around,
@@ -74,11 +76,7 @@ HowWellKnown how_well_known_of_wall(const Scene &scene) {
           ? KnownError{0., "nothing slips"}
           : KnownError{{}, "supports may slip within increments; Accuracy measures it"};
   known.time_step = {0., "there is no transient step"};
-  known.cells = scene.has_bend()
-                    ? error_of_cells(scene, "the wall")
-                    : KnownError{{},
-                                 "what cells leave is known of bends, of which there is "
-                                 "none; Accuracy measures it"};
+  known.cells = error_of_cells(scene, "the wall");
   return known;
 }
 

@@ -79,6 +79,10 @@ public:
   dealii::Tensor<1, 3> vector(const std::string &name, const std::string &si_unit = "-") const;
   /// Of a number that a text has in it: how many of @p si_unit the file's unit is. Defaults are SI.
   double si(const std::string &si_unit) const { return units.factor(si_unit); }
+  /// Whether numbers in a unit are in the file's own.
+  bool converts(const std::string &si_unit) const {
+    return units.is_si() || units.converts(si_unit);
+  }
   double si(const std::string &entry, const std::string &si_unit) const {
     return given(entry) ? units.factor(si_unit) : 1.;
   }

@@ -60,6 +60,18 @@ std::vector<ContinuumTraction> parse_tractions(const ParameterReader &in) {
   return tractions;
 }
 
+/// A plane body knows nothing of z.
+void check_plane(const ParameterReader &in, const ContinuumScene &body) {
+  for (const ContinuumHold &hold : body.holds)
+    if (hold.fixed[2])
+      in.fail("Held", "x and y in a plane body", "Continuum/Dimension = 3, or without z",
+              "'z' of '" + hold.part + "'");
+  for (const ContinuumTraction &traction : body.tractions)
+    if (traction.vector[2] != 0.)
+      in.fail("Loaded", "tx ty in a plane body", "Continuum/Dimension = 3, or without the third",
+              "three numbers of '" + traction.part + "'");
+}
+
 } // namespace
 
 void declare_body(ParameterReader &in, const LawLibrary &laws) {
@@ -100,12 +112,15 @@ void build_body(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
                     "subsection Mesh, set File = body.geo");
   body.holds = parse_holds(in);
   body.tractions = parse_tractions(in);
+  if (body.dimension == 2)
+    check_plane(in, body);
   const LawDescription &law = laws.find(in.text("Law"));
   ContinuumContact contact;
   contact.law = law.name;
   for (int i = 0; i < law.n_parameters; ++i)
     contact.parameters.push_back(in.number(law.parameters[i].name));
   check_closed_form(in, law, contact.parameters);
+  remark_on_units(in, "Body", law, scene.remarks);
   if (in.number("Pressure") > 0.)
     contact.pressure = in.number("Pressure");
   for (const std::string &part : in.list("Frictional")) {

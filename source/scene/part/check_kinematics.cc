@@ -261,10 +261,18 @@ void remark_on_held_loads(Scene &scene) {
   }
 }
 
+void remark_on_wind(Scene &scene) {
+  for (const Load &load : scene.loads)
+    if (scene.kinematics == Kinematics::corotational && load.kind == Load::Kind::wind)
+      scene.remarks.push_back("Load " + load.name +
+                              ": wind stays that of the pipe as it is built, wherever it turns.");
+}
+
 } // namespace
 
 void remark_on_free_motions(Scene &scene) {
   remark_on_held_loads(scene);
+  remark_on_wind(scene);
   const auto &free = scene.free_motions;
   for (const Pipe &pipe : scene.pipes)
     for (std::size_t i = 0; i + 1 < pipe.route.size(); ++i)

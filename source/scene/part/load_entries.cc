@@ -218,7 +218,7 @@ void declare_load(ParameterReader &in) {
       "Wind", "0 0 0", "x y z [Pa]",
       "Dynamic pressure of the wind, rho v^2/2, in its direction. A pipe feels the part "
       "across it: q C D |w| w, w that part of the unit vector, D the diameter over its "
-      "insulation.");
+      "insulation. It stays that of the pipe as built where displacements are large.");
   in.declare_number("Shape factor", 0.7, "-", 0., 10., "C of wind; 0.7 is usual for cylinders.");
   in.declare_text("Pipes", "", "names of pipes, separated by commas",
                   "Of temperature, pressure, line force and wind; empty: all.");

@@ -245,8 +245,10 @@ void parse_section(const ParameterReader &in, const LawLibrary &laws, const std:
   section.added_mass = in.number("Added mass") + section.filling();
   section.law = in.text("Law");
   const LawDescription &law = laws.find(section.law);
-  if (section.is_inelastic())
+  if (section.is_inelastic()) {
     check_size_of_law(in, law, D, t);
+    remark_on_units(in, "Section " + name, law, scene.remarks);
+  }
   for (int i = 0; section.is_inelastic() && i < law.n_parameters; ++i)
     section.law_parameters.push_back(in.given(law.parameters[i].name)
                                          ? std::optional<double>(in.number(law.parameters[i].name))

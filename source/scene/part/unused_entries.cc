@@ -291,9 +291,15 @@ void remark_on_body(ParameterReader &in, Scene &scene) {
   if (scene.output.contact_problems)
     remark_on(in, "Output", {"Write contact problems"}, "with Scene = body", scene);
   in.enter("Body");
-  if (scene.continuum && scene.continuum->dimension == 2)
-    remark_on(in, "Body", {"Torsional rigidity", "Patch radius", "Shear rigidity ratio"},
-              "in the plane, in which nothing turns or slides across it", scene);
+  remark_on(in, "Body", {"Torsional rigidity", "Patch radius"},
+            "of a surface, whose nodes do not turn", scene);
+  if (scene.continuum_settings.dimension == 2)
+    remark_on(in, "Body", {"Shear rigidity ratio"}, "in the plane, across which nothing slides",
+              scene);
+  else
+    remark_on(in, "Body", {"Plane", "Thickness"}, "in space", scene);
+  if (number_of(in, "Pressure") > 0.)
+    remark_on(in, "Body", {"Gap"}, "beside a Pressure, which presses from the start", scene);
 }
 
 } // namespace

@@ -73,12 +73,13 @@ void check_mixed(ParameterReader &in, const Scene &scene) {
     refuse(step.transient, "Step " + step.name, "Analysis", "static", "static");
     refuse(step.finds_limit, "Step " + step.name, "Find", "no limit load", "removing the entry");
   }
-  if (scene.hangers.empty())
-    return;
   in.enter("");
-  in.fail_section("subsection Hanger " + scene.hangers.front().name,
-                  "no Hanger with Solid/At, for its springs are chosen by beams alone",
-                  "the Spring that a run without At chose");
+  for (const Hanger &hanger : scene.hangers)
+    if (hanger.cold_load == 0.)
+      in.fail_section("subsection Hanger " + hanger.name + ", without Cold load",
+                      "hangers of a given Cold load with Solid/At, for springs are chosen by beams "
+                      "alone",
+                      "the Stiffness and Cold load that a run without At chose");
 }
 
 } // namespace parts
