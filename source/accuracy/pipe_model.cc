@@ -4,6 +4,7 @@
 #include "accuracy/account_remarks.h"
 #include "accuracy/difference.h"
 #include "accuracy/pipes/held_sections.h"
+#include "accuracy/pipes/patch_edges.h"
 #include "accuracy/support_models.h"
 #include "mesh/solid/wall_cells.h"
 #include "results/text.h"
@@ -20,6 +21,7 @@ constexpr double most_of_all = 0.9;     ///< of what is demanded, that a model m
 constexpr double off_by_of_rings = 0.1; ///< part that a held ring's elasticity may be off
 constexpr double off_by = 1. / 3.; ///< part that the elasticity of walls at supports may be off
 constexpr double off_by_of_growth = 0.1; ///< part that their growth by heat and pressure may be off
+constexpr double off_by_of_edges = 0.2; ///< part that what the edges of their patches do may be off
 constexpr double formula_of_cells = 1.5; ///< times as much as it says may be left by cells
 constexpr double nothing_known = 1.;     ///< error of a quantity
 
@@ -89,10 +91,11 @@ private:
     return solve(with_growth(with_walls(scene, walls, as), entries), what);
   }
 
-  /// What elastic supports leave.
+  /// What elastic supports leave: where they are off themselves, what they leave out, and what is
+  /// not known of that.
   struct Left {
-    double by_formula, by_growth, by_patches;
-    double all() const { return by_formula + by_growth + by_patches; }
+    double by_formula, left_out, unknown;
+    double all() const { return by_formula + left_out + unknown; }
   };
   /// Growth and edges of patches may undo each other: growth is among the entries only where less
   /// is left with it. @param full with both
@@ -107,13 +110,16 @@ private:
 
 SupportsJudge::Left SupportsJudge::left_by_elastic(const Scene &of_walls, const Results &full) {
   Results as_walls = solve(of_walls, "supports as elastic as walls");
-  Left left{0., 0., change_between(scene, as_walls, full).value};
-  if (!entries.empty()) {
+  Left left{0., change_between(scene, as_walls, full).value, 0.};
+  if (entries.empty())
+    left.unknown = off_by_of_edges * left.left_out;
+  else {
     Results growing = elastic(WallsAre::as_measured, "supports as elastic as walls that grow");
-    const double off = off_by_of_growth * change_between(scene, as_walls, growing).value,
-                 by_patches = change_between(scene, growing, full).value;
-    if (off + by_patches < left.by_patches) {
-      left = {0., off, by_patches};
+    const double by_edges = change_between(scene, growing, full).value;
+    left.unknown = off_by_of_growth * change_between(scene, as_walls, growing).value +
+                   off_by_of_edges * by_edges;
+    if (by_edges < left.left_out) {
+      left.left_out = by_edges;
       as_walls = std::move(growing);
     } else
       entries.clear();
@@ -168,12 +174,10 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
                            "grows, which leaves ") +
       rounded_number(left.by_formula, 2) +
       " since that is known within a third (near anchors less), " +
-      (entries.empty() ? ""
-                       : rounded_number(left.by_growth, 2) +
-                             " by what their growth, as Ground motion, may be off, ") +
-      "and " + rounded_number(left.by_patches, 2) +
+      rounded_number(left.left_out, 2) +
       (entries.empty() ? " by growth and the edges of patches"
                        : " by the edges of patches, and growth within guides") +
+      ", and " + rounded_number(left.unknown, 2) + " by what is not known of both" +
       (total > most_left
            ? ". With all else that is left this makes " + rounded_number(total, 2) +
                  ", a bound, and more than what was asked, which no mixed model mends, for its "
@@ -185,15 +189,14 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
   model.error = total;
 }
 
-} // namespace
-
-PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const SolveAs &solve) {
-  const Results beams = solve(scene, "bends by their pipes' rules");
-  const ModelOfPipes bends = model_of_pipes(scene, beams, shares.of_model * shares.demanded, solve);
+/// @param most_by_bends that those which stay beams may leave
+PipeModel pipe_model(const Scene &scene, const Results &beams, const double most_by_bends,
+                     const ModelShares &shares, const SolveAs &solve) {
+  const ModelOfPipes bends = model_of_pipes(scene, beams, most_by_bends, solve);
   PipeModel model;
   model.reason = bends.reason;
   model.line_error = bends.change;
-  model.error = bends.left;
+  model.error = model.by_bends = bends.left;
   model.judged = bends.in_words;
   if (!bends.solid.empty()) {
     // Finer cells than the joints are worth are in vain.
@@ -226,6 +229,19 @@ PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const
     model.error = 0.;
   }
   return model;
+}
+
+} // namespace
+
+PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const SolveAs &solve) {
+  const Results beams = solve(scene, "bends by their pipes' rules");
+  const PipeModel model =
+      pipe_model(scene, beams, shares.of_model * shares.demanded, shares, solve);
+  const double room_for_bends = model.by_bends + most_of_all * shares.demanded - model.beyond;
+  if (model.beyond == 0. || model.by_bends == 0. || !(room_for_bends > 0.))
+    return model;
+  PipeModel more_solid = pipe_model(scene, beams, room_for_bends, shares, solve);
+  return more_solid.beyond == 0. ? more_solid : model;
 }
 
 } // namespace frictionbeam::accuracy

@@ -112,34 +112,6 @@ std::optional<Vector3> normal_of(const std::vector<const SupportInfo *> &places)
   return places.empty() ? std::nullopt : std::optional<Vector3>(places.front()->normal);
 }
 
-/// The direction of the pipe at a place of the line.
-std::optional<Vector3> tangent_at(const Scene &scene, const std::vector<PipePath> &paths,
-                                  const Point3 &position) {
-  for (unsigned int p = 0; p < paths.size(); ++p) {
-    const double tolerance = 1e-3 * scene.sections[scene.pipes[p].section].outer_radius;
-    for (const PipePath::Segment &segment : paths[p].segments())
-      if (const auto s = segment.place(position, tolerance))
-        return segment.tangent(*s - segment.start);
-  }
-  return {};
-}
-
-/// A patch that the pipe turns on is pressed at one of its edges. Beside the wall's stiffness k
-/// over a width w, k w^2/12, what holds the rotation is as much as that times 4.5 (r/t = 17;
-/// measured, doc/solid.md): what one edge is pressed and the other relieved by, bends the wall
-/// nearby only.
-Spring spring_of_edges(const FrictionSupport &support, const WallAtSupport &wall,
-                       const SupportInfo &place, const Vector3 &tangent) {
-  constexpr double of_edges = 4.5;
-  const double width = support.width > 0. ? support.width : 2. * wall.radius;
-  const Vector3 axis = dealii::cross_product_3d(tangent, place.normal);
-  Spring spring;
-  spring.name = spring.point = "edges of " + place.name;
-  spring.stiffness[3] = of_edges * wall.stiffness * width * width / 12.;
-  spring.directions[3] = {{0., 0., 0., axis[0], axis[1], axis[2]}};
-  return spring;
-}
-
 /// How much a pipe's radius has grown at the ends of steps, by instant [s, m]; in order unless
 /// steps start from others than the one before.
 using Growth = std::vector<std::pair<double, double>>;
@@ -322,22 +294,6 @@ std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &
     if (one.is_an_entry)
       add_growth(scene, one, settings);
   return settings;
-}
-
-Scene with_edges(Scene scene, const WallsAtSupports &walls, const Results &results) {
-  std::vector<PipePath> paths;
-  for (const Pipe &pipe : scene.pipes)
-    paths.emplace_back(pipe, scene.units);
-  for (const WallAtSupport &wall : walls.walls) {
-    const FrictionSupport &support = scene.supports[wall.support];
-    for (const SupportInfo *const place : places_of(support, results))
-      if (const auto tangent = tangent_at(scene, paths, place->position)) {
-        const Spring spring = spring_of_edges(support, wall, *place, *tangent);
-        scene.add_point(spring.point, place->position);
-        scene.springs.push_back(spring);
-      }
-  }
-  return scene;
 }
 
 } // namespace frictionbeam::accuracy

@@ -68,8 +68,4 @@ Scene with_growth(Scene scene, const std::vector<GrowingSupport> &supports);
 std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls,
                                      const std::vector<GrowingSupport> &growing);
 
-/// Supports that are patches of the pipes' outside, whose edges hold its rotation.
-/// @param results of the scene, for the supports' places
-Scene with_edges(Scene scene, const WallsAtSupports &walls, const Results &results);
-
 } // namespace frictionbeam::accuracy
