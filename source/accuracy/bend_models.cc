@@ -2,6 +2,7 @@
 #include "accuracy/bend_models.h"
 #include "accuracy/bend_flexibility_table.h"
 #include "accuracy/pipes/bend_variants.h"
+#include "accuracy/pipes/pressed_bend.h"
 
 #include "mesh/places_on_pipe.h"
 #include "mesh/solid/solid_stretches.h"
@@ -40,14 +41,16 @@ double stiffening_pressure(const Scene &scene, const unsigned int pipe) {
   return pressure;
 }
 
-/// A pipe whose bends have the code's rule, stiffened by what its entry says or its loads bring.
-Pipe like_a_wall(const Scene &scene, const unsigned int number) {
-  Pipe pipe = scene.pipes[number];
-  if (pipe.bend_flexibility.rule != BendFlexibility::Rule::code)
-    pipe.bend_flexibility = {};
-  double &pressure = pipe.bend_flexibility.pressure;
-  pressure = std::max(pressure, stiffening_pressure(scene, number));
+/// A pipe whose bends have the code's rule without pressure.
+Pipe with_rule(Pipe pipe) {
+  pipe.bend_flexibility = {};
   return pipe;
+}
+
+/// Pressure of a pipe's entry, of which the code's rule knows [Pa].
+double pressure_of_entry(const Pipe &pipe) {
+  return pipe.bend_flexibility.rule == BendFlexibility::Rule::code ? pipe.bend_flexibility.pressure
+                                                                   : 0.;
 }
 
 /// Finds what stands beside the bends of a scene.
@@ -89,6 +92,7 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
                    const PipePath::Segment &bend, const unsigned int number) {
   const Pipe &pipe = scene.pipes[room.pipe];
   const Section &section = scene.sections[pipe.section];
+  const Material &material = scene.materials[pipe.material];
   const double r = section.outer_radius - section.wall / 2.;
   BendModel model;
   model.pipe = room.pipe;
@@ -109,10 +113,20 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
   model.turn_by_pressure = r * section.inertia / (2. * section.wall * bend.radius) *
                            cross_product_3d(bend.inward, bend.first_tangent);
   const BendRatios ratios = ratios_of_walls({model.h, bend.radius / r, model.angle, model.tangent});
-  model.by_rule = bend_flexibility(pipe, section, scene.materials[pipe.material], bend.radius);
-  const Pipe wall = like_a_wall(scene, room.pipe);
-  model.in_plane = flexibility_of_wall(scene, wall, model.h, bend.radius, ratios.in_plane);
-  model.across = flexibility_of_wall(scene, wall, model.h, bend.radius, ratios.across);
+  model.by_rule = bend_flexibility(pipe, section, material, bend.radius);
+  const auto stiffer = [&](const double pressure) {
+    return stiffer_by_pressure({model.h, bend.radius / r, material.poissons_ratio},
+                               pressure / material.youngs_modulus);
+  };
+  const double of_loads = stiffer(stiffening_pressure(scene, room.pipe)),
+               of_wall = std::max(of_loads, stiffer(pressure_of_entry(pipe)));
+  const auto wall = [&](const double ratio) {
+    return std::max(1., flexibility_of_wall(scene, with_rule(pipe), model.h, bend.radius, ratio) /
+                            of_wall);
+  };
+  model.in_plane = wall(ratios.in_plane);
+  model.across = wall(ratios.across);
+  model.stiffening = of_wall / of_loads;
   model.off = ratios.off;
   // Flanges in place of legs leave a bend the part h^(1/3) of its flexibility; what is beside it
   // within the shortest tangents of the table is between the two.
@@ -120,12 +134,6 @@ BendModel model_of(const Scene &scene, const Neighbours &neighbours, const Solid
     if (tangent.until != Tangent::Until::end)
       model.off +=
           std::max(0., 1. - tangent.length / diameter) * std::max(0., -std::log(model.h)) / 6.;
-  Pipe solid = wall;
-  solid.bend_flexibility.pressure = stiffening_pressure(scene, room.pipe);
-  const auto by_code = [&](const Pipe &one) {
-    return bend_flexibility(one, section, scene.materials[pipe.material], bend.radius);
-  };
-  model.stiffening = by_code(solid) / by_code(wall);
   return model;
 }
 

@@ -51,7 +51,7 @@ Scene stiffened_by(Scene scene, const double pressure) {
   return scene;
 }
 
-/// What pressure makes of the walls of bends, and of beams, by the code's rule; empty: nothing.
+/// What pressure makes of the walls of bends, and of beams; empty: nothing.
 std::string of_pressure(const Scene &scene) {
   const double of_loads = scene.solid.pressure_stiffening ? largest_pressure(scene) : 0.;
   double stiffer = 1., of_beams = 0.;
@@ -65,7 +65,7 @@ std::string of_pressure(const Scene &scene) {
            ", lets the walls of bends become more oval than that, which beams do not know.";
   if (of_loads == 0. && of_beams == 0.)
     return "";
-  return "That is without pressure: by the same rule " + shown(of_loads) +
+  return "That is without pressure: by von Karman's energy " + shown(of_loads) +
          " make the walls of these bends up to " + rounded_number(stiffer, 3) +
          " times stiffer; those of beams have a Stiffening pressure of " + shown(of_beams) + ".";
 }
