@@ -38,7 +38,7 @@ CellCourse course_of(const Eigen::Matrix<double, 6, 1> &section, const Vector3 &
   return course;
 }
 
-CellCourse course_of_inertia(const PipeElement::Vector12 &ends, const Eigen::Vector3d &axis) {
+CellCourse course_in_balance(const PipeElement::Vector12 &ends, const Eigen::Vector3d &axis) {
   const double length = axis.norm();
   CellCourse course = without_couple(ends, length);
   const Vector3 along({axis[0] / length, axis[1] / length, axis[2] / length});
@@ -46,7 +46,7 @@ CellCourse course_of_inertia(const PipeElement::Vector12 &ends, const Eigen::Vec
   return course;
 }
 
-CellCourse course_of_inertia(const PipeElement::Vector12 &ends, const ArcBeam &arc) {
+CellCourse course_in_balance(const PipeElement::Vector12 &ends, const ArcBeam &arc) {
   const double length = arc.radius() * arc.angle();
   CellCourse course = without_couple(ends, length);
   close(ends, section_of_arc(course, arc, arc.angle()).second, length, course);

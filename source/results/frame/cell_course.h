@@ -17,14 +17,14 @@ using CellCourse = Eigen::Matrix<double, 12, 1>;
 /// The course of force and moment on the section at the start and of a force per length.
 CellCourse course_of(const Eigen::Matrix<double, 6, 1> &section, const Vector3 &line_force);
 
-/// The course in balance with forces M (a + alpha v) of inertia on a straight cell's ends: q is
-/// their mean over the length, mu closes the moment at the other end.
+/// The course in balance with forces on a straight cell's ends, of inertia, M (a + alpha v), or of
+/// a wall: q is their mean over the length, mu closes the moment at the other end.
 /// @param ends forces and moments on both ends, those at the start first [N, N m]
 /// @param axis from the start to the other end [m]
-CellCourse course_of_inertia(const PipeElement::Vector12 &ends, const Eigen::Vector3d &axis);
+CellCourse course_in_balance(const PipeElement::Vector12 &ends, const Eigen::Vector3d &axis);
 
 /// The same of an arc, whose start is where the deal.II cell begins.
-CellCourse course_of_inertia(const PipeElement::Vector12 &ends, const ArcBeam &arc);
+CellCourse course_in_balance(const PipeElement::Vector12 &ends, const ArcBeam &arc);
 
 /// Section force and moment at a distance from a straight cell's start.
 std::pair<Vector3, Vector3> section_of_straight(const CellCourse &course, const Vector3 &along,

@@ -86,6 +86,13 @@ private:
   /// @param back turns them into the axes of the stations' places
   CellCourse inertia_along(const LineState &state, const unsigned int index,
                            const Eigen::Matrix3d &back);
+  /// The course of a cell's section forces in balance with those on its ends, which stand in the
+  /// order of the deal.II cell.
+  CellCourse in_balance(const unsigned int index, PipeElement::Vector12 ends) const;
+  /// What is missing for that in a solid part: the weight of a bend's wall does not act on its
+  /// axis.
+  CellCourse beside_line_force(const unsigned int index, const PipeElement::Vector12 &ends,
+                               const CellLoad &load) const;
   /// a + alpha v of a degree of freedom, or what was given in place of it.
   double acceleration(const LineState &state, const dealii::types::global_dof_index dof) const;
   /// Mass that these accelerations act on, of a cell of which the element speaks.

@@ -43,7 +43,7 @@ void FrameBuilder::add_cell(const LineState &state, const Pose &pose, const unsi
   append(of_cell.frame ? stations_in(*of_cell.frame, of_cell, pose, index, load, inertia)
                        : stations_of(index, of_cell.ends,
                                      element.inside(of_cell.motions, of_cell.ends, load.pressure),
-                                     load, inertia),
+                                     load, inertia + beside_line_force(index, of_cell.ends, load)),
          line);
 }
 

@@ -101,7 +101,6 @@ CellCourse FrameBuilder::inertia_along(const LineState &state, const unsigned in
                                        const Eigen::Matrix3d &back) {
   if (!tells_inertia)
     return CellCourse::Zero();
-  const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
   const auto cell = model.discretization.pipe_cell(index);
   std::vector<types::global_dof_index> dofs(12);
   cell->get_dof_indices(dofs);
@@ -111,15 +110,30 @@ CellCourse FrameBuilder::inertia_along(const LineState &state, const unsigned in
   PipeElement::Vector12 ends = mass_of(index) * accelerations;
   for (unsigned int part = 0; part < 12; part += 3)
     ends.segment<3>(part) = (back * ends.segment<3>(part)).eval();
+  return in_balance(index, ends);
+}
+
+CellCourse FrameBuilder::in_balance(const unsigned int index, PipeElement::Vector12 ends) const {
   if (element.arc())
-    return course_of_inertia(ends, *element.arc());
+    return course_in_balance(ends, *element.arc());
+  const auto cell = model.discretization.pipe_cell(index);
   const Vector3 chord = cell->vertex(1) - cell->vertex(0);
   Eigen::Vector3d axis(chord[0], chord[1], chord[2]);
-  if (pipe_cell.reversed) {
+  if (model.discretization.pipe_cells()[index].reversed) {
     ends << ends.tail<6>().eval(), ends.head<6>().eval();
     axis *= -1.;
   }
-  return course_of_inertia(ends, axis);
+  return course_in_balance(ends, axis);
+}
+
+CellCourse FrameBuilder::beside_line_force(const unsigned int index,
+                                           const PipeElement::Vector12 &ends,
+                                           const CellLoad &load) const {
+  const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
+  if (model.linear.solid_part(pipe_cell) == nullptr)
+    return CellCourse::Zero();
+  const unsigned int start = pipe_cell.reversed && !element.arc() ? 6 : 0;
+  return in_balance(index, ends) - course_of(-ends.segment<6>(start), load.line_force);
 }
 
 void FrameBuilder::add_inertia(const LineState &state) {

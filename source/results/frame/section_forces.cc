@@ -107,8 +107,8 @@ SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned 
   }
   const Eigen::Vector3d axis = turn.row(0).transpose() * chord.norm(); // of a straight cell
   for (unsigned int i = 0; i < 12; ++i) {
-    const CellCourse course = is_arc ? course_of_inertia(mass.col(i), *element.arc())
-                                     : course_of_inertia(mass.col(i), axis);
+    const CellCourse course = is_arc ? course_in_balance(mass.col(i), *element.arc())
+                                     : course_in_balance(mass.col(i), axis);
     for (unsigned int part = 0; part < 12; part += 3)
       kind.inertia.col(i).segment<3>(part) = turn * course.segment<3>(part);
   }
