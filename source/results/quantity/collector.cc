@@ -152,8 +152,7 @@ double Collector::of_supports(const Quantity &quantity, const Frame &made) const
   std::vector<SupportInfo> infos;
   std::vector<SupportState> states;
   for (unsigned int i = 0; i < results.supports.size(); ++i)
-    if (const std::string &name = results.supports[i].name, &where = quantity.where;
-        where.empty() || name == where || name.substr(0, name.rfind('.')) == where) {
+    if (quantity.where.empty() || is_one_of(results.supports[i], quantity.where)) {
       infos.push_back(results.supports[i]);
       states.push_back(made.supports[i]);
     }

@@ -15,6 +15,13 @@ bool is_part_of(const SupportInfo &support, const std::string &where) {
   return false;
 }
 
+bool is_one_of(SupportInfo support, const std::string &where) {
+  if (is_part_of(support, where))
+    return true;
+  support.name = support.name.substr(0, support.name.rfind('.'));
+  return is_part_of(support, where);
+}
+
 std::optional<double> force_of_supports(const FrameBuilder &builder, const Results &results,
                                         const std::string &name, const LineState &state,
                                         const unsigned int component) {

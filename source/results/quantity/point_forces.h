@@ -11,6 +11,8 @@ namespace frictionbeam {
 /// Whether @p where names a friction support, or the guide, line stop or stop of which it is a
 /// half: `name` of `name.plus` and `name.minus`, `name.1` of `name.plus.1` and `name.minus.1`.
 bool is_part_of(const SupportInfo &support, const std::string &where);
+/// The same, or all places where it stands: `name` of `name.1` and `name.plus.1`.
+bool is_one_of(SupportInfo support, const std::string &where);
 
 /// Component 0 to 2 of the force [N], 3 to 5 of the moment [N m], global axes, of a friction
 /// support on its pipe, by its name, of both halves of a pair; nothing if there is none.

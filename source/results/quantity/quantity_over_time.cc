@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "results/quantity/collector.h"
 #include "results/quantity/impact_forces.h"
+#include "results/quantity/point_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,7 @@ void Collector::find_change(const Quantity &quantity, const LineState &state,
                            ? event.status != ContactStatus::open && !was_closed
                            : event.status == wanted;
     if (!change.value && is_it && lasts(state.events, k) && event.time >= quantity.from &&
-        event.time <= quantity.to && results.supports[event.contact].name == quantity.where) {
+        event.time <= quantity.to && is_part_of(results.supports[event.contact], quantity.where)) {
       change.value = quantity.scale * event.time;
       change.apart = event.time == state.time ? state.time - previous_time : 0.;
     }
