@@ -4,10 +4,9 @@
 // processes, and after it was killed.
 //   check_study PROGRAM MPIRUN FOLDER TEST     MPIRUN may be empty; TEST: quantiles, ..., or a file
 //   of bad input
-#include "../cases/run_program.h"
-#include "../check.h"
+#include "study.h"
 
-#include <nlohmann/json.hpp>
+#include "../check.h"
 
 #include <signal.h>
 
@@ -16,57 +15,15 @@
 #include <chrono>
 #include <thread>
 
-namespace fs = std::filesystem;
-using Json = nlohmann::json;
-using Options = std::vector<std::string>;
-
 namespace {
 
 constexpr double P1 = 1000., P2 = 2000., F1 = 900., k = 1e5;
 
 std::string program_path, mpirun, folder;
 
-struct Study {
-  int exit_status = -1;
-  std::string output;
-  Json json;                        ///< study.json
-  std::string runs, spread, failed; ///< the tables
-
-  const Json &result(const std::string &name) const {
-    for (const Json &one : json.at("results"))
-      if (one.at("result") == name)
-        return one;
-    throw std::runtime_error("There is no result " + name);
-  }
-  double quantile(const std::string &name, const std::size_t i) const {
-    return result(name).at("quantiles").at(i).at("value");
-  }
-  const Json &effect(const std::string &name, const std::string &variable) const {
-    for (const Json &one : json.at("sensitivities"))
-      if (one.at("result") == name)
-        return one.at("effects").at(variable);
-    throw std::runtime_error("There is no sensitivity of " + name);
-  }
-};
-
-/// @param start words in front of the program, such as mpirun and its options
 Study study(const std::string &file, const Options &settings, const fs::path &into,
             const Options &start = {}, const Options &more = {}) {
-  Options words = start;
-  words.insert(words.end(), {program_path, "study", file, "--output-directory", into.string()});
-  for (const std::string &setting : settings)
-    words.insert(words.end(), {"--set", setting});
-  words.insert(words.end(), more.begin(), more.end());
-  const program::Run run = program::execute(words);
-  Study result;
-  result.exit_status = run.exit_status;
-  result.output = run.output;
-  if (fs::exists(into / "study.json"))
-    result.json = Json::parse(program::text_of(into / "study.json"));
-  result.runs = program::text_of(into / "runs.csv");
-  result.spread = program::text_of(into / "spread.csv");
-  result.failed = program::text_of(into / "failed.csv");
-  return result;
+  return study(program_path, file, settings, into, start, more);
 }
 
 Study study(const Options &settings) {
