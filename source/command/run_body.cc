@@ -309,6 +309,7 @@ void AdaptiveRun<dim>::finish(const Solution<dim> &solution) {
     results.cost.steps += step.increments;
   results.certify(scene, contacts_are_judged(*scene.continuum, laws));
   results.cost.unknowns = levels.back().unknowns;
+  results.known.time_step = {0., "there is no transient step"};
   results.cost.cells = levels.back().cells;
   results.cost.contacts = levels.back().contacts;
   results.method = std::string(scene.solver.is_exact()

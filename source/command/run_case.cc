@@ -92,6 +92,13 @@ void prepare_folder(const std::string &folder) {
     MPI_Barrier(MPI_COMM_WORLD);
 }
 
+/// Whether Accuracy chooses the load increments, which it does not of bodies.
+bool has_chosen_increments(const Scene &scene, const Results &results) {
+  return scene.model != ModelKind::continuum &&
+         !(results.accuracy &&
+           results.accuracy->model == row_of(model_kinds, ModelKind::continuum).word);
+}
+
 /// Write summary and report.
 void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   refuse_not_finite(results);
@@ -99,9 +106,10 @@ void conclude(const Scene &scene, Results &results, const dealii::Timer &wall) {
   results.cost.wall_seconds = wall.wall_time();
   if (this_process() > 0)
     return;
-  include_accuracy(results);
+  const bool by_accuracy = has_chosen_increments(scene, results);
+  include_accuracy(by_accuracy, results);
   if (scene.model != ModelKind::both) // each of which has said it
-    add_remarks(results.known, results);
+    add_remarks(results.known, by_accuracy, results);
   if (results.verdicts.empty()) // those of line and continuum together are there
     results.verdicts = verdicts_of(scene, results);
   write_modes(results, scene.output.directory);

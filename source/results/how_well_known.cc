@@ -198,9 +198,13 @@ HowWellKnown how_well_known(const Scene &scene, const Results &results) {
           by_cells(scene, results, all)};
 }
 
-void include_accuracy(Results &results) {
+void include_accuracy(const bool chooses_increments, Results &results) {
   if (!results.accuracy || std::isnan(results.accuracy->estimate))
     return;
+  const KnownError by_increments =
+      results.known.increments.error
+          ? results.known.increments
+          : KnownError{{}, "Accuracy leaves the increments of bodies as they are given"};
   for (KnownError *known :
        {&results.known.increments, &results.known.time_step, &results.known.cells})
     if (!known->error || *known->error > 0.)
@@ -208,6 +212,8 @@ void include_accuracy(Results &results) {
                 results.accuracy->model.empty()
                     ? "estimated from coarser runs, all of them together"
                     : "estimated from coarser runs and of the model, all of it together"};
+  if (!chooses_increments)
+    results.known.increments = by_increments;
 }
 
 std::string in_words(const KnownError &known) {
@@ -216,10 +222,16 @@ std::string in_words(const KnownError &known) {
   return *known.error == 0. ? "exact" : rounded_number(100. * *known.error, 2) + " %";
 }
 
-void add_remarks(const HowWellKnown &known, Results &results) {
+void add_remarks(const HowWellKnown &known, const bool chooses_increments, Results &results) {
+  const std::string ask =
+      results.accuracy || !chooses_increments ? "." : ", or ask for an Accuracy.";
+  if (!known.increments.error && !known.increments.reason.empty() && !has_flowed(results))
+    results.remarks.push_back("What the size of the load increments does to the answers is not "
+                              "estimated (" +
+                              known.increments.reason + "). Take more Increments and compare" +
+                              ask);
   if (results.accuracy && !std::isnan(results.accuracy->estimate))
     return; // has its own
-  const std::string ask = results.accuracy ? "." : ", or ask for an Accuracy.";
   const std::string of_cells = results.modes.empty() ? "Displacements" : "Frequencies";
   const auto add = [&](const KnownError &one, const std::string &what, const std::string &hint,
                        const std::string &numbers = "Displacements") {
@@ -229,11 +241,6 @@ void add_remarks(const HowWellKnown &known, Results &results) {
   };
   add(known.increments, "the size of the load increments",
       "Take more Increments in the steps" + ask);
-  if (!known.increments.error && !known.increments.reason.empty() && !has_flowed(results))
-    results.remarks.push_back("What the size of the load increments does to the answers is not "
-                              "estimated (" +
-                              known.increments.reason + "). Take more Increments and compare" +
-                              ask);
   add(known.time_step, "the time step", "Take a shorter Time/Step" + ask);
   add(known.cells, "the length of the cells",
       "Take shorter cells (Mesh/Cell length, Cells per bend; Degree and Cells around of section "

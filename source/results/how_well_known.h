@@ -9,12 +9,13 @@ namespace frictionbeam {
 HowWellKnown how_well_known(const Scene &scene, const Results &results);
 
 /// An Accuracy that was demanded has measured what one run cannot.
-void include_accuracy(Results &results);
+/// @param chooses_increments whether it does for this model
+void include_accuracy(const bool chooses_increments, Results &results);
 
 /// "12 %", "0.03 %", "exact", "not estimated".
 std::string in_words(const KnownError &known);
 
-/// Remarks on what is known to no better than 5 %.
-void add_remarks(const HowWellKnown &known, Results &results);
+/// Remarks on what is known to no better than 5 %, and on increments of which nothing is known.
+void add_remarks(const HowWellKnown &known, const bool chooses_increments, Results &results);
 
 } // namespace frictionbeam

@@ -23,7 +23,7 @@ std::string program_path, mpirun, folder;
 
 Study study(const std::string &file, const Options &settings, const fs::path &into,
             const Options &start = {}, const Options &more = {}) {
-  return study(program_path, file, settings, into, start, more);
+  return run_study(program_path, file, settings, into, start, more);
 }
 
 Study study(const Options &settings) {

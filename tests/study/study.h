@@ -39,9 +39,9 @@ struct Study {
 };
 
 /// Run the program on a file. @param start words in front of it, such as mpirun and its options
-inline Study study(const std::string &program_path, const std::string &file,
-                   const Options &settings, const fs::path &into, const Options &start = {},
-                   const Options &more = {}) {
+inline Study run_study(const std::string &program_path, const std::string &file,
+                       const Options &settings, const fs::path &into, const Options &start = {},
+                       const Options &more = {}) {
   Options words = start;
   words.insert(words.end(), {program_path, "study", file, "--output-directory", into.string()});
   for (const std::string &setting : settings)
