@@ -240,8 +240,7 @@ struct PointMass {
 };
 
 struct Load {
-  /// preload: what hangers pull with before anything has moved (Spring::preload). No user's load:
-  /// the scene has one if it has hangers, and all steps have it.
+  /// preload: of hangers (Spring::preload), added to scenes that have some, and on in all steps.
   enum class Kind { weight, temperature, pressure, force, line_force, displacement, wind, preload };
   struct AtPoint {
     std::string point;

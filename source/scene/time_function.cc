@@ -14,6 +14,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <sstream>
 
 namespace frictionbeam {
@@ -77,9 +78,10 @@ TimeFunction from_file(const ParameterReader &in, const std::string &entry,
 }
 
 /// What deal.II writes to the standard error of a formula that it cannot read, before it throws.
+/// One thread at a time: a study reads a scene in each.
 class HeldBack {
 public:
-  HeldBack() : before(std::cerr.rdbuf(text.rdbuf())) {}
+  HeldBack() : alone(one_at_a_time()), before(std::cerr.rdbuf(text.rdbuf())) {}
   ~HeldBack() { std::cerr.rdbuf(before); }
   HeldBack(const HeldBack &) = delete;
 
@@ -93,6 +95,12 @@ public:
   }
 
 private:
+  static std::mutex &one_at_a_time() {
+    static std::mutex mutex;
+    return mutex;
+  }
+
+  const std::lock_guard<std::mutex> alone;
   std::ostringstream text;
   std::streambuf *before;
 };

@@ -211,7 +211,8 @@ void compare_reactions(const Scene &scene, const frictionbeam::Results &program,
     add(spring.name, frame.spring_force(spring, state.motion));
   for (const Hanger &hanger : scene.hangers) {
     Six force{};
-    force[2] = hanger.cold_load - hanger.stiffness * state.motion[6 * frame.node_of(hanger.at) + 2];
+    force[2] = state.factors.back() * hanger.cold_load -
+               hanger.stiffness * state.motion[6 * frame.node_of(hanger.at) + 2];
     add(hanger.name, force);
   }
 }

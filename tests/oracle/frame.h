@@ -48,7 +48,7 @@ public:
   const Matrix &stiffness() const { return K; }
   Matrix mass(bool lumped) const;
   const Matrix &free_basis() const { return basis; } ///< motions that nothing holds, by columns
-  Vector load_vector(const std::vector<Real> &factors) const; ///< hangers' preload included
+  Vector load_vector(const std::vector<Real> &factors) const; ///< the last is of the hangers
   Vector imposed(const std::vector<Real> &factors) const;     ///< motions of held nodes
 
   /// What the supports must give for the motions @p d to be in equilibrium.

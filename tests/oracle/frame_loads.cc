@@ -166,7 +166,7 @@ Vector Frame::load_vector(const std::vector<Real> &factors) const {
               (load.kind == "weight" ? 1 : -1) * factors[l] * mass.mass * load.vector.cast<Real>();
   }
   for (const Hanger &hanger : scene.hangers)
-    f[6 * point_node.at(hanger.at) + 2] += hanger.cold_load;
+    f[6 * point_node.at(hanger.at) + 2] += factors.back() * hanger.cold_load;
   return f;
 }
 

@@ -64,7 +64,9 @@ std::optional<Related> step_split(const Scene &scene, Random &random) {
     if (hanger.cold_load == 0.)
       return {}; // which is sized for a step
   std::vector<std::size_t> candidates;
-  for (std::size_t s = 0; s < scene.steps.size(); ++s)
+  const std::size_t first_candidate = // hangers come with the first static step as a whole
+      !scene.hangers.empty() && !scene.steps[0].transient ? 1 : 0;
+  for (std::size_t s = first_candidate; s < scene.steps.size(); ++s)
     if (scene.steps[s].transient ? !begins_with_another_acceleration(scene)
                                  : scene.steps[s].increments > 1)
       candidates.push_back(s);
@@ -179,8 +181,6 @@ std::optional<Related> slowly(const Scene &scene, Random &) {
   for (const Support &support : scene.supports)
     if (support.continuous && support.normal_force > 0.)
       return {};
-  if (scene.has_contacts() && !scene.hangers.empty())
-    return {}; // whose preload statics puts on with the loads, and time at once
   constexpr double h = 1e4;
   Related related{scene, {}};
   for (Step &step : related.scene.steps) {

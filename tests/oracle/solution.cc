@@ -71,11 +71,13 @@ public:
     return result;
   }
 
+  /// Of the loads, and of the hangers, which come with the first step.
   std::vector<Real> factors(const double time) const {
     const Real part = (static_cast<Real>(time) - start) / scene.steps[step].duration;
     std::vector<Real> result(from.size());
     for (std::size_t l = 0; l < result.size(); ++l)
       result[l] = (from[l] + part * (to[l] - from[l])) * history(l, time - origin[l]);
+    result.push_back(step == 0 ? part : 1);
     return result;
   }
 
@@ -218,7 +220,7 @@ Solution solve(const Scene &given, const Starts &starts) {
   };
 
   State state;
-  state.factors.assign(scene.loads.size(), 0);
+  state.factors.assign(scene.loads.size() + 1, 0);
   state.contacts = contacts_of(scene, *frame);
   const int n = static_cast<int>(state.contacts.size());
   const Matrix C = contact_rows(state.contacts, frame->n());

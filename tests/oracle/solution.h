@@ -11,7 +11,7 @@ namespace oracle {
 /// The line at the end of a step.
 struct State {
   Vector motion;             ///< of all nodes
-  std::vector<Real> factors; ///< of the loads, histories included
+  std::vector<Real> factors; ///< of the loads, histories included, and of the hangers
   std::vector<Contact> contacts;
   bool sure = true; ///< the contact solver has converged in all increments so far
 };
