@@ -44,7 +44,7 @@ public:
   std::vector<double> all_places(const Point3 &position, const double tolerance) const;
 
   /// A point of the route that is on the path: its ends, a sharp corner, the middle of a bend whose
-  /// corner has a name. Of a file: the pipe's ends, nodes with a name, nodes of several pipes.
+  /// corner has a name. Of a file: the nodes.
   struct RoutePlace {
     std::string name; ///< may be empty
     double s;

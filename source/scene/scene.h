@@ -321,8 +321,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Section> sections;
   std::vector<Pipe> pipes;
-  /// Positions of all points with a name that sections Point and routes of the file have placed; of
-  /// a rounded corner, its own.
+  /// Positions of named points of sections Point and routes; of a rounded corner, its own.
   std::unordered_map<std::string, Point3> places;
   std::vector<NamedPoint> points;
   std::vector<FrictionSupport> supports;

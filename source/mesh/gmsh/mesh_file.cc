@@ -14,7 +14,6 @@
 #include <gmsh.h>
 
 #include <algorithm>
-#include <set>
 #include <unordered_map>
 
 namespace frictionbeam {
@@ -151,12 +150,8 @@ public:
     read_points();
   }
 
-  /// The axes of the pipes. Nodes that several pipes have are points of their routes.
+  /// The axes of the pipes. Their nodes are points of their routes.
   std::vector<PipePath> paths() const {
-    std::vector<unsigned int> n_pipes(nodes.size(), 0);
-    for (const std::vector<unsigned int> &list : in_pipe)
-      for (const unsigned int node : std::set<unsigned int>(list.begin(), list.end()))
-        ++n_pipes[node];
     std::vector<PipePath> result;
     for (unsigned int p = 0; p < in_pipe.size(); ++p) {
       const Pipe &pipe = scene.pipes[p];
@@ -170,7 +165,7 @@ public:
         const auto [first, last] = names.equal_range(in_pipe[p][i]);
         for (auto name = first; name != last; ++name)
           places.push_back({name->second, s});
-        if (first == last && (i == 0 || i + 1 == points.size() || n_pipes[in_pipe[p][i]] > 1))
+        if (first == last)
           places.push_back({"", s});
       }
       result.emplace_back(std::move(segments), std::move(places));
@@ -251,27 +246,20 @@ private:
     }
   }
 
-  /// Ends and named nodes at one place are joined, as points of routes are.
+  /// Nodes at one place are joined, as points of routes are.
   void remark_on_twins(const double tolerance, std::vector<std::string> &texts) const {
     constexpr unsigned int most_named = 10;
     PointSet places(tolerance);
-    std::set<unsigned int> known;
     unsigned int n_twins = 0;
-    const auto add = [&](const unsigned int node) {
+    for (unsigned int node = 0; node < nodes.size(); ++node) {
       const std::size_t n_before = places.points.size();
-      if (!known.insert(node).second || places.insert(nodes[node]) == static_cast<int>(n_before))
-        return;
+      if (places.insert(nodes[node]) == static_cast<int>(n_before))
+        continue;
       if (++n_twins <= most_named)
         texts.push_back("Joined: two nodes of '" + file + "' at " +
                         in_units(scene.units, nodes[node]) +
                         ". To keep what meets there apart, draw it a little apart.");
-    };
-    for (const std::vector<unsigned int> &list : in_pipe) {
-      add(list.front());
-      add(list.back());
     }
-    for (const auto &[node, name] : names)
-      add(node);
     if (n_twins > most_named)
       texts.push_back("Joined: two nodes of '" + file + "' at " +
                       std::to_string(n_twins - most_named) + " more places.");
