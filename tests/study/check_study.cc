@@ -300,6 +300,12 @@ void check_processes() {
       check_same(one, run("processes" + n, {}, {mpirun, "--oversubscribe", "-np", n}));
 }
 
+/// Many threads that read a formula at once, whose errors are held back, end as one does.
+void check_formula() {
+  const program::TemporaryFolder into;
+  CHECK(study(folder + "/formula.prm", {}, into.path / "results").exit_status == 0);
+}
+
 /// Killed and resumed, twice: the same numbers as from a study that was not.
 void check_resume() {
   const std::string file = folder + "/rack.prm";
@@ -377,6 +383,8 @@ int main(int argc, char **argv) {
     check_alone();
   else if (test == "failed")
     check_failed();
+  else if (test == "formula")
+    check_formula();
   else if (test == "processes")
     check_processes();
   else if (test == "resume")
