@@ -14,6 +14,14 @@
 
 namespace frictionbeam::accuracy {
 
+std::vector<const SupportInfo *> places_of(const FrictionSupport &support, const Results &results) {
+  std::vector<const SupportInfo *> places;
+  for (const SupportInfo &info : results.supports)
+    if (is_place_of(info.name, support.name))
+      places.push_back(&info);
+  return places;
+}
+
 namespace {
 
 /// Mean motion of a section per force on a patch of its wall [m/N].
@@ -92,15 +100,6 @@ std::optional<WallAtSupport> wall_under(const Scene &scene, const std::vector<Pi
     wall->slides_outside = support.rotations == FrictionSupport::Rotations::none;
   }
   return wall;
-}
-
-/// The places of a support.
-std::vector<const SupportInfo *> places_of(const FrictionSupport &support, const Results &results) {
-  std::vector<const SupportInfo *> places;
-  for (const SupportInfo &info : results.supports)
-    if (is_place_of(info.name, support.name))
-      places.push_back(&info);
-  return places;
 }
 
 /// The normal that all places of a support have.

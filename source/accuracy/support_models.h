@@ -68,4 +68,7 @@ Scene with_growth(Scene scene, const std::vector<GrowingSupport> &supports);
 std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls,
                                      const std::vector<GrowingSupport> &growing);
 
+/// The places of a support.
+std::vector<const SupportInfo *> places_of(const FrictionSupport &support, const Results &results);
+
 } // namespace frictionbeam::accuracy

@@ -7,6 +7,7 @@
 #include "mesh/body_mesh.h"
 #include "mesh/point_set.h"
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
@@ -154,28 +155,19 @@ std::string MeshOfGmsh<dim>::places_of(const std::vector<unsigned int> &vertices
 template <int dim>
 void MeshOfGmsh<dim>::remark_on_twins() {
   constexpr double same = 1e-7; // of the body's extent
-  Point3 low, high;
   std::vector<Point3> points;
   for (const Point<dim> &vertex_of_mesh : mesh.vertices) {
-    Point3 p;
+    points.emplace_back();
     for (unsigned int d = 0; d < dim; ++d)
-      p[d] = vertex_of_mesh[d];
-    if (points.empty())
-      low = high = p;
-    for (unsigned int d = 0; d < dim; ++d) {
-      low[d] = std::min(low[d], p[d]);
-      high[d] = std::max(high[d], p[d]);
-    }
-    points.push_back(p);
+      points.back()[d] = vertex_of_mesh[d];
   }
-  PointSet places(same * low.distance(high));
-  unsigned int n_twins = 0, first = 0;
-  for (unsigned int v = 0; v < points.size(); ++v)
-    if (places.insert(points[v]) < static_cast<int>(v - n_twins) && n_twins++ == 0)
-      first = v;
-  if (n_twins > 0)
+  const BoundingBox<3> box(points);
+  const auto &[low, high] = box.get_boundary_points();
+  const std::vector<std::size_t> twins = repeated_points(points, same * low.distance(high));
+  if (!twins.empty())
     mesh.remarks.push_back("The mesh has two vertices at one place, such as at" +
-                           places_of({first}) + ", " + std::to_string(n_twins) +
+                           places_of({static_cast<unsigned int>(twins.front())}) + ", " +
+                           std::to_string(twins.size()) +
                            " times: cells are not joined there, nor do they touch. If that is not "
                            "meant, make one node of the two (Coherence Mesh; in gmsh).");
 }

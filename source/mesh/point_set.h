@@ -51,4 +51,17 @@ private:
   std::unordered_multimap<std::size_t, int> grid;
 };
 
+/// Those of a list of points that are the same as one before them.
+inline std::vector<std::size_t> repeated_points(const std::vector<Point3> &points,
+                                                const double tolerance) {
+  PointSet places(tolerance);
+  std::vector<std::size_t> repeated;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t n_before = places.points.size();
+    if (static_cast<std::size_t>(places.insert(points[i])) < n_before)
+      repeated.push_back(i);
+  }
+  return repeated;
+}
+
 } // namespace frictionbeam

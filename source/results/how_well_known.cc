@@ -201,19 +201,17 @@ HowWellKnown how_well_known(const Scene &scene, const Results &results) {
 void include_accuracy(const bool chooses_increments, Results &results) {
   if (!results.accuracy || std::isnan(results.accuracy->estimate))
     return;
-  const KnownError by_increments =
-      results.known.increments.error
-          ? results.known.increments
-          : KnownError{{}, "Accuracy leaves the increments of bodies as they are given"};
-  for (KnownError *known :
-       {&results.known.increments, &results.known.time_step, &results.known.cells})
+  std::vector<KnownError *> measured = {&results.known.time_step, &results.known.cells};
+  if (chooses_increments)
+    measured.push_back(&results.known.increments);
+  else if (!results.known.increments.error)
+    results.known.increments.reason = "Accuracy leaves the increments of bodies as they are given";
+  for (KnownError *const known : measured)
     if (!known->error || *known->error > 0.)
       *known = {results.accuracy->estimate,
                 results.accuracy->model.empty()
                     ? "estimated from coarser runs, all of them together"
                     : "estimated from coarser runs and of the model, all of it together"};
-  if (!chooses_increments)
-    results.known.increments = by_increments;
 }
 
 std::string in_words(const KnownError &known) {

@@ -131,34 +131,27 @@ std::optional<UnitSystem::Unit> UnitSystem::base(const std::string &word) const 
   return {};
 }
 
-bool UnitSystem::converts(const std::string &si_unit) const {
+std::optional<double> UnitSystem::known_factor(const std::string &si_unit) const {
   constexpr const char *as_they_are[] = {"-",       "1",  "s", "h",    "g", "rad",
                                          "degrees", "Hz", "K", "degC", "%"};
-  const std::string unit = without_exponents_in_brackets(si_unit);
-  for (const std::string &part : split(unit, '/'))
-    for (const std::string &word : split(part, ' ')) {
-      const std::string of = power(word).base;
-      const auto is_it = [&](const char *const known) { return of == known; };
-      if (!base(of) && std::none_of(std::begin(as_they_are), std::end(as_they_are), is_it))
-        return false;
-    }
-  return true;
-}
-
-double UnitSystem::factor(const std::string &si_unit) const {
-  if (is_si() || !converts(si_unit))
-    return 1.;
   double result = 1.;
   bool below = false;
-  for (const std::string &part : split(si_unit, '/')) {
+  for (const std::string &part : split(without_exponents_in_brackets(si_unit), '/')) {
     for (const std::string &word : split(part, ' ')) {
       const Power of_word = power(word);
+      const auto is_it = [&](const char *const known) { return of_word.base == known; };
       if (const std::optional<Unit> unit = base(of_word.base))
         result *= std::pow(unit->factor, (below ? -1. : 1.) * of_word.value());
+      else if (std::none_of(std::begin(as_they_are), std::end(as_they_are), is_it))
+        return {};
     }
     below = true;
   }
   return result;
+}
+
+double UnitSystem::factor(const std::string &si_unit) const {
+  return is_si() ? 1. : known_factor(si_unit).value_or(1.);
 }
 
 std::string UnitSystem::name(const std::string &si_unit) const {

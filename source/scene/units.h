@@ -29,7 +29,7 @@ public:
 
   /// Whether numbers in @p si_unit are converted: not if it has brackets or words that no system of
   /// units knows, such as W. Those stay in SI units.
-  bool converts(const std::string &si_unit) const;
+  bool converts(const std::string &si_unit) const { return known_factor(si_unit).has_value(); }
   /// How many of @p si_unit (such as "N/m", "kg/m3", "degC", "N/m^0.2") one of the user's units is.
   double factor(const std::string &si_unit) const;
   /// The user's unit for @p si_unit.
@@ -42,6 +42,8 @@ private:
     std::string name;
     double factor;
   };
+  /// Empty where it has words that are not known.
+  std::optional<double> known_factor(const std::string &si_unit) const;
   /// Unit of one base word of SI: m, N, kg, Pa, K, J; none: as it is.
   std::optional<Unit> base(const std::string &word) const;
 

@@ -27,7 +27,7 @@ public:
   void add(const WallAtSupport &wall) {
     const FrictionSupport &support = scene.supports[wall.support];
     const double width = support.width > 0. ? support.width : 2. * wall.radius;
-    const std::vector<PatchPlace> places = places_of(support, width);
+    const std::vector<PatchPlace> places = patches_of(support, width);
     if (is_of_a_pair(support.kind) ||
         !std::all_of(places.begin(), places.end(),
                      [](const PatchPlace &place) { return place.has_both_edges; }))
@@ -38,12 +38,11 @@ public:
   }
 
 private:
-  std::vector<PatchPlace> places_of(const FrictionSupport &support, const double width) const {
+  std::vector<PatchPlace> patches_of(const FrictionSupport &support, const double width) const {
     std::vector<PatchPlace> places;
-    for (const SupportInfo &info : results.supports)
-      if (is_place_of(info.name, support.name))
-        if (const auto place = on_pipe(info, width))
-          places.push_back(*place);
+    for (const SupportInfo *const info : places_of(support, results))
+      if (const auto place = on_pipe(*info, width))
+        places.push_back(*place);
     return places;
   }
 

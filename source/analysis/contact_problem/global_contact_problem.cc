@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact_problem/global_contact_problem.h"
+#include "model/load_forces.h"
 
 #include <frictionbeam/contact/line_factorization.h>
 
@@ -28,15 +29,6 @@ std::string find_obstacle(const Model &model) {
       return "support " + support + " resists torsion, which FCLIB's format does not know";
   }
   return contacts.size() == 0 ? "there are no contacts" : "";
-}
-
-/// Forces of the loads on the unknowns, and those that are always there.
-Vector load_forces(const Model &model, const LineState &state) {
-  Vector forces = model.contacts.platen_forces();
-  for (unsigned int l = 0; l < state.load_factors.size(); ++l)
-    if (state.load_factors[l] != 0.)
-      forces += state.load_factors[l] * model.linear.forces(l);
-  return forces;
 }
 
 /// Whether a motion of the line costs no energy but that of rounding errors.
@@ -130,7 +122,7 @@ GlobalContactProblem global_contact_problem(const Model &model, const LineState 
   result.H.resize(n_all, dimension * n);
   result.H.setFromTriplets(rows.H.begin(), rows.H.end());
   result.f = Vector::Zero(n_all);
-  result.f.head(n_line) = load_forces(model, after);
+  result.f.head(n_line) = load_forces(model, after.load_factors);
   result.solution.resize(n_all);
   result.solution << after.unknowns,
       Eigen::Map<const Vector>(rows.deflection.data(), rows.deflection.size());

@@ -2,6 +2,7 @@
 #include "analysis/increment/load_course.h"
 #include "analysis/increment/time_step.h"
 #include "base/numbers.h"
+#include "model/load_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,13 +80,7 @@ LoadCourse::Factors LoadCourse::factors_after(const double time) const {
   return factors_at(time, Side::after);
 }
 
-Vector LoadCourse::forces(const Factors &factors) const {
-  Vector result = model.contacts.platen_forces();
-  for (unsigned int l = 0; l < factors.size(); ++l)
-    if (factors[l] != 0.)
-      result += factors[l] * model.linear.forces(l);
-  return result;
-}
+Vector LoadCourse::forces(const Factors &factors) const { return load_forces(model, factors); }
 
 Vector LoadCourse::forces(const double time) const { return forces(factors(time)); }
 

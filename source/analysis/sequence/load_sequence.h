@@ -130,10 +130,9 @@ private:
   bool solve_increment(const Factors &factors, const double time);
   /// Whether a solution of a step that looks for its limit is too far away to be on its path.
   bool jumps(const LineState &to, const double time) const;
-  /// Slip that has turned within the increment that is solved has been at rest in between, where
-  /// static friction holds: contacts whose dynamic friction is lower begin the increment so.
-  /// @return whether any did not, so that it is to be solved again
-  bool let_turned_slip_rest();
+  /// Contacts whose slip has turned within the increment that is solved, and whose dynamic friction
+  /// is below the static one: they have been at rest in between, where that one holds.
+  std::vector<double *> flags_of_turned_slip();
   EquilibriumResult solve_statics(const Factors &full, const double time,
                                   const std::optional<PathLead> &lead, LineState &to);
   /// Make a solution the present state.

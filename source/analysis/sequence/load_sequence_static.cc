@@ -251,35 +251,43 @@ EquilibriumResult LoadSequence::solve_statics(const Factors &full, const double 
   return result;
 }
 
-bool LoadSequence::let_turned_slip_rest() {
-  bool any = false;
+std::vector<double *> LoadSequence::flags_of_turned_slip() {
+  std::vector<double *> flags;
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    if (!contact.law.has_closed_form() || response.status[i] != ContactStatus::slip)
+    if (response.status[i] != ContactStatus::slip || !contact.law.has_closed_form())
       continue;
     const FrictionThreshold &law = contact.law.closed_form();
     if (law.dynamic_friction == law.static_friction)
       continue;
     double &was_slipping = current.contacts.internal[contact.state_offset + law.was_slipping];
     if (was_slipping != 0. &&
-        current.contact_stress[i].segment<2>(1).dot(response.stress[i].segment<2>(1)) < 0.) {
-      was_slipping = 0.;
-      any = true;
-    }
+        current.contact_stress[i].segment<2>(1).dot(response.stress[i].segment<2>(1)) < 0.)
+      flags.push_back(&was_slipping);
   }
-  return any;
+  return flags;
 }
 
 bool LoadSequence::solve_increment(const Factors &factors, const double time) {
   LineState to = current;
-  const contact::State as_it_was = current.contacts;
-  bool is_solved = true;
-  do {
-    to = current;
+  std::vector<double *> rested; // flags of contacts that slip as the increment begins
+  const auto solve = [&]() {
     last_result = solve_statics(course.factors_at(time, side), time, {}, to);
-    is_solved = add_result(last_result, step_reports.back());
-  } while (is_solved && let_turned_slip_rest());
-  current.contacts = as_it_was;
+    return add_result(last_result, step_reports.back());
+  };
+  bool is_solved = solve();
+  while (is_solved) {
+    const std::vector<double *> flags = flags_of_turned_slip();
+    if (flags.empty())
+      break;
+    for (double *const flag : flags)
+      *flag = 0.;
+    rested.insert(rested.end(), flags.begin(), flags.end());
+    to = current;
+    is_solved = solve();
+  }
+  for (double *const flag : rested)
+    *flag = 1.;
   has_jumped = false;
   if (!is_solved)
     return false;

@@ -249,20 +249,14 @@ private:
   /// Nodes at one place are joined, as points of routes are.
   void remark_on_twins(const double tolerance, std::vector<std::string> &texts) const {
     constexpr unsigned int most_named = 10;
-    PointSet places(tolerance);
-    unsigned int n_twins = 0;
-    for (unsigned int node = 0; node < nodes.size(); ++node) {
-      const std::size_t n_before = places.points.size();
-      if (places.insert(nodes[node]) == static_cast<int>(n_before))
-        continue;
-      if (++n_twins <= most_named)
-        texts.push_back("Joined: two nodes of '" + file + "' at " +
-                        in_units(scene.units, nodes[node]) +
-                        ". To keep what meets there apart, draw it a little apart.");
-    }
-    if (n_twins > most_named)
+    const std::vector<std::size_t> twins = repeated_points(nodes, tolerance);
+    for (std::size_t i = 0; i < std::min<std::size_t>(twins.size(), most_named); ++i)
       texts.push_back("Joined: two nodes of '" + file + "' at " +
-                      std::to_string(n_twins - most_named) + " more places.");
+                      in_units(scene.units, nodes[twins[i]]) +
+                      ". To keep what meets there apart, draw it a little apart.");
+    if (twins.size() > most_named)
+      texts.push_back("Joined: two nodes of '" + file + "' at " +
+                      std::to_string(twins.size() - most_named) + " more places.");
   }
 
   const Scene &scene;
