@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -23,14 +24,24 @@ struct Coupling {
                   by_others = by_unknowns_in_common;
 };
 
+/// Unit vectors round half a turn.
+using Directions = std::array<Eigen::Vector2d, 60>;
+
+Directions directions_across() {
+  constexpr double half_turn = 3.14159265358979323846;
+  Directions directions;
+  for (unsigned int k = 0; k < directions.size(); ++k) {
+    const double angle = k * half_turn / directions.size();
+    directions[k] = {std::cos(angle), std::sin(angle)};
+  }
+  return directions;
+}
+
 /// Least K_tt/|K_tn| of all directions t across the normal n.
-double unique_below(const Eigen::Matrix3d &K) {
-  constexpr int n_directions = 60;
-  constexpr double half_turn = 3.14159265358979323846, rounding = 1e-6;
+double unique_below(const Eigen::Matrix3d &K, const Directions &directions) {
+  constexpr double rounding = 1e-6;
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < n_directions; ++k) {
-    const double angle = k * half_turn / n_directions;
-    const Eigen::Vector2d t(std::cos(angle), std::sin(angle));
+  for (const Eigen::Vector2d &t : directions) {
     const double along = t.dot(K.bottomRightCorner<2, 2>() * t),
                  coupled = std::abs(t.dot(K.bottomLeftCorner<2, 1>()));
     if (along > 0. && coupled > rounding * along)
@@ -49,6 +60,7 @@ FrontPrediction::FrontPrediction(const SparseMatrix &S, const SiteList &contacts
     unsigned int contact;
     Eigen::Vector3d moves; ///< its strains times its length
   };
+  const Directions directions = directions_across();
   std::vector<std::vector<Place>> places(S.rows());
   for (unsigned int i = 0; i < contacts.size(); ++i)
     for (unsigned int k = 0; k < unknowns[i].size(); ++k)
@@ -70,7 +82,7 @@ FrontPrediction::FrontPrediction(const SparseMatrix &S, const SiteList &contacts
             {j, (coupling.by_unknowns_in_common - coupling.by_others).bottomRightCorner<2, 2>()});
     const Eigen::Matrix3d K = couplings[i].by_unknowns_in_common + couplings[i].by_others;
     flexibility[i] = K.bottomRightCorner<2, 2>().completeOrthogonalDecomposition().pseudoInverse();
-    limits[i] = unique_below(K);
+    limits[i] = unique_below(K, directions);
   }
 }
 
