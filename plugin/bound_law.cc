@@ -37,10 +37,24 @@ const std::vector<double> &checked(const LawDescription &law,
                  parameter.unit,
              "its default, " + text_of(parameter.default_value));
   }
+  if (const auto fault = fault_of(law, parameters))
+    refuse("parameters that it cannot take together", fault->allowed, fault->attempt);
   return parameters;
 }
 
 } // namespace
+
+std::optional<LawFault> fault_of(const LawDescription &law, const std::vector<double> &parameters) {
+  const bool tells = law.interface_version >= 2 && law.fault != nullptr;
+  const char *const text = tells ? law.fault(parameters.data()) : nullptr;
+  if (text == nullptr)
+    return {};
+  const std::string fault = text;
+  const std::size_t colon = fault.find(": ");
+  if (colon == std::string::npos)
+    return LawFault{fault, "other values"};
+  return LawFault{fault.substr(0, colon), fault.substr(colon + 2)};
+}
 
 unsigned int n_internal_variables(const LawDescription &law,
                                   const std::vector<double> &parameters) {

@@ -45,7 +45,16 @@ constexpr LawParameter parameters[n_parameters] = {
 enum State { slip_y, slip_z, twist, was_slipping, n_states };
 
 double dynamic_coefficient(const double *p) {
-  return p[f_dynamic] < 0. ? p[f_static] : std::min(p[f_dynamic], p[f_static]);
+  return p[f_dynamic] < 0. ? p[f_static] : p[f_dynamic];
+}
+
+const char *fault(const double *p) {
+  const bool is_left_out = p[f_dynamic] == -1.;
+  return is_left_out || (p[f_dynamic] >= 0. && p[f_dynamic] <= p[f_static])
+             ? nullptr
+             : "a Dynamic friction coefficient from 0 to the Friction coefficient, or -1: a "
+               "Friction "
+               "coefficient as large, or leaving Dynamic friction coefficient out";
 }
 
 /// Rigidity of the return mapping: it needs a finite one where the user wants a rigid contact.
@@ -184,4 +193,9 @@ const frictionbeam::LawDescription frictionbeam_law = {
     n_parameters,
     parameters,
     &law,
-    &threshold};
+    &threshold,
+    nullptr,
+    nullptr,
+    nullptr,
+    nullptr,
+    &fault};

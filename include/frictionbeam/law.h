@@ -156,7 +156,7 @@ struct LawDescription {
   /// strain and displacement zero.
   void (*threshold)(const LawInput &input, FrictionThreshold &threshold);
 
-  // What follows is of version 2, of laws of kind `section`, and may be left out.
+  // What follows is of version 2, of laws of kind `section` but for the last, and may be left out.
 
   /// How many of n_internal_variables these parameters need; null: all.
   int (*n_states)(const double *parameters) = nullptr;
@@ -173,8 +173,8 @@ struct LawDescription {
   /// What the state at the end of an increment is like. @p input is that of the increment, without
   /// old state and rate.
   void (*report)(const LawInput &input, const double *new_state, SectionReport &report) = nullptr;
-  /// What is wrong with these parameters together, each of which is within its bounds: what is
-  /// allowed and what to try, in a few words; null: nothing. A host refuses them with these.
+  /// Of both kinds: what is wrong with these parameters together, each within its bounds: what is
+  /// allowed, ": " and what to try, in a few words; null: nothing. A host refuses them with these.
   const char *(*fault)(const double *parameters) = nullptr;
 };
 

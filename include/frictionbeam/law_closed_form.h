@@ -3,6 +3,7 @@
 
 #include <frictionbeam/law.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,13 @@ namespace frictionbeam {
  */
 std::vector<std::string> closed_form_faults(const LawDescription &law,
                                             const std::vector<double> &parameters);
+
+/// What a law says of parameters that it cannot take together.
+struct LawFault {
+  std::string allowed, attempt;
+};
+/// What the law itself says of these (LawDescription::fault).
+std::optional<LawFault> fault_of(const LawDescription &law, const std::vector<double> &parameters);
 
 /// What is wrong with the places of a closed form in the law's state; empty if nothing is.
 std::string place_faults(const LawDescription &law, const FrictionThreshold &form);

@@ -259,11 +259,21 @@ Outcome ActiveSet::correct(Vector &x, Response &response, Result &result) {
   return outcome;
 }
 
+void ActiveSet::learn_how_far(const std::vector<ContactStatus> &sketch,
+                              const unsigned int n_fronts) {
+  double missing = 0.;
+  for (unsigned int i = 0; i < sketch.size(); ++i)
+    if (sketch[i] != settled[i])
+      missing += settled[i] == ContactStatus::slip ? 1. : -1.;
+  kept.further += std::lround(missing / n_fronts);
+}
+
 bool ActiveSet::predict(const bool is_first, Vector &x, Response &response, Result &result) {
   proximal.stiffness_factor = stiffness_of_branch;
   equations.place(x, response);
   const ChosenBranches chosen(proximal, first_branches(response));
-  unsigned int least_changes = points.size() + 1, n_in_vain = 0;
+  unsigned int least_changes = points.size() + 1, n_in_vain = 0, n_fronts = 0;
+  std::vector<ContactStatus> sketch;
   for (unsigned int k = 0; k < most_predictions && n_in_vain < most_steps_in_vain; ++k) {
     if (equations.settings.in_each_iteration)
       equations.settings.in_each_iteration();
@@ -272,11 +282,17 @@ bool ActiveSet::predict(const bool is_first, Vector &x, Response &response, Resu
     const unsigned int n_changes = front.advance(points, proximal.branch, yielded);
     if (n_changes == 0) {
       settled = proximal.branch;
+      if (n_fronts > 0)
+        learn_how_far(sketch, n_fronts);
       return is_first || step(x, response, result); // what a branch has yielded, it holds now
     }
     for (unsigned int i = 0; i < points.size(); ++i)
       if (proximal.is_exact(i))
         proximal.centre[i].segment<2>(1) = within_limit(points[i]);
+    if (k == 0 && is_first) {
+      n_fronts = front.move(proximal.branch, kept.further);
+      sketch = proximal.branch;
+    }
     n_in_vain = 2 * n_changes <= least_changes ? 0 : n_in_vain + 1;
     least_changes = std::min(least_changes, n_changes);
   }

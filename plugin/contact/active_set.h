@@ -84,6 +84,9 @@ private:
   /// The same with friction coefficients by contact.
   template <typename Friction>
   bool is_beyond_uniqueness(const Friction &friction) const;
+  /// How many contacts of each front the first prediction of an increment, @p sketch, has missed:
+  /// in the next one its fronts are moved on by as many.
+  void learn_how_far(const std::vector<ContactStatus> &sketch, const unsigned int n_fronts);
   /// The more failures in a row, the longer the pause.
   void learn(const bool has_led_to_solution);
 

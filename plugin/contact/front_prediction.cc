@@ -100,6 +100,40 @@ unsigned int FrontPrediction::advance(std::vector<Check::Point> &list,
   return n_changes;
 }
 
+unsigned int FrontPrediction::move(std::vector<ContactStatus> &branch, const int n_contacts) {
+  const auto has_begun = [&](const unsigned int i) {
+    return before[i] == ContactStatus::stick && branch[i] == ContactStatus::slip;
+  };
+  const auto sticks = [&](const unsigned int i) { return branch[i] == ContactStatus::stick; };
+  const auto is_beside = [&](const unsigned int i, const auto &has) {
+    return std::any_of(neighbours[i].begin(), neighbours[i].end(),
+                       [&](const Neighbour &neighbour) { return has(neighbour.contact); });
+  };
+  std::vector<unsigned int> layer; // to change next
+  const auto take = [&](const unsigned int i) {
+    if (n_contacts >= 0 ? sticks(i) && is_beside(i, has_begun)
+                        : has_begun(i) && is_beside(i, sticks))
+      layer.push_back(i);
+  };
+  for (unsigned int i = 0; i < branch.size(); ++i)
+    take(i);
+  const unsigned int n_fronts = layer.size();
+  for (int k = 0; k < std::abs(n_contacts); ++k) {
+    std::vector<unsigned int> changed;
+    changed.swap(layer);
+    ++n_visits;
+    for (const unsigned int i : changed)
+      branch[i] = n_contacts > 0 ? ContactStatus::slip : ContactStatus::stick;
+    for (const unsigned int i : changed)
+      for (const Neighbour &neighbour : neighbours[i])
+        if (visited[neighbour.contact] != n_visits) {
+          visited[neighbour.contact] = n_visits;
+          take(neighbour.contact);
+        }
+  }
+  return n_fronts;
+}
+
 void FrontPrediction::open_and_close() {
   for (unsigned int i = 0; i < next.size(); ++i) {
     const Check::Point &point = (*points)[i];

@@ -36,6 +36,14 @@ public:
   unsigned int advance(std::vector<Check::Point> &points, std::vector<ContactStatus> &branch,
                        const double uncertain = 0.);
 
+  /**
+   * Move each front that the last advance() has moved on, further on or back.
+   * @param branch as advance() has left it
+   * @param n_contacts that begin to slip, or stick after all if it is negative
+   * @return number of contacts at fronts
+   */
+  unsigned int move(std::vector<ContactStatus> &branch, const int n_contacts);
+
   /// Friction coefficient from which on contact @p i alone has several states, all others held:
   /// K_tt/|K_tn| of its stiffness.
   double limit_of_uniqueness(const unsigned int i) const { return limits[i]; }

@@ -157,10 +157,13 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       const auto differences = accuracy::differences(scene, before.results, now.results);
       account.runs.back().change = accuracy::largest(differences).value;
       convergence.add(before.level, level, differences);
-      const double estimate = convergence.estimate();
-      estimates[what] = estimate;
+      const double estimate = convergence.estimate(),
+                   hidden = list[what].is_of_increments
+                                ? accuracy::hidden_in_one_increment(scene, now.results)
+                                : 0.;
+      estimates[what] = std::max(estimate, hidden);
       if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance) &&
-          sees_events(before.results, now.results)) {
+          margin * hidden <= tolerance && sees_events(before.results, now.results)) {
         coarsest_will_do = list[what].coarsest_may_be_exact && before.level == 0;
         return now;
       }

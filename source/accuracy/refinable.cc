@@ -118,7 +118,10 @@ Refinable increments_of(const Scene &scene, const SceneKind &kind, const bool cr
                       std::min(tolerance, std::max(least, tolerance / std::pow(falls, level)))));
             return settings;
           },
-          true, false, Convergence::Order::first_at_best};
+          true,
+          true,
+          false,
+          Convergence::Order::first_at_best};
 }
 
 /// An exact integrator takes steps only where slip follows a curve or events accumulate; of
@@ -135,7 +138,9 @@ std::optional<Refinable> time_step_of(const Scene &scene) {
                        settings.push_back("Time/Output interval = " + exact_number(longest / 4.));
                      return settings;
                    },
-                   is_exact, !is_exact,
+                   is_exact,
+                   false,
+                   !is_exact,
                    scene.supports.empty() ? Convergence::Order::unknown
                                           : Convergence::Order::first_at_best};
 }
@@ -150,7 +155,10 @@ Refinable cells_of(const double run, const bool bends) {
               settings.push_back("Mesh/Cells per bend = " + whole(2u << level));
             return settings;
           },
-          false, false, Convergence::Order::regular};
+          false,
+          false,
+          false,
+          Convergence::Order::regular};
 }
 
 } // namespace

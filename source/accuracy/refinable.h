@@ -14,6 +14,7 @@ struct Refinable {
   std::string name;                                                           ///< for the user
   std::function<std::vector<std::string>(const unsigned int level)> settings; ///< as of --set
   bool coarsest_may_be_exact = false; ///< as one increment is, where friction only grows
+  bool is_of_increments = false;      ///< of static steps: hidden_in_one_increment()
   bool depends_on_next = false;       ///< of the list: both are refined together
   /// Of its errors: 1 at best where friction has a history, regular where no slip or contact can be
   /// met here or there, as by cells.

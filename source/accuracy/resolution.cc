@@ -96,4 +96,20 @@ std::string nearly_missed(const Results &coarse, const Results &fine) {
   return "";
 }
 
+double hidden_in_one_increment(const Scene &scene, const Results &results) {
+  double hidden = 0., moved = 0.;
+  for (const StepReport &step : results.steps)
+    moved = std::max(moved, step.resolution.largest_displacement);
+  for (std::size_t s = 0; s < results.steps.size(); ++s) {
+    const StepReport &step = results.steps[s];
+    if (scene.steps[s].transient)
+      continue;
+    if (moved > 0.)
+      hidden = std::max(hidden, step.resolution.slip_in_one / moved);
+    if (step.resolution.flow_increments == 1 && step.energy.turnover > 0.)
+      hidden = std::max(hidden, step.energy.inelastic / step.energy.turnover);
+  }
+  return hidden;
+}
+
 } // namespace frictionbeam::accuracy

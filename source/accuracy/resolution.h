@@ -20,4 +20,12 @@ double longest_time_step(const Scene &scene);
  */
 std::string nearly_missed(const Results &coarse, const Results &fine);
 
+/**
+ * What of an answer depends on how it is cut into increments, and no difference from coarser ones
+ * shows: slip of contacts, or flow of pipes, in no more than one increment of a step, in which it
+ * was in coarser ones, too. Slip relative to the largest displacement, what has flowed to the
+ * turnover of energy.
+ */
+double hidden_in_one_increment(const Scene &scene, const Results &results);
+
 } // namespace frictionbeam::accuracy

@@ -39,6 +39,13 @@ const Quantity *that_follows_contacts(const Scene &scene) {
   return found == scene.quantities.end() ? nullptr : &*found;
 }
 
+/// A quantity that is work of friction.
+const Quantity *work_of_friction(const Scene &scene) {
+  const auto found = std::find_if(scene.quantities.begin(), scene.quantities.end(),
+                                  [](const Quantity &quantity) { return quantity.what == "work"; });
+  return found == scene.quantities.end() ? nullptr : &*found;
+}
+
 KnownError by_increments(const Scene &scene, const Results &results, const Resolution &all) {
   std::size_t n_increments = 0;
   for (unsigned int i = 0; i < results.steps.size(); ++i)
@@ -68,6 +75,12 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
     return {{},
             "contacts change their states within increments, where " + quantity->name +
                 " does not see when; Accuracy measures it"};
+  if (const Quantity *const work = work_of_friction(scene);
+      work != nullptr && all.limit_changed_within)
+    return {{},
+            "a contact begins or ceases to slip within an increment while what it can hold "
+            "changes, and " +
+                work->name + " does not see when; Accuracy measures it"};
   if (n_increments == 1 && all.slip_from_rest > 0.)
     return {{}, "friction slips in the only increment, and nothing shows on which way"};
   if (all.met_beside_friction)

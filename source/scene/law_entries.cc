@@ -47,13 +47,16 @@ void remark_on_units(const ParameterReader &in, const std::string &part, const L
                         " whatever the Units of the file are.");
 }
 
-void check_dynamic_friction(const ParameterReader &in, const LawDescription &law) {
-  const std::string dynamic = "Dynamic friction coefficient", fixed = "Friction coefficient";
-  const std::vector<std::string> entries = law_entries(law);
-  if (std::count(entries.begin(), entries.end(), dynamic) > 0 &&
-      in.number(dynamic) > in.number(fixed))
-    in.fail(dynamic, "at most the " + fixed + ", " + in.text(fixed),
-            "a " + fixed + " as large, or leaving " + dynamic + " out", in.text(dynamic));
+void check_together(const ParameterReader &in, const LawDescription &law,
+                    const std::vector<double> &parameters) {
+  const auto fault = fault_of(law, parameters);
+  if (!fault)
+    return;
+  std::vector<std::string> given;
+  for (const std::string &entry : law_entries(law))
+    if (in.given(entry))
+      given.push_back(entry + " = " + in.text(entry));
+  in.fail_section(join(given) + ", of law '" + law.name + "'", fault->allowed, fault->attempt);
 }
 
 void load_libraries(const ParameterReader &in, const std::string &entry, const std::string &what,

@@ -28,9 +28,10 @@ void check_closed_form(const ParameterReader &in, const LawDescription &law,
 void remark_on_units(const ParameterReader &in, const std::string &part, const LawDescription &law,
                      std::vector<std::string> &remarks);
 
-/// Friction that grows when slip begins is none: the law would take the static coefficient.
-/// @throws UserError if the current section has such
-void check_dynamic_friction(const ParameterReader &in, const LawDescription &law);
+/// What the law itself says of its parameters together.
+/// @throws UserError about the current section if it cannot take them
+void check_together(const ParameterReader &in, const LawDescription &law,
+                    const std::vector<double> &parameters);
 
 /// Load the shared libraries that an entry names. @param what each exports, for messages
 void load_libraries(const ParameterReader &in, const std::string &entry, const std::string &what,

@@ -17,6 +17,7 @@ struct PredictionMemory {
   std::vector<ContactStatus> status;    ///< of the last solution
   Vector motion;                        ///< of the kept unknowns in the last increment
   unsigned int failures = 0, pause = 0; ///< in a row; problems to go without
+  int further = 0;                      ///< contacts that fronts go beyond where they are predicted
 };
 
 /// What a solver keeps from one problem to the next and the solutions depend on.

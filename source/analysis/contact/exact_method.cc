@@ -50,7 +50,7 @@ void transfer(Archive &archive, contact::WarmStart &memory) {
   contact::PredictionMemory &prediction = memory.prediction;
   archive(memory.first_factor, memory.stiffness_factor, memory.centre, memory.friction,
           memory.friction_scale, memory.gap, memory.factored, prediction.status, prediction.motion,
-          prediction.failures, prediction.pause);
+          prediction.failures, prediction.pause, prediction.further);
 }
 
 void ExactMethod::transfer(Archive &archive) {

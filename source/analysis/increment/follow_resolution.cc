@@ -15,10 +15,9 @@ constexpr double no_friction = 1e-9; ///< of the contact's force
 /// Sine by which friction is taken to turn from where it begins to slip to the increment's end.
 constexpr double turn_of_a_beginning = 0.3;
 
-/// What friction is held to displace the line by at most, per force [m/N]: by the stiffness of the
-/// contact's own unknowns, all others held, which a long line undercuts as it has cells.
-double largest_compliance(const Contact &contact, const SparseMatrix &stiffness) {
-  constexpr double cells_that_give = 4096.;
+/// What friction displaces a contact by, per force [m/N]: by the stiffness of its own unknowns, all
+/// others held.
+Eigen::Matrix2d compliance_of(const Contact &contact, const SparseMatrix &stiffness) {
   const unsigned int n = contact.unknowns.size();
   Eigen::MatrixXd K(n, n);
   for (unsigned int i = 0; i < n; ++i)
@@ -27,9 +26,46 @@ double largest_compliance(const Contact &contact, const SparseMatrix &stiffness)
   // Nothing displaces the line in what it does not resist: the pseudo-inverse.
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> of_own(K);
   const Eigen::MatrixXd B = contact.length * contact.B.middleRows(1, 2);
-  const Eigen::Matrix2d compliance = B * of_own.solve(B.transpose());
+  return B * of_own.solve(B.transpose());
+}
+
+/// What friction displaces the line by at most, per force [m/N]: a long line undercuts compliances
+/// of contacts as it has cells.
+double largest_compliance(const Eigen::Matrix2d &compliance) {
+  constexpr double cells_that_give = 4096.;
   return cells_that_give *
          Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(compliance).eigenvalues()[1];
+}
+
+/// Whether a force along a direction pushes across it, too.
+bool pushes_across(const Eigen::Matrix2d &compliance, const Eigen::Vector2d &along) {
+  constexpr double rounding = 1e-6;
+  const Eigen::Vector2d across(-along[1], along[0]);
+  return std::abs(across.dot(compliance * along)) >
+         rounding * along.squaredNorm() * compliance.norm();
+}
+
+double sine_between(const Eigen::Vector2d &a, const Eigen::Vector2d &b) {
+  const double sizes = a.norm() * b.norm();
+  return sizes > 0. ? std::abs(a[0] * b[1] - a[1] * b[0]) / sizes : 0.;
+}
+
+/**
+ * Sine by which friction turns from where it begins to slip to an increment's end, of a contact
+ * that would move alone: until it slips its force goes from that before towards the one that would
+ * hold it, by the change of loads.
+ */
+double turn_alone(const Eigen::Matrix2d &compliance, const Eigen::Vector2d &path,
+                  const Eigen::Vector2d &before, const Eigen::Vector2d &after) {
+  const Eigen::Vector2d change =
+      after + compliance.completeOrthogonalDecomposition().solve(path) - before;
+  // |before + s change| = |after|
+  const double a = change.squaredNorm(), b = before.dot(change),
+               c = before.squaredNorm() - after.squaredNorm();
+  if (a == 0. || c >= 0.)
+    return 0.;
+  const double s = (-b + std::sqrt(b * b - a * c)) / a;
+  return sine_between(before + std::min(s, 1.) * change, after);
 }
 
 /// Of a motion of the line: whether nothing of it goes along a direction.
@@ -69,6 +105,32 @@ bool has_corner(const Contact &contact, const ContactStatus before, const Contac
   if (before != ContactStatus::open || !contact.law.has_closed_form())
     return true;
   return contact.length * strain_before + contact.law.closed_form().gap > nothing;
+}
+
+/// Whether a contact begins or ceases to slip within an increment while the most that it can hold
+/// changes.
+bool changes_limit_within(const Contact &contact, const unsigned int i, const LineState &before,
+                          const LineState &after) {
+  constexpr double nothing = 1e-9;
+  const FrictionThreshold &law = contact.law.closed_form();
+  const Contact::Strains &from = before.contact_stress[i], &to = after.contact_stress[i];
+  const double least = std::max(std::abs(from[0]), std::abs(to[0])) * (1. - nothing);
+  if (std::abs(from[0]) >= least && std::abs(to[0]) >= least)
+    return false; // the normal force stays
+  const auto slips = [&](const int place) {
+    const double moved = after.contacts.internal[contact.state_offset + place] -
+                         before.contacts.internal[contact.state_offset + place];
+    return std::abs(moved) * contact.length > 0.;
+  };
+  const bool is_open = after.contact_status[i] == ContactStatus::open;
+  if (law.static_friction == 0.)
+    return false;
+  if (is_open)
+    return before.contact_status[i] != ContactStatus::open &&
+           (slips(law.slip_y) || slips(law.slip_z));
+  const bool begins = before.contact_status[i] != after.contact_status[i],
+             turns = law.patch_radius > 0. && slips(law.twist);
+  return (begins && after.contact_status[i] == ContactStatus::slip) || turns;
 }
 
 } // namespace
@@ -138,7 +200,8 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
                                      Resolution &resolution) {
   add_displacement(after, resolution);
   slip_turned.resize(model.contacts.size(), 0.);
-  compliances.resize(model.contacts.size(), -1.);
+  compliances.resize(model.contacts.size());
+  slips.resize(model.contacts.size());
   const Directions motion(before, after, translations);
   bool has_friction = false, has_met = false;
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
@@ -149,10 +212,16 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
                                       no_gap * resolution.largest_displacement);
     resolution.turned_within = resolution.turned_within || is_corner;
     has_met = has_met || (is_corner && opens_or_closes(status_before, status));
-    if (!contact.law.has_closed_form() || status == ContactStatus::open)
+    if (!contact.law.has_closed_form())
       continue;
     const FrictionThreshold &law = contact.law.closed_form();
-    has_friction = has_friction || law.static_friction > 0.;
+    has_friction =
+        has_friction || (law.static_friction > 0. &&
+                         !(status_before == ContactStatus::open && status == ContactStatus::open));
+    resolution.limit_changed_within =
+        resolution.limit_changed_within || changes_limit_within(contact, i, before, after);
+    if (status == ContactStatus::open)
+      continue;
     const double gap = contact.length * before.contacts.strain[i][0] + law.gap,
                  normal_force = after.contact_stress[i].head<3>().norm();
     if (contact.platen_force == 0. && gap > no_gap * resolution.largest_displacement &&
@@ -166,26 +235,41 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
     };
     const Eigen::Vector2d path(slip(law.slip_y), slip(law.slip_z)),
         T0 = before.contact_stress[i].segment<2>(1), T1 = after.contact_stress[i].segment<2>(1);
-    const double largest = std::max(T0.norm(), T1.norm());
-    const Eigen::Vector2d change = T1 - T0;
-    if (compliances[i] < 0.)
-      compliances[i] = largest_compliance(contact, model.linear.stiffness());
-    const double moved_by_friction = largest * contact.share() * compliances[i];
+    const double largest = std::max(T0.norm(), T1.norm()), length = path.norm();
     if (T0.norm() <= 1e-9 * largest)
-      resolution.slip_from_rest = std::max(resolution.slip_from_rest, path.norm());
-    if (largest > 0. && path.norm() > 0.) {
-      double sine = std::abs(change[0] * path[1] - change[1] * path[0]) / (path.norm() * largest);
-      // What has begun to slip within the increment did so on a way that nothing shows.
-      const Vector3 across = path[1] * contact.axes.y - path[0] * contact.axes.z;
-      if (status_before != ContactStatus::slip && !motion.has_none_along(across / across.norm()))
-        sine += turn_of_a_beginning * (1. - T0.norm() / largest);
-      slip_turned[i] += sine * std::min(path.norm() / 2., moved_by_friction);
+      resolution.slip_from_rest = std::max(resolution.slip_from_rest, length);
+    if (!(largest > 0. && length > 0.))
+      continue;
+    if (!compliances[i])
+      compliances[i] = compliance_of(contact, model.linear.stiffness());
+    const double moved_by_friction =
+        largest * contact.share() * largest_compliance(*compliances[i]);
+    const Eigen::Vector2d change = T1 - T0;
+    slip_turned[i] += std::abs(change[0] * path[1] - change[1] * path[0]) / (length * largest) *
+                      std::min(length / 2., moved_by_friction);
+    const Vector3 across = path[1] * contact.axes.y - path[0] * contact.axes.z;
+    const bool moves_across = !motion.has_none_along(across / across.norm()),
+               may_bend = moves_across || pushes_across(*compliances[i], path);
+    // What has begun to slip within the increment did so on a way that nothing shows.
+    if (status_before != ContactStatus::slip && moves_across)
+      slip_turned[i] += turn_of_a_beginning * (1. - T0.norm() / largest) *
+                        std::min(length / 2., moved_by_friction);
+    else if (status_before != ContactStatus::slip && may_bend)
+      slip_turned[i] += turn_alone(*compliances[i] * contact.share(), path, T0, T1) *
+                        std::min(2. * length, moved_by_friction);
+    if (after.time > before.time) {
+      ++slips[i].n_increments;
+      slips[i].bent = may_bend ? std::min(length, moved_by_friction) : 0.;
     }
     resolution.slip_turned = std::max(resolution.slip_turned, slip_turned[i]);
   }
+  resolution.slip_in_one = 0.;
+  for (const SlipOfStep &slip : slips)
+    if (slip.n_increments == 1)
+      resolution.slip_in_one = std::max(resolution.slip_in_one, slip.bent);
   resolution.met_beside_friction = resolution.met_beside_friction || (has_met && has_friction);
 }
 
-void FollowResolution::transfer(Archive &archive) { archive(slip_turned); }
+void FollowResolution::transfer(Archive &archive) { archive(slip_turned, slips); }
 
 } // namespace frictionbeam

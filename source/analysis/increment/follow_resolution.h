@@ -5,6 +5,8 @@
 #include "model/line_state.h"
 #include "model/model.h"
 
+#include <optional>
+
 namespace frictionbeam {
 
 /// Gathers the Resolution of the steps of a sequence, state by state.
@@ -13,6 +15,8 @@ public:
   /// @param model of the whole line, not a reduced one
   explicit FollowResolution(const Model &model);
 
+  /// What follows is another step.
+  void begin_step() { slips.clear(); }
   /// A static increment. It adds up over the steps of the sequence by how much slip has turned.
   void add_increment(const LineState &before, const LineState &after, Resolution &resolution);
   /// @param is_exact whether the integrator's answers do not depend on the time step
@@ -24,10 +28,17 @@ private:
   void add_displacement(const LineState &state, Resolution &resolution) const;
 
   const Model &model;
-  std::vector<unsigned int> translations; ///< degrees of freedom
-  std::vector<bool> is_translation;       ///< of each unknown
-  std::vector<double> slip_turned;        ///< of each contact, so far [m]
-  std::vector<double> compliances; ///< of each contact that has slipped, at most [m/N]; others < 0
+  std::vector<unsigned int> translations;                  ///< degrees of freedom
+  std::vector<bool> is_translation;                        ///< of each unknown
+  std::vector<double> slip_turned;                         ///< of each contact, so far [m]
+  std::vector<std::optional<Eigen::Matrix2d>> compliances; ///< of contacts that have slipped [m/N]
+
+  /// Of a contact in the present step.
+  struct SlipOfStep {
+    unsigned int n_increments = 0;
+    double bent = 0.; ///< the last one, if its way may bend [m]
+  };
+  std::vector<SlipOfStep> slips;
 };
 
 } // namespace frictionbeam

@@ -23,6 +23,9 @@ void Resolution::include(const Resolution &other) {
   loads_bend_within = loads_bend_within || other.loads_bend_within;
   starts_to_move = starts_to_move || other.starts_to_move;
   turned_within = turned_within || other.turned_within;
+  slip_in_one = std::max(slip_in_one, other.slip_in_one);
+  flow_increments += other.flow_increments;
+  limit_changed_within = limit_changed_within || other.limit_changed_within;
 }
 
 } // namespace frictionbeam

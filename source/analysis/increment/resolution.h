@@ -42,6 +42,14 @@ struct Resolution {
   /// Static increments: contacts closed a gap or opened within one, while others have friction,
   /// whose slip may have turned back there.
   bool met_beside_friction = false;
+  /// Static increments: of contacts that have slipped in no more than one increment of this step,
+  /// on a way that may bend, the longest slip [m]. More increments, each with all of it in its
+  /// last, say nothing of that way.
+  double slip_in_one = 0.;
+  unsigned int flow_increments = 0; ///< static increments of this step in which pipes have flowed
+  /// Static increments: a contact began or ceased to slip within one while what it can hold
+  /// changed, so that the work of friction depends on when.
+  bool limit_changed_within = false;
   /// Static increments: a History, or motion of the ground, goes no straight way within one.
   bool loads_bend_within = false;
 
@@ -50,7 +58,7 @@ struct Resolution {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
             exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known,
             touched_within, turned_in_motion, turned_within, met_beside_friction, starts_to_move,
-            loads_bend_within);
+            loads_bend_within, slip_in_one, flow_increments, limit_changed_within);
   }
 };
 

@@ -121,6 +121,7 @@ bool LoadSequence::run(const Observer &observer, const Observer &each, const Pau
       position.next = 0;
       path.begin(1. / declared_step.n_increments, model.cells.pipe_sections().any());
       cycles.step_begins(declared_step, current);
+      resolution->begin_step();
     }
     const Factors target = target_of(declared_step);
     course.begin_step(position.step, position.from, target, position.start,

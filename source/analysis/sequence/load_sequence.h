@@ -127,6 +127,9 @@ private:
                const unsigned int halvings);
   /// An increment that takes no time, to what the loads are after a jump.
   bool advance_to_other_side();
+  /// Bring the line as it is built into balance with what acts from the start: platens, and
+  /// preloads where a limit is sought.
+  bool settle();
   bool solve_increment(const Factors &factors, const double time);
   /// Whether a solution of a step that looks for its limit is too far away to be on its path.
   bool jumps(const LineState &to, const double time) const;

@@ -49,8 +49,11 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
     current.load_rates.clear();
     current.load_accelerations.clear();
   }
+  const bool begins = !is_resumed && step == 0;
   is_resumed = false;
   measure_forces(course.forces(current.load_factors));
+  if (begins && !settle())
+    return false;
   // Of lines that yield, halving the increments finds what is carried if the path is lost.
   if (declared_step.finds_limit && has_path() && !run_to_limit(observer) &&
       !model.cells.pipe_sections().any())
@@ -92,6 +95,20 @@ bool LoadSequence::run_static(const Factors &target, const Observer &observer) {
   if (judges && model.scene.solver.is_exact() &&
       model.contacts.size() <= most_contacts_for_uniqueness)
     step_reports.back().several_equilibria = several_equilibria(model, statics, current);
+  return true;
+}
+
+bool LoadSequence::settle() {
+  const Factors factors = course.factors_at(current.time, side);
+  if (course.forces(factors).isZero(0.))
+    return true;
+  LineState to = current;
+  last_result = solve_statics(factors, current.time, {}, to);
+  if (!add_result(last_result, step_reports.back())) {
+    step_reports.back().remark = "stopped before the first loads: " + step_reports.back().remark;
+    return false;
+  }
+  take(std::move(to), declared, current.time);
   return true;
 }
 
@@ -224,6 +241,8 @@ Vector LoadSequence::unbalanced_at_start() const {
 void LoadSequence::judge_increment(const LineState &before, EnergyAccount account) {
   StepReport &report = step_reports.back();
   report.energy += account;
+  if (account.inelastic > 0.)
+    ++report.resolution.flow_increments;
   check_sections(model, current, report);
   resolution->add_increment(before, current, report.resolution);
   report.resolution.loads_bend_within =

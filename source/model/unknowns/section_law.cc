@@ -4,6 +4,8 @@
 #include "base/number_text.h"
 #include "base/user_error.h"
 
+#include <frictionbeam/law_closed_form.h>
+
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
@@ -56,15 +58,6 @@ const KnownFigure *known_figure(const std::string &parameter) {
       std::find_if(std::begin(known_figures), std::end(known_figures),
                    [&](const KnownFigure &figure) { return figure.parameter == parameter; });
   return found == std::end(known_figures) ? nullptr : found;
-}
-
-/// What a law says of parameters that it cannot take: what is allowed, ": ", what to try.
-[[noreturn]] void refuse_parameters(const std::string &section, const std::string &law,
-                                    const std::string &fault) {
-  const auto colon = fault.find(": ");
-  throw UserError("Section " + section + ": its law '" + law +
-                  "' cannot take these parameters together.\n  allowed: " + fault.substr(0, colon) +
-                  (colon == std::string::npos ? "" : "\n  try:     " + fault.substr(colon + 2)));
 }
 
 void check_figure(const KnownFigure &figure, const Section &section, const std::string &law) {
@@ -188,9 +181,10 @@ BoundLaw bind_section_law(const LawDescription &law, const Pipe &pipe, const Sec
                          ? parameter.default_value
                          : known_value(*figure, parameter, {section, profile, bend}));
   }
-  if (law.interface_version >= 2 && law.fault != nullptr)
-    if (const char *const fault = law.fault(values.data()))
-      refuse_parameters(section.name, law.name, fault);
+  if (const auto fault = fault_of(law, values))
+    throw UserError("Section " + section.name + ": its law '" + law.name +
+                    "' cannot take these parameters together.\n  allowed: " + fault->allowed +
+                    "\n  try:     " + fault->attempt);
   return {law, values};
 }
 

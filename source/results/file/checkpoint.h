@@ -10,7 +10,7 @@ namespace frictionbeam {
 
 /// Raised whenever a transfer() goes through other values than before, so that what a build of an
 /// other layout wrote is refused and not misread.
-inline constexpr unsigned int checkpoint_layout = 17;
+inline constexpr unsigned int checkpoint_layout = 18;
 
 /**
  * The file `checkpoint.bin` in the folder of a run's results, from which the run goes on where it

@@ -23,6 +23,10 @@ std::vector<ContinuumHold> parse_holds(const ParameterReader &in) {
   std::vector<ContinuumHold> holds;
   for (const std::string &item : split(in.text("Held"), ';')) {
     const std::vector<std::string> words = split(item, ' ');
+    if (words.size() < 2)
+      in.fail("Held", "a part or point and the directions x y z in which it is held, between ;",
+              item.empty() ? "leaving the ; out that nothing follows" : "'" + item + " x'",
+              "'" + item + "'");
     ContinuumHold hold;
     hold.part = words[0];
     for (std::size_t i = 1; i < words.size(); ++i) {
@@ -32,9 +36,6 @@ std::vector<ContinuumHold> parse_holds(const ParameterReader &in) {
                 "'left x; bottom y'", "'" + item + "'");
       hold.fixed[axis] = true;
     }
-    if (words.size() < 2)
-      in.fail("Held", "a part or point and the directions x y z in which it is held, between ;",
-              "'" + words[0] + " x'", "'" + item + "'");
     holds.push_back(hold);
   }
   return holds;
@@ -46,7 +47,8 @@ std::vector<ContinuumTraction> parse_tractions(const ParameterReader &in) {
   for (const std::string &item : split(in.text("Loaded"), ';')) {
     const std::vector<std::string> words = split(item, ' ');
     ContinuumTraction traction;
-    traction.part = words[0];
+    if (!words.empty())
+      traction.part = words[0];
     if (words.size() == 3 && words[1] == "pressure")
       traction.pressure = number_of(in, "Loaded", words[2]);
     else if (words.size() == 3 || words.size() == 4)

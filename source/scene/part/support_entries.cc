@@ -309,7 +309,7 @@ FrictionSupport parse_friction_support(const ParameterReader &in, const std::str
   for (const std::string &entry : law_entries(law))
     support.parameters.push_back(in.number(entry));
   check_closed_form(in, law, support.parameters);
-  check_dynamic_friction(in, law);
+  check_together(in, law, support.parameters);
   remark_on_units(in, "Support " + name, law, scene.remarks);
   support.length = in.number("Length");
   remark_on_length(in, law, support, scene);

@@ -88,7 +88,7 @@ std::vector<double> parse_place(const ParameterReader &in, const LawDescription 
   for (const std::string &entry : law_entries(law))
     parameters.push_back(in.number(entry));
   check_closed_form(in, law, parameters);
-  check_dynamic_friction(in, law);
+  check_together(in, law, parameters);
   return parameters;
 }
 
