@@ -9,8 +9,10 @@
 #include "mesh/solid/wall_cells.h"
 #include "results/text.h"
 #include "scene/file/parameter_file.h"
+#include "scene/solid/mixed_entries.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace frictionbeam::accuracy {
 
@@ -76,6 +78,13 @@ void judge_points(const Scene &scene, const Results &beams, PipeModel &model) {
       change.in_words + " (Model = solid has it).");
 }
 
+/// The scene with these places solid.
+Scene in_mixed_model(Scene scene, const std::vector<std::string> &places) {
+  for (const std::string &place : places)
+    scene.asked_points.push_back({solid_at, place});
+  return scene;
+}
+
 /// What walls at supports change, and how supports as elastic as walls would do.
 class SupportsJudge {
 public:
@@ -86,9 +95,14 @@ public:
   void judge(const double most, const double most_left, PipeModel &model);
 
 private:
-  /// Elastic supports, with such growth as is an entry.
-  Results elastic(const WallsAre as, const std::string &what) const {
-    return solve(with_growth(with_walls(scene, walls, as), entries), what);
+  /// What supports are besides elastic, as entries.
+  struct Entries {
+    std::vector<GrowingSupport> growth;
+    std::vector<unsigned int> edges; ///< supports that stand on them
+  };
+  Results elastic(const WallsAre as, const Entries &with, const std::string &what) const {
+    return solve(on_edges(with_growth(with_walls(scene, walls, as), with.growth), with.edges),
+                 what);
   }
 
   /// What elastic supports leave: where they are off themselves, what they leave out, and what is
@@ -97,38 +111,61 @@ private:
     double by_formula, left_out, unknown;
     double all() const { return by_formula + left_out + unknown; }
   };
-  /// Growth and edges of patches may undo each other: growth is among the entries only where less
-  /// is left with it. @param full with both
-  Left left_by_elastic(const Scene &of_walls, const Results &full);
+  /// Growth and edges of patches may undo each other: each is among the entries only where less is
+  /// left with it. @param full with both
+  Left left_by_elastic(const Results &full);
 
   const Scene &scene;
   const Results &beams;
   const SolveAs &solve;
   const WallsAtSupports walls;
-  std::vector<GrowingSupport> entries; ///< of growth
+  Entries entries; ///< all that there may be, and then those that help
 };
 
-SupportsJudge::Left SupportsJudge::left_by_elastic(const Scene &of_walls, const Results &full) {
-  Results as_walls = solve(of_walls, "supports as elastic as walls");
+SupportsJudge::Left SupportsJudge::left_by_elastic(const Results &full) {
+  const std::string elastically = "supports as elastic as walls";
+  const Entries possible = std::exchange(entries, {});
+  Results as_walls = elastic(WallsAre::as_measured, entries, elastically);
   Left left{0., change_between(scene, as_walls, full).value, 0.};
-  if (entries.empty())
-    left.unknown = off_by_of_edges * left.left_out;
-  else {
-    Results growing = elastic(WallsAre::as_measured, "supports as elastic as walls that grow");
-    const double by_edges = change_between(scene, growing, full).value;
-    left.unknown = off_by_of_growth * change_between(scene, as_walls, growing).value +
-                   off_by_of_edges * by_edges;
-    if (by_edges < left.left_out) {
-      left.left_out = by_edges;
-      as_walls = std::move(growing);
-    } else
-      entries.clear();
-  }
-  const Results softer = elastic(WallsAre::softer, "supports softer than walls"),
-                stiffer = elastic(WallsAre::stiffer, "supports stiffer than walls");
+  double by_growth = 0., by_edges = left.left_out;
+  const auto try_with = [&](const Entries &with, const std::string &what) {
+    Results results = elastic(WallsAre::as_measured, with, elastically + what);
+    const double left_out = change_between(scene, results, full).value;
+    if (with.edges.empty()) {
+      by_growth = change_between(scene, as_walls, results).value;
+      by_edges = left_out;
+    }
+    return std::pair(std::move(results), left_out);
+  };
+  std::vector<std::pair<Entries, std::string>> tries;
+  if (!possible.growth.empty())
+    tries.push_back({{possible.growth, {}}, " that grow"});
+  if (!possible.edges.empty())
+    tries.push_back({{{}, possible.edges}, " on edges"});
+  if (!possible.growth.empty() && !possible.edges.empty())
+    tries.push_back({possible, " on edges that grow"});
+  Results nearest = as_walls;
+  for (const auto &[with, what] : tries)
+    if (auto [results, left_out] = try_with(with, what); left_out < left.left_out) {
+      left.left_out = left_out;
+      nearest = std::move(results);
+      entries = with;
+    }
+  left.unknown = off_by_of_growth * by_growth + off_by_of_edges * by_edges;
+  as_walls = std::move(nearest);
+  const Results softer = elastic(WallsAre::softer, entries, "supports softer than walls"),
+                stiffer = elastic(WallsAre::stiffer, entries, "supports stiffer than walls");
   left.by_formula = std::max(change_between(scene, as_walls, softer).value,
                              change_between(scene, as_walls, stiffer).value);
   return left;
+}
+
+/// What the entries leave out.
+std::string left_by(const bool of_growth, const bool of_edges) {
+  return of_growth && of_edges ? "growth and the edges of patches"
+         : of_edges            ? "the edges of patches, and growth within guides"
+         : of_growth           ? "growth, and the edges of guides"
+                               : "growth within guides and their edges";
 }
 
 void SupportsJudge::judge(const double most, const double most_left, PipeModel &model) {
@@ -147,7 +184,8 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
   const std::vector<GrowingSupport> growing = growing_supports(scene, walls, beams, do_not_grow);
   for (const GrowingSupport &one : growing)
     if (one.is_an_entry)
-      entries.push_back(one);
+      entries.growth.push_back(one);
+  entries.edges = supports_with_edges(in_mixed_model(scene, model.solid_at), walls);
   const Scene of_walls = with_walls(scene, walls, WallsAre::as_measured),
               grown = with_edges(with_growth(of_walls, growing), walls, beams);
   for (const std::string &one : do_not_grow)
@@ -163,29 +201,29 @@ void SupportsJudge::judge(const double most, const double most_left, PipeModel &
     model.judged.push_back(what + ": beams answer for them.");
     return;
   }
-  const Left left = left_by_elastic(of_walls, full);
+  const Left left = left_by_elastic(full);
   const bool helps = left.all() < as_rigid;
   const double total = model.error + std::min(left.all(), as_rigid);
   model.judged.push_back(
       what +
       (!helps ? ", which beams and solid bends leave out; as elastic supports they leave "
-       : entries.empty() ? ". They are made as elastic as it is, which leaves "
-                         : ". They are made as elastic as it is and come nearer by as much as it "
-                           "grows, which leaves ") +
+              : ". They are made as elastic as it is" +
+                    std::string(entries.edges.empty() ? "" : ", rests stand on edges,") +
+                    (entries.growth.empty() ? "" : " and come nearer by as much as it grows") +
+                    ", which leaves ") +
       rounded_number(left.by_formula, 2) +
       " since that is known within a third (near anchors less), " +
-      rounded_number(left.left_out, 2) +
-      (entries.empty() ? " by growth and the edges of patches"
-                       : " by the edges of patches, and growth within guides") +
-      ", and " + rounded_number(left.unknown, 2) + " by what is not known of both" +
+      rounded_number(left.left_out, 2) + " by " +
+      left_by(entries.growth.empty(), entries.edges.empty()) + ", and " +
+      rounded_number(left.unknown, 2) + " by what is not known of both" +
       (total > most_left
            ? ". With all else that is left this makes " + rounded_number(total, 2) +
                  ", a bound, and more than what was asked, which no mixed model mends, for its "
-                 "rests are points, too. Proposed: Model = solid, which has all this, Model "
+                 "rests are those of the line. Proposed: Model = solid, which has all this, Model "
                  "= both, which shows how much of it there is, or a larger Accuracy."
            : "."));
   if (helps)
-    model.line = settings_of(scene, walls, entries);
+    model.line = settings_of(scene, walls, entries.growth, entries.edges);
   model.error = total;
 }
 
@@ -207,6 +245,7 @@ PipeModel pipe_model(const Scene &scene, const Results &beams, const double most
     const double of_cells =
         formula_of_cells * *flexibility_error(degree_of_walls, n_around, bends.r_over_t);
     model.error += bends.per_part * (bends.of_joints + of_cells) + bends.by_pressure;
+    model.solid_at = bends.solid;
     model.solid = {"Model = line", "Solid/At = " + join(bends.solid),
                    "Solid/Degree = " + std::to_string(degree_of_walls),
                    "Solid/Cells around = " + std::to_string(n_around),

@@ -13,6 +13,7 @@ struct PipeModel {
   double by_bends = 0.;                      ///< of that, by bends that stay beams
   double beyond = 0.;                        ///< that the model leaves, if it may not
   std::vector<std::string> line;             ///< settings of supports that are as walls are
+  std::vector<std::string> solid_at;         ///< bends that are
   std::vector<std::string> solid;            ///< settings that make bends solid; empty: beams alone
   std::vector<std::string> judged, left_out; ///< in words
 };
@@ -28,8 +29,9 @@ struct ModelShares {
  * bends that stay beams leave is error. So is what walls change that give way at supports, grow
  * when they are hot and are rubbed on their outside (walls_at_supports()), while it is small; if it
  * is not, supports become as elastic as walls where that leaves less: what remains is how far the
- * formula of their elasticity is off, growth and the edges of patches (with_edges()). Where all
- * this is too much, bends leave as much less by more of them being solid, if that suffices.
+ * formula of their elasticity is off, growth and the edges of patches (with_edges()), which are
+ * entries too where that comes nearer. Where all this is too much, bends leave as much less by more
+ * of them being solid, if that suffices.
  */
 PipeModel choose_pipe_model(const Scene &scene, const ModelShares &shares, const SolveAs &solve);
 

@@ -271,7 +271,8 @@ void add_growth(const Scene &scene, const GrowingSupport &growing,
 } // namespace
 
 std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls,
-                                     const std::vector<GrowingSupport> &growing) {
+                                     const std::vector<GrowingSupport> &growing,
+                                     const std::vector<unsigned int> &edges) {
   std::vector<std::string> settings;
   const Scene elastic = with_walls(scene, walls, WallsAre::as_measured);
   std::set<std::string> done; // the halves of pairs have one section
@@ -289,6 +290,8 @@ std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &
                          "Length = " + exact_number(support.length / scene.units.factor("m")));
     }
   }
+  for (const unsigned int support : edges)
+    settings.push_back("Support " + part_name(scene.supports[support]) + "/Stands on = edges");
   for (const GrowingSupport &one : growing)
     if (one.is_an_entry)
       add_growth(scene, one, settings);

@@ -64,9 +64,10 @@ std::vector<GrowingSupport> growing_supports(const Scene &scene, const WallsAtSu
                                              std::vector<std::string> &left_out);
 Scene with_growth(Scene scene, const std::vector<GrowingSupport> &supports);
 
-/// Supports as elastic as walls that grow, as settings, as follow --set.
+/// Supports as elastic as walls that grow, and those on edges, as settings, as follow --set.
 std::vector<std::string> settings_of(const Scene &scene, const WallsAtSupports &walls,
-                                     const std::vector<GrowingSupport> &growing);
+                                     const std::vector<GrowingSupport> &growing,
+                                     const std::vector<unsigned int> &edges);
 
 /// The places of a support.
 std::vector<const SupportInfo *> places_of(const FrictionSupport &support, const Results &results);

@@ -9,6 +9,7 @@
 #include "model/mechanism.h"
 #include "results/file/output_file.h"
 #include "results/frame/frame_builder.h"
+#include "results/frame/support_states.h"
 #include "results/picture/line_picture.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
@@ -93,7 +94,7 @@ void list_pipes(const Scene &scene, const LineMesh &mesh, const Discretization &
 void list_supports(const Scene &scene, const LineMesh &mesh) {
   std::map<std::string, unsigned int> count;
   for (unsigned int i = 0; i < scene.supports.size(); ++i)
-    count[scene.supports[i].kind] += mesh.supports[i].size();
+    count[scene.supports[i].kind] += n_places(mesh.supports[i]);
   for (unsigned int i = 0; i < scene.restraints.size(); ++i)
     count[scene.restraints[i].kind] += mesh.restraints[i].size();
   for (const Spring &spring : scene.springs)
@@ -159,7 +160,7 @@ void draw_as_built(const Model &model) {
   state.sections = *at_rest.sections;
   Results results;
   results.units = scene.units;
-  results.supports = builder.support_infos();
+  results.supports = support_infos(model);
   results.restraints = builder.restraint_infos();
   Frame frame = builder.make(state);
   frame.name = "as built";

@@ -4,7 +4,7 @@
 #include "mesh/gmsh/mesh_file.h"
 #include "mesh/gmsh/session.h"
 #include "mesh/mesh_routes.h"
-#include "mesh/tangent_of_run.h"
+#include "mesh/support/edges_of_patch.h"
 
 #include "base/numbers.h"
 #include "base/user_error.h"
@@ -343,9 +343,16 @@ LineMesh build_line_mesh(const Scene &scene) {
   remark_on_springs(scene, mesh);
   const Placer placer(scene, mesh);
   for (const FrictionSupport &support : scene.supports) {
-    mesh.supports.push_back(
-        placer.sites(support.name, support.placement, follows_pipe(support.normal)));
-    check_places(support, mesh.supports.back().size());
+    std::vector<Site> sites =
+        placer.sites(support.name, support.placement, follows_pipe(support.normal));
+    for (unsigned int place = 0; place < sites.size(); ++place) {
+      sites[place].place = place;
+      sites[place].at = sites[place].vertex;
+    }
+    check_places(support, sites.size());
+    mesh.supports.push_back(stands_on_edges(scene, support)
+                                ? sites_on_edges(scene, mesh, support, sites)
+                                : std::move(sites));
     if (support.placement.continuous && support.normal.sign > 0.) // of two halves, the one
       remark_on_bed(scene, part_name(support), mesh.supports.back(), mesh);
     if (is_across(support.normal) && support.normal.sign > 0.)

@@ -27,7 +27,16 @@ struct Site {
   unsigned int vertex = 0;
   Vector3 tangent;       ///< of the pipe there, unit; zero at a free point
   double tributary = 1.; ///< length of pipe that falls to it [m], for a bed; otherwise 1
+  /// Place of its support, from 0 on, and the vertex of that: two sites have one where it stands on
+  /// edges.
+  unsigned int place = 0, at = 0;
+  Vector3 arm; ///< from there to an edge [m]; otherwise zero
 };
+
+/// Of a support.
+inline unsigned int n_places(const std::vector<Site> &sites) {
+  return sites.empty() ? 0 : sites.back().place + 1;
+}
 
 /// The line as gmsh meshed it, with everything the scene places on it found again.
 struct LineMesh {

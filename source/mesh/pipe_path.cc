@@ -164,4 +164,11 @@ std::vector<double> PipePath::all_places(const Point3 &position, const double to
   return result;
 }
 
+std::vector<PipePath> paths_of(const Scene &scene) {
+  std::vector<PipePath> paths;
+  for (const Pipe &pipe : scene.pipes)
+    paths.emplace_back(pipe, scene.units);
+  return paths;
+}
+
 } // namespace frictionbeam

@@ -66,4 +66,7 @@ private:
   double total_length = 0.;
 };
 
+/// Of all pipes of a scene, by their routes.
+std::vector<PipePath> paths_of(const Scene &scene);
+
 } // namespace frictionbeam

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/route_plan.h"
-#include "mesh/solid/solid_stretches.h"
+#include "mesh/places_on_pipe.h"
+#include "mesh/support/edges_of_patch.h"
 
 #include "base/user_error.h"
 #include "scene/bed_cells.h"
@@ -19,13 +20,6 @@ namespace {
 constexpr double most = 1e7; ///< cells of a piece, supports on a pipe
 /// Below this part of the line's extent two places are one.
 constexpr double same_on_line = 1e-7;
-
-std::vector<PipePath> paths_of(const Scene &scene) {
-  std::vector<PipePath> paths;
-  for (const Pipe &pipe : scene.pipes)
-    paths.emplace_back(pipe, scene.units);
-  return paths;
-}
 
 /// The number of cells, from a quotient of lengths, which nodes of a file miss by some 1e-8.
 int whole(const double cells) {
@@ -75,8 +69,10 @@ public:
       for (const auto &node : junctions.nodes(p))
         s[p].push_back(node.s);
     }
-    for (const FrictionSupport &support : scene.supports)
+    for (const FrictionSupport &support : scene.supports) {
       add_repeated(scene, paths, support.placement);
+      add_edges(scene, paths, support, solid);
+    }
     for (const Restraint &restraint : scene.restraints)
       add_repeated(scene, paths, restraint.placement);
     for (const auto &[pipe, place] : scene.mesh.hinge_nodes)
@@ -110,6 +106,30 @@ private:
   };
   std::vector<Bed> beds;
 
+  /// From where to where a part is repeated along a pipe.
+  std::array<double, 2> ends(const Scene &scene, const PipePath &path,
+                             const Placement &placement) const {
+    const auto end = [&](const std::string &name, const double otherwise) {
+      return name.empty() ? otherwise
+                          : named_position(path, placement.pipe, name, scene, tolerance);
+    };
+    return {{end(placement.from, 0.), end(placement.to, path.length())}};
+  }
+
+  std::vector<double> repeated(const Scene &scene, const PipePath &path,
+                               const Placement &placement) const {
+    std::vector<double> places;
+    if (placement.every == 0.)
+      return places;
+    const auto [from, to] = ends(scene, path, placement);
+    if ((to - from) / placement.every > most)
+      throw UserError("The distance in 'Every' puts more than ten million supports on pipe " +
+                      placement.pipe + ". Give a longer one.");
+    for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i)
+      places.push_back(from + i * placement.every);
+    return places;
+  }
+
   void add_repeated(const Scene &scene, const std::vector<PipePath> &paths,
                     const Placement &placement) {
     if (placement.pipe.empty())
@@ -117,22 +137,29 @@ private:
     for (unsigned int p = 0; p < paths.size(); ++p) {
       if (scene.pipes[p].name != placement.pipe)
         continue;
-      const auto end = [&](const std::string &name, const double otherwise) {
-        return name.empty() ? otherwise
-                            : named_position(paths[p], placement.pipe, name, scene, tolerance);
-      };
-      const double from = end(placement.from, 0.), to = end(placement.to, paths[p].length());
-      if (placement.every > 0. && (to - from) / placement.every > most)
-        throw UserError("The distance in 'Every' puts more than ten million supports on pipe " +
-                        placement.pipe + ". Give a longer one.");
-      if (placement.every > 0.)
-        for (unsigned int i = 1; from + i * placement.every < to - tolerance; ++i)
-          s[p].push_back(from + i * placement.every);
+      const std::vector<double> places = repeated(scene, paths[p], placement);
+      s[p].insert(s[p].end(), places.begin(), places.end());
+      const auto [from, to] = ends(scene, paths[p], placement);
       if (placement.continuous && to > from) {
         s[p].insert(s[p].end(), {from, to});
         beds.push_back(
             {p, from, to, bed_cell_length(scene.sections[scene.pipes[p].section], to - from)});
       }
+    }
+  }
+
+  void add_edges(const Scene &scene, const std::vector<PipePath> &paths,
+                 const FrictionSupport &support, const std::vector<SolidStretch> &solid) {
+    for (unsigned int p = 0; p < paths.size() && stands_on_edges(scene, support); ++p) {
+      std::vector<double> places;
+      if (support.placement.pipe == scene.pipes[p].name)
+        places = repeated(scene, paths[p], support.placement);
+      for (const std::string &point : support.placement.points)
+        for (const double at : places_of(scene, paths[p], point, tolerance))
+          places.push_back(at);
+      const std::vector<double> edges =
+          edges_at(scene, support, p, places, paths[p].length(), solid);
+      s[p].insert(s[p].end(), edges.begin(), edges.end());
     }
   }
 };

@@ -38,7 +38,8 @@ void LineModel::hold_less() {
 
 void LineModel::take_laws_of(const Scene &other) {
   for (unsigned int i = 0; i < contacts.size(); ++i)
-    contacts.set_parameters(i, other.supports[contacts[i].support].parameters_of(contacts[i].site));
+    contacts.set_parameters(i,
+                            other.supports[contacts[i].support].parameters_of(contacts[i].place));
 }
 
 } // namespace frictionbeam

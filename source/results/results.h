@@ -44,6 +44,7 @@ struct SupportState {
   double wear = 0.;    ///< integral of fn times the sliding velocity so far, transient steps [J]
   double impulse = 0.; ///< of fn so far, transient steps, impacts included [N s]
   double mt = 0.;      ///< moment about the normal, of Torsion [N m]
+  double tilt = 0.;    ///< moment that its two edges hold, about the way of the pipe x normal [N m]
 };
 
 /// The numbers of such a state, in the order of the quantities of a support (scene/quantity.h); the
@@ -328,6 +329,7 @@ struct AccuracyAccount {
 
 struct Results {
   std::vector<SupportInfo> supports;
+  std::vector<unsigned int> support_of; ///< each friction element: two where one is on edges
   std::vector<RestraintInfo> restraints;
   std::vector<PointInfo> points;       ///< by name
   std::vector<Frame> frames;           ///< ends of steps

@@ -178,12 +178,12 @@ struct FrictionSupport {
   double share = 1.;  ///< of a whole element that this is: scales its forces, stiffness
                       ///< and normal_force
   Rotations rotations = Rotations::none;
-  bool torsion = false;
+  bool torsion = false, on_edges = false; ///< edges: of its Width, half of it on each
   double normal_force = 0.; ///< of a platen that is pressed on [N], for a whole element (per metre
                             ///< for a bed); 0: the ground is fixed
   std::string ground;       ///< named point of another pipe to stand on; empty: the ground
   double capacity = 0.;     ///< largest force that it is made for [N]; 0: not said
-  double width = 0.;        ///< of its patch on a solid pipe, along [m]; 0: a diameter
+  double width = 0.;        ///< of its patch, along the pipe [m]; 0: a diameter
   double restitution = 0.;  ///< Newton's, of an impact on a rigid contact: 0 to 1
   std::array<TimeFunction, 3> ground_motion; ///< of the ground, global axes [m]; not given: 0
 

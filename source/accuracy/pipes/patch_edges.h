@@ -6,12 +6,19 @@
 namespace frictionbeam::accuracy {
 
 /**
- * Supports that are patches of the pipes' outside, whose edges hold its rotation: a rest stands on
- * both edges of its Width, each with half of what it is, so that it is held by no more than what it
- * carries times Width/2, and an edge may lift off; it is then a pair, whose numbers quantities add
- * up (doc/solid.md, "Growth and edges"). What stands where its edges are not on the same straight
- * run, and the two halves of guides and stops, which press from both sides, have a rotational
- * spring.
+ * Supports of these walls that can stand on both edges of their Width (FrictionSupport::on_edges,
+ * doc/solid.md, "Growth and edges"): rests, where both edges are on one straight run at all places.
+ * In Scene::supports.
+ */
+std::vector<unsigned int> supports_with_edges(const Scene &scene, const WallsAtSupports &walls);
+
+/// Supports of these numbers on edges.
+Scene on_edges(Scene scene, const std::vector<unsigned int> &supports);
+
+/**
+ * Supports that are patches of the pipes' outside, whose edges hold its rotation: they stand on
+ * edges, or have a rotational spring where that is no entry: where both edges are not on the same
+ * straight run, and of the two halves of guides and stops, which press from both sides.
  * @param results of the scene, for the supports' places
  */
 Scene with_edges(Scene scene, const WallsAtSupports &walls, const Results &results);

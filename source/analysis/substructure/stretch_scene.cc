@@ -126,6 +126,8 @@ void StretchScene::add_rests(const Scene &whole, const LineMesh &of, const Solid
     const double half = (support.width > 0. ? support.width : 2. * outer) / 2.;
     for (unsigned int k = 0; k < of.supports[i].size(); ++k) {
       Site site = of.supports[i][k];
+      if (site.arm.norm() > 0.) // on edges, outside
+        continue;
       const auto at = std::find(meshed.vertices.begin(), meshed.vertices.end(), site.vertex);
       if (at == meshed.vertices.end() ||
           std::abs(push_of(support, site.tangent) * site.tangent) > square_enough)
@@ -133,7 +135,7 @@ void StretchScene::add_rests(const Scene &whole, const LineMesh &of, const Solid
       const double s = meshed.s[at - meshed.vertices.begin()] - stretch.from;
       const std::array<double, 2> patch = {{s - half, s + half}}, run = run_at(path, s);
       const std::string name =
-          support.name + (of.supports[i].size() > 1 ? "." + std::to_string(k + 1) : "");
+          support.name + (n_places(of.supports[i]) > 1 ? "." + std::to_string(site.place + 1) : "");
       const double outside = std::max(is_cut[0] ? -patch[0] : 0., is_cut[1] ? patch[1] - end : 0.);
       if (outside > 0. && scene.solid.reach * length + outside < felt_from * length + 2. * half) {
         near_rests.push_back(name);
@@ -145,7 +147,9 @@ void StretchScene::add_rests(const Scene &whole, const LineMesh &of, const Solid
           }))
         continue;
       taken.push_back(patch);
-      site.vertex = std::find(vertices.begin(), vertices.end(), site.vertex) - vertices.begin();
+      site.vertex = site.at =
+          std::find(vertices.begin(), vertices.end(), site.vertex) - vertices.begin();
+      site.place = 0;
       scene.supports.push_back(support);
       scene.supports.back().name = name;
       line.supports.push_back({site});

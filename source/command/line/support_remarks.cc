@@ -32,8 +32,8 @@ void add_effect_of_rigidity(const Model &model, Results &results) {
   double deepest = 0., force = 0.;
   std::string where;
   for (const Frame &frame : results.frames)
-    for (unsigned int i = 0; i < model.contacts.size() && i < frame.supports.size(); ++i) {
-      const Contact &contact = model.contacts[i];
+    for (unsigned int i = 0; i < frame.supports.size(); ++i) {
+      const Contact &contact = model.contacts[model.contacts.places()[i].front()];
       const SupportState &state = frame.supports[i];
       if (is_rigid_in_scene(model.scene, contact) && contact.platen_force == 0. &&
           -state.gap > deepest && state.fn > 0.) {
@@ -59,12 +59,17 @@ void add_effect_of_rigidity(const Model &model, Results &results) {
       ". Solver/Method = exact needs none; or give the support an Axial rigidity.");
 }
 
+const std::string &name_of(const unsigned int contact, const Results &results) {
+  return results.supports[results.support_of[contact]].name;
+}
+
 /// Names of contacts, the first of them.
 template <typename Indices>
 std::string names_of(const Indices &contacts, const Results &results) {
   std::vector<std::string> names;
   for (const unsigned int contact : contacts)
-    names.push_back(results.supports[contact].name);
+    if (names.empty() || names.back() != name_of(contact, results)) // both edges of one
+      names.push_back(name_of(contact, results));
   return first_of(names);
 }
 
@@ -100,9 +105,8 @@ std::string several_equilibria(const Results &results) {
     return "";
   std::vector<std::string> supports;
   for (const auto &[contact, beyond] : worst)
-    supports.push_back(results.supports[contact].name +
-                       " (f = " + rounded_number(beyond.friction, 3) + ", limit " +
-                       rounded_number(beyond.limit, 3) + ")");
+    supports.push_back(name_of(contact, results) + " (f = " + rounded_number(beyond.friction, 3) +
+                       ", limit " + rounded_number(beyond.limit, 3) + ")");
   return "Several equilibria are possible at the end of " +
          steps_where(results,
                      [](const StepReport &step) { return !step.several_equilibria.empty(); }) +

@@ -2,6 +2,7 @@
 #include "command/study/quick_line.h"
 
 #include "model/line_model.h"
+#include "results/frame/support_states.h"
 #include "results/quantity/point_forces.h"
 #include "results/quantity/shown_quantity.h"
 #include "results/stress/inner_pressure.h"
@@ -71,7 +72,7 @@ QuickLine::QuickLine(const Model &model)
     frame.name = scene.steps[step].name;
     frame.step = step;
     frame.line = line;
-    frame.supports.resize(model.contacts.size());
+    frame.supports.resize(model.contacts.places().size());
   }
   if (scene.stress.code.empty())
     return;
@@ -139,8 +140,8 @@ void QuickLine::observe(const unsigned int step, const LineState &state) {
   Frame &frame = results.frames[step];
   frame.time = state.time;
   frame.reactions = builder.reactions(state);
-  for (unsigned int i = 0; i < model.contacts.size(); ++i)
-    frame.supports[i] = builder.support_state(state, i);
+  for (unsigned int i = 0; i < frame.supports.size(); ++i)
+    frame.supports[i] = support_state(model, state, i);
   set_forces(state, frame);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Quantity &quantity = scene.quantities[i];
@@ -167,9 +168,9 @@ double QuickLine::force_of_holder(const Quantity &quantity, const Frame &frame,
   for (std::size_t i = 0; i < results.restraints.size(); ++i)
     if (results.restraints[i].name == quantity.where)
       return frame.reactions[i][component];
-  if (const auto force = force_of_supports(builder, results, quantity.where, state, component))
+  if (const auto force = force_of_supports(model, results, quantity.where, state, component))
     return *force;
-  return force_at_point(model, builder, results, quantity.where, state, component);
+  return force_at_point(model, builder, quantity.where, state, component);
 }
 
 void QuickLine::evaluate(const Case &of, std::vector<double> &stress) const {

@@ -21,6 +21,8 @@ struct Contact : contact::Site {
   /// Loads that heat its pipe, and by how much at a factor of one [K].
   std::vector<std::pair<unsigned int, double>> heating;
   unsigned int support = 0, site = 0;
+  unsigned int place = 0, at = 0; ///< as Site has them
+  Vector3 arm;
 
   /// Of its pipe, at these factors of the loads [degC].
   double temperature(const std::vector<double> &load_factors) const;

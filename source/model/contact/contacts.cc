@@ -128,7 +128,11 @@ Contact contact_of(const SupportCell &cell, const Scene &scene, const LineMesh &
   contact.length = support.ground.empty() ? length : cell.length;
   contact.support = cell.support;
   contact.site = cell.site;
-  const double share = support.share * mesh.supports[cell.support][cell.site].tributary;
+  const Site &site = mesh.supports[cell.support][cell.site];
+  contact.place = site.place;
+  contact.at = site.at;
+  contact.arm = site.arm;
+  const double share = support.share * site.tributary;
   contact.weight = share * contact.length;
   contact.platen_force = share * support.normal_force;
   contact.restitution = support.restitution;
@@ -158,7 +162,7 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     fe_values.reinit(cell);
 
     Contact contact = contact_of(support_cell, scene, mesh, fe_values.JxW(0));
-    contact.law = BoundLaw(laws.find(support.law), support.parameters_of(support_cell.site));
+    contact.law = BoundLaw(laws.find(support.law), support.parameters_of(contact.place));
     contact.heating = heating_of(pipes[contact.vertices[0]], scene);
     for (unsigned int d = 0; d < 3; ++d)
       if (support.ground_motion[d].is_given())
@@ -173,6 +177,11 @@ Contacts::Contacts(const Scene &scene, const LineMesh &mesh, const Discretizatio
     set_strains_by_unknowns(discretization, space, contact);
     if (contact.platen_force != 0.)
       add_platen(contact, support.name, discretization, space);
+    const bool is_of_last = !list.empty() && list.back().support == contact.support &&
+                            list.back().place == contact.place;
+    if (!is_of_last)
+      of_places.emplace_back();
+    of_places.back().push_back(list.size());
     list.push_back(std::move(contact));
   }
   refer_to(list);
@@ -194,7 +203,7 @@ void Contacts::add_platen(const Contact &contact, const std::string &support,
 
 Contacts::Contacts(const Contacts &contacts, const std::vector<int> &dof_places,
                    const std::vector<int> &unknown_places, const unsigned int n_unknowns)
-    : list(contacts.list), preload(Vector::Zero(n_unknowns)) {
+    : list(contacts.list), of_places(contacts.of_places), preload(Vector::Zero(n_unknowns)) {
   for (Contact &contact : list) {
     for (unsigned int &dof : contact.dofs)
       dof = dof_places[dof];

@@ -30,6 +30,9 @@ public:
 
   const Contact &operator[](const unsigned int i) const { return list[i]; }
 
+  /// The contacts of each place of a support, in their order: one, or two of one on edges.
+  const std::vector<std::vector<unsigned int>> &places() const { return of_places; }
+
   /// Evaluate the laws at the displacements @p all_dofs from the committed state.
   void evaluate(const Vector &all_dofs, const ContactState &committed,
                 const ContactIncrement &increment, const LawTangent tangent,
@@ -61,6 +64,7 @@ private:
                   const Discretization &discretization, const ReducedSpace &space);
 
   std::vector<Contact> list;
+  std::vector<std::vector<unsigned int>> of_places;
   std::vector<std::pair<unsigned int, const TimeFunction *>> moving; ///< degrees of freedom
   Vector preload;
   /// Where a platen is in equilibrium on a line at rest.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace frictionbeam {
@@ -37,6 +38,31 @@ Matrix4 of_compression() {
   Matrix4 G;
   G << 36., 3., -36., 3., 3., 4., -3., -1., -36., -3., 36., -3., 3., -1., -3., 4.;
   return G / 30.;
+}
+
+/// What a frame says of each friction element: an edge of a patch that carries nothing is open.
+std::vector<SupportState> states_of_contacts(const Contacts &contacts, const Frame &frame) {
+  constexpr double no_force = 1e-9; // of the support's
+  std::vector<SupportState> states(frame.supports.empty() ? 0 : contacts.size());
+  for (std::size_t i = 0; i < frame.supports.size(); ++i) {
+    const std::vector<unsigned int> &of_place = contacts.places()[i];
+    for (const unsigned int contact : of_place)
+      states[contact] = frame.supports[i];
+    if (of_place.size() == 1)
+      continue;
+    const double of_tilt = frame.supports[i].tilt / contacts[of_place.back()].arm.norm();
+    for (const double way : {-1., 1.}) {
+      SupportState &edge = states[way < 0. ? of_place.front() : of_place.back()];
+      edge.fn = (edge.fn + way * of_tilt) / 2.;
+      edge.ft1 /= 2.;
+      edge.ft2 /= 2.;
+      if (edge.fn <= no_force * frame.supports[i].fn) {
+        edge.status = ContactStatus::open;
+        edge.gap = std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+  return states;
 }
 
 /// A cell with axial force.
@@ -200,18 +226,17 @@ private:
     const Vector diagonal = base.diagonal();
     const double largest = diagonal.lpNorm<Eigen::Infinity>();
     std::vector<Eigen::Triplet<double>> entries;
+    const std::vector<SupportState> states = states_of_contacts(model.contacts, frame);
     const auto touches = [&](const unsigned int i) {
       const Contact &contact = model.contacts[i];
-      return i < frame.supports.size() &&
-             (!contact.law.has_closed_form() || contact.platen_force != 0. ||
-              !stands_off(frame.supports[i], touching));
+      return i < states.size() && (!contact.law.has_closed_form() || contact.platen_force != 0. ||
+                                   !stands_off(states[i], touching));
     };
-    const std::vector<bool> idle = idle_halves(model.contacts, touches, [&](const unsigned int i) {
-      return std::abs(frame.supports[i].fn);
-    });
+    const std::vector<bool> idle = idle_halves(
+        model.contacts, touches, [&](const unsigned int i) { return std::abs(states[i].fn); });
     for (unsigned int i = 0; i < model.contacts.size(); ++i)
       if (touches(i) && !idle[i])
-        add_contact(model.contacts[i], frame.supports[i], held * largest, entries);
+        add_contact(model.contacts[i], states[i], held * largest, entries);
     for (int i = 0; i < diagonal.size(); ++i)
       entries.emplace_back(i, i, rounding * diagonal[i] + nothing * largest);
     SparseMatrix supports(base.rows(), base.cols());

@@ -5,6 +5,7 @@
 #include "results/frame/derived_cases.h"
 
 #include "model/cell/line_cells.h"
+#include "results/frame/support_states.h"
 #include "results/stress/inner_pressure.h"
 #include "results/stress/stresses.h"
 #include "results/text.h"
@@ -167,15 +168,24 @@ void Envelope::prepare(const unsigned int step) {
     results.envelopes.back().stresses = std::move(envelopes);
 }
 
-bool Envelope::strikes(const LineState &state, const unsigned int i) const {
-  if (!tools->rigid[i])
-    return false;
-  const auto closes = [&](const ContactEvent &event) {
-    return event.contact == i && event.status != ContactStatus::open;
+bool Envelope::strikes(const LineState &state, const unsigned int support) const {
+  const auto strikes_at = [&](const unsigned int i) {
+    const auto closes = [&](const ContactEvent &event) {
+      return event.contact == i && event.status != ContactStatus::open;
+    };
+    return tools->rigid[i] && previous_status[i] == ContactStatus::open &&
+           (state.contact_status[i] != ContactStatus::open ||
+            std::any_of(state.events.begin(), state.events.end(), closes));
   };
-  return previous_status[i] == ContactStatus::open &&
-         (state.contact_status[i] != ContactStatus::open ||
-          std::any_of(state.events.begin(), state.events.end(), closes));
+  const std::vector<unsigned int> &contacts = model.contacts.places()[support];
+  return std::any_of(contacts.begin(), contacts.end(), strikes_at);
+}
+
+double Envelope::previous_impulse_of(const unsigned int support) const {
+  double sum = 0.;
+  for (const unsigned int contact : model.contacts.places()[support])
+    sum += previous_impulse[contact];
+  return sum;
 }
 
 bool Envelope::is_impulse(const LineState &state, const unsigned int i) const {
@@ -203,9 +213,9 @@ void Envelope::include_supports(const LineState &state) {
   bool any_impulse = false;
   for (unsigned int i = 0; i < envelope.supports.size(); ++i) {
     SupportEnvelope &support = envelope.supports[i];
-    const SupportState now = tools->builder.support_state(state, i);
+    const SupportState now = support_state(model, state, i);
     const double along = friction_force(now), size = std::hypot(now.fn, along),
-                 impulse = now.impulse - previous_impulse[i];
+                 impulse = now.impulse - previous_impulse_of(i);
     support.impulse += impulse;
     const std::array<double, 6> values{{now.fn, now.ft1, now.ft2, now.gap, now.slip1, now.slip2}};
     if (strikes(state, i)) {

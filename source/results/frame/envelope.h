@@ -91,10 +91,11 @@ private:
   bool may_widen(const MotionPiece &piece, const SmoothCourses &courses,
                  const Eigen::VectorXd &sizes);
   /// Whether a rigid contact closed in the time step.
-  bool strikes(const LineState &state, const unsigned int i) const;
+  bool strikes(const LineState &state, const unsigned int support) const;
   /// Whether its force at this instant is then the impulse over the length of the time step:
   /// `event` keeps them apart.
   bool is_impulse(const LineState &state, const unsigned int i) const;
+  double previous_impulse_of(const unsigned int support) const; ///< [N s]
 
   const Model &model;
   Results &results;

@@ -4,6 +4,7 @@
 
 #include "results/frame/derived_cases.h"
 #include "results/frame/smooth_courses.h"
+#include "results/frame/support_states.h"
 #include "results/text.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ Eigen::VectorXd Envelope::numbers_at(const LineState &state) {
   Eigen::VectorXd result(places.frame + frame_numbers.size());
   result[places.sum_normal] = 0.;
   for (unsigned int i = 0; i < results.supports.size(); ++i) {
-    const SupportState now = tools->builder.support_state(state, i);
+    const SupportState now = support_state(model, state, i);
     result.segment<6>(6 * i) << now.fn, now.ft1, now.ft2, now.gap, now.slip1, now.slip2;
     result[places.sum_normal] += now.fn;
   }
@@ -254,7 +255,7 @@ void Envelope::for_each_size_of_supports(const MotionPiece &piece, const SmoothC
     bound += frictions.back().bound;
     use_extremes(use, frictions.back(), support.friction, nothing_else);
     use_extremes(use, norm_of(courses, 6 * i, 3), support.force, [&](const double time) {
-      support.at_largest = tools->builder.support_state(piece.state_at(time), i);
+      support.at_largest = support_state(model, piece.state_at(time), i);
     });
   }
   const auto sum_of_frictions = [&](const Instant &instant) {

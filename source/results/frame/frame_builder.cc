@@ -2,6 +2,7 @@
 #include "results/frame/section_forces.h"
 
 #include "results/frame/frame_builder.h"
+#include "results/frame/support_states.h"
 
 #include <limits>
 
@@ -16,10 +17,6 @@ Quadrature<1> station_points(const unsigned int n) {
   for (unsigned int i = 1; i <= n; ++i)
     points.emplace_back(static_cast<double>(i) / (n + 1));
   return Quadrature<1>(points);
-}
-
-std::string instance_name(const std::string &name, const unsigned int site, const bool several) {
-  return several ? name + "." + std::to_string(site + 1) : name;
 }
 
 /// Motion inside a straight clamped cell under its own load, which the shape functions leave out
@@ -58,25 +55,12 @@ FrameBuilder::FrameBuilder(const Model &model, const bool both_sides)
   find_cells_at_restraints();
 }
 
-std::vector<SupportInfo> FrameBuilder::support_infos() const {
-  std::vector<SupportInfo> infos;
-  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
-    const Contact &contact = model.contacts[i];
-    const FrictionSupport &support = model.scene.supports[contact.support];
-    infos.push_back(
-        {instance_name(support.name, contact.site, model.mesh.supports[contact.support].size() > 1),
-         support.kind, model.discretization.vertices()[contact.vertices[0]], -contact.axes.x,
-         contact.axes.z, contact.axes.y, support.capacity});
-  }
-  return infos;
-}
-
 std::vector<RestraintInfo> FrameBuilder::restraint_infos() const {
   std::vector<RestraintInfo> infos;
   for (unsigned int i = 0; i < model.scene.restraints.size(); ++i)
     for (unsigned int site = 0; site < model.mesh.restraints[i].size(); ++site)
       infos.push_back(
-          {instance_name(model.scene.restraints[i].name, site, model.mesh.restraints[i].size() > 1),
+          {name_of_place(model.scene.restraints[i].name, site, model.mesh.restraints[i].size() > 1),
            model.scene.restraints[i].kind,
            model.mesh.vertices[model.mesh.restraints[i][site].vertex],
            model.scene.restraints[i].capacity});
@@ -104,22 +88,6 @@ Motion FrameBuilder::velocity(const LineState &state, const std::string &point) 
       result[c] = model.linear.rate(dof, model.space, state.velocity, state.load_rates);
   }
   return result;
-}
-
-Motion FrameBuilder::support_force(const unsigned int i, const Contact::Strains &stress,
-                                   const unsigned int side) const {
-  const Contact &contact = model.contacts[i];
-  Motion force{};
-  for (unsigned int c = 0; c < 6; ++c)
-    for (unsigned int j = 0; j < contact.dofs.size(); ++j)
-      if (model.discretization.vertex_dofs().index(contact.vertices[side], c) == contact.dofs[j])
-        force[c] -= contact.weight * contact.B_dofs.col(j).dot(stress);
-  return force;
-}
-
-Motion FrameBuilder::support_force(const SupportState &state, const unsigned int i) const {
-  const Contact::Strains force(-state.fn, state.ft2, state.ft1, -state.mt);
-  return support_force(i, force / model.contacts[i].share(), 0);
 }
 
 Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) const {
@@ -154,34 +122,6 @@ Motion FrameBuilder::spring_force(const LineState &state, const Spring &spring) 
   return force;
 }
 
-SupportState FrameBuilder::support_state(const LineState &state, const unsigned int i) const {
-  const Contact &contact = model.contacts[i];
-  const double share = contact.share();
-  const Contact::Strains &stress = state.contact_stress[i], &strain = state.contacts.strain[i];
-  SupportState result;
-  result.status = state.contact_status[i];
-  result.fn = -share * stress[0];
-  result.ft1 = share * stress[2];
-  result.ft2 = share * stress[1];
-  result.mt = -share * stress[3];
-  result.work_friction = state.contacts.dissipated[i];
-  result.wear = state.contacts.wear[i];
-  result.impulse = state.contacts.impulse[i];
-  const FrictionThreshold &law = contact.law.closed_form();
-  result.gap = strain[0] * contact.length + law.gap;
-  if (result.status != ContactStatus::open) {
-    // What is left of the displacement since contact began when the elastic part is taken out.
-    const Contact::Strains &touch = state.contacts.touch[i];
-    const auto slip = [&](const unsigned int e, const double rigidity) {
-      const double elastic = rigidity > 0. ? stress[e] / rigidity : 0.;
-      return -(strain[e] - touch[e] - elastic) * contact.length;
-    };
-    result.slip1 = slip(2, law.shear_rigidity_z);
-    result.slip2 = slip(1, law.shear_rigidity_y);
-  }
-  return result;
-}
-
 Frame FrameBuilder::make(const LineState &state) {
   Frame frame;
   frame.time = state.time;
@@ -192,8 +132,8 @@ Frame FrameBuilder::make(const LineState &state) {
     add_pipe(state, pose, p, frame.line);
   add_vertex_forces(state, pose);
   add_inertia(state);
-  for (unsigned int i = 0; i < model.contacts.size(); ++i)
-    frame.supports.push_back(support_state(state, i));
+  for (unsigned int i = 0; i < model.contacts.places().size(); ++i)
+    frame.supports.push_back(support_state(model, state, i));
   frame.reactions = reactions_of_vertices(state);
   return frame;
 }
@@ -388,7 +328,7 @@ void FrameBuilder::add_vertex_forces(const LineState &state, const Pose &pose) {
     const auto &vertices = model.contacts[i].vertices;
     for (const unsigned int side : {0u, 1u})
       if (vertices[side] < vertex_forces.size()) {
-        const Motion force = support_force(i, state.contact_stress[i], side);
+        const Motion force = force_of_contact(model, i, state.contact_stress[i], side);
         for (unsigned int c = 0; c < 6; ++c)
           vertex_forces[vertices[side]][c] -= force[c];
       }

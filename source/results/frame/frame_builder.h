@@ -17,7 +17,6 @@ public:
   /// frames have equally many stations and can be combined; otherwise only where forces jump.
   explicit FrameBuilder(const Model &model, const bool both_sides = false);
 
-  std::vector<SupportInfo> support_infos() const;
   std::vector<RestraintInfo> restraint_infos() const;
 
   /// Displacements and section forces along the pipes, supports, reactions.
@@ -39,21 +38,11 @@ public:
   /// Velocity of a named point in global axes, also of one that loads move [m/s, rad/s].
   Motion velocity(const LineState &state, const std::string &point) const;
 
-  /// State of friction element @p i.
-  SupportState support_state(const LineState &state, const unsigned int i) const;
-
   /// Force of restraints and imposed motions on a vertex, of the frame made last [N, N m]; 0 at
   /// others, where what is left of the forces is inertia.
   Motion reaction(const unsigned int vertex) const {
     return is_held[vertex] ? vertex_forces[vertex] : Motion{};
   }
-  /// Force and moment in global axes [N, N m] of friction element @p i under this stress on its
-  /// pipe, or with @p side = 1 on what it stands on; lever arms and friction against twist
-  /// included.
-  Motion support_force(const unsigned int i, const Contact::Strains &stress,
-                       const unsigned int side) const;
-  /// The same on its pipe, of what is reported of it.
-  Motion support_force(const SupportState &state, const unsigned int i) const;
   /// Force of a spring and its dashpot on its first point [N, N m].
   Motion spring_force(const LineState &state, const Spring &spring) const;
 

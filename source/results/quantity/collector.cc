@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/user_error.h"
+#include "results/frame/support_states.h"
 #include "results/inelastic/section_states.h"
 #include "results/quantity/fibre_quantities.h"
 #include "results/quantity/impact_forces.h"
@@ -58,7 +59,8 @@ Collector::Collector(const Model &model, Results &results, FrameSink sink)
       builder(model, !model.scene.combinations.empty() || !model.scene.spectra.empty() ||
                          !model.scene.stress.code.empty()),
       pending(model.scene.quantities.size()) {
-  results.supports = builder.support_infos();
+  results.supports = support_infos(model);
+  results.support_of = supports_of_contacts(model.contacts);
   results.restraints = builder.restraint_infos();
   for (const auto &[name, vertex] : model.mesh.points)
     results.points.push_back({name, vertex, model.mesh.vertices[vertex]});
@@ -79,12 +81,11 @@ double Collector::force_at(const Quantity &quantity, const LineState &state,
   for (unsigned int i = 0; i < results.restraints.size(); ++i)
     if (results.restraints[i].name == quantity.where)
       return now.reactions[i][component];
-  if (const auto force = force_of_supports(builder, results, quantity.where, state, component))
+  if (const auto force = force_of_supports(model, results, quantity.where, state, component))
     return *force;
-  const auto point = model.mesh.points.find(quantity.where);
-  if (point == model.mesh.points.end())
+  if (model.mesh.points.count(quantity.where) == 0)
     refuse_place(quantity);
-  return force_at_point(model, builder, results, point->first, state, component);
+  return force_at_point(model, builder, quantity.where, state, component);
 }
 
 double Collector::evaluate(const Quantity &quantity, const LineState &state) {
@@ -120,7 +121,7 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
       return of_supports(quantity, current_frame(state));
     default:
       return of_support(quantity, [&](const unsigned int i) {
-        return builder.support_state(state, i).*support_numbers[kind.component];
+        return support_state(model, state, i).*support_numbers[kind.component];
       });
     }
   };
@@ -203,8 +204,8 @@ double Collector::force_at(const Quantity &quantity, const Frame &made,
     }
   for (unsigned int i = 0; i < results.supports.size(); ++i)
     if (is_part_of(results.supports[i], quantity.where) ||
-        (is_point && model.contacts[i].vertices[0] == point->second)) {
-      value += builder.support_force(made.supports[i], i)[component];
+        (is_point && results.supports[i].position == model.mesh.vertices[point->second])) {
+      value += force_of_support(model, made.supports[i], i)[component];
       found = true;
     }
   if (!found)

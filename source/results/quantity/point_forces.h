@@ -16,15 +16,14 @@ bool is_one_of(SupportInfo support, const std::string &where);
 
 /// Component 0 to 2 of the force [N], 3 to 5 of the moment [N m], global axes, of a friction
 /// support on its pipe, by its name, of both halves of a pair; nothing if there is none.
-std::optional<double> force_of_supports(const FrameBuilder &builder, const Results &results,
+std::optional<double> force_of_supports(const Model &model, const Results &results,
                                         const std::string &name, const LineState &state,
                                         const unsigned int component);
 
 /// The same of all that holds a point: restraints, springs, hangers, friction supports. The builder
 /// has made the frame of this state.
-double force_at_point(const Model &model, const FrameBuilder &builder, const Results &results,
-                      const std::string &point, const LineState &state,
-                      const unsigned int component);
+double force_at_point(const Model &model, const FrameBuilder &builder, const std::string &point,
+                      const LineState &state, const unsigned int component);
 
 /// Of a place that is none that forces act at.
 /// @throws UserError

@@ -57,7 +57,8 @@ void Collector::find_change(const Quantity &quantity, const LineState &state,
                            ? event.status != ContactStatus::open && !was_closed
                            : event.status == wanted;
     if (!change.value && is_it && lasts(state.events, k) && event.time >= quantity.from &&
-        event.time <= quantity.to && is_part_of(results.supports[event.contact], quantity.where)) {
+        event.time <= quantity.to &&
+        is_part_of(results.supports[results.support_of[event.contact]], quantity.where)) {
       change.value = quantity.scale * event.time;
       change.apart = event.time == state.time ? state.time - previous_time : 0.;
     }
@@ -268,10 +269,12 @@ void Collector::watch_impacts(const bool transient, const LineState &state) {
         if (const Quantity &quantity = model.scene.quantities[q];
             state.time >= quantity.from && previous_time <= quantity.to) {
           pending[q].struck =
-              pending[q].struck || is_extreme_of_force(quantity, results.supports[i]);
+              pending[q].struck ||
+              is_extreme_of_force(quantity, results.supports[results.support_of[i]]);
           pending[q].lacks_impulse =
               pending[q].lacks_impulse ||
-              (model.scene.time.is_exact() && is_integral_of_force(quantity, results.supports[i]));
+              (model.scene.time.is_exact() &&
+               is_integral_of_force(quantity, results.supports[results.support_of[i]]));
         }
     }
   contacts_before.take(model, state);

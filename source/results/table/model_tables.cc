@@ -205,7 +205,7 @@ void write_restraints(const Model &model, const Results &results, const UnitSyst
   };
   table.add_rows(results.supports.size(), [&](const unsigned int i, UnitRow &row) {
     const SupportInfo &support = results.supports[i];
-    add_place(support, model.contacts[i].vertices[0], "normal", row);
+    add_place(support, model.contacts[model.contacts.places()[i].front()].at, "normal", row);
     row.vector(support.normal).vector(support.t1).vector(support.t2).nothing(6);
     add_capacity(support.capacity, row);
   });

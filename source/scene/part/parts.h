@@ -162,6 +162,11 @@ void check_point(const ParameterReader &in, const std::string &entry, const std:
 /// The points that entry 'At' names, as check_point() knows them, each once.
 std::vector<std::string> points_at(const ParameterReader &in, Scene &scene);
 
+/// Whether a support stands on a point or on both edges of its Width.
+void declare_edges(ParameterReader &in);
+/// @throws UserError for kinds and entries that have no edges
+void parse_edges(const ParameterReader &in, const Scene &scene, FrictionSupport &support);
+
 /// Words of the six motions: ux, uy, uz, rx, ry, rz.
 extern const std::vector<std::string> motions;
 

@@ -129,8 +129,9 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
                   "the normal, is a rigid arm of that pipe.");
   in.declare_number("Width", 0., "m", 0., 1e300,
                     "Along the pipe, of the patch that a support of a solid pipe is pressed on, "
-                    "over 30 degrees of its circumference; 0: an outer diameter. A line stands on "
-                    "points.");
+                    "over 30 degrees of its circumference; 0: an outer diameter. Of a line, "
+                    "the distance between the edges that it stands on, if it does.");
+  declare_edges(in);
   in.declare_number("Restitution", 0., "-", 0., 1.,
                     "Newton's coefficient of an impact on a rigid contact, in transient steps: "
                     "relative velocity after over the one before.");
@@ -191,7 +192,7 @@ Restraint parse_restraint(const ParameterReader &in, const std::string &name,
          "friction");
   refuse(in, law_entries, kind, "a law's entries for guide, line stop, rest and friction");
   refuse(in, {"Pad"}, kind, "a pad under rest, guide, stop and friction");
-  refuse(in, {"Width"}, kind, "a Width of rest, guide, stop and friction");
+  refuse(in, {"Width", "Stands on"}, kind, "that of rest, guide, stop and friction");
   Restraint restraint;
   restraint.name = name;
   restraint.kind = kind;
@@ -321,6 +322,7 @@ FrictionSupport parse_friction_support(const ParameterReader &in, const std::str
   support.width = in.number("Width");
   remark_on_restitution(in, law, support, scene);
   parse_ground(in, scene, support);
+  parse_edges(in, scene, support);
   return support;
 }
 
@@ -329,7 +331,7 @@ bool holds_exactly(const ParameterReader &in, const LawDescription &law,
                    const FrictionSupport &support) {
   bool exact = law.name == std::string("coulomb") && support.ground.empty() &&
                !in.given("Length") && !in.flag("Torsion") && !support.ground_moves() &&
-               !in.given("Restitution");
+               !in.given("Restitution") && !support.on_edges;
   const std::vector<std::string> entries = law_entries(law);
   for (unsigned int i = 0; i < entries.size(); ++i)
     if (entries[i] == "Gap" || entries[i] == "Friction coefficient")

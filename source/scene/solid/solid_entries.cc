@@ -275,12 +275,13 @@ void remark_on_pairs(ParameterReader &in, Scene &scene) {
 
 /// What a line does not use.
 void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
-  const auto wide = std::find_if(scene.supports.begin(), scene.supports.end(),
-                                 [](const FrictionSupport &support) { return support.width > 0.; });
+  const auto wide = std::find_if(
+      scene.supports.begin(), scene.supports.end(),
+      [](const FrictionSupport &support) { return support.width > 0. && !support.on_edges; });
   if (wide != scene.supports.end())
     scene.remarks.push_back("Support " + part_name(*wide) +
                             ": its Width is that of a patch on a solid pipe, and a line does not "
-                            "use it.");
+                            "use it unless it stands on edges.");
   in.enter("Solid");
   for (const char *entry :
        {"Degree", "Cells around", "Cells through", "Cells per bend", "First cell", "Longest cell",
