@@ -9,9 +9,9 @@
 #include "model/mechanism.h"
 #include "results/file/output_file.h"
 #include "results/frame/frame_builder.h"
-#include "results/frame/support_states.h"
 #include "results/picture/line_picture.h"
 #include "results/stress/stresses.h"
+#include "results/support/support_states.h"
 #include "results/text.h"
 #include "scene/read_scene.h"
 

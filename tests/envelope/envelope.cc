@@ -9,6 +9,7 @@
 #include "model/line_model.h"
 #include "results/frame/envelope.h"
 #include "results/frame/frame_builder.h"
+#include "results/support/support_states.h"
 #include "scene/read_scene.h"
 
 #include <algorithm>
@@ -112,7 +113,7 @@ void run(const std::string &file, const std::vector<std::string> &options, const
   const Model &model = line.model();
   Results results;
   Reference reference(model, results);
-  results.supports = reference.builder.support_infos();
+  results.supports = support_infos(model);
   results.restraints = reference.builder.restraint_infos();
   for (const auto &[name, vertex] : model.mesh.points)
     results.points.push_back({name, vertex});

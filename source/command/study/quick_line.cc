@@ -2,11 +2,11 @@
 #include "command/study/quick_line.h"
 
 #include "model/line_model.h"
-#include "results/frame/support_states.h"
 #include "results/quantity/point_forces.h"
 #include "results/quantity/shown_quantity.h"
 #include "results/stress/inner_pressure.h"
 #include "results/stress/stresses.h"
+#include "results/support/support_states.h"
 
 #include <algorithm>
 #include <cmath>

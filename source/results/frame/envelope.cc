@@ -5,9 +5,9 @@
 #include "results/frame/derived_cases.h"
 
 #include "model/cell/line_cells.h"
-#include "results/frame/support_states.h"
 #include "results/stress/inner_pressure.h"
 #include "results/stress/stresses.h"
+#include "results/support/support_states.h"
 #include "results/text.h"
 #include "scene/steps/step_tree.h"
 

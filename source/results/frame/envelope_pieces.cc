@@ -4,7 +4,7 @@
 
 #include "results/frame/derived_cases.h"
 #include "results/frame/smooth_courses.h"
-#include "results/frame/support_states.h"
+#include "results/support/support_states.h"
 #include "results/text.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "results/frame/section_forces.h"
 
 #include "results/frame/frame_builder.h"
-#include "results/frame/support_states.h"
+#include "results/support/support_states.h"
 
 #include <limits>
 

@@ -3,7 +3,6 @@
 
 #include "base/numbers.h"
 #include "base/user_error.h"
-#include "results/frame/support_states.h"
 #include "results/inelastic/section_states.h"
 #include "results/quantity/fibre_quantities.h"
 #include "results/quantity/impact_forces.h"
@@ -13,6 +12,7 @@
 #include "results/quantity/support_quantities.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/stress/stresses.h"
+#include "results/support/support_states.h"
 #include "scene/steps/step_tree.h"
 
 #include <algorithm>

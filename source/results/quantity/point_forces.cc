@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/quantity/point_forces.h"
 #include "base/user_error.h"
-#include "results/frame/support_states.h"
+#include "results/support/support_states.h"
 #include "scene/support_pair.h"
 
 namespace frictionbeam {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/frame/support_states.h"
+#include "results/support/support_states.h"
 
 #include <algorithm>
 
