@@ -20,7 +20,7 @@ D, E, ALPHA, RISE, OVERHANG = 0.2, 2e11, 1.2e-5, 200., 5 * 0.2
 PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "build/bin/frictionbeam"
 
 
-def scene(ratio, width, apart, places, rigidity, growth, solid):
+def scene(ratio, width, apart, places, rigidity, growth, solid, stands_on="point"):
     t = D / (2 * ratio + 1)
     points = {"A": 0., **places, "B": 2 * apart * D + OVERHANG}
     text = f"""set Model = {"solid" if solid else "line"}
@@ -65,6 +65,7 @@ end
   set At = {name}
   set Friction coefficient = 0
   set Width = {width * D}
+  set Stands on = {stands_on}
 {f"  set Axial rigidity = {rigidity:.6g}" if rigidity else ""}
 """
         if growth:
@@ -105,11 +106,9 @@ def row(ratio, width, apart, around):
     t, r = D / (2 * ratio + 1), ratio * D / (2 * ratio + 1)
     wall = E * t / 6.8 / (r / t / 10) ** 1.65 * width ** 0.3  # doc/solid.md, "Walls at supports" [N/m]
     middle = {"P": apart * D, "Q": 2 * apart * D}
-    edges = {name + side: s + sign * width * D / 2
-             for name, s in middle.items() for side, sign in (("a", -1), ("b", 1))}
     solid = forces(scene(ratio, width, apart, middle, None, False, around))
-    point, edge = (tuple(forces(scene(ratio, width, apart, places, rigidity, growth, None)) for growth in (False, True))
-                   for places, rigidity in ((middle, wall), (edges, wall / 2)))
+    point, edge = (tuple(forces(scene(ratio, width, apart, middle, wall, growth, None, stands_on))
+                         for growth in (False, True)) for stands_on in ("point", "edges"))
     grows = solid[1] - solid[0]
 
     def shown(line):
