@@ -130,9 +130,9 @@ WallPatch PatchLayout::patch(const unsigned int support, const unsigned int site
   WallPatch patch;
   patch.support = support;
   patch.site = site;
-  patch.vertex = at.vertex;
+  patch.vertex = at.at;
   patch.part = "support " + of.name +
-               (line.supports[support].size() > 1 ? "." + std::to_string(site + 1) : "");
+               (n_places(line.supports[support]) > 1 ? "." + std::to_string(at.place + 1) : "");
   const double width = of.width > 0. ? of.width : 2. * wall.outer,
                s = wall.s_of(line, patch.vertex);
   patch.from = s - width / 2.;
@@ -158,7 +158,8 @@ std::vector<WallPatch> lay_patches(const Scene &scene, const LineMesh &line, con
   std::vector<WallPatch> patches;
   for (unsigned int i = 0; i < scene.supports.size(); ++i)
     for (unsigned int k = 0; k < line.supports[i].size(); ++k)
-      patches.push_back(layout.patch(i, k));
+      if (k == 0 || line.supports[i][k].place != line.supports[i][k - 1].place) // edges have one
+        patches.push_back(layout.patch(i, k));
   return patches;
 }
 

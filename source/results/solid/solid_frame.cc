@@ -155,8 +155,8 @@ Frame solid_frame(const Scene &scene, const Model &line, const PipeWall &wall,
   });
   const double thrust = loads.pressure(state.factors) * wall.bore_area();
   frame.line = FrameOfWall(scene, wall, rings, thrust).stations(jumps);
-  for (unsigned int i = 0; i < line.contacts.size(); ++i) {
-    const Contact &contact = line.contacts[i];
+  for (const auto &of_place : line.contacts.places()) {
+    const Contact &contact = line.contacts[of_place.front()];
     const auto patch =
         std::find_if(wall.patches.begin(), wall.patches.end(), [&](const WallPatch &one) {
           return one.support == contact.support && one.site == contact.site;
