@@ -31,7 +31,7 @@ ContinuumContact contact_on(const Scene &scene, const Model &line, const PipeWal
   ContinuumContact contact;
   contact.part = patch.part;
   contact.law = support.law;
-  contact.parameters = support.parameters_of(patch.site);
+  contact.parameters = support.parameters_of(contact_of(line, patch).place);
   contact.patch = ContinuumPatch{
       {{axes.x, axes.z, axes.y}}, ring.centre, ring.tangent, patch.outward, patch.least_cosine()};
   return contact;
