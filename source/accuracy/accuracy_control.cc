@@ -28,8 +28,7 @@ constexpr double margin = 1.1;        ///< by which an estimate must be below wh
 constexpr double first_share = 1e-3;  ///< of the tolerance, that one difference alone must be below
 constexpr double early_share = 0.2;   ///< of what is demanded, for what is chosen before others
 constexpr double most_of_model = 0.7; ///< of what is demanded, that the line model may use up
-constexpr unsigned int highest_level = 14;
-constexpr unsigned int most_levels_for_events = 5;
+constexpr unsigned int highest_level = 14, most_levels_for_events = 5;
 
 /// A run at some level of what is being refined.
 struct Trial {
@@ -153,18 +152,19 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
     Trial now = solve_at(what, level);
     const bool converged = now.results.status == RunStatus::converged,
                usable = converged && before.results.status == RunStatus::converged;
+    bool wants_proof = false;
     if (usable) {
       const auto differences = accuracy::differences(scene, before.results, now.results);
       account.runs.back().change = accuracy::largest(differences).value;
       convergence.add(before.level, level, differences);
       const double estimate = convergence.estimate(),
-                   hidden = list[what].is_of_increments
-                                ? accuracy::hidden_in_one_increment(scene, now.results)
-                                : 0.;
+                   hidden = list[what].hidden_in(scene, now.results),
+                   least = convergence.knows_orders() ? tolerance : first_share * tolerance;
       estimates[what] = std::max(estimate, hidden);
-      if (margin * estimate <= (convergence.knows_orders() ? tolerance : first_share * tolerance) &&
-          margin * hidden <= tolerance && sees_events(before.results, now.results)) {
-        coarsest_will_do = list[what].coarsest_may_be_exact && before.level == 0;
+      const bool agrees = margin * estimate <= least && margin * hidden <= tolerance;
+      wants_proof = agrees && !list[what].proves(level, estimate, now.results);
+      if (agrees && !wants_proof && sees_events(before.results, now.results)) {
+        coarsest_will_do = list[what].coarsest_will_do(before.level, estimate);
         return now;
       }
     }
@@ -173,7 +173,8 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       level = on > 0 ? before.level + on : highest_level + 1;
     } else {
       before = std::move(now);
-      level += usable ? convergence.levels_to(tolerance / margin) : 1;
+      const unsigned int next = level + (usable ? convergence.levels_to(tolerance / margin) : 1);
+      level = wants_proof ? list[what].level_of_proof : next;
     }
     if (level > highest_level) {
       account.reached = false;
@@ -274,8 +275,8 @@ ModelKind AccuracyControl::choose_bends() {
                                  why);
     return model;
   }
-  if (this_process() > 0) // a line is the first one's
-    return model;
+  if (this_process() > 0)
+    return model; // a line is the first one's
   pipes = accuracy::choose_pipe_model(accuracy::with_arcs(scene),
                                       {demanded, most_of_model, early_share},
                                       [this](const Scene &one, const std::string &what) {
@@ -292,10 +293,11 @@ ModelKind AccuracyControl::choose_bends() {
 
 Results AccuracyControl::run_line() {
   list = accuracy::refinables(scene, file);
-  for (const std::string &setting : accuracy::exact_settings(scene))
-    chosen.push_back(setting);
-  for (const std::string &quantity : accuracy::left_out(scene))
-    account.left_out.push_back(quantity);
+  const auto append = [](auto &all, const auto &more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  append(chosen, accuracy::exact_settings(scene));
+  append(account.left_out, accuracy::left_out(scene));
   levels.assign(list.size(), 0); // what is chosen later is coarse as yet
   estimates.assign(list.size(), 0.);
   Results results;
@@ -314,8 +316,7 @@ Results AccuracyControl::run_line() {
   for (const double estimate : estimates)
     account.estimate += estimate;
   for (std::size_t i = 0; i < list.size(); ++i)
-    for (const std::string &setting : list[i].settings(levels[i]))
-      chosen.push_back(setting);
+    append(chosen, list[i].settings(levels[i]));
   return results;
 }
 

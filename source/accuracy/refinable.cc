@@ -93,6 +93,7 @@ bool has_creep(const Scene &scene, const ParameterFile &file) {
 /// an increment leave falls as that does, with its third power: it may be what cuts increments.
 Refinable increments_of(const Scene &scene, const SceneKind &kind, const bool creeps) {
   constexpr double least = 1e-7, falls = 8.;
+  constexpr unsigned int level_of_proof = 6;
   const double tolerance = scene.solver.creep_tolerance;
   std::vector<std::pair<std::string, unsigned int>> paths;
   if (kind.is_generated())
@@ -119,9 +120,10 @@ Refinable increments_of(const Scene &scene, const SceneKind &kind, const bool cr
             return settings;
           },
           true,
-          true,
           false,
-          Convergence::Order::first_at_best};
+          Convergence::Order::first_at_best,
+          &hidden_in_one_increment,
+          level_of_proof};
 }
 
 /// An exact integrator takes steps only where slip follows a curve or events accumulate; of
@@ -138,9 +140,7 @@ std::optional<Refinable> time_step_of(const Scene &scene) {
                        settings.push_back("Time/Output interval = " + exact_number(longest / 4.));
                      return settings;
                    },
-                   is_exact,
-                   false,
-                   !is_exact,
+                   is_exact, !is_exact,
                    scene.supports.empty() ? Convergence::Order::unknown
                                           : Convergence::Order::first_at_best};
 }
@@ -157,8 +157,8 @@ Refinable cells_of(const double run, const bool bends) {
           },
           false,
           false,
-          false,
-          Convergence::Order::regular};
+          Convergence::Order::regular,
+          &unseen_between_sections};
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accuracy/convergence.h"
+#include "results/results.h"
 #include "scene/file/parameter_file.h"
 #include "scene/scene.h"
 
@@ -14,11 +15,28 @@ struct Refinable {
   std::string name;                                                           ///< for the user
   std::function<std::vector<std::string>(const unsigned int level)> settings; ///< as of --set
   bool coarsest_may_be_exact = false; ///< as one increment is, where friction only grows
-  bool is_of_increments = false;      ///< of static steps: hidden_in_one_increment()
   bool depends_on_next = false;       ///< of the list: both are refined together
   /// Of its errors: 1 at best where friction has a history, regular where no slip or contact can be
   /// met here or there, as by cells.
   Convergence::Order order = Convergence::Order::unknown;
+  /// What of an answer no difference from coarser ones shows, relative; null: nothing.
+  std::function<double(const Scene &, const Results &)> hidden;
+  /// Coarser levels may agree for what they all step over, unless increments are known to be exact.
+  unsigned int level_of_proof = 0;
+
+  double hidden_in(const Scene &scene, const Results &results) const {
+    return hidden ? hidden(scene, results) : 0.;
+  }
+  /// Whether it means something that an answer agrees with coarser ones to an estimate.
+  bool proves(const unsigned int level, const double estimate, const Results &results) const {
+    return level >= level_of_proof || estimate > rounding || results.known.increments.error == 0.;
+  }
+  /// Whether the coarsest level is as good as one that agrees so with that before it.
+  bool coarsest_will_do(const unsigned int level_before, const double estimate) const {
+    return coarsest_may_be_exact && (level_before == 0 || estimate <= rounding);
+  }
+
+  static constexpr double rounding = 1e-9; ///< of answers that agree
 };
 
 /**

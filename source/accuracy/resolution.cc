@@ -2,10 +2,12 @@
 #include "accuracy/resolution.h"
 
 #include "base/numbers.h"
+#include "results/how_well_known.h"
 #include "scene/steps/history_origins.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace frictionbeam::accuracy {
 
@@ -110,6 +112,10 @@ double hidden_in_one_increment(const Scene &scene, const Results &results) {
       hidden = std::max(hidden, step.energy.inelastic / step.energy.turnover);
   }
   return hidden;
+}
+
+double unseen_between_sections(const Scene &, const Results &results) {
+  return has_unseen_yield(results) ? std::numeric_limits<double>::infinity() : 0.;
 }
 
 } // namespace frictionbeam::accuracy

@@ -28,4 +28,8 @@ std::string nearly_missed(const Results &coarse, const Results &fine);
  */
 double hidden_in_one_increment(const Scene &scene, const Results &results);
 
+/// Likewise of cells: infinite where a pipe is solved as elastic that yields between their
+/// sections.
+double unseen_between_sections(const Scene &scene, const Results &results);
+
 } // namespace frictionbeam::accuracy

@@ -19,8 +19,7 @@ void Results::certify(const Scene &scene, const bool contacts_are_judged) {
     if (step.energy.at_hand == 0. && turnover > 0.)
       imbalance = std::max(imbalance, left_over_beyond_rounding(step.energy) / turnover);
     contact.include(step.contact);
-    sections.yield_violation = std::max(sections.yield_violation, step.sections.yield_violation);
-    sections.imbalance = std::max(sections.imbalance, step.sections.imbalance);
+    sections.include(step.sections);
     account += step.energy;
   }
   for (StepReport &step : steps)

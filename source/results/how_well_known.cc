@@ -85,8 +85,8 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
     return {{}, "friction slips in the only increment, and nothing shows on which way"};
   if (all.met_beside_friction)
     return {{},
-            "a contact closes or opens within an increment, where friction of others may turn back "
-            "unseen; Accuracy measures it"};
+            "a contact closes, opens, turns back or lets go within an increment, where friction of "
+            "others may turn unseen; Accuracy measures it"};
   if (all.slip_turned <= rounding * all.largest_displacement)
     return {0., "no friction force has turned within an increment"};
   return {error_by_turned_slip * all.slip_turned / all.largest_displacement,
@@ -181,6 +181,10 @@ KnownError by_cells(const Scene &scene, const Results &results, const Resolution
   if (has_flowed(results))
     return {{},
             "pipes yield or creep between the sections that are looked at; Accuracy measures it"};
+  if (has_unseen_yield(results))
+    return {{},
+            "between the sections of a cell strains are beyond those at which its law is elastic, "
+            "where nothing looks at them; take shorter cells"};
   constexpr double right_angle = 1.57079632679489662;
   double error = 0.;
   if (scene.has_bend() && !scene.mesh.arcs) {
@@ -233,7 +237,18 @@ std::string in_words(const KnownError &known) {
   return *known.error == 0. ? "exact" : rounded_number(100. * *known.error, 2) + " %";
 }
 
+bool has_unseen_yield(const Results &results) {
+  return std::any_of(results.steps.begin(), results.steps.end(),
+                     [](const StepReport &step) { return step.sections.unseen_yield > rounding; });
+}
+
 void add_remarks(const HowWellKnown &known, const bool chooses_increments, Results &results) {
+  if (has_unseen_yield(results))
+    results.remarks.push_back(
+        "A pipe yields between the sections of a cell, where nothing looks at it, and is solved as "
+        "if it did not: what is told of it is not an answer. Take shorter cells (Mesh/Cell "
+        "length), "
+        "more Section points, or an Accuracy.");
   const std::string ask =
       results.accuracy || !chooses_increments ? "." : ", or ask for an Accuracy.";
   if (!known.increments.error && !known.increments.reason.empty() && !has_flowed(results))

@@ -24,10 +24,7 @@ bool add_result(const EquilibriumResult &result, StepReport &report) {
 }
 
 void check_sections(const Model &model, const LineState &state, StepReport &report) {
-  const PipeSections::Check now = model.cells.check_sections(state.sections, state.load_factors);
-  PipeSections::Check &worst = report.sections;
-  worst.yield_violation = std::max(worst.yield_violation, now.yield_violation);
-  worst.imbalance = std::max(worst.imbalance, now.imbalance);
+  report.sections.include(model.cells.check_sections(state.sections, state.load_factors));
 }
 
 } // namespace frictionbeam

@@ -39,8 +39,8 @@ struct Resolution {
   /// Static increments: contacts closed a gap, opened, began or ceased to slip within one, and
   /// forces over time have a corner there.
   bool turned_within = false;
-  /// Static increments: contacts closed a gap or opened within one, while others have friction,
-  /// whose slip may have turned back there.
+  /// Static increments: contacts closed a gap, opened, turned back or let go within one, while
+  /// others have friction, whose slip may have turned unseen.
   bool met_beside_friction = false;
   /// Static increments: of contacts that have slipped in no more than one increment of this step,
   /// on a way that may bend, the longest slip [m]. More increments, each with all of it in its

@@ -86,9 +86,10 @@ struct StepReport {
 
   void transfer(Archive &archive) {
     archive(step, increments, halvings, iterations, factorizations, back_substitutions, residual,
-            contact, sections.yield_violation, sections.imbalance, energy, converged, limit, cycle,
-            no_equilibrium, several_equilibria, undetermined_forces, undetermined_within, remark,
-            warning, reduction, margins, struck, resolution, velocity_jumps, torn_off);
+            contact, sections.yield_violation, sections.imbalance, sections.unseen_yield, energy,
+            converged, limit, cycle, no_equilibrium, several_equilibria, undetermined_forces,
+            undetermined_within, remark, warning, reduction, margins, struck, resolution,
+            velocity_jumps, torn_off);
   }
 };
 

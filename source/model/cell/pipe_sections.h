@@ -111,6 +111,10 @@ public:
     /// Of stresses with the forces on the ends of their cell and the load between, each component
     /// by the root of its stiffness, of the largest in the cell [-].
     double imbalance = 0.;
+    /// Elastic bound less 1 of strains between the sections of cells in which none has flowed [-].
+    double unseen_yield = 0.;
+
+    void include(const Check &other);
   };
   void check(const unsigned int cell, const Surroundings &surroundings, const Vector &states,
              Check &worst) const;
@@ -139,6 +143,11 @@ public:
                               const Vector &states) const;
 
 private:
+  struct Cell;
+  /// Largest elastic bound between the sections of a cell that is elastic, along a parabola of its
+  /// strains, as a line force bends it.
+  double bound_between(const Cell &cell, const LawIncrement &increment, const Vector &states) const;
+
   /// Where the law has the flexibility of bends in itself, its sections' axes y, z are those of the
   /// bend: towards its centre, and about it.
   struct Cell {

@@ -12,6 +12,33 @@ using Vector6 = PipeSections::Vector6;
 using Vector12 = PipeSections::Vector12;
 using Values = Eigen::Map<const Vector6>;
 
+void PipeSections::Check::include(const Check &other) {
+  yield_violation = std::max(yield_violation, other.yield_violation);
+  imbalance = std::max(imbalance, other.imbalance);
+  unseen_yield = std::max(unseen_yield, other.unseen_yield);
+}
+
+double PipeSections::bound_between(const Cell &cell, const LawIncrement &increment,
+                                   const Vector &states) const {
+  constexpr unsigned int n_places = 32;
+  const unsigned int n = cell.chain.size(), middle = n / 2;
+  const std::array<unsigned int, 3> points = {0, middle, n - 1};
+  double largest = 0.;
+  for (unsigned int i = 1; i < n_places; ++i) {
+    const double part = static_cast<double>(i) / n_places;
+    Vector6 strains = Vector6::Zero();
+    for (const unsigned int p : points) {
+      double weight = 1.;
+      for (const unsigned int other : points)
+        if (other != p)
+          weight *= (part - cell.part[other]) / (cell.part[p] - cell.part[other]);
+      strains += weight * Values(states.data() + place_of(cell, p) + strain);
+    }
+    largest = std::max(largest, cell.law(middle).elastic_bound(strains.data(), 1., increment));
+  }
+  return largest;
+}
+
 void PipeSections::check(const unsigned int index, const Surroundings &surroundings,
                          const Vector &states, Check &worst) const {
   const Cell &cell = *cells[index];
@@ -23,8 +50,10 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
   const Vector6 beta = (forces(index, states) - cell.carried * load).tail<6>();
   constexpr double nothing = 1e-7; // a strain whose stresses are no more than rounding of motions
   double largest = 0., off = 0.;
+  bool has_flowed = false;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     const double *const values = states.data() + place_of(cell, q);
+    has_flowed = has_flowed || values[flowed] != 0.;
     if (values[flowed] != 0. || !(cell.law(q).elastic_bound(values + strain, 1., increment) < 1.)) {
       const double ratio =
           cell.law(q).report(values + strain, 1., increment, values + internal).utilization;
@@ -44,6 +73,8 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
   }
   if (largest > 0.)
     worst.imbalance = std::max(worst.imbalance, off / largest);
+  if (!has_flowed && !load.isZero(0.) && cell.chain.size() > 2)
+    worst.unseen_yield = std::max(worst.unseen_yield, bound_between(cell, increment, states) - 1.);
 }
 
 bool PipeSections::is_far(const unsigned int index, const Vector12 &motions) const {

@@ -5,6 +5,7 @@
 #include "model/line_model.h"
 #include "results/doubt/buckling.h"
 #include "results/doubt/idle_supports.h"
+#include "results/doubt/peaks_between_stations.h"
 #include "results/doubt/pressed_span.h"
 #include "results/doubt/soft_rigid_pipe.h"
 #include "results/frame/frame_choice.h"
@@ -371,6 +372,7 @@ void add_doubts(const Model &model, Results &results) {
   doubts.of_restraints_in_one_place();
   doubts.of_rigid_pipes();
   remark_on_idle_supports(scene, results);
+  remark_on_peaks_between_stations(scene, results);
 }
 
 } // namespace frictionbeam
