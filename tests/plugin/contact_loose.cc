@@ -115,6 +115,16 @@ void what_does_not_fit() {
   CHECK(with([](contact::ContactMemory &memory) { memory.sites.wear.clear(); }));
   CHECK(with([](contact::ContactMemory &memory) { memory.sites.touch.clear(); }));
 
+  // Friction that grows when slip begins is none.
+  CHECK(is_refused([]() {
+    const LawDescription &law = laws.find("coulomb");
+    std::vector<double> parameters = default_parameters(law);
+    parameters[parameter_index(law, "Friction coefficient")] = 0.3;
+    parameters[parameter_index(law, "Dynamic friction coefficient")] = 0.4;
+    contact::Solver(contact::system_of(stiffness(1e3)),
+                    {contact::on_ground({0, 1, 2}, {0., 0., -1.}, law, parameters)});
+  }));
+
   // A point has three translations at most, each another dof; rows by hand may name one twice.
   const LawDescription &law = laws.find("coulomb");
   for (const std::vector<unsigned int> &dofs :

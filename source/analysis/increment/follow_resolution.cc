@@ -133,6 +133,56 @@ bool changes_limit_within(const Contact &contact, const unsigned int i, const Li
   return (begins && after.contact_status[i] == ContactStatus::slip) || turns;
 }
 
+/// What contacts do within an increment beside which the friction of others may turn unseen.
+class UnseenTurns {
+public:
+  UnseenTurns(const Model &model, const LineState &before, const LineState &after) {
+    double largest = 0.;
+    for (const Contact::Strains &stress : after.contact_stress)
+      largest = std::max(largest, stress.head<3>().norm());
+    for (unsigned int i = 0; i < model.contacts.size(); ++i)
+      if (const Contact &contact = model.contacts[i]; contact.law.has_closed_form())
+        add(contact.law.closed_form(), i, before, after, nothing * largest);
+  }
+
+  bool has_friction() const { return any_friction; }
+  /// Several contacts with friction, of which some begin to slip from no friction while normal
+  /// forces change, or have friction from before and begin, end or turn their slip, or let go of a
+  /// static friction that is larger.
+  bool beside_slip() const {
+    return n_held > 1 && (lets_go || has_past || (begins && changes_forces));
+  }
+
+private:
+  static constexpr double nothing = 1e-9;
+
+  void add(const FrictionThreshold &law, const unsigned int i, const LineState &before,
+           const LineState &after, const double least) {
+    const ContactStatus from = before.contact_status[i], to = after.contact_status[i];
+    if (law.static_friction == 0. || (from == ContactStatus::open && to == ContactStatus::open))
+      return;
+    any_friction = true;
+    const Contact::Strains &stress_before = before.contact_stress[i],
+                           &stress = after.contact_stress[i];
+    if (to == ContactStatus::open || !(-stress[0] > least))
+      return;
+    ++n_held;
+    changes_forces =
+        changes_forces || (from != ContactStatus::open &&
+                           std::abs(stress[0] - stress_before[0]) > nothing * std::abs(stress[0]));
+    const bool slipped = from == ContactStatus::slip, slips = to == ContactStatus::slip;
+    const Eigen::Vector2d T0 = stress_before.segment<2>(1), T1 = stress.segment<2>(1);
+    const bool has_friction_before = T0.norm() > nothing * T1.norm();
+    begins = begins || (slips && !slipped);
+    has_past = has_past || (slips != slipped && has_friction_before) || (slips && T0.dot(T1) < 0.);
+    lets_go = lets_go || (slips && !slipped && law.dynamic_friction < law.static_friction);
+  }
+
+  bool any_friction = false, begins = false, has_past = false, lets_go = false,
+       changes_forces = false;
+  unsigned int n_held = 0;
+};
+
 } // namespace
 
 FollowResolution::FollowResolution(const Model &model)
@@ -203,12 +253,7 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
   compliances.resize(model.contacts.size());
   slips.resize(model.contacts.size());
   const Directions motion(before, after, translations);
-  constexpr double nothing = 1e-9;
-  bool has_friction = false, has_met = false;
-  // Whether contacts begin to slip, or with friction from before begin, end or turn their slip, or
-  // let go of a static friction that is larger; whether normal forces change.
-  bool begins = false, has_past = false, lets_go = false, changes_forces = false;
-  unsigned int n_held = 0; // by friction
+  bool has_met = false;
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {
     const Contact &contact = model.contacts[i];
     resolution.slip_is_known = resolution.slip_is_known && contact.law.has_closed_form();
@@ -220,38 +265,23 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
     if (!contact.law.has_closed_form())
       continue;
     const FrictionThreshold &law = contact.law.closed_form();
-    has_friction =
-        has_friction || (law.static_friction > 0. &&
-                         !(status_before == ContactStatus::open && status == ContactStatus::open));
     resolution.limit_changed_within =
         resolution.limit_changed_within || changes_limit_within(contact, i, before, after);
     if (status == ContactStatus::open)
       continue;
-    if (law.static_friction > 0. && after.contact_stress[i][0] != 0.)
-      ++n_held;
-    const double N0 = before.contact_stress[i][0], N1 = after.contact_stress[i][0];
-    changes_forces = changes_forces || (status_before != ContactStatus::open &&
-                                        std::abs(N1 - N0) > nothing * std::abs(N0 + N1));
     const double gap = contact.length * before.contacts.strain[i][0] + law.gap,
                  normal_force = after.contact_stress[i].head<3>().norm();
     if (contact.platen_force == 0. && gap > no_gap * resolution.largest_displacement &&
         after.contact_stress[i].segment<2>(1).norm() > no_friction * normal_force)
       resolution.touched_within = true;
-    if (status != ContactStatus::slip) {
-      has_past = has_past || status_before == ContactStatus::slip;
+    if (status != ContactStatus::slip)
       continue;
-    }
     const auto slip = [&](const int place) {
       return contact.length * (after.contacts.internal[contact.state_offset + place] -
                                before.contacts.internal[contact.state_offset + place]);
     };
     const Eigen::Vector2d path(slip(law.slip_y), slip(law.slip_z)),
         T0 = before.contact_stress[i].segment<2>(1), T1 = after.contact_stress[i].segment<2>(1);
-    begins = begins || status_before != ContactStatus::slip;
-    has_past = has_past || T0.dot(T1) < 0. ||
-               (status_before != ContactStatus::slip && T0.norm() > nothing * T1.norm());
-    lets_go = lets_go ||
-              (status_before != ContactStatus::slip && law.dynamic_friction < law.static_friction);
     const double largest = std::max(T0.norm(), T1.norm()), length = path.norm();
     if (T0.norm() <= 1e-9 * largest)
       resolution.slip_from_rest = std::max(resolution.slip_from_rest, length);
@@ -284,11 +314,11 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
   for (const SlipOfStep &slip : slips)
     if (slip.n_increments == 1)
       resolution.slip_in_one = std::max(resolution.slip_in_one, slip.bent);
-  // What has turned shows besides, by how far.
-  const bool nothing_turned = resolution.slip_turned <= nothing * resolution.largest_displacement;
-  resolution.met_beside_friction =
-      resolution.met_beside_friction || (has_met && has_friction) ||
-      (nothing_turned && n_held > 1 && (lets_go || has_past || (begins && changes_forces)));
+  const UnseenTurns unseen(model, before, after);
+  const bool shows = resolution.slip_turned > 1e-9 * resolution.largest_displacement; // how far
+  resolution.met_beside_friction = resolution.met_beside_friction ||
+                                   (has_met && unseen.has_friction()) ||
+                                   (!shows && unseen.beside_slip());
 }
 
 void FollowResolution::transfer(Archive &archive) { archive(slip_turned, slips); }

@@ -102,6 +102,7 @@ bool LoadSequence::settle() {
   const Factors factors = course.factors_at(current.time, side);
   if (course.forces(factors).isZero(0.))
     return true;
+  iterations_left = most_iterations_of(model.scene.solver);
   LineState to = current;
   last_result = solve_statics(factors, current.time, {}, to);
   if (!add_result(last_result, step_reports.back())) {

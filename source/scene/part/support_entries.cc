@@ -309,8 +309,8 @@ FrictionSupport parse_friction_support(const ParameterReader &in, const std::str
   support.law = law.name;
   for (const std::string &entry : law_entries(law))
     support.parameters.push_back(in.number(entry));
-  check_closed_form(in, law, support.parameters);
   check_together(in, law, support.parameters);
+  check_closed_form(in, law, support.parameters);
   remark_on_units(in, "Support " + name, law, scene.remarks);
   support.length = in.number("Length");
   remark_on_length(in, law, support, scene);

@@ -87,8 +87,8 @@ std::vector<double> parse_place(const ParameterReader &in, const LawDescription 
   std::vector<double> parameters;
   for (const std::string &entry : law_entries(law))
     parameters.push_back(in.number(entry));
-  check_closed_form(in, law, parameters);
   check_together(in, law, parameters);
+  check_closed_form(in, law, parameters);
   return parameters;
 }
 
