@@ -45,7 +45,7 @@ constexpr LawParameter parameters[n_parameters] = {
 enum State { slip_y, slip_z, twist, was_slipping, n_states };
 
 double dynamic_coefficient(const double *p) {
-  return p[f_dynamic] < 0. ? p[f_static] : p[f_dynamic];
+  return p[f_dynamic] < 0. ? p[f_static] : std::min(p[f_dynamic], p[f_static]);
 }
 
 const char *fault(const double *p) {

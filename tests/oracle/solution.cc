@@ -49,12 +49,17 @@ public:
         origin[l] = origin_of(l);
   }
 
-  /// Times of an increment: its own end, and corners of histories before it.
+  /// Times of an increment: its own end, and corners of histories before it. Platens press before
+  /// the first of all.
   std::vector<double> instants(const int k) const {
     const Step &now = scene.steps[step];
     const double before = start + now.duration * (k - 1) / now.increments,
                  end = start + now.duration * k / now.increments;
     std::vector<double> result;
+    if (step == 0 && k == 1 &&
+        std::any_of(scene.supports.begin(), scene.supports.end(),
+                    [](const Support &support) { return support.normal_force > 0.; }))
+      result.push_back(start);
     const auto add = [&](const double time) {
       if (time > before && time < end - 1e-9 * now.duration)
         result.push_back(time);
