@@ -4,6 +4,7 @@
 #include "model/line_model.h"
 #include "results/combination/uplift.h"
 #include "results/energy_judgement.h"
+#include "results/how_well_known.h"
 #include "scene/steps/step_tree.h"
 
 #include <algorithm>
@@ -98,6 +99,18 @@ OneCheck balance(const Results &results) {
   for (const Check &one : results.certificate)
     if (one.name == "support_balance" || one.name == "solid_join")
       check.judge(one.name, "", one.value, most_force_lost);
+  return check;
+}
+
+/// Pipes that are solved as elastic and yield where nothing looks.
+OneCheck yield(const Results &results) {
+  constexpr double most_unseen = 0.01; // of the elastic bound
+  OneCheck check("yield", "solver", "-");
+  double unseen = 0.;
+  for (const StepReport &step : results.steps)
+    unseen = std::max(unseen, step.sections.unseen_yield);
+  if (has_unseen_yield(results))
+    check.judge("strains between the sections of a cell", "", unseen, most_unseen);
   return check;
 }
 
@@ -238,6 +251,7 @@ std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
          "accuracy"});
   energy(scene, results).tell(told);
   balance(results).tell(told);
+  yield(results).tell(told);
   stress(results).tell(told);
   nozzles(results).tell(told);
   hangers(results).tell(told);
