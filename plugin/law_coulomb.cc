@@ -49,12 +49,10 @@ double dynamic_coefficient(const double *p) {
 }
 
 const char *fault(const double *p) {
-  const bool is_left_out = p[f_dynamic] == -1.;
-  return is_left_out || (p[f_dynamic] >= 0. && p[f_dynamic] <= p[f_static])
-             ? nullptr
-             : "a Dynamic friction coefficient from 0 to the Friction coefficient, or -1: a "
-               "Friction "
-               "coefficient as large, or leaving Dynamic friction coefficient out";
+  if (p[f_dynamic] == -1. || (p[f_dynamic] >= 0. && p[f_dynamic] <= p[f_static]))
+    return nullptr;
+  return "a Dynamic friction coefficient from 0 to the Friction coefficient, or -1: a Friction "
+         "coefficient as large, or leaving Dynamic friction coefficient out";
 }
 
 /// Rigidity of the return mapping: it needs a finite one where the user wants a rigid contact.

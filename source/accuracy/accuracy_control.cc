@@ -159,9 +159,9 @@ Trial AccuracyControl::refine(const std::size_t what, const double tolerance) {
       convergence.add(before.level, level, differences);
       const double estimate = convergence.estimate(),
                    hidden = list[what].hidden_in(scene, now.results),
-                   least = convergence.knows_orders() ? tolerance : first_share * tolerance;
+                   most = convergence.knows_orders() ? tolerance : first_share * tolerance;
       estimates[what] = std::max(estimate, hidden);
-      const bool agrees = margin * estimate <= least && margin * hidden <= tolerance;
+      const bool agrees = margin * estimate <= most && margin * hidden <= tolerance;
       wants_proof = agrees && !list[what].proves(level, estimate, now.results);
       if (agrees && !wants_proof && sees_events(before.results, now.results)) {
         coarsest_will_do = list[what].coarsest_will_do(before.level, estimate);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "accuracy/difference.h"
 
+#include "base/lagrange_weights.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -34,14 +36,11 @@ double value_at(const History &history, const unsigned int component, const doub
   const std::size_t n = t.size(), m = std::min<std::size_t>(4, n);
   const std::size_t after = std::lower_bound(t.begin(), t.end(), time) - t.begin();
   const std::size_t first = std::min(n - m, after < 2 ? 0 : after - 2);
+  const std::vector<double> weights =
+      lagrange_weights(std::vector<double>(t.begin() + first, t.begin() + first + m), time);
   double value = 0.;
-  for (std::size_t i = first; i < first + m; ++i) {
-    double weight = 1.;
-    for (std::size_t j = first; j < first + m; ++j)
-      if (j != i)
-        weight *= (time - t[j]) / (t[i] - t[j]);
-    value += weight * history.displacement[i][component];
-  }
+  for (std::size_t i = 0; i < m; ++i)
+    value += weights[i] * history.displacement[first + i][component];
   return value;
 }
 

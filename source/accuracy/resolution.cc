@@ -86,7 +86,8 @@ std::string nearly_missed(const Results &coarse, const Results &fine) {
         return std::isfinite(a) && std::isfinite(b) && a > 0. && b > 0. &&
                safety * std::abs(a - b) > b;
       };
-      const std::string where = fine.supports[i].name + " in step " + fine.steps[s].step;
+      const std::string where =
+          fine.supports[fine.support_of[i]].name + " in step " + fine.steps[s].step;
       if (is_near(before[i].slip, now[i].slip))
         return "slip at " + where;
       if (is_near(before[i].opening, now[i].opening))
@@ -115,7 +116,7 @@ double hidden_in_one_increment(const Scene &scene, const Results &results) {
 }
 
 double unseen_between_sections(const Scene &, const Results &results) {
-  return has_unseen_yield(results) ? std::numeric_limits<double>::infinity() : 0.;
+  return unseen_yield(results) > 0. ? std::numeric_limits<double>::infinity() : 0.;
 }
 
 } // namespace frictionbeam::accuracy

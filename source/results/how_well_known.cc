@@ -83,7 +83,7 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
                 work->name + " does not see when; Accuracy measures it"};
   if (n_increments == 1 && all.slip_from_rest > 0.)
     return {{}, "friction slips in the only increment, and nothing shows on which way"};
-  if (all.met_beside_friction)
+  if (all.turned_unseen)
     return {{},
             "a contact closes, opens, turns back or lets go within an increment, where friction of "
             "others may turn unseen; Accuracy measures it"};
@@ -181,7 +181,7 @@ KnownError by_cells(const Scene &scene, const Results &results, const Resolution
   if (has_flowed(results))
     return {{},
             "pipes yield or creep between the sections that are looked at; Accuracy measures it"};
-  if (has_unseen_yield(results))
+  if (unseen_yield(results) > 0.)
     return {{},
             "between the sections of a cell strains are beyond those at which its law is elastic, "
             "where nothing looks at them; take shorter cells"};
@@ -237,18 +237,19 @@ std::string in_words(const KnownError &known) {
   return *known.error == 0. ? "exact" : rounded_number(100. * *known.error, 2) + " %";
 }
 
-bool has_unseen_yield(const Results &results) {
-  return std::any_of(results.steps.begin(), results.steps.end(),
-                     [](const StepReport &step) { return step.sections.unseen_yield > rounding; });
+double unseen_yield(const Results &results) {
+  double largest = 0.;
+  for (const StepReport &step : results.steps)
+    largest = std::max(largest, step.sections.unseen_yield);
+  return largest > rounding ? largest : 0.;
 }
 
 void add_remarks(const HowWellKnown &known, const bool chooses_increments, Results &results) {
-  if (has_unseen_yield(results))
+  if (unseen_yield(results) > 0.)
     results.remarks.push_back(
         "A pipe yields between the sections of a cell, where nothing looks at it, and is solved as "
-        "if it did not: what is told of it is not an answer. Take shorter cells (Mesh/Cell "
-        "length), "
-        "more Section points, or an Accuracy.");
+        "if it did not: what is told of it is not an answer. Take shorter cells "
+        "(Mesh/Cell length), more Section points, or an Accuracy.");
   const std::string ask =
       results.accuracy || !chooses_increments ? "." : ", or ask for an Accuracy.";
   if (!known.increments.error && !known.increments.reason.empty() && !has_flowed(results))

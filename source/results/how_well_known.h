@@ -5,8 +5,9 @@
 
 namespace frictionbeam {
 
-/// Whether a pipe is solved as elastic that yields between the sections of a cell.
-bool has_unseen_yield(const Results &results);
+/// How far beyond its elastic bound a pipe is between the sections of a cell that is solved as
+/// elastic, the furthest of all, of the bound; 0: none is by more than rounding.
+double unseen_yield(const Results &results);
 
 /// Of a run of the line, from what its increments left behind.
 HowWellKnown how_well_known(const Scene &scene, const Results &results);

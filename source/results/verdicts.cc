@@ -106,10 +106,7 @@ OneCheck balance(const Results &results) {
 OneCheck yield(const Results &results) {
   constexpr double most_unseen = 0.01; // of the elastic bound
   OneCheck check("yield", "solver", "-");
-  double unseen = 0.;
-  for (const StepReport &step : results.steps)
-    unseen = std::max(unseen, step.sections.unseen_yield);
-  if (has_unseen_yield(results))
+  if (const double unseen = unseen_yield(results); unseen > 0.)
     check.judge("strains between the sections of a cell", "", unseen, most_unseen);
   return check;
 }

@@ -316,9 +316,8 @@ void FollowResolution::add_increment(const LineState &before, const LineState &a
       resolution.slip_in_one = std::max(resolution.slip_in_one, slip.bent);
   const UnseenTurns unseen(model, before, after);
   const bool shows = resolution.slip_turned > 1e-9 * resolution.largest_displacement; // how far
-  resolution.met_beside_friction = resolution.met_beside_friction ||
-                                   (has_met && unseen.has_friction()) ||
-                                   (!shows && unseen.beside_slip());
+  resolution.turned_unseen = resolution.turned_unseen || (has_met && unseen.has_friction()) ||
+                             (!shows && unseen.beside_slip());
 }
 
 void FollowResolution::transfer(Archive &archive) { archive(slip_turned, slips); }

@@ -19,7 +19,7 @@ void Resolution::include(const Resolution &other) {
   slip_from_rest = std::max(slip_from_rest, other.slip_from_rest);
   slip_is_known = slip_is_known && other.slip_is_known;
   touched_within = touched_within || other.touched_within;
-  met_beside_friction = met_beside_friction || other.met_beside_friction;
+  turned_unseen = turned_unseen || other.turned_unseen;
   loads_bend_within = loads_bend_within || other.loads_bend_within;
   starts_to_move = starts_to_move || other.starts_to_move;
   turned_within = turned_within || other.turned_within;

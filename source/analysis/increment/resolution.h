@@ -41,7 +41,7 @@ struct Resolution {
   bool turned_within = false;
   /// Static increments: contacts closed a gap, opened, turned back or let go within one, while
   /// others have friction, whose slip may have turned unseen.
-  bool met_beside_friction = false;
+  bool turned_unseen = false;
   /// Static increments: of contacts that have slipped in no more than one increment of this step,
   /// on a way that may bend, the longest slip [m]. More increments, each with all of it in its
   /// last, say nothing of that way.
@@ -57,7 +57,7 @@ struct Resolution {
   void transfer(Archive &archive) {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
             exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known,
-            touched_within, turned_in_motion, turned_within, met_beside_friction, starts_to_move,
+            touched_within, turned_in_motion, turned_within, turned_unseen, starts_to_move,
             loads_bend_within, slip_in_one, flow_increments, limit_changed_within);
   }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model/cell/pipe_sections.h"
 
+#include "base/lagrange_weights.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,17 +25,14 @@ double PipeSections::bound_between(const Cell &cell, const LawIncrement &increme
   constexpr unsigned int n_places = 32;
   const unsigned int n = cell.chain.size(), middle = n / 2;
   const std::array<unsigned int, 3> points = {0, middle, n - 1};
+  const std::array<double, 3> parts = {cell.part[0], cell.part[middle], cell.part[n - 1]};
   double largest = 0.;
   for (unsigned int i = 1; i < n_places; ++i) {
-    const double part = static_cast<double>(i) / n_places;
+    const std::array<double, 3> weights =
+        lagrange_weights(parts, static_cast<double>(i) / n_places);
     Vector6 strains = Vector6::Zero();
-    for (const unsigned int p : points) {
-      double weight = 1.;
-      for (const unsigned int other : points)
-        if (other != p)
-          weight *= (part - cell.part[other]) / (cell.part[p] - cell.part[other]);
-      strains += weight * Values(states.data() + place_of(cell, p) + strain);
-    }
+    for (unsigned int k = 0; k < points.size(); ++k)
+      strains += weights[k] * Values(states.data() + place_of(cell, points[k]) + strain);
     largest = std::max(largest, cell.law(middle).elastic_bound(strains.data(), 1., increment));
   }
   return largest;

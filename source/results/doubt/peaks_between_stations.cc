@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/doubt/peaks_between_stations.h"
 
+#include "base/lagrange_weights.h"
+
 #include "results/stress/wall_stress.h"
 #include "results/text.h"
 
@@ -29,17 +31,15 @@ struct Peak {
 void look_between(const Scene &scene, const Frame &frame, const std::size_t first, Peak &largest) {
   const std::array<const Station *, 3> at = {&frame.line[first], &frame.line[first + 1],
                                              &frame.line[first + 2]};
+  const std::array<double, 3> places = {at[0]->s, at[1]->s, at[2]->s};
   const Section section = section_at(scene, *at[1]);
   for (unsigned int i = 1; i < n_places; ++i) {
     const double s = at[0]->s + i * (at[2]->s - at[0]->s) / n_places;
+    const std::array<double, 3> weights = lagrange_weights(places, s);
     double My = 0., Mz = 0.;
-    for (const Station *const one : at) {
-      double weight = 1.;
-      for (const Station *const other : at)
-        if (other != one)
-          weight *= (s - other->s) / (one->s - other->s);
-      My += weight * one->force[4];
-      Mz += weight * one->force[5];
+    for (unsigned int k = 0; k < at.size(); ++k) {
+      My += weights[k] * at[k]->force[4];
+      Mz += weights[k] * at[k]->force[5];
     }
     if (const double stress = bending_stress(section, My, Mz); stress > largest.stress)
       largest = {stress, s, scene.pipes[at[1]->pipe].name, frame.name};
@@ -57,8 +57,7 @@ void remark_on_peaks_between_stations(const Scene &scene, Results &results) {
   double at_stations = 0.;
   Peak between;
   for (const Frame &frame : results.frames) {
-    if (!frame.end_of_step || frame.step >= scene.steps.size() ||
-        scene.steps[frame.step].transient)
+    if (!frame.end_of_step || frame.step >= scene.steps.size() || scene.steps[frame.step].transient)
       continue;
     for (const Station &station : frame.line)
       at_stations = std::max(at_stations, bending_stress(section_at(scene, station),

@@ -27,6 +27,8 @@ void for_each_number(AnyFrame &frame, const Function &function) {
   for (auto &reaction : frame.reactions)
     for (auto &value : reaction)
       function(value);
+  for (auto &support : frame.supports)
+    function(support.tilt);
 }
 
 } // namespace

@@ -189,15 +189,6 @@ void check_when(const ParameterReader &in, const Quantity &quantity, const Scene
     in.fail(quantity.name,
             quantity.what + " of a step: a case made of others has no contact status",
             "a step in place of " + quantity.step);
-  constexpr unsigned int first_moment = 3;
-  if (is_case && quantity.is(Of::holder) && quantity.kind().component >= first_moment &&
-      std::any_of(scene.supports.begin(), scene.supports.end(),
-                  [](const FrictionSupport &support) { return support.on_edges; }))
-    in.fail(quantity.name,
-            quantity.what +
-                " of a step where supports stand on edges: a case made of others has no "
-                "moment that edges hold",
-            "a step in place of " + quantity.step);
   if (quantity.kind().is_of_the_end() && (quantity.over != Over::end || quantity.time))
     in.fail(quantity.name, quantity.what + " of a step, without an interval and a time",
             "'" + quantity.what +
