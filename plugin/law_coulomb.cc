@@ -93,7 +93,7 @@ public:
           tangent[1 + i][1 + i] = k[i];
         }
       } else
-        slide(in, trial, k, dynamic, N, out, tangent);
+        slide(in, trial, k, dynamic, f, N, out, tangent);
       out.new_state[was_slipping] = slips ? 1. : 0.;
       out.contact = p[f_static] == 0. ? ContactStatus::closed
                     : slips           ? ContactStatus::slip
@@ -113,18 +113,27 @@ public:
   }
 
 private:
-  /// Return to the circle of radius f|N|, with stress, state, dissipation and tangent.
+  /// Return to the circle of radius f|N|, with stress, state, dissipation and tangent. Where the
+  /// contact lets go of a larger friction, what is stored down to that of sliding is lost.
+  /// @param held coefficient up to which it has held
   static void slide(const LawInput &in, const double (&trial)[2], const double (&k)[2],
-                    const double f, const double N, LawOutput &out,
+                    const double f, const double held, const double N, LawOutput &out,
                     double (&tangent)[n_support_strains][n_support_strains]) {
-    const double g = f * -N;
+    const double g = f * -N, part_held = held > f ? held * -N / std::hypot(trial[0], trial[1]) : 0.;
+    const auto let_go = [&](const int i, const double force) {
+      const double lost = held > f ? part_held * trial[i] - force : 0.;
+      out.dissipation += lost * lost / (2. * k[i]);
+    };
     if (g == 0.) { // frictionless: the slip follows the node
-      for (int i = 0; i < 2; ++i)
+      for (int i = 0; i < 2; ++i) {
         out.new_state[i] = in.strain[1 + i];
+        let_go(i, 0.);
+      }
       return;
     }
     const DiscProjection on_disc(trial, k, g);
     for (int i = 0; i < 2; ++i) {
+      let_go(i, on_disc.point[i]);
       const double slip = (trial[i] - on_disc.point[i]) / k[i];
       out.stress[1 + i] = on_disc.point[i];
       out.new_state[i] = in.old_state[i] + slip;

@@ -50,8 +50,8 @@ StressFactors factors_of_tee(const StressPoint &point) {
     h = 3.1 * T / r;
     break;
   case TeeKind::reinforced: {
-    const double pad = std::min(point.pad, 1.5 * T);
-    h = std::pow(T + pad / 2., 2.5) / (std::pow(T, 1.5) * r);
+    const double most = 4. * T / r; // of pads above 1.5 T
+    h = point.pad > 1.5 * T ? most : std::pow(T + point.pad / 2., 2.5) / (std::pow(T, 1.5) * r);
     break;
   }
   case TeeKind::unreinforced:
@@ -98,7 +98,9 @@ public:
     const double D = point.diameter, d = D - 2. * wall;
     const double Z = pi / 32. * (D * D * D * D - d * d * d * d) / D, A = pi * (D - wall) * wall;
     double bending = Z;
-    if (point.part == StressPart::branch_of_tee) { // effective modulus pi r^2 T, 319.4.4
+    constexpr double same_size = 1. - 1e-6;
+    if (point.part == StressPart::branch_of_tee && D < same_size * point.run_diameter) {
+      // Of a reducing outlet the effective modulus pi r^2 T, 319.4.4, eq. (20).
       const double r = (D - wall) / 2.;
       bending = pi * r * r * std::min(run_wall, i.in_plane * wall);
     }

@@ -74,7 +74,7 @@ std::size_t BlockFactorization::find_tree(const SparseMatrix &matrix, std::vecto
 
 void BlockFactorization::find_blocks(const std::vector<int> &parent,
                                      const std::vector<int> &below) {
-  constexpr int least_width = 4; // narrower ones are joined: zeros cost less than their overhead
+  constexpr int least_width = 6; // narrower ones are joined: zeros cost less than their overhead
   const int n = parent.size();
   blocks.clear();
   for (int k = 0; k < n;) {

@@ -66,10 +66,12 @@ private:
   /// Whether a body in balance is to be solved once more: slip is let go, pairs of stops are
   /// released, rounding is corrected.
   bool goes_on(Pass &now);
+  /// What goes_on() has not brought about from where halves of stops press on each other: solve the
+  /// increment from its beginning without the half of each pair that presses less, or without the
+  /// other one. @return whether the contact laws hold of all
+  bool solve_one_sided(Pass &now);
   /// Say why there is no solution.
   void explain(const Outcome outcome, Pass &now) const;
-  /// Whether it drags a contact along, and does not merely open contacts.
-  bool is_slide(const Vector &free_motion) const;
   /// @return whether the contact laws hold; the result says so.
   bool judge(Pass &now);
   /// Whether contact forces are made by the loads, and not by each other: the certificate measures
@@ -105,6 +107,26 @@ bool ExactSolver::Implementation::nothing_holds(Pass &now) {
   return attempts.solve_with_drag(x, now.response, now.result) == Outcome::slides_away;
 }
 
+bool ExactSolver::Implementation::solve_one_sided(Pass &now) {
+  const Pass::Accepted pressing = *now.accepted;
+  for (const bool stronger : {false, true}) {
+    now.accepted.reset();
+    now.is_corrected = false;
+    proximal.take_all();
+    stops.leave_out(pressing.response, stronger, proximal);
+    start_again(now);
+    for (unsigned int pass = 0; pass <= most_refinements && move(now); ++pass)
+      if (is_balanced(now) && !proximal.let_slipping_go(now.response)) {
+        if (judge(now) && !stops.press(now.response))
+          return true;
+        break;
+      }
+  }
+  proximal.take_all();
+  now.accepted = pressing;
+  return false;
+}
+
 void ExactSolver::Implementation::explain(const Outcome outcome, Pass &now) const {
   Result &result = now.result;
   if (outcome == Outcome::slides_away) {
@@ -118,7 +140,7 @@ void ExactSolver::Implementation::explain(const Outcome outcome, Pass &now) cons
   }
   if (result.no_equilibrium)
     result.remark = std::string("there is no equilibrium: the loads ") +
-                    (is_slide(result.free_motion)
+                    (proximal.is_slide(result.free_motion)
                          ? "exceed what friction can hold, and something slides away"
                          : "move what no contact resists, which lifts off or which none touches");
   else if (const auto pair = stops.overlapping(proximal, now.imposed))
@@ -129,20 +151,6 @@ void ExactSolver::Implementation::explain(const Outcome outcome, Pass &now) cons
     result.rounding_bars = true;
     result.remark = newton.rounding_remark();
   }
-}
-
-bool ExactSolver::Implementation::is_slide(const Vector &free_motion) const {
-  constexpr double nothing = 1e-6; // of the motion
-  const double size = free_motion.lpNorm<Eigen::Infinity>();
-  for (unsigned int i = 0; i < sites.size(); ++i) {
-    const Strains d = sites[i].length * sites[i].strain_by_unknowns(free_motion);
-    const double sliding = d.segment<2>(1).norm();
-    const double resisted = proximal.is_exact(i) ? proximal.friction_coefficient(i) * sliding : 0.;
-    // On the edge of what friction resists, d_N = mu |d_T|, if not in the plane itself.
-    if (sliding > nothing * size && d[0] <= (1. + 1e-3) * resisted + nothing * size)
-      return true;
-  }
-  return false;
 }
 
 std::vector<Strains> ExactSolver::Implementation::strains_at(const Pass &now) const {
@@ -285,6 +293,8 @@ Result ExactSolver::Implementation::solve(const Problem &problem, const ImposedM
       return result;
     break;
   }
+  if (now.accepted && stops.press(now.accepted->response) && solve_one_sided(now))
+    return result;
   if (now.accepted) { // the correction has not helped
     result.rounding_bars = false;
     unknowns = now.accepted->unknowns;

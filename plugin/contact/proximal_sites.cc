@@ -91,6 +91,20 @@ bool ProximalSites::let_slipping_go(const Response &response) {
   return changed;
 }
 
+bool ProximalSites::is_slide(const Vector &free_motion) const {
+  constexpr double nothing = 1e-6; // of the motion
+  const double size = free_motion.lpNorm<Eigen::Infinity>();
+  for (unsigned int i = 0; i < scales.size(); ++i) {
+    const Strains d = contacts[i].length * contacts[i].strain_by_unknowns(free_motion);
+    const double sliding = d.segment<2>(1).norm();
+    const double resisted = is_exact(i) ? friction_coefficient(i) * sliding : 0.;
+    // On the edge of what friction resists, d_N = mu |d_T|, if not in the plane itself.
+    if (sliding > nothing * size && d[0] <= (1. + 1e-3) * resisted + nothing * size)
+      return true;
+  }
+  return false;
+}
+
 void ProximalSites::save(WarmStart &memory) const {
   memory.stiffness_factor = stiffness_factor;
   memory.centre = centre;

@@ -34,6 +34,9 @@ public:
   /// Of exact contacts at the last evaluation: the stresses less the centre (ProximalAnswer).
   std::vector<Strains> misfit;
 
+  /// Whether a motion drags a contact along, and does not merely open contacts.
+  bool is_slide(const Vector &motion) const;
+
   /// Centre, coefficients and gaps at present.
   void save(WarmStart &memory) const;
   void restore(const WarmStart &memory);

@@ -10,11 +10,13 @@ namespace {
 constexpr double in_common_least = 1e-9; // of the larger force of a pair
 }
 
+double RigidStops::force_of(const unsigned int half, const Response &response) const {
+  return -sites[half].share() * response.stress[half][0];
+}
+
 double RigidStops::force_in_common(const Pair &pair, const Response &response) const {
-  const auto force = [&](const unsigned int i) {
-    return -sites[i].share() * response.stress[i][0];
-  };
-  const auto [less, more] = std::minmax({force(pair[0]), force(pair[1])});
+  const auto [weaker, stronger] = by_force(pair, response);
+  const double less = force_of(weaker, response), more = force_of(stronger, response);
   return less > in_common_least * more ? less : 0.;
 }
 
@@ -39,19 +41,27 @@ bool RigidStops::press(const Response &response) const {
                      [&](const Pair &pair) { return force_in_common(pair, response) > 0.; });
 }
 
+RigidStops::Pair RigidStops::by_force(const Pair &pair, const Response &response) const {
+  return force_of(pair[0], response) < force_of(pair[1], response) ? pair : Pair{pair[1], pair[0]};
+}
+
 void RigidStops::release(const Response &response, ProximalSites &proximal) const {
   for (const Pair &pair : pairs) {
     const double force = force_in_common(pair, response);
     if (!(force > 0.))
       continue;
-    const auto pressure = [&](const unsigned int i) { return -response.stress[i][0]; };
-    const bool first_is_less =
-        sites[pair[0]].share() * pressure(pair[0]) < sites[pair[1]].share() * pressure(pair[1]);
-    const unsigned int less = pair[first_is_less ? 0 : 1], more = pair[first_is_less ? 1 : 0];
+    const auto [less, more] = by_force(pair, response);
     proximal.centre[more][0] += force / sites[more].share();
     proximal.centre[less].setZero();
     proximal.leave_out(less);
   }
+}
+
+void RigidStops::leave_out(const Response &response, const bool stronger,
+                           ProximalSites &proximal) const {
+  for (const Pair &pair : pairs)
+    if (force_in_common(pair, response) > 0.)
+      proximal.leave_out(by_force(pair, response)[stronger ? 1 : 0]);
 }
 
 } // namespace frictionbeam::contact

@@ -21,6 +21,9 @@ public:
    */
   void release(const Response &response, ProximalSites &proximal) const;
 
+  /// Leave out one half of each pair that press on each other. @param stronger that with more force
+  void leave_out(const Response &response, const bool stronger, ProximalSites &proximal) const;
+
   using Pair = std::array<unsigned int, 2>; ///< the halves of a stop
 
   /// A stop that is narrower than what it holds: no motion opens one half without closing the
@@ -29,6 +32,9 @@ public:
                                   const ImposedMotion &imposed) const;
 
 private:
+  double force_of(const unsigned int half, const Response &response) const; ///< normal [N]
+  /// Less and more pressed half of a pair.
+  Pair by_force(const Pair &pair, const Response &response) const;
   /// With which both halves press on each other [N]; 0 if they do not.
   double force_in_common(const Pair &pair, const Response &response) const;
 

@@ -29,13 +29,6 @@ LineModel::LineModel(const Scene &scene, LineMesh line_mesh, const LawLibrary &l
     make_rigid_contacts_finite(linear.stiffness(), contacts);
 }
 
-void LineModel::hold_less() {
-  const Scene &scene = whole.scene;
-  if (scene.solver.is_exact() && cells->is_linear() && !has_transient_step(scene) &&
-      !linear.has_pressed_parts()) // whose matrices come one after the other
-    linear.leave_out_zeros();
-}
-
 void LineModel::take_laws_of(const Scene &other) {
   for (unsigned int i = 0; i < contacts.size(); ++i)
     contacts.set_parameters(i,

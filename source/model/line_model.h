@@ -22,10 +22,6 @@ public:
 
   const Model &model() const { return whole; }
 
-  /// Hold less memory, if the scene's steps need products with the stiffness alone once their
-  /// method has been set up: its zeros are left out. No number depends on it.
-  void hold_less();
-
   /// Take friction, gaps and whatever else the laws of supports say from another scene, which
   /// differs in nothing else.
   void take_laws_of(const Scene &other);

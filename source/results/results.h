@@ -45,6 +45,9 @@ struct SupportState {
   double impulse = 0.; ///< of fn so far, transient steps, impacts included [N s]
   double mt = 0.;      ///< moment about the normal, of Torsion [N m]
   double tilt = 0.;    ///< moment that its two edges hold, about the way of the pipe x normal [N m]
+  /// Force and moment on the pipe about its place, global axes [N, N m]: what cases are combined
+  /// of, whose other numbers are sizes along the support's own axes.
+  Motion on_pipe{};
 };
 
 /// The numbers of such a state, in the order of the quantities of a support (scene/quantity.h); the

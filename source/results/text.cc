@@ -132,6 +132,7 @@ const Frame &in_units(const UnitSystem &units, const Frame &frame, Frame &conver
       *value *= length;
     support.work_friction *= force * length;
     support.mt *= force * length;
+    scale(support.on_pipe, force, force * length);
   }
   for (Motion &reaction : converted.reactions)
     scale(reaction, force, force * length);

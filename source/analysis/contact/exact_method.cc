@@ -21,7 +21,7 @@ std::vector<int> ExactMethod::kept_unknowns(const Contacts &contacts) {
 contact::ImposedMotion ExactMethod::imposed_motion(const Contacts &contacts,
                                                    const Vector &imposed) {
   contact::ImposedMotion motion;
-  if (imposed.size() == 0)
+  if (imposed.isZero(0.))
     return motion;
   for (unsigned int i = 0; i < contacts.size(); ++i)
     motion.strain.push_back(contacts[i].strain(imposed));

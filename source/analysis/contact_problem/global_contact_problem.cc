@@ -117,7 +117,7 @@ GlobalContactProblem global_contact_problem(const Model &model, const LineState 
   for (unsigned int i = 0; i < n; ++i)
     rows.add(i, contacts[i], before.contacts.internal.data() + contacts[i].state_offset, after,
              imposed);
-  result.M = with_elements(model.linear.stiffness_with_places(), rows.stiffness);
+  result.M = with_elements(model.linear.stiffness(), rows.stiffness);
   const unsigned int n_all = result.M.rows();
   result.H.resize(n_all, dimension * n);
   result.H.setFromTriplets(rows.H.begin(), rows.H.end());

@@ -6,6 +6,7 @@
 #include "base/user_error.h"
 
 #include <algorithm>
+#include <map>
 
 namespace frictionbeam {
 
@@ -54,6 +55,10 @@ void check_that_body_is_held(const ContinuumBody<dim> &body, const ContinuumSyst
 template <int dim>
 std::vector<FoundationPoint> foundation_points(const ContinuumBody<dim> &body,
                                                const ContinuumSystem &system) {
+  // Surfaces that meet at a node share it by their areas: the pressure is the same on both.
+  std::map<types::global_dof_index, double> area;
+  for (const auto &node : body.nodes)
+    area[node.dofs[0]] += node.weight;
   std::vector<FoundationPoint> points;
   for (const auto &node : body.nodes) {
     FoundationPoint point;
@@ -63,7 +68,8 @@ std::vector<FoundationPoint> foundation_points(const ContinuumBody<dim> &body,
       double k = 0.;
       bool is_held = false;
       for (unsigned int d = 0; d < dim; ++d) {
-        k += node.frame[a][d] * node.frame[a][d] * system.diagonal(node.dofs[d]) / node.weight;
+        k += node.frame[a][d] * node.frame[a][d] * system.diagonal(node.dofs[d]) /
+             area[node.dofs[0]];
         is_held = is_held || (std::abs(node.frame[a][d]) > no_direction &&
                               body.constraints.is_constrained(node.dofs[d]));
       }

@@ -8,7 +8,7 @@
 namespace frictionbeam {
 
 CondensedLine::CondensedLine(const Model &model)
-    : model(model), K(model.linear.stiffness()), without_zeros(K.pruned()), diagonal(K.diagonal()),
+    : model(model), K(model.linear.stiffness()), diagonal(K.diagonal()),
       line(contact::condense_parts(K, ExactMethod::kept_unknowns(model.contacts))),
       S(line->matrix()), values(S.nonZeros()) {
   for (int u = 0; u < line->n_unknowns(); ++u)
@@ -169,7 +169,7 @@ bool CondensedLine::complete(LineState &state) const {
                    sum_of(motions, state.load_factors);
   model.space.expand(state.unknowns, state.dofs);
   state.dofs += imposed;
-  const contact::Problem problem{without_zeros, LoadCourse(model).forces(state.load_factors)};
+  const contact::Problem problem{K, LoadCourse(model).forces(state.load_factors)};
   const contact::Balance balance(problem, model.contacts);
   ContactResponse response;
   response.stress = state.contact_stress;

@@ -43,8 +43,7 @@ private:
 
   const Model &model;
   const SparseMatrix &K;
-  const SparseMatrix without_zeros; ///< K, two thirds of which are zeros along the axes
-  const Vector diagonal;            ///< of K
+  const Vector diagonal; ///< of K
   std::unique_ptr<const contact::Condensation> line;
   std::vector<int> kept; ///< unknowns
   SparseMatrix S;        ///< rounded

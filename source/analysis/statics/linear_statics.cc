@@ -11,24 +11,13 @@
 
 namespace frictionbeam {
 
-namespace {
-
-std::unique_ptr<EquilibriumSolver> make_solver(const Model &model, const SparseMatrix &stiffness) {
-  const SolverSettings &settings = model.scene.solver;
-  if (model.linear.has_all_places())
-    return make_equilibrium_solver(settings, model.contacts, model.space, stiffness);
-  // The whole matrix is there no longer than it takes to condense it.
-  auto line = contact::condense_parts(model.linear.stiffness_with_places(),
-                                      ExactMethod::kept_unknowns(model.contacts));
-  return std::make_unique<ExactMethod>(settings, model.contacts, std::move(line),
-                                       stiffness.diagonal());
-}
-
-} // namespace
-
 LinearStatics::LinearStatics(const Model &model)
     : model(model), parts(model), pressures(model.linear.parts().size(), 0.),
-      solver(make_solver(model, model.linear.stiffness())) {}
+      solver(make_method()) {}
+
+std::unique_ptr<EquilibriumSolver> LinearStatics::make_method() const {
+  return make_equilibrium_solver(model.scene.solver, model.contacts, model.space, stiffness());
+}
 
 void LinearStatics::put_method_away() {
   if (!solver)
@@ -46,7 +35,7 @@ void LinearStatics::hold_less() {
 
 EquilibriumSolver &LinearStatics::method() const {
   if (!solver) {
-    solver = make_solver(model, stiffness());
+    solver = make_method();
     Archive archive(std::move(put_away));
     archive(*solver);
   }
@@ -94,13 +83,6 @@ EquilibriumResult LinearStatics::solve(const LineState &from, const StaticIncrem
   if (stiffened)
     problem.right_hand_side += parts.forces(increment.factors, problem.imposed);
   increment.describe(model, problem);
-  if (!model.linear.has_all_places()) { // of an exact method
-    problem.unbalanced = [&](const Vector &unknowns, const Vector &low) {
-      return model.linear.unbalanced(problem.right_hand_side, unknowns, low);
-    };
-    if (problem.imposed.isZero(0.))
-      problem.imposed.resize(0);
-  }
   const EquilibriumResult result = method().solve(problem, from.contacts, to.unknowns, response);
   model.space.expand(to.unknowns, to.dofs);
   to.dofs += increment.course.imposed(increment.time);

@@ -26,6 +26,7 @@ public:
   void transfer(Archive &archive) override { archive(method()); }
 
 private:
+  std::unique_ptr<EquilibriumSolver> make_method() const;
   EquilibriumSolver &method() const;
   /// Without contacts, at the pressures that there are.
   const SparseMatrix &stiffness() const {

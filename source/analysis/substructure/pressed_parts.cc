@@ -33,11 +33,11 @@ std::vector<double> PressedParts::pressures(const std::vector<double> &factors) 
 }
 
 SparseMatrix PressedParts::stiffness(const std::vector<double> &factors) const {
-  SparseMatrix result = model.linear.stiffness_with_places();
+  MatrixEntries added(MatrixEntries::Zeros::left_out);
   each(factors, [&](const SolidPart::Pressed &pressed, const Dofs &dofs) {
-    model.space.add_local(pressed.stiffness, dofs, result);
+    model.space.add_local(pressed.stiffness, dofs, added);
   });
-  return result;
+  return model.linear.stiffness() + added.matrix(model.space.n_unknowns());
 }
 
 Vector PressedParts::forces(const std::vector<double> &factors, const Vector &dofs) const {

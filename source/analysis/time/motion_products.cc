@@ -25,13 +25,6 @@ double product_of_run(const double *const a, const double *const b, const int n)
 
 } // namespace
 
-KeptProduct::KeptProduct(const SparseMatrix &matrix)
-    : matrix(matrix),
-      has_zeros(matrix.isCompressed() && 2 * (matrix.coeffs() != 0.).count() < matrix.nonZeros()) {
-  if (has_zeros)
-    without_zeros = matrix.pruned();
-}
-
 void multiply(const SparseMatrix &matrix, const Vector &vector, Vector &product) {
   Assert(matrix.cols() == vector.size(), dealii::ExcInternalError());
   if (!matrix.isCompressed()) {

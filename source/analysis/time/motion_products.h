@@ -8,16 +8,15 @@
 
 namespace frictionbeam {
 
-/// matrix vector. The columns of a row of a line's matrices are mostly one run of neighbours, which
-/// is gone through two entries at a time, and its indices need not be read.
+/// matrix vector. The columns of a row of the matrices of a line askew are mostly one run of
+/// neighbours, which is gone through two entries at a time, and its indices need not be read.
 void multiply(const SparseMatrix &matrix, const Vector &vector, Vector &product);
 
 /// The product of one matrix with a vector that may be asked for again: with the vectors of the
-/// last two it is at hand. Of a line along the axes two thirds of the matrix are zeros, which need
-/// not be read.
+/// last two it is at hand.
 class KeptProduct {
 public:
-  explicit KeptProduct(const SparseMatrix &matrix);
+  explicit KeptProduct(const SparseMatrix &matrix) : matrix(matrix) {}
 
   const Vector &operator()(const Vector &vector) {
     for (const int i : {newest, 1 - newest})
@@ -27,14 +26,12 @@ public:
       }
     newest = 1 - newest;
     vectors[newest] = vector;
-    multiply(has_zeros ? without_zeros : matrix, vector, products[newest]);
+    multiply(matrix, vector, products[newest]);
     return products[newest];
   }
 
 private:
   const SparseMatrix &matrix;
-  bool has_zeros;             ///< most of it
-  SparseMatrix without_zeros; ///< then
   int newest = 0;
   Vector vectors[2], products[2];
 };

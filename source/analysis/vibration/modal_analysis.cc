@@ -38,12 +38,6 @@ double choose_shift(const SparseMatrix &K, const Eigen::SparseMatrix<double> &M)
   return 1e-7 * slowest;
 }
 
-void add_shifted_mass(const Eigen::SparseMatrix<double> &M, const double shift, SparseMatrix &A) {
-  for (int column = 0; column < M.outerSize(); ++column)
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(M, column); entry; ++entry)
-      add_to(A, entry.row(), entry.col(), shift * entry.value());
-}
-
 } // namespace
 
 ModalAnalysis::ModalAnalysis(const Model &model, const LineState &state,
@@ -51,10 +45,9 @@ ModalAnalysis::ModalAnalysis(const Model &model, const LineState &state,
     : model(model), start(state),
       matrices(model.scene, model.mesh, model.discretization, model.space, settings.lumped),
       M(matrices.unknowns_to_dofs().transpose() * matrices.mass() * matrices.unknowns_to_dofs()),
-      K(model.linear.stiffness_with_places()), shift(choose_shift(K, M)) {
+      K(model.linear.stiffness()), shift(choose_shift(K, M)) {
   hold_contacts(state, settings.friction_holds);
-  SparseMatrix A = K;
-  add_shifted_mass(M, shift, A);
+  const SparseMatrix A = K + shift * SparseMatrix(M);
   shifted.analyze(A);
   factors.analyze(K);
   if (!shifted.factorize(A))
@@ -118,8 +111,7 @@ void ModalAnalysis::hold_contacts(const LineState &state, const bool friction) {
       rigid[i][r] = D(r, r) > 0. && !(D(r, r) * contact.weight * contact.B.row(r).squaredNorm() <=
                                       stiff * stiffest);
   }
-  SparseMatrix A = K;
-  add_shifted_mass(M, shift, A);
+  const SparseMatrix A = K + shift * SparseMatrix(M);
   const auto holds = rigid_holds(A, contacts, rigid);
   for (unsigned int i = 0; i < contacts.size(); ++i)
     for (unsigned int r = 0; r < 4; ++r)

@@ -133,7 +133,6 @@ Results solve_scene(const Scene &scene, const LawLibrary &laws) {
   for (const std::string &warning : check_mechanisms(line.model()))
     results.remarks.push_back(warning);
   LoadSequence sequence(line.model());
-  line.hold_less(); // the sequence has condensed it
   results.cost.setup_seconds = timer.wall_time();
   solve_sequence(line.model(), sequence, results);
   walls.report(sequence, results);

@@ -68,8 +68,6 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
                          Balance &balance) const {
   balance.loads = balance.internal = Vector::Zero(space.n_dofs());
   if (!step.without_stiffness) {
-    Assert(linear.has_all_places(),
-           ExcMessage("Their tangent takes the pattern of the stiffness."));
     balance.stiffness = linear.stiffness(); // its pattern
     std::fill(balance.stiffness.valuePtr(),
               balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);

@@ -6,7 +6,6 @@
 #include "model/line/pipe_element.h"
 #include "model/line/point_loads.h"
 #include "model/line/spring_extension.h"
-#include "model/unknowns/couplings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,18 +63,6 @@ void check_pressure(const Scene &scene) {
                         "diameter and wall, or name the pipes under pressure in 'Pipes'.");
 }
 
-/// Unknowns of a small set of degrees of freedom, in order, each once.
-std::vector<int> unknowns_of(const std::vector<types::global_dof_index> &dofs,
-                             const ReducedSpace &space) {
-  std::vector<int> unknowns;
-  for (const auto dof : dofs)
-    for (const auto &term : space.terms(dof))
-      unknowns.push_back(term.unknown);
-  std::sort(unknowns.begin(), unknowns.end());
-  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
-  return unknowns;
-}
-
 std::vector<types::global_dof_index> dofs_of_vertices(const VertexDofs &vertex_dofs,
                                                       const std::vector<unsigned int> &vertices) {
   std::vector<types::global_dof_index> dofs;
@@ -86,9 +73,24 @@ std::vector<types::global_dof_index> dofs_of_vertices(const VertexDofs &vertex_d
   return dofs;
 }
 
-} // namespace
+/// Those that a contact couples, and the others of its vertex: columns of a tangent's factors are
+/// alike where they are coupled from the beginning.
+std::vector<int> unknowns_at(const Contact &contact) {
+  std::vector<int> result = contact.unknowns;
+  for (const int unknown : contact.vertex_unknowns)
+    if (std::find(result.begin(), result.end(), unknown) == result.end())
+      result.push_back(unknown);
+  return result;
+}
 
-namespace {
+/// Whether cells turn or yield, so that tangents of the line have other entries than its stiffness
+/// now.
+bool tangents_change(const Scene &scene, const Discretization &discretization) {
+  const auto &profiles = discretization.profiles();
+  return scene.kinematics == Kinematics::corotational ||
+         std::any_of(profiles.begin(), profiles.end(),
+                     [](const Profile &profile) { return profile.law.is_set(); });
+}
 
 /// @throws UserError for what a cell of a solid part cannot have in it
 void check_solid_cell(const Scene &scene, const Discretization &discretization,
@@ -115,22 +117,22 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
   check_pressure(scene);
   find_imposed_motions(scene, mesh, discretization, space, with_mass);
   find_nodal_loads(scene, mesh, discretization, space);
-  make_pattern(discretization, space, contacts, scene, mesh);
-  if (with_mass)
-    M = K;
-  add_pipes(scene, discretization, space, with_mass);
-  add_solid_parts(discretization, space);
-  add_springs(scene, mesh, discretization, space, with_mass);
+  const MatrixEntries::Zeros zeros = tangents_change(scene, discretization)
+                                         ? MatrixEntries::Zeros::kept
+                                         : MatrixEntries::Zeros::left_out;
+  const std::size_t n_pipe_cells = discretization.pipe_cells().size(),
+                    n_expected = n_pipe_cells * (zeros == MatrixEntries::Zeros::kept ? 144 : 40) +
+                                 36 * contacts.size() + space.n_unknowns();
+  MatrixEntries of_stiffness(zeros, n_expected), of_mass(zeros, with_mass ? n_expected : 0);
+  add_pipes(scene, discretization, space, with_mass, of_stiffness, of_mass);
+  add_solid_parts(discretization, space, of_stiffness);
+  add_springs(scene, mesh, discretization, space, with_mass, of_stiffness);
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    of_stiffness.add_places(unknowns_at(contacts[i]));
+  K = of_stiffness.matrix(space.n_unknowns());
   if (with_mass) {
-    for (const PointMass &mass : scene.masses)
-      for (const std::string &point : mass.points) {
-        const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), {mesh.points.at(point)});
-        const std::vector<types::global_dof_index> places(dofs.begin(), dofs.begin() + 3);
-        const Eigen::Matrix3d local = mass.mass * Eigen::Matrix3d::Identity();
-        space.add_local(local, places, M);
-        add_imposed(local, places, space, load_inertia, products.mass);
-        add_imposed(scene.time.mass_damping * local, places, space, load_drag, products.damping);
-      }
+    add_point_masses(scene, mesh, discretization, space, of_mass);
+    M = of_mass.matrix(space.n_unknowns());
     make_damping(scene, mesh, discretization, space);
   }
 }
@@ -142,6 +144,20 @@ LinearPart::LinearPart(Matrices matrices)
       imposed_motions(std::move(matrices.imposed)), products(std::move(matrices.products)),
       nodal_loads(load_forces.size()) {
   sort_imposed_motions();
+}
+
+void LinearPart::add_point_masses(const Scene &scene, const LineMesh &mesh,
+                                  const Discretization &discretization, const ReducedSpace &space,
+                                  MatrixEntries &of_mass) {
+  for (const PointMass &mass : scene.masses)
+    for (const std::string &point : mass.points) {
+      const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), {mesh.points.at(point)});
+      const std::vector<types::global_dof_index> places(dofs.begin(), dofs.begin() + 3);
+      const Eigen::Matrix3d local = mass.mass * Eigen::Matrix3d::Identity();
+      space.add_local(local, places, of_mass);
+      add_imposed(local, places, space, load_inertia, products.mass);
+      add_imposed(scene.time.mass_damping * local, places, space, load_drag, products.damping);
+    }
 }
 
 void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
@@ -159,8 +175,7 @@ void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
                         "leave Normal force out, or use 'Mass damping' and 'Stiffness damping'.");
   if (time.modal_damping != 0.)
     C = C + modal_damping(K, M, time.modal_damping);
-  SparseMatrix dashpots = K;
-  std::fill(dashpots.valuePtr(), dashpots.valuePtr() + dashpots.nonZeros(), 0.);
+  MatrixEntries dashpots(MatrixEntries::Zeros::left_out);
   bool any = false;
   for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c)
@@ -172,7 +187,7 @@ void LinearPart::make_damping(const Scene &scene, const LineMesh &mesh,
         any = true;
       }
   if (any)
-    C = C + dashpots;
+    C = C + dashpots.matrix(space.n_unknowns());
 }
 
 void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
@@ -195,32 +210,9 @@ void LinearPart::find_nodal_loads(const Scene &scene, const LineMesh &mesh,
   }
 }
 
-void LinearPart::make_pattern(const Discretization &discretization, const ReducedSpace &space,
-                              const Contacts &contacts, const Scene &scene, const LineMesh &mesh) {
-  Couplings couplings;
-  std::vector<types::global_dof_index> dofs(12);
-  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
-    if (discretization.info(cell).kind == Discretization::CellKind::pipe) {
-      cell->get_dof_indices(dofs);
-      couplings.add(unknowns_of(dofs, space));
-    }
-  for (const SolidPart &part : solid_parts)
-    couplings.add(
-        unknowns_of(dofs_of_vertices(discretization.vertex_dofs(), part.vertices), space));
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    couplings.add(contacts[i].unknowns);
-  for (const Spring &spring : scene.springs) {
-    std::vector<unsigned int> vertices = {mesh.points.at(spring.point)};
-    if (!spring.other.empty())
-      vertices.push_back(mesh.points.at(spring.other));
-    couplings.add(unknowns_of(dofs_of_vertices(discretization.vertex_dofs(), vertices), space));
-  }
-  SparseMatrix pattern = couplings.matrix(space.n_unknowns());
-  K.swap(pattern); // assigned, it would be there twice
-}
-
 void LinearPart::add_pipes(const Scene &scene, const Discretization &discretization,
-                           const ReducedSpace &space, const bool with_mass) {
+                           const ReducedSpace &space, const bool with_mass,
+                           MatrixEntries &of_stiffness, MatrixEntries &of_mass) {
   PipeElement element(discretization);
   std::vector<types::global_dof_index> dofs(12);
   for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
@@ -235,11 +227,11 @@ void LinearPart::add_pipes(const Scene &scene, const Discretization &discretizat
     cell->get_dof_indices(dofs);
     element.reinit(cell);
     const PipeElement::Matrix12 stiffness = element.stiffness();
-    space.add_local(stiffness, dofs, K);
+    space.add_local(stiffness, dofs, of_stiffness);
     add_imposed(stiffness, dofs, space, load_forces, products.stiffness);
     if (with_mass) {
       const PipeElement::Matrix12 mass = element.mass(cell);
-      space.add_local(mass, dofs, M);
+      space.add_local(mass, dofs, of_mass);
       add_imposed(mass, dofs, space, load_inertia, products.mass);
       add_imposed(scene.time.mass_damping * mass + scene.time.stiffness_damping * stiffness, dofs,
                   space, load_drag, products.damping);
@@ -276,10 +268,11 @@ const SolidPart *LinearPart::solid_part(const PipeCell &cell) const {
   return found == solid_parts.end() ? nullptr : &*found;
 }
 
-void LinearPart::add_solid_parts(const Discretization &discretization, const ReducedSpace &space) {
+void LinearPart::add_solid_parts(const Discretization &discretization, const ReducedSpace &space,
+                                 MatrixEntries &of_stiffness) {
   for (const SolidPart &part : solid_parts) {
     const auto dofs = dofs_of_vertices(discretization.vertex_dofs(), part.vertices);
-    space.add_local(part.stiffness, dofs, K);
+    space.add_local(part.stiffness, dofs, of_stiffness);
     add_imposed(part.stiffness, dofs, space, load_forces, products.stiffness);
     for (unsigned int l = 0; l < part.forces.size(); ++l)
       for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -290,7 +283,7 @@ void LinearPart::add_solid_parts(const Discretization &discretization, const Red
 
 void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
                              const Discretization &discretization, const ReducedSpace &space,
-                             const bool with_mass) {
+                             const bool with_mass, MatrixEntries &of_stiffness) {
   const VertexDofs &vertex_dofs = discretization.vertex_dofs();
   for (const Spring &spring : scene.springs)
     for (unsigned int c = 0; c < 6; ++c) {
@@ -299,7 +292,7 @@ void LinearPart::add_springs(const Scene &scene, const LineMesh &mesh,
       const SpringExtension extension(spring, c, mesh, vertex_dofs);
       const auto &dofs = extension.dofs;
       const Eigen::MatrixXd local = spring.stiffness[c] * extension.unit_stiffness();
-      space.add_local(local, dofs, K);
+      space.add_local(local, dofs, of_stiffness);
       add_imposed(local, dofs, space, load_forces, products.stiffness);
       if (with_mass)
         add_imposed(scene.time.stiffness_damping * local, dofs, space, load_drag, products.damping);

@@ -3,9 +3,7 @@
 
 #include "model/contact/contacts.h"
 #include "model/line/solid_part.h"
-#include "model/unknowns/zeros_left_out.h"
 
-#include <optional>
 #include <unordered_map>
 
 namespace frictionbeam {
@@ -38,18 +36,10 @@ public:
   };
   explicit LinearPart(Matrices matrices);
 
-  /// Symmetric, with the pattern of the contacts' tangents in it, unless its zeros are left out.
+  /// Symmetric, with the pattern of the contacts' tangents in it, and of those of cells that turn
+  /// or yield.
   const SparseMatrix &stiffness() const { return K; }
-  /// Leave zeros out of the stiffness, where hardly anything but products with it is to come.
-  void leave_out_zeros() { zeros.emplace(K); }
-  bool has_all_places() const { return !zeros; }
-  /// The stiffness with all of its pattern, which orders of elimination follow.
-  SparseMatrix stiffness_with_places() const { return zeros ? zeros->restored(K) : K; }
-  /// forces - K (unknowns + low) in extended precision, the zeros having been left out.
-  Vector unbalanced(const Vector &forces, const Vector &unknowns, const Vector &low) const {
-    return zeros->unbalanced(K, forces, unknowns, low);
-  }
-  /// Same pattern; empty if not asked for.
+  /// Empty if not asked for.
   const SparseMatrix &mass() const { return M; }
   /// Viscous damping; without entries if there is none or no mass was asked for.
   const SparseMatrix &damping() const { return C; }
@@ -97,18 +87,20 @@ private:
                    Eigen::MatrixXd &products_of_motions) const;
   void find_nodal_loads(const Scene &scene, const LineMesh &mesh,
                         const Discretization &discretization, const ReducedSpace &space);
-  void make_pattern(const Discretization &discretization, const ReducedSpace &space,
-                    const Contacts &contacts, const Scene &scene, const LineMesh &mesh);
   void add_pipes(const Scene &scene, const Discretization &discretization,
-                 const ReducedSpace &space, const bool with_mass);
-  void add_solid_parts(const Discretization &discretization, const ReducedSpace &space);
+                 const ReducedSpace &space, const bool with_mass, MatrixEntries &of_stiffness,
+                 MatrixEntries &of_mass);
+  void add_solid_parts(const Discretization &discretization, const ReducedSpace &space,
+                       MatrixEntries &of_stiffness);
   void add_springs(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
-                   const ReducedSpace &space, const bool with_mass);
+                   const ReducedSpace &space, const bool with_mass, MatrixEntries &of_stiffness);
+  void add_point_masses(const Scene &scene, const LineMesh &mesh,
+                        const Discretization &discretization, const ReducedSpace &space,
+                        MatrixEntries &of_mass);
   void make_damping(const Scene &scene, const LineMesh &mesh, const Discretization &discretization,
                     const ReducedSpace &space);
 
   SparseMatrix K, M, C;
-  std::optional<ZerosLeftOut> zeros; ///< of K
   std::vector<Vector> load_forces, load_inertia, load_drag;
   std::vector<bool> moves_mass; ///< by load; inertia is a vector of no entries where all is imposed
   std::vector<std::vector<std::pair<unsigned int, double>>> imposed_motions;

@@ -63,6 +63,8 @@ std::vector<ReducedSpace::Held> collect(const Scene &scene, const LineMesh &mesh
         rows.push_back({v, motion(c)});
 
   // The ground: fixed, or a platen free along its normal.
+  rows.reserve(rows.size() +
+               6 * (discretization.vertices().size() - discretization.n_line_vertices()));
   std::vector<bool> platen(discretization.vertices().size(), false);
   for (const SupportCell &cell : discretization.support_cells()) {
     const FrictionSupport &support = scene.supports[cell.support];
@@ -159,6 +161,8 @@ ReducedSpace::ReducedSpace(const Scene &scene, const LineMesh &mesh,
   for (types::global_dof_index dof = 0; dof < n; ++dof)
     if (!constraints.is_constrained(dof))
       number[dof] = n_free++;
+  start.reserve(n + 1);
+  terms_of_all.reserve(n);
   start.assign(1, 0);
   for (types::global_dof_index dof = 0; dof < n; ++dof) {
     if (number[dof] >= 0)
@@ -179,18 +183,40 @@ ReducedSpace::ReducedSpace(const unsigned int n_unknowns,
   }
 }
 
+namespace {
+
+/// Of an unknown in a degree of freedom.
+struct Share {
+  int unknown;
+  unsigned int place; ///< of the degree of freedom
+  double weight;
+};
+
+boost::container::small_vector<Share, 24>
+shares_of(const std::vector<types::global_dof_index> &dofs, const ReducedSpace &space) {
+  boost::container::small_vector<Share, 24> shares;
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    for (const ReducedSpace::Term &term : space.terms(dofs[i]))
+      shares.push_back({term.unknown, i, term.weight});
+  return shares;
+}
+
+} // namespace
+
+void ReducedSpace::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
+                             const std::vector<types::global_dof_index> &dofs,
+                             MatrixEntries &entries) const {
+  const auto shares = shares_of(dofs, *this);
+  for (const Share &column : shares)
+    for (const Share &row : shares)
+      entries.add(row.unknown, column.unknown,
+                  row.weight * column.weight * local(row.place, column.place));
+}
+
 void ReducedSpace::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
                              const std::vector<types::global_dof_index> &dofs,
                              SparseMatrix &matrix) const {
-  struct Share {
-    int unknown;
-    unsigned int place; ///< of the degree of freedom
-    double weight;
-  };
-  boost::container::small_vector<Share, 24> shares;
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    for (const Term &term : terms(dofs[i]))
-      shares.push_back({term.unknown, i, term.weight});
+  auto shares = shares_of(dofs, *this);
   std::sort(shares.begin(), shares.end(),
             [](const Share &a, const Share &b) { return a.unknown < b.unknown; });
   for (const Share &row : shares) {

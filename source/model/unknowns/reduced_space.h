@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/unknowns/discretization.h"
-#include "model/unknowns/sparse_matrix.h"
+#include "model/unknowns/matrix_entries.h"
 
 namespace frictionbeam {
 
@@ -42,8 +42,12 @@ public:
     return {terms_of_all.data() + start[dof], terms_of_all.data() + start[dof + 1]};
   }
 
-  /// matrix += C_e^T local C_e of a few degrees of freedom, whose unknowns are coupled in its
-  /// pattern, but where the local one is zero.
+  /// C_e^T local C_e of a few degrees of freedom, added to the entries of a matrix.
+  void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
+                 const std::vector<dealii::types::global_dof_index> &dofs,
+                 MatrixEntries &entries) const;
+  /// The same, to a matrix in whose pattern the unknowns are coupled, but where the local one is
+  /// zero.
   void add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
                  const std::vector<dealii::types::global_dof_index> &dofs,
                  SparseMatrix &matrix) const;

@@ -130,10 +130,10 @@ public:
   /// Negative eigenvalues at a factor of the forces.
   int n_negative(const double factor) {
     int n = 0;
-    SparseMatrix matrix = base;
+    MatrixEntries softening(MatrixEntries::Zeros::left_out);
     for (const PressedCell &cell : cells)
-      n += 2 * soften(cell, factor, matrix);
-    factored.compute(matrix);
+      n += 2 * soften(cell, factor, softening);
+    factored.compute(base + softening.matrix(base.rows()));
     return factored.info() == Eigen::Success ? n + (factored.vectorD().array() < 0.).count() : n;
   }
 
@@ -222,7 +222,7 @@ private:
   }
 
   void assemble(const double touching) {
-    base = model.linear.stiffness_with_places();
+    base = model.linear.stiffness();
     const Vector diagonal = base.diagonal();
     const double largest = diagonal.lpNorm<Eigen::Infinity>();
     std::vector<Eigen::Triplet<double>> entries;
@@ -306,10 +306,10 @@ private:
   }
 
   /// @return negative eigenvalues of the cell with clamped ends, in one plane
-  int soften(const PressedCell &cell, const double factor, SparseMatrix &matrix) const {
+  int soften(const PressedCell &cell, const double factor, MatrixEntries &entries) const {
     const Softening soft = softening_of(cell, factor);
     if (!soft.matrix.isZero(0.))
-      model.space.add_local(on_ends(cell, soft.matrix), dofs_of(cell), matrix);
+      model.space.add_local(on_ends(cell, soft.matrix), dofs_of(cell), entries);
     return soft.n_negative;
   }
 

@@ -205,7 +205,7 @@ double Collector::force_at(const Quantity &quantity, const Frame &made,
   for (unsigned int i = 0; i < results.supports.size(); ++i)
     if (is_part_of(results.supports[i], quantity.where) ||
         (is_point && results.supports[i].position == model.mesh.vertices[point->second])) {
-      value += force_of_support(model, made.supports[i], i)[component];
+      value += made.supports[i].on_pipe[component];
       found = true;
     }
   if (!found)

@@ -108,11 +108,12 @@ std::vector<unsigned int> supports_of_contacts(const Contacts &contacts) {
 
 SupportState support_state(const Model &model, const LineState &state, const unsigned int support) {
   const std::vector<unsigned int> &contacts = model.contacts.places()[support];
-  const SupportState first = state_of_contact(model, state, contacts.front());
-  return contacts.size() == 1
-             ? first
-             : state_of_edges(model, contacts,
-                              {{first, state_of_contact(model, state, contacts.back())}});
+  SupportState result = state_of_contact(model, state, contacts.front());
+  if (contacts.size() > 1)
+    result = state_of_edges(model, contacts,
+                            {{result, state_of_contact(model, state, contacts.back())}});
+  result.on_pipe = force_of_support(model, state, support);
+  return result;
 }
 
 Motion force_of_contact(const Model &model, const unsigned int i, const Contact::Strains &stress,
@@ -136,22 +137,6 @@ Motion force_of_support(const Model &model, const LineState &state, const unsign
       sum[c] += force[c] + (c < 3 ? 0. : couple[c - 3]);
   }
   return sum;
-}
-
-Motion force_of_support(const Model &model, const SupportState &state, const unsigned int support) {
-  const std::vector<unsigned int> &contacts = model.contacts.places()[support];
-  const Contact &contact = model.contacts[contacts.back()];
-  const bool on_edges = contacts.size() > 1;
-  const Contact::Strains force(-state.fn, state.ft2, state.ft1, on_edges ? 0. : -state.mt);
-  Motion result = force_of_contact(model, contacts.back(), force / contact.share(), 0);
-  if (!on_edges)
-    return result;
-  const Vector3 normal = -contact.axes.x,
-                couple = state.mt * normal +
-                         state.tilt / contact.arm.norm() * cross_product_3d(contact.arm, normal);
-  for (unsigned int d = 0; d < 3; ++d)
-    result[3 + d] += couple[d];
-  return result;
 }
 
 } // namespace frictionbeam

@@ -30,7 +30,5 @@ Motion force_of_contact(const Model &model, const unsigned int contact,
 
 /// The same of a support on its pipe, about its place.
 Motion force_of_support(const Model &model, const LineState &state, const unsigned int support);
-/// Of what is reported of it.
-Motion force_of_support(const Model &model, const SupportState &state, const unsigned int support);
 
 } // namespace frictionbeam
