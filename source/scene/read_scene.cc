@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/catalogue/catalogue_entries.h"
+#include "scene/doubt/idle_parts.h"
 #include "scene/doubt/route_doubts.h"
 #include "scene/file/parameter_notes.h"
 #include "scene/generated/scene_kinds.h"
@@ -9,6 +10,7 @@
 #include "scene/part/parts.h"
 #include "scene/solid/solid_entries.h"
 #include "scene/study/study_entries.h"
+#include "scene/unused/unused_entries.h"
 
 #include "base/user_error.h"
 #include "scene/read_scene.h"
@@ -262,7 +264,8 @@ void check_whole(ParameterReader &in, Scene &scene) {
   parts::check_output(in, scene);
   in.enter("");
   parts::remark_on_free_motions(scene);
-  parts::remark_on_unused(in, scene);
+  remark_on_unused(in, scene);
+  remark_on_idle_parts(scene);
   in.enter("");
   parts::check_histories(scene);
   parts::check_size(in, scene);

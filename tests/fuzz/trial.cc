@@ -211,18 +211,28 @@ Outcome run(const Trial &trial) {
   return outcome;
 }
 
-void warm_up(const Trial &trial) {
+Outcome run_here(const Trial &trial) {
   const fs::path here = fs::current_path();
   fs::current_path(trial.folder);
-  std::ostringstream unread;
-  std::streambuf *const out = std::cout.rdbuf(unread.rdbuf());
-  const int status = command(trial.words, false);
+  fs::remove_all("results");
+  std::ostringstream text;
+  std::streambuf *const out = std::cout.rdbuf(text.rdbuf()), *const err =
+                                                                 std::cerr.rdbuf(text.rdbuf());
+  Outcome outcome;
+  outcome.status = command(trial.words, false);
   std::cout.rdbuf(out);
+  std::cerr.rdbuf(err);
   fs::current_path(here);
-  fs::remove_all(trial.folder + "/results");
-  signal(SIGINT, SIG_DFL); // the program's own handlers are for its children
+  outcome.output = text.str();
+  if (!trial.keep_after)
+    fs::remove_all(trial.folder + "/results");
+  signal(SIGINT, SIG_DFL); // the program's own handlers are for processes that are its own
   signal(SIGTERM, SIG_DFL);
-  if (status != 0)
+  return outcome;
+}
+
+void warm_up(const Trial &trial) {
+  if (const int status = run_here(trial).status; status != 0)
     throw std::runtime_error("What is run first ends with " + std::to_string(status) + ".");
 }
 

@@ -27,6 +27,9 @@ struct Outcome {
 
 Outcome run(const Trial &trial);
 
+/// The same in this process, which a crash ends: status and output alone.
+Outcome run_here(const Trial &trial);
+
 /// Run in this process, so that those that come after have everything loaded and bound.
 void warm_up(const Trial &trial);
 

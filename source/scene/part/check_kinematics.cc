@@ -298,4 +298,12 @@ void remark_on_free_motions(Scene &scene) {
       }
 }
 
+bool has_creep(const ParameterReader &in) {
+  const auto is_positive = [&](const std::string &entry) {
+    double value = 0.;
+    return to_number(in.raw(entry, "0"), value) && value > 0.;
+  };
+  return is_positive("Creep coefficient") || is_positive("Primary creep coefficient");
+}
+
 } // namespace frictionbeam::parts

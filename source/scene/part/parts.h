@@ -121,8 +121,6 @@ void check_output(ParameterReader &in, const Scene &scene);
 /// Says where pipes may be displaced but points not turned, so that the answer depends on the
 /// points.
 void remark_on_free_motions(Scene &scene);
-/// Says which entries and loads were given and have no effect.
-void remark_on_unused(ParameterReader &in, Scene &scene);
 
 /**
  * Check the scene's histories against its steps, and say in its remarks which of them begin with a

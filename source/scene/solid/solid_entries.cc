@@ -273,8 +273,8 @@ void remark_on_pairs(ParameterReader &in, Scene &scene) {
   }
 }
 
-/// What a line does not use.
-void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
+/// A line has no patches.
+void remark_on_width(Scene &scene) {
   const auto wide = std::find_if(
       scene.supports.begin(), scene.supports.end(),
       [](const FrictionSupport &support) { return support.width > 0. && !support.on_edges; });
@@ -282,15 +282,6 @@ void remark_on_solid_entries(ParameterReader &in, Scene &scene) {
     scene.remarks.push_back("Support " + part_name(*wide) +
                             ": its Width is that of a patch on a solid pipe, and a line does not "
                             "use it unless it stands on edges.");
-  in.enter("Solid");
-  for (const char *entry :
-       {"Degree", "Cells around", "Cells through", "Cells per bend", "First cell", "Longest cell",
-        "Anchors", "Most unknowns", "Reach", "Pressure stiffening"})
-    if (in.given(entry)) {
-      scene.remarks.push_back("Section Solid is not used with Model = " +
-                              std::string(row_of(model_kinds, scene.model).word) + ".");
-      return;
-    }
 }
 
 } // namespace
@@ -302,11 +293,8 @@ void check_solid(ParameterReader &in, Scene &scene) {
   if (scene.is_solid()) {
     SolidCheck(in, scene).all();
     remark_on_pairs(in, scene);
-    in.enter("Solid");
-    if (in.given("Reach"))
-      scene.remarks.push_back("Section Solid: its Reach is not used without At.");
   } else if (!is_mixed && scene.model != ModelKind::automatic)
-    remark_on_solid_entries(in, scene);
+    remark_on_width(scene);
 }
 
 } // namespace frictionbeam::parts

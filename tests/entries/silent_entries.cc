@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "documented_entries.h"
+
+#include "../fuzz/parameter_text.h"
+#include "../fuzz/trial.h"
+
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+/**
+ * No entry of a parameter file may be ignored without a word.
+ *
+ *   silent_entries FRICTIONBEAM SCENES VALUES EXCEPTIONS
+ *
+ * Every entry of `FRICTIONBEAM --print-parameters`, and of the laws that it names, is set in every
+ * scene of the folder SCENES, to a value other than the one that it has there: those of settings in
+ * all scenes, those of a part in each part of its kind; of a scene with a line `# tries: KIND,
+ * KIND` sections of these kinds alone. Then either a number of the results changes, or a line is
+ * printed that names the entry, or the file is refused with a message that names it. Values are
+ * made from the bounds that are documented, and read from VALUES where they are words of the user's
+ * (`Section/Entry = value | value ...`). EXCEPTIONS says which entries may be silent, and why: `|
+ * entry | scenes | reason |`, with a star for all. A row that nothing needs is a fault too, and so
+ * is an entry that no scene has.
+ */
+namespace fs = std::filesystem;
+using namespace entries;
+
+namespace {
+
+struct Exception {
+  std::string entry, scene;
+  bool is_needed = false;
+};
+
+/// Whether a text is a pattern's: the same, or with its beginning, where that ends with a star.
+bool fits(const std::string &pattern, const std::string &text) {
+  return pattern == text ||
+         (pattern.back() == '*' && text.rfind(pattern.substr(0, pattern.size() - 1), 0) == 0);
+}
+
+std::vector<Exception> read_exceptions(const std::string &file) {
+  std::vector<Exception> exceptions;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);)
+    if (const std::vector<std::string> cells = split(line, '|');
+        cells.size() > 3 && cells[1] != "entry" && cells[1].rfind("---", 0) != 0)
+      for (const std::string &scene : split(cells[2], ','))
+        exceptions.push_back({cells[1], scene});
+  return exceptions;
+}
+
+/// What a run has answered.
+struct Answer {
+  int status = 0;
+  std::string numbers;         ///< of all tables and of the summary, but for what they cost
+  std::set<std::string> lines; ///< that were printed
+};
+
+class Scene {
+public:
+  explicit Scene(const fs::path &file)
+      : name(file.stem().string()), text(fuzz::read_file(file.string())),
+        file_of_trials((file.parent_path() / (name + ".trial")).string()) {
+    folder = fs::temp_directory_path() / ("silent_entries_" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    base = run(text);
+    if (base.status != 0)
+      throw std::runtime_error(name + " ends with " + std::to_string(base.status));
+    std::ifstream in(file);
+    const std::string mark = "# tries: ";
+    for (std::string line; std::getline(in, line);)
+      if (line.rfind(mark, 0) == 0)
+        kinds = split(line.substr(mark.size()), ',');
+  }
+  ~Scene() {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    fs::remove(file_of_trials, ignored);
+  }
+  Scene(const Scene &) = delete;
+  Scene &operator=(const Scene &) = delete;
+
+  Answer run(const fuzz::ParameterText &changed) {
+    const fuzz::Outcome outcome = fuzz::run_here(trial(changed.text()));
+    Answer answer;
+    answer.status = outcome.status;
+    std::istringstream output(outcome.output);
+    for (std::string line; std::getline(output, line);)
+      answer.lines.insert(line);
+    std::vector<fs::path> files;
+    if (const fs::path results = folder / "results"; fs::exists(results))
+      for (const auto &entry : fs::recursive_directory_iterator(results))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path &file : files)
+      if (file.extension() == ".csv")
+        answer.numbers += file.string() + '\n' + fuzz::read_file(file.string());
+      else if (file.filename() == "summary.json") {
+        nlohmann::json summary = nlohmann::json::parse(fuzz::read_file(file.string()));
+        for (const char *const without : {"cost", "case", "remarks"})
+          summary.erase(without);
+        answer.numbers += summary.dump();
+      }
+    return answer;
+  }
+
+  bool tries(const std::string &kind) const {
+    return kinds.empty() || std::count(kinds.begin(), kinds.end(), kind) > 0;
+  }
+
+  const std::string name;
+  const fuzz::ParameterText text;
+  Answer base;
+
+private:
+  fuzz::Trial trial(const std::string &changed) const {
+    std::ofstream(file_of_trials) << changed;
+    fuzz::Trial trial;
+    trial.words = {"run",   file_of_trials,         "--set", "Output/VTU = false",
+                   "--set", "Output/Report = false"};
+    trial.folder = folder.string();
+    trial.keep_after = true;
+    return trial;
+  }
+
+  std::vector<std::string> kinds;   ///< of sections that are tried; empty: all
+  const std::string file_of_trials; ///< beside the scene, whose files it names
+  fs::path folder;
+};
+
+/// The scene with an entry of one of its sections set to a value.
+fuzz::ParameterText with(fuzz::ParameterText text, const std::string &heading,
+                         const std::string &entry, const std::string &value) {
+  auto section = std::find_if(text.sections.begin(), text.sections.end(),
+                              [&](const auto &one) { return one.heading == heading; });
+  if (section == text.sections.end())
+    section = text.sections.insert(section, {heading, {}});
+  auto &lines = section->lines;
+  lines.erase(std::remove_if(lines.begin(), lines.end(),
+                             [&](const auto &line) { return line.name == entry; }),
+              lines.end());
+  lines.push_back({entry, value, ""});
+  return text;
+}
+
+/// What the section says for an entry; empty if it says nothing.
+std::string value_in(const fuzz::ParameterText &text, const std::string &heading,
+                     const std::string &entry) {
+  for (const auto &section : text.sections)
+    if (section.heading == heading)
+      for (const auto &line : section.lines)
+        if (line.name == entry)
+          return line.value;
+  return "";
+}
+
+class Search {
+public:
+  Search(const std::string &program, const std::string &values, const std::string &exceptions)
+      : documented(documented_entries(program)), values(read_values(values)),
+        exceptions(read_exceptions(exceptions)) {}
+
+  void look_at(Scene &scene) {
+    const auto start = std::chrono::steady_clock::now();
+    const unsigned int n_before = n_runs;
+    for (const Entry &entry : documented)
+      for (const std::string &heading : headings(scene, entry)) {
+        tried.insert(entry.name());
+        std::string how;
+        if (!is_silent(scene, heading, entry, how))
+          continue;
+        bool is_excepted = false;
+        for (Exception &exception : exceptions)
+          if (fits(exception.entry, entry.name()) && fits(exception.scene, scene.name))
+            is_excepted = exception.is_needed = true;
+        if (!is_excepted)
+          fault(scene.name + ": " + (heading.empty() ? "" : heading + "/") + entry.word + ": " +
+                how);
+      }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::cout << scene.name << ": " << n_runs - n_before << " runs, " << seconds.count() << " s"
+              << std::endl;
+  }
+
+  int report() {
+    for (const Entry &entry : documented)
+      if (tried.count(entry.name()) == 0)
+        fault(entry.name() + " is in no scene");
+    for (const Exception &exception : exceptions)
+      if (!exception.is_needed)
+        fault(exception.entry + " is an exception of " + exception.scene + " that nothing needs");
+    std::cout << documented.size() << " entries, " << n_runs << " runs, " << n_faults << " wrong\n";
+    return n_faults > 0 ? 1 : 0;
+  }
+
+private:
+  /// Sections of scenes that are made of them, and that no other scene may have.
+  inline static const std::set<std::string> makers = {"Slab",   "Oscillator", "Rack",
+                                                      "Random", "Long bar",   "Body"};
+
+  /// The scene's sections in which an entry is tried.
+  static std::vector<std::string> headings(const Scene &scene, const Entry &entry) {
+    std::vector<std::string> result;
+    if (!scene.tries(entry.kind))
+      return result;
+    const fuzz::ParameterText &text = scene.text;
+    if (!entry.is_of_part && makers.count(entry.kind) == 0)
+      result = {entry.kind};
+    for (const auto &section : text.sections)
+      if (entry.is_of_part
+              ? section.heading.rfind(entry.kind + " ", 0) == 0 &&
+                    (entry.law.empty() || value_in(text, section.heading, "Law") == entry.law)
+              : section.heading == entry.kind && makers.count(entry.kind) > 0)
+        result.push_back(section.heading);
+    return result;
+  }
+
+  /// Whether none of the values that the scene takes for the entry is noticed.
+  bool is_silent(Scene &scene, const std::string &heading, const Entry &entry, std::string &how) {
+    const std::string here = value_in(scene.text, heading, entry.word);
+    const auto given = values.find(entry.name());
+    const std::vector<std::string> tries =
+        given != values.end() ? given->second : other_values(entry, here);
+    if (tries.empty())
+      how = "there is no value for it";
+    for (const std::string &value : tries) {
+      if (value == here)
+        continue;
+      ++n_runs;
+      const Answer answer = scene.run(with(scene.text, heading, entry.word, value));
+      const bool is_named =
+          std::any_of(answer.lines.begin(), answer.lines.end(), [&](const std::string &line) {
+            return scene.base.lines.count(line) == 0 &&
+                   (line.find(entry.word) != std::string::npos ||
+                    line.find("ection " + heading + ' ') != std::string::npos);
+          });
+      const bool is_refused = answer.status == 1;
+      if (!is_refused &&
+          (is_named || answer.status != scene.base.status || answer.numbers != scene.base.numbers))
+        return false;
+      const bool is_about_it =
+          is_named || std::any_of(answer.lines.begin(), answer.lines.end(), [&](const auto &line) {
+            return (!heading.empty() && line.find(heading) != std::string::npos) ||
+                   line.find(value) != std::string::npos;
+          });
+      if (!is_refused || !is_about_it)
+        how = "'" + value + "' is " +
+              (is_refused ? "refused without naming it" : "ignored without a word");
+    }
+    return !how.empty();
+  }
+
+  void fault(const std::string &text) {
+    ++n_faults;
+    std::cout << text << std::endl;
+  }
+
+  const std::vector<Entry> documented;
+  const std::map<std::string, std::vector<std::string>> values;
+  std::vector<Exception> exceptions;
+  std::set<std::string> tried;
+  unsigned int n_runs = 0, n_faults = 0;
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+  try {
+    if (argc < 5)
+      throw std::runtime_error("silent_entries FRICTIONBEAM SCENES VALUES EXCEPTIONS");
+    Search search(argv[1], argv[3], argv[4]);
+    std::vector<fs::path> files;
+    for (const auto &entry : fs::directory_iterator(fs::absolute(argv[2])))
+      if (entry.path().extension() == ".prm" && (argc < 6 || entry.path().stem() == argv[5]))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path &file : files) {
+      Scene scene(file);
+      search.look_at(scene);
+    }
+    return search.report();
+  } catch (const std::exception &error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}
