@@ -33,7 +33,8 @@ constexpr LawParameter creep_parameters[n_creep_parameters] = {
      "what primary creep has hardened by when the stress changes: 0 the time since 0 s, 1 the "
      "primary creep strain"},
     {"Creep activation temperature", "K", 0., 0., 1e6,
-     "Q/R: both coefficients vary as exp(-Q/R (1/T - 1/T0))"},
+     "Q/R: both coefficients vary as exp(-Q/R (1/T - 1/T0)); with Units of F in degrees of "
+     "Fahrenheit, 1.8 times the figure in K"},
     {"Creep reference temperature", "degC", 20., -273., 1e4, "T0"}};
 
 /// Creep in one increment of time: how much of it there is at a given stress.

@@ -19,17 +19,18 @@
 /**
  * No entry of a parameter file may be ignored without a word.
  *
- *   silent_entries FRICTIONBEAM SCENES VALUES EXCEPTIONS
+ *   silent_entries FRICTIONBEAM PROJECT [SCENE]
  *
  * Every entry of `FRICTIONBEAM --print-parameters`, and of the laws that it names, is set in every
- * scene of the folder SCENES, to a value other than the one that it has there: those of settings in
- * all scenes, those of a part in each part of its kind; of a scene with a line `# tries: KIND,
- * KIND` sections of these kinds alone. Then either a number of the results changes, or a line is
- * printed that names the entry, or the file is refused with a message that names it. Values are
- * made from the bounds that are documented, and read from VALUES where they are words of the user's
- * (`Section/Entry = value | value ...`). EXCEPTIONS says which entries may be silent, and why: `|
- * entry | scenes | reason |`, with a star for all. A row that nothing needs is a fault too, and so
- * is an entry that no scene has.
+ * scene of PROJECT/tests/entries/scenes, or of the one that is named, to a value other than the one
+ * that it has there: those of settings in all scenes, those of a part in each part of its kind; of
+ * a scene with a line `# tries: KIND, KIND` sections of these kinds alone. Then either a number of
+ * the results changes, or a line is printed that names the entry, or the file is refused with a
+ * message that names it. Values are made from the bounds that are documented, and read from
+ * values.txt where they are words of the user's
+ * (`Section/Entry = value | value ...`). exceptions.md says which entries may be silent, and why:
+ * `| entry | scenes | reason |`, with a star for all. A row that nothing needs is a fault too, and
+ * so is an entry that no scene has.
  */
 namespace fs = std::filesystem;
 using namespace entries;
@@ -67,11 +68,11 @@ struct Answer {
 
 class Scene {
 public:
-  explicit Scene(const fs::path &file)
+  /// @param file among what it names by relative paths
+  /// @param folder where it runs
+  Scene(const fs::path &file, const fs::path &folder)
       : name(file.stem().string()), text(fuzz::read_file(file.string())),
-        file_of_trials((file.parent_path() / (name + ".trial")).string()) {
-    folder = fs::temp_directory_path() / ("silent_entries_" + std::to_string(getpid()));
-    fs::create_directories(folder);
+        file_of_trials((file.parent_path() / "trial").string()), folder(folder.string()) {
     base = run(text);
     if (base.status != 0)
       throw std::runtime_error(name + " ends with " + std::to_string(base.status));
@@ -81,13 +82,6 @@ public:
       if (line.rfind(mark, 0) == 0)
         kinds = split(line.substr(mark.size()), ',');
   }
-  ~Scene() {
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
-    fs::remove(file_of_trials, ignored);
-  }
-  Scene(const Scene &) = delete;
-  Scene &operator=(const Scene &) = delete;
 
   Answer run(const fuzz::ParameterText &changed) {
     const fuzz::Outcome outcome = fuzz::run_here(trial(changed.text()));
@@ -97,7 +91,7 @@ public:
     for (std::string line; std::getline(output, line);)
       answer.lines.insert(line);
     std::vector<fs::path> files;
-    if (const fs::path results = folder / "results"; fs::exists(results))
+    if (const fs::path results = folder + "/results"; fs::exists(results))
       for (const auto &entry : fs::recursive_directory_iterator(results))
         files.push_back(entry.path());
     std::sort(files.begin(), files.end());
@@ -127,14 +121,13 @@ private:
     fuzz::Trial trial;
     trial.words = {"run",   file_of_trials,         "--set", "Output/VTU = false",
                    "--set", "Output/Report = false"};
-    trial.folder = folder.string();
+    trial.folder = folder;
     trial.keep_after = true;
     return trial;
   }
 
-  std::vector<std::string> kinds;   ///< of sections that are tried; empty: all
-  const std::string file_of_trials; ///< beside the scene, whose files it names
-  fs::path folder;
+  std::vector<std::string> kinds; ///< of sections that are tried; empty: all
+  const std::string file_of_trials, folder;
 };
 
 /// The scene with an entry of one of its sections set to a value.
@@ -201,6 +194,9 @@ public:
     std::cout << documented.size() << " entries, " << n_runs << " runs, " << n_faults << " wrong\n";
     return n_faults > 0 ? 1 : 0;
   }
+
+  /// Of the scenes so far, whatever the others need.
+  int n_wrong() const { return n_faults > 0 ? 1 : 0; }
 
 private:
   /// Sections of scenes that are made of them, and that no other scene may have.
@@ -271,23 +267,49 @@ private:
   unsigned int n_runs = 0, n_faults = 0;
 };
 
+/// A copy of the scenes, which may be written to, beside the files of the project that they name.
+class Copy {
+public:
+  explicit Copy(const fs::path &project)
+      : root(fs::temp_directory_path() / ("silent_entries_" + std::to_string(getpid()))) {
+    fs::create_directories(root / "tests/entries");
+    fs::copy(project / "tests/entries/scenes", scenes());
+    fs::create_directory_symlink(project / "tests/cases", root / "tests/cases");
+    fs::create_directory_symlink(project / "prm", root / "prm");
+  }
+  ~Copy() {
+    std::error_code ignored;
+    fs::remove_all(root, ignored);
+  }
+  Copy(const Copy &) = delete;
+  Copy &operator=(const Copy &) = delete;
+
+  fs::path scenes() const { return root / "tests/entries/scenes"; }
+
+private:
+  const fs::path root;
+};
+
 } // namespace
 
 int main(int argc, char **argv) {
   try {
-    if (argc < 5)
-      throw std::runtime_error("silent_entries FRICTIONBEAM SCENES VALUES EXCEPTIONS");
-    Search search(argv[1], argv[3], argv[4]);
+    if (argc < 3)
+      throw std::runtime_error("silent_entries FRICTIONBEAM PROJECT [SCENE]");
+    const fs::path project = fs::absolute(argv[2]);
+    const Copy copy(project);
+    Search search(argv[1], (project / "tests/entries/values.txt").string(),
+                  (project / "tests/entries/exceptions.md").string());
     std::vector<fs::path> files;
-    for (const auto &entry : fs::directory_iterator(fs::absolute(argv[2])))
-      if (entry.path().extension() == ".prm" && (argc < 6 || entry.path().stem() == argv[5]))
+    for (const auto &entry : fs::directory_iterator(copy.scenes()))
+      if (entry.path().extension() == ".prm" && (argc == 3 || entry.path().stem() == argv[3]))
         files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const fs::path &file : files) {
-      Scene scene(file);
+      Scene scene(file, copy.scenes());
       search.look_at(scene);
     }
-    return search.report();
+    return argc == 3 ? search.report() : search.n_wrong();
   } catch (const std::exception &error) {
     std::cerr << error.what() << '\n';
     return 2;

@@ -49,6 +49,27 @@ std::string quantities_of(const Word<QuantityKind::Of> &place) {
   return text + "[" + unit + "] " + place.word + meanings + ".";
 }
 
+/// The same of a continuum: "Of a continuum: ux uy uz [m] at a point; ..."
+std::string quantities_of_bodies() {
+  using At = BodyQuantityKind::At;
+  constexpr Word<At> body_places[] = {
+      {"a point", At::point}, {"a part of its boundary", At::part}, {"a coordinate x [m]", At::x}};
+  std::string text = "Of a continuum:";
+  for (const Word<At> &place : body_places) {
+    std::string unit;
+    for (const BodyQuantityKind &kind : body_quantity_kinds) {
+      if (kind.at != place.value)
+        continue;
+      if (!unit.empty() && unit != kind.unit)
+        text += " [" + unit + "]";
+      unit = kind.unit;
+      text += std::string(" ") + kind.word;
+    }
+    text += " [" + unit + "] at " + place.word + (place.value == At::x ? "." : ";");
+  }
+  return text;
+}
+
 /// As lines of comment.
 std::string comment(const std::string &text) {
   std::string lines, line = "#";
@@ -81,7 +102,7 @@ std::string parameter_notes() {
 )";
   for (const Word<QuantityKind::Of> &place : places)
     text += comment(quantities_of(place));
-  return text;
+  return text + comment(quantities_of_bodies());
 }
 
 } // namespace frictionbeam

@@ -117,6 +117,8 @@ void build_body(const ParameterReader &in, const LawLibrary &laws, Scene &scene)
   if (body.dimension == 2)
     check_plane(in, body);
   const LawDescription &law = laws.find(in.text("Law"));
+  if (std::string(law.name) == "snubber")
+    in.fail("Law", "a law that holds in static steps, which are all that bodies have", "coulomb");
   ContinuumContact contact;
   contact.law = law.name;
   for (int i = 0; i < law.n_parameters; ++i)
