@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -220,6 +222,32 @@ private:
     return result;
   }
 
+  /// Whether texts differ by more than rounding of the numbers in them.
+  static bool differ(const std::string &one, const std::string &other) {
+    constexpr double rounding = 1e-6, nothing = 1e-9;
+    const char *a = one.c_str(), *b = other.c_str();
+    while (*a != 0 && *b != 0) {
+      char *end_of_a = nullptr, *end_of_b = nullptr;
+      const double x = std::strtod(a, &end_of_a), y = std::strtod(b, &end_of_b);
+      if (end_of_a == a || end_of_b == b) {
+        if (*a++ != *b++)
+          return true;
+        continue;
+      }
+      if (std::abs(x - y) > nothing + rounding * std::max(std::abs(x), std::abs(y)))
+        return true;
+      a = end_of_a;
+      b = end_of_b;
+    }
+    return *a != *b;
+  }
+
+  static bool says_unused(const Answer &answer, const Answer &base, const std::string &entry) {
+    return std::any_of(answer.lines.begin(), answer.lines.end(), [&](const std::string &line) {
+      return base.lines.count(line) == 0 && line.find(entry + " is not used ") != std::string::npos;
+    });
+  }
+
   /// Whether none of the values that the scene takes for the entry is noticed.
   bool is_silent(Scene &scene, const std::string &heading, const Entry &entry, std::string &how) {
     const std::string here = value_in(scene.text, heading, entry.word);
@@ -239,9 +267,12 @@ private:
                    (line.find(entry.word) != std::string::npos ||
                     line.find("ection " + heading + ' ') != std::string::npos);
           });
-      const bool is_refused = answer.status == 1;
-      if (!is_refused &&
-          (is_named || answer.status != scene.base.status || answer.numbers != scene.base.numbers))
+      const bool is_refused = answer.status == 1, is_changed = answer.numbers != scene.base.numbers;
+      if (!is_refused && says_unused(answer, scene.base, entry.word) &&
+          differ(answer.numbers, scene.base.numbers))
+        fault(scene.name + ": " + heading + '/' + entry.word + ": '" + value +
+              "' is said to be unused, and changes numbers");
+      if (!is_refused && (is_named || answer.status != scene.base.status || is_changed))
         return false;
       const bool is_about_it =
           is_named || std::any_of(answer.lines.begin(), answer.lines.end(), [&](const auto &line) {

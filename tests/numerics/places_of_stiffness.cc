@@ -78,14 +78,23 @@ int main() {
   CHECK(SparseMatrix(K - all).coeffs().isZero(0.));
 
   std::set<std::pair<int, int>> of_contacts;
-  for (unsigned int i = 0; i < line.model.contacts.size(); ++i)
-    for (const int row : line.model.contacts[i].unknowns)
-      for (const int column : line.model.contacts[i].unknowns)
+  for (unsigned int i = 0; i < line.model.contacts.size(); ++i) {
+    std::vector<int> unknowns = line.model.contacts[i].unknowns;
+    const std::vector<int> &others = line.model.contacts[i].vertex_unknowns;
+    unknowns.insert(unknowns.end(), others.begin(), others.end());
+    for (const int row : unknowns)
+      for (const int column : unknowns)
         of_contacts.emplace(row, column);
+  }
   for (int row = 0; row < K.rows(); ++row)
     for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry)
       if (entry.value() == 0.)
-        CHECK(entry.col() == row || of_contacts.count({row, entry.col()}) > 0);
+        CHECK(entry.col() == row || of_contacts.count({row, entry.col()}) > 0 ||
+              K.coeff(entry.col(), row) != 0.);
+  for (int row = 0; row < K.rows(); ++row) // symmetric
+    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry)
+      CHECK(std::binary_search(K.innerIndexPtr() + K.outerIndexPtr()[entry.col()],
+                               K.innerIndexPtr() + K.outerIndexPtr()[entry.col() + 1], row));
   for (const auto &[row, column] : of_contacts)
     CHECK(std::binary_search(K.innerIndexPtr() + K.outerIndexPtr()[row],
                              K.innerIndexPtr() + K.outerIndexPtr()[row + 1], column));

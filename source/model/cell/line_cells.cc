@@ -68,6 +68,7 @@ void LineCells::evaluate(const Step &step, const std::vector<double> &factors,
                          Balance &balance) const {
   balance.loads = balance.internal = Vector::Zero(space.n_dofs());
   if (!step.without_stiffness) {
+    Assert(!is_linear(), ExcMessage("The stiffness of linear cells has no places for tangents."));
     balance.stiffness = linear.stiffness(); // its pattern
     std::fill(balance.stiffness.valuePtr(),
               balance.stiffness.valuePtr() + balance.stiffness.nonZeros(), 0.);

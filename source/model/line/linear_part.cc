@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace frictionbeam {
 
@@ -73,6 +74,33 @@ std::vector<types::global_dof_index> dofs_of_vertices(const VertexDofs &vertex_d
   return dofs;
 }
 
+/// Unknowns of vertices, each once.
+std::vector<int> unknowns_of(const std::vector<unsigned int> &vertices, const VertexDofs &dofs,
+                             const ReducedSpace &space) {
+  std::set<int> unknowns;
+  for (const auto dof : dofs_of_vertices(dofs, vertices))
+    for (const auto &term : space.terms(dof))
+      unknowns.insert(term.unknown);
+  return {unknowns.begin(), unknowns.end()};
+}
+
+/// Places for what springs and masses that turn couple, whatever their entries are now.
+void add_places_of_points(const Scene &scene, const LineMesh &mesh,
+                          const Discretization &discretization, const ReducedSpace &space,
+                          MatrixEntries &entries) {
+  const auto add = [&](const std::vector<unsigned int> &vertices) {
+    entries.add_places(unknowns_of(vertices, discretization.vertex_dofs(), space));
+  };
+  for (const Spring &spring : scene.springs)
+    if (spring.other.empty())
+      add({mesh.points.at(spring.point)});
+    else
+      add({mesh.points.at(spring.point), mesh.points.at(spring.other)});
+  for (const PointMass &mass : scene.masses)
+    for (const std::string &point : mass.points)
+      add({mesh.points.at(point)});
+}
+
 /// Those that a contact couples, and the others of its vertex: columns of a tangent's factors are
 /// alike where they are coupled from the beginning.
 std::vector<int> unknowns_at(const Contact &contact) {
@@ -129,6 +157,8 @@ LinearPart::LinearPart(const Scene &scene, const LineMesh &mesh,
   add_springs(scene, mesh, discretization, space, with_mass, of_stiffness);
   for (unsigned int i = 0; i < contacts.size(); ++i)
     of_stiffness.add_places(unknowns_at(contacts[i]));
+  if (zeros == MatrixEntries::Zeros::kept)
+    add_places_of_points(scene, mesh, discretization, space, of_stiffness);
   K = of_stiffness.matrix(space.n_unknowns());
   if (with_mass) {
     add_point_masses(scene, mesh, discretization, space, of_mass);

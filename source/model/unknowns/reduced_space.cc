@@ -209,8 +209,12 @@ void ReducedSpace::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,
   const auto shares = shares_of(dofs, *this);
   for (const Share &column : shares)
     for (const Share &row : shares)
-      entries.add(row.unknown, column.unknown,
-                  row.weight * column.weight * local(row.place, column.place));
+      if (const double value = local(row.place, column.place); value != 0.)
+        entries.add(row.unknown, column.unknown, row.weight * column.weight * value);
+      else if (local(column.place, row.place) != 0.) // by rounding: the pattern is symmetric
+        entries.add_places({row.unknown, column.unknown});
+      else
+        entries.add(row.unknown, column.unknown, 0.);
 }
 
 void ReducedSpace::add_local(const Eigen::Ref<const Eigen::MatrixXd> &local,

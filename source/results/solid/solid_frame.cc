@@ -162,7 +162,12 @@ Frame solid_frame(const Scene &scene, const Model &line, const PipeWall &wall,
           return one.support == contact.support && one.site == contact.site;
         });
     Assert(patch != wall.patches.end(), ExcInternalError());
-    frame.supports.push_back(patch_state(body, contacts, state, patch - wall.patches.begin()));
+    SupportState &support = frame.supports.emplace_back(
+        patch_state(body, contacts, state, patch - wall.patches.begin()));
+    const Vector3 force =
+        -support.fn * contact.axes.x + support.ft1 * contact.axes.z + support.ft2 * contact.axes.y;
+    for (unsigned int d = 0; d < 3; ++d)
+      support.on_pipe[d] = force[d];
   }
   frame.step = state.step;
   frame.name = scene.steps[state.step].name;
