@@ -90,6 +90,35 @@ const Rows &rows_of_settings() {
       {"Continuum",
        {},
        [](const Place &at) { return unless(at.scene.continuum.has_value(), at.with_model()); }},
+      {"Continuum",
+       {"Tolerance", "Fraction", "Max refinements", "Max unknowns"},
+       [](const Place &at) {
+         return unless(at.raw("Refinement", "adaptive") != "none", "with Refinement = none");
+       }},
+      {"Continuum",
+       {"Cells"},
+       [](const Place &at) {
+         return unless(at.scene.mesh.file.empty(), "beside the File of section Mesh");
+       }},
+      {"Continuum",
+       {"Dimension"},
+       [](const Place &at) {
+         return unless(
+             !any(at.in.file().sections(),
+                  [](const ParameterFile::Section &one) { return one.heading == "Long bar"; }),
+             "with Scene = long bar, which is plane");
+       }},
+      {"Mesh",
+       {"File"},
+       [](const Place &at) {
+         const bool is_made = any(at.in.file().sections(), [](const ParameterFile::Section &one) {
+           return one.heading == "Slab" || one.heading == "Long bar";
+         });
+         return unless(!at.is_body() || !is_made, "with a Scene that makes its own mesh");
+       }},
+      {"Slab",
+       {"Increments", "Poisson squeeze", "Shear lag"},
+       [](const Place &at) { return unless(!at.is_body(), at.with_model()); }},
       {"Solid",
        {},
        [](const Place &at) {
