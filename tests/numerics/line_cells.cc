@@ -29,13 +29,15 @@ end
 subsection Section tail
   set Outer diameter = 0.1143
   set Wall = 0.006
-  set Law = elastic_section
+  set Law = global_plastic
+  set Yield stress = 1e15
 end
 subsection Pipe tail
   set Section = tail
   set Route = C; D by 0 1 0
 end
 subsection Joint hinge
+  set Pipe = line
   set At = B
   set Bending = 1e5
 end
