@@ -18,12 +18,16 @@ const char *const scene = R"(
 subsection Material steel
   set Density = 7850
 end
+subsection Material light
+  set Density = 0
+end
 subsection Section DN100
   set Outer diameter = 0.1143
   set Wall = 0.006
 end
 subsection Pipe line
   set Section = DN100
+  set Material = steel
   set Route = A 0 0 0; B 2 0 0; corner 4 0 0 bend 0.5; C 4 3 0
 end
 subsection Section tail
@@ -34,7 +38,8 @@ subsection Section tail
 end
 subsection Pipe tail
   set Section = tail
-  set Route = C; D by 0 1 0
+  set Material = light
+  set Route = E 0 9 0; F 1 9 0
 end
 subsection Joint hinge
   set Pipe = line
@@ -43,7 +48,7 @@ subsection Joint hinge
 end
 subsection Support clamp
   set Kind = anchor
-  set At = A
+  set At = A, E, F
 end
 subsection Support shoe
   set Kind = rest
@@ -59,6 +64,7 @@ subsection Load weight
 end
 subsection Load heat
   set Kind = temperature
+  set Pipes = line
   set Temperature = 100
 end
 subsection Load move
@@ -87,6 +93,7 @@ LineState at_rest(const Model &model) {
   state.contact_stress.assign(model.contacts.size(), Contact::Strains::Zero());
   state.contact_status.assign(model.contacts.size(), ContactStatus::open);
   state.load_factors.assign(model.scene.loads.size(), 0.);
+  state.sections = model.cells.pipe_sections().at_rest();
   return state;
 }
 
