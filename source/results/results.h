@@ -44,7 +44,8 @@ struct SupportState {
   double wear = 0.;    ///< integral of fn times the sliding velocity so far, transient steps [J]
   double impulse = 0.; ///< of fn so far, transient steps, impacts included [N s]
   double mt = 0.;      ///< moment about the normal, of Torsion [N m]
-  double tilt = 0.;    ///< moment that its two edges hold, about the way of the pipe x normal [N m]
+  /// Moment that its two edges hold, about the way of the pipe x normal; of steps alone [N m].
+  double tilt = 0.;
   /// Force and moment on the pipe about its place, global axes [N, N m]: what cases are combined
   /// of, whose other numbers are sizes along the support's own axes.
   Motion on_pipe{};

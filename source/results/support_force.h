@@ -6,8 +6,8 @@
 namespace frictionbeam {
 
 /// Force of a friction support on the pipe, global axes [N].
-inline Vector3 force_in_space(const SupportInfo &info, const SupportState &state) {
-  return state.fn * info.normal + state.ft1 * info.t1 + state.ft2 * info.t2;
+inline Vector3 force_in_space(const SupportState &state) {
+  return Vector3({state.on_pipe[0], state.on_pipe[1], state.on_pipe[2]});
 }
 
 } // namespace frictionbeam

@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "documented_entries.h"
 
+#include "../text_pieces.h"
+#include "scene/file/parameter_reader.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 namespace entries {
 
+using frictionbeam::to_number;
+using frictionbeam::to_text;
+
 namespace {
-
-std::string trimmed(const std::string &text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::string output_of(const std::string &command) {
-  std::string text;
-  FILE *const pipe = popen(command.c_str(), "r");
-  char buffer[4096];
-  while (const std::size_t n = fread(buffer, 1, sizeof(buffer), pipe))
-    text.append(buffer, n);
-  if (pclose(pipe) != 0)
-    throw std::runtime_error(command + " fails");
-  return text;
-}
 
 /// What stands between two marks, from the end of the last @p before on; empty if they are not
 /// there.
@@ -38,19 +24,6 @@ std::string between(const std::string &text, const std::string &before, const st
   return end == std::string::npos
              ? ""
              : trimmed(text.substr(begin + before.size(), end - begin - before.size()));
-}
-
-bool to_number(const std::string &text, double &value) {
-  char *end = nullptr;
-  value = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0';
-}
-
-std::string to_text(const double value) {
-  std::ostringstream text;
-  text.precision(10);
-  text << value;
-  return text.str();
 }
 
 /// Something that is neither nothing nor much, of a number that is 0.
@@ -85,14 +58,6 @@ std::vector<std::string> other_numbers(const Entry &entry, const double value) {
 }
 
 } // namespace
-
-std::vector<std::string> split(const std::string &text, const char separator) {
-  std::vector<std::string> pieces;
-  std::istringstream in(text);
-  for (std::string piece; std::getline(in, piece, separator);)
-    pieces.push_back(trimmed(piece));
-  return pieces;
-}
 
 std::vector<Entry> documented_entries(const std::string &frictionbeam) {
   std::vector<Entry> entries;

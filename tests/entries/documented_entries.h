@@ -29,7 +29,4 @@ std::vector<std::string> other_values(const Entry &entry, const std::string &val
 /// Lines `Section/Entry = value | value ...`; `#` begins a comment.
 std::map<std::string, std::vector<std::string>> read_values(const std::string &file);
 
-/// Pieces between separators, without blanks at their ends.
-std::vector<std::string> split(const std::string &text, char separator);
-
 } // namespace entries

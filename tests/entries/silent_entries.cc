@@ -3,6 +3,7 @@
 
 #include "../fuzz/parameter_text.h"
 #include "../fuzz/trial.h"
+#include "../text_pieces.h"
 
 #include <nlohmann/json.hpp>
 

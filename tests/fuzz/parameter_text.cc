@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "parameter_text.h"
 
+#include "../text_pieces.h"
+
 #include <cctype>
 #include <cstdlib>
 #include <fstream>
@@ -9,11 +11,6 @@
 namespace fuzz {
 
 namespace {
-
-std::string trimmed(const std::string &text) {
-  const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
 
 std::string kind_of(const std::string &heading) { return heading.substr(0, heading.find(' ')); }
 

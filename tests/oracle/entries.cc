@@ -2,7 +2,8 @@
 #include "random_scene.h"
 #include "write_scene.h"
 
-#include <cstdio>
+#include "../text_pieces.h"
+
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -22,20 +23,6 @@
 using namespace oracle;
 
 namespace {
-
-std::string trimmed(const std::string &text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::vector<std::string> split(const std::string &text, const char separator) {
-  std::vector<std::string> pieces;
-  std::istringstream in(text);
-  for (std::string piece; std::getline(in, piece, separator);)
-    pieces.push_back(trimmed(piece));
-  return pieces;
-}
 
 /// "Pipe line3" and "Pipe name" are of kind Pipe, "Mesh" is itself.
 std::string kind_of(const std::string &heading) {
@@ -64,16 +51,9 @@ void each_entry(std::istream &in, const Function &function) {
 
 /// Entries, and "entry = value" for each value of a choice, in the order of the output.
 std::vector<std::string> entries_of(const std::string &program) {
-  std::string text;
-  FILE *const pipe = popen((program + " --print-parameters").c_str(), "r");
-  char buffer[4096];
-  while (const std::size_t n = fread(buffer, 1, sizeof(buffer), pipe))
-    text.append(buffer, n);
-  if (pclose(pipe) != 0)
-    throw std::runtime_error(program + " --print-parameters fails");
   std::vector<std::string> result;
   std::string comment, of_law;
-  std::istringstream in(text);
+  std::istringstream in(output_of(program + " --print-parameters"));
   each_entry(in, [&](const std::string &entry, const std::string &value, const std::string &line) {
     if (entry.empty()) {
       const std::string words = trimmed(line);

@@ -31,13 +31,10 @@ contact::ImposedMotion ExactMethod::imposed_motion(const Contacts &contacts,
 
 ExactMethod::ExactMethod(const SolverSettings &settings, const Contacts &contacts,
                          const SparseMatrix &stiffness, contact::PartMemory *const memory)
-    : ExactMethod(settings, contacts,
-                  contact::condense_parts(stiffness, kept_unknowns(contacts), memory),
-                  stiffness.diagonal()) {}
-
-ExactMethod::ExactMethod(const SolverSettings &settings, const Contacts &contacts,
-                         std::unique_ptr<contact::Condensation> line, const Vector &diagonal)
-    : contacts(contacts), solver(settings_of(settings), contacts, std::move(line), diagonal) {}
+    : contacts(contacts),
+      solver(settings_of(settings), contacts,
+             contact::condense_parts(stiffness, kept_unknowns(contacts), memory),
+             stiffness.diagonal()) {}
 
 EquilibriumResult ExactMethod::solve(const EquilibriumProblem &problem,
                                      const ContactState &committed, Vector &unknowns,

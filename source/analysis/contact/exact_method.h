@@ -10,9 +10,6 @@ class ExactMethod final : public EquilibriumSolver {
 public:
   ExactMethod(const SolverSettings &settings, const Contacts &contacts,
               const SparseMatrix &stiffness, contact::PartMemory *const memory = nullptr);
-  /// @param line condensed to kept_unknowns() @param diagonal of its stiffness
-  ExactMethod(const SolverSettings &settings, const Contacts &contacts,
-              std::unique_ptr<contact::Condensation> line, const Vector &diagonal);
 
   static contact::Settings settings_of(const SolverSettings &settings);
   /// All unknowns of the nodes that contacts touch.

@@ -166,8 +166,8 @@ double imbalance_of_supports(const Motion &load, const Results &results, const F
       force += node.weight * state.contacts.stress[i][a] * node.frame[a];
     of_patches[node.surface] += cross_product_3d(Vector3(node.position - middle), force);
   }
-  for (unsigned int i = 0; i < frame.supports.size(); ++i)
-    add(force_in_space(results.supports[i], frame.supports[i]), Vector3());
+  for (const SupportState &support : frame.supports)
+    add(force_in_space(support), Vector3());
   for (const Vector3 &moment : of_patches)
     add(Vector3(), moment);
   return std::max(forces.norm(), moments.norm() / size) / largest;

@@ -115,7 +115,7 @@ void write_supports(const std::vector<SupportInfo> &infos, const Frame &frame,
   for (unsigned int i = 0; i < infos.size(); ++i) {
     const SupportInfo &info = infos[i];
     const SupportState &state = frame.supports[i];
-    const Vector3 force = force_in_space(info, state);
+    const Vector3 force = force_in_space(state);
     const Vector3 slip = state.slip1 * info.t1 + state.slip2 * info.t2;
     PatchesOut<0>::Patch patch;
     patch.vertices[0] = info.position;

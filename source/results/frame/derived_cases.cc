@@ -27,11 +27,9 @@ void for_each_number(AnyFrame &frame, const Function &function) {
   for (auto &reaction : frame.reactions)
     for (auto &value : reaction)
       function(value);
-  for (auto &support : frame.supports) {
-    function(support.tilt);
+  for (auto &support : frame.supports)
     for (auto &value : support.on_pipe)
       function(value);
-  }
 }
 
 } // namespace

@@ -91,7 +91,7 @@ Frame kinds_of(Frame frame) {
     support.fn = support.ft1 = support.ft2 = force;
     support.gap = support.slip1 = support.slip2 = displacement;
     support.work_friction = energy;
-    support.mt = support.tilt = moment;
+    support.mt = moment;
     support.on_pipe = {force, force, force, moment, moment, moment};
   }
   for (Motion &reaction : frame.reactions)

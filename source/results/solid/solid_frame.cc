@@ -2,6 +2,7 @@
 #include "results/solid/solid_frame.h"
 
 #include "model/unknowns/restraint_forces.h"
+#include "results/support/support_states.h"
 
 #include <algorithm>
 #include <limits>
@@ -164,8 +165,7 @@ Frame solid_frame(const Scene &scene, const Model &line, const PipeWall &wall,
     Assert(patch != wall.patches.end(), ExcInternalError());
     SupportState &support = frame.supports.emplace_back(
         patch_state(body, contacts, state, patch - wall.patches.begin()));
-    const Vector3 force =
-        -support.fn * contact.axes.x + support.ft1 * contact.axes.z + support.ft2 * contact.axes.y;
+    const Vector3 force = force_along_axes(contact, support);
     for (unsigned int d = 0; d < 3; ++d)
       support.on_pipe[d] = force[d];
   }

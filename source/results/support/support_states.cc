@@ -37,10 +37,6 @@ SupportState state_of_contact(const Model &model, const LineState &state, const 
   return result;
 }
 
-Vector3 force_in_space(const Contact &contact, const SupportState &state) {
-  return -state.fn * contact.axes.x + state.ft1 * contact.axes.z + state.ft2 * contact.axes.y;
-}
-
 /// Of both edges of a patch.
 ContactStatus status_of(const ContactStatus one, const ContactStatus other) {
   for (const ContactStatus status :
@@ -59,7 +55,7 @@ SupportState state_of_edges(const Model &model, const std::vector<unsigned int> 
   for (const unsigned int k : {0u, 1u}) {
     const SupportState &one = states[k];
     const Contact &contact = model.contacts[edges[k]];
-    const Vector3 couple = cross_product_3d(contact.arm, force_in_space(contact, one));
+    const Vector3 couple = cross_product_3d(contact.arm, force_along_axes(contact, one));
     result.fn += one.fn;
     result.ft1 += one.ft1;
     result.ft2 += one.ft2;
@@ -80,6 +76,10 @@ SupportState state_of_edges(const Model &model, const std::vector<unsigned int> 
 }
 
 } // namespace
+
+Vector3 force_along_axes(const Contact &contact, const SupportState &state) {
+  return -state.fn * contact.axes.x + state.ft1 * contact.axes.z + state.ft2 * contact.axes.y;
+}
 
 std::string name_of_place(const std::string &part, const unsigned int place, const bool several) {
   return several ? part + "." + std::to_string(place + 1) : part;

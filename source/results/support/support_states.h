@@ -23,6 +23,9 @@ std::vector<unsigned int> supports_of_contacts(const Contacts &contacts);
  */
 SupportState support_state(const Model &model, const LineState &state, const unsigned int support);
 
+/// Force on the pipe in global axes [N], of those along the axes of a support's contact.
+Vector3 force_along_axes(const Contact &contact, const SupportState &state);
+
 /// Force and moment in global axes [N, N m] of a friction element under this stress on its pipe, or
 /// with @p side = 1 on what it stands on; lever arms and friction against twist included.
 Motion force_of_contact(const Model &model, const unsigned int contact,

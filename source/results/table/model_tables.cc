@@ -262,7 +262,7 @@ void add_restraint_forces(const Results &results, const Frame &frame, UnitTable 
     if (frame.is_amplitude)
       row.nothing(6);
     else
-      row.vector(force_in_space(info, state)).vector(state.mt * info.normal);
+      row.vector(force_in_space(state)).vector(state.mt * info.normal);
   });
   table.add_rows(frame.reactions.size(), [&](const unsigned int i, UnitRow &row) {
     const RestraintInfo &info = results.restraints[i];

@@ -33,20 +33,29 @@ constexpr Word<QuantityKind::Of> places[] = {
     {"of the whole line, with Kinematics = corotational", QuantityKind::Of::line},
     {"in scenes with an exact solution", QuantityKind::Of::exact}};
 
-/// "ux uy uz [m] rx ry rz [rad] at a point", and what the words mean that do not say it.
-std::string quantities_of(const Word<QuantityKind::Of> &place) {
-  std::string text, unit, meanings;
-  for (const QuantityKind &kind : quantity_kinds) {
-    if (kind.of != place.value)
+/// "ux uy uz [m] rx ry rz [rad]" of the kinds that belong to it.
+template <typename Kinds, typename Property>
+std::string words_and_units(const Kinds &kinds, const Property &belongs) {
+  std::string text, unit;
+  for (const auto &kind : kinds) {
+    if (!belongs(kind))
       continue;
     if (!unit.empty() && unit != kind.unit)
       text += "[" + unit + "] ";
     unit = kind.unit;
     text += std::string(kind.word) + " ";
-    if (*kind.meaning != '\0')
-      meanings += std::string("; ") + kind.word + ": " + kind.meaning;
   }
-  return text + "[" + unit + "] " + place.word + meanings + ".";
+  return text + "[" + unit + "]";
+}
+
+/// "ux uy uz [m] rx ry rz [rad] at a point", and what the words mean that do not say it.
+std::string quantities_of(const Word<QuantityKind::Of> &place) {
+  const auto belongs = [&](const QuantityKind &kind) { return kind.of == place.value; };
+  std::string meanings;
+  for (const QuantityKind &kind : quantity_kinds)
+    if (belongs(kind) && *kind.meaning != '\0')
+      meanings += std::string("; ") + kind.word + ": " + kind.meaning;
+  return words_and_units(quantity_kinds, belongs) + " " + place.word + meanings + ".";
 }
 
 /// The same of a continuum: "Of a continuum: ux uy uz [m] at a point; ..."
@@ -55,18 +64,11 @@ std::string quantities_of_bodies() {
   constexpr Word<At> body_places[] = {
       {"a point", At::point}, {"a part of its boundary", At::part}, {"a coordinate x [m]", At::x}};
   std::string text = "Of a continuum:";
-  for (const Word<At> &place : body_places) {
-    std::string unit;
-    for (const BodyQuantityKind &kind : body_quantity_kinds) {
-      if (kind.at != place.value)
-        continue;
-      if (!unit.empty() && unit != kind.unit)
-        text += " [" + unit + "]";
-      unit = kind.unit;
-      text += std::string(" ") + kind.word;
-    }
-    text += " [" + unit + "] at " + place.word + (place.value == At::x ? "." : ";");
-  }
+  for (const Word<At> &place : body_places)
+    text += " " +
+            words_and_units(body_quantity_kinds,
+                            [&](const BodyQuantityKind &kind) { return kind.at == place.value; }) +
+            " at " + place.word + (place.value == At::x ? "." : ";");
   return text;
 }
 

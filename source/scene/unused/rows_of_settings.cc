@@ -103,18 +103,13 @@ const Rows &rows_of_settings() {
       {"Continuum",
        {"Dimension"},
        [](const Place &at) {
-         return unless(
-             !any(at.in.file().sections(),
-                  [](const ParameterFile::Section &one) { return one.heading == "Long bar"; }),
-             "with Scene = long bar, which is plane");
+         return unless(at.scene_word() != "long bar", "with Scene = long bar, which is plane");
        }},
       {"Mesh",
        {"File"},
        [](const Place &at) {
-         const bool is_made = any(at.in.file().sections(), [](const ParameterFile::Section &one) {
-           return one.heading == "Slab" || one.heading == "Long bar";
-         });
-         return unless(!at.is_body() || !is_made, "with a Scene that makes its own mesh");
+         return unless(!at.is_body() || at.scene_word() == "body",
+                       "with a Scene that makes its own mesh");
        }},
       {"Slab",
        {"Increments", "Poisson squeeze", "Shear lag"},

@@ -39,6 +39,11 @@ struct Place {
   bool is_linear() const { return scene.kinematics == Kinematics::linear && !scene.yields(); }
   /// Whether all that is solved are walls of pipes.
   bool is_wall() const { return scene.model == ModelKind::solid; }
+  /// The kind of scene, as the file names it.
+  std::string scene_word() const {
+    const ParameterFile::Entry *const given = in.file().find("")->find("Scene");
+    return given == nullptr ? "" : given->value;
+  }
   std::string with_model() const {
     return "with Model = " + std::string(row_of(model_kinds, scene.model).word);
   }
