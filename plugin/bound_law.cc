@@ -117,14 +117,24 @@ double BoundLaw::elastic_bound(const double *strain, const double element_length
 }
 
 SectionReport BoundLaw::report(const double *strain, const double element_length,
-                               const LawIncrement &increment, const double *new_state) const {
+                               const LawIncrement &increment, const double *new_state,
+                               const double *const since) const {
   SectionReport result;
   if (!tells_of_sections(*law) || law->report == nullptr)
     return result;
   const double no_rate[n_section_strains] = {};
   LawInput input = input_of(strain, element_length, increment);
   input.strain_rate = no_rate;
+  const bool knows_since = law->interface_version >= 4;
+  input.old_state = knows_since ? since : nullptr;
   law->report(input, new_state, result);
+  if (since != nullptr &&
+      !knows_since) { // of an older law, how much its largest strains have grown
+    SectionReport then;
+    law->report(input, since, then);
+    result.plastic_strain -= then.plastic_strain;
+    result.creep_strain -= then.creep_strain;
+  }
   return result;
 }
 

@@ -14,7 +14,8 @@
  * from where it locked, with a dead band b on either side, F = k (d - d_lock
  * -+ b). It lets go when its force has come back to zero, or has gone through zero since the
  * last increment, and the motion is slow again: never while its force keeps its sign. It pulls and
- * pushes. The state is that of the end of the increment: order 1 in time at locking.
+ * pushes. The state is that of the end of the increment, the rate that of its middle: order 1
+ * in time at locking and with drag.
  */
 namespace {
 

@@ -63,9 +63,11 @@ public:
    */
   double elastic_bound(const double *strain, const double element_length,
                        const LawIncrement &increment) const;
-  /// What the state at the end of an increment is like; zeros if the law does not say.
+  /// What the state at the end of an increment is like; zeros if the law does not say. @param since
+  /// internal variables from before: strains are those since then; null: all
   SectionReport report(const double *strain, const double element_length,
-                       const LawIncrement &increment, const double *new_state) const;
+                       const LawIncrement &increment, const double *new_state,
+                       const double *since = nullptr) const;
 
   /// What a law answers at rest, from internal variables of zero.
   struct Answer {

@@ -18,8 +18,8 @@ namespace frictionbeam {
 /// oldest_law_interface_version on are loaded, others are refused. Version 1 had closed forms of
 /// the parameters alone, `void (*threshold)(const double *parameters, FrictionThreshold &)`: ask
 /// them by closed_form(), which knows both. Hosts of version 2 give no
-/// LawInput::temperature_change.
-inline constexpr int law_interface_version = 3;
+/// LawInput::temperature_change, those of versions before 4 no old state to report().
+inline constexpr int law_interface_version = 4;
 inline constexpr int oldest_law_interface_version = 1;
 
 /// What a law is evaluated on, and with that the meaning of its strains and stresses.
@@ -65,9 +65,11 @@ struct LawParameter {
 
 /// What integrate() reads. All arrays belong to the caller.
 struct LawInput {
-  const double *parameters;   ///< in the order of LawDescription::parameters
-  const double *strain;       ///< generalized strain at the end of the increment
-  const double *strain_rate;  ///< its mean rate over the increment [1/s]; zero in statics
+  const double *parameters;  ///< in the order of LawDescription::parameters
+  const double *strain;      ///< generalized strain at the end of the increment
+  const double *strain_rate; ///< its mean rate over the increment [1/s]; zero in statics. It is
+                             ///< that of the middle: what a stress depends on it makes time steps
+                             ///< of first order
   const double *displacement; ///< kind support: displacement of the second node relative to the
                               ///< first in local axes, 3 values [m]; otherwise null
   double length;              ///< length of the element [m]
@@ -171,7 +173,8 @@ struct LawDescription {
   /// one by one.
   LawStatus (*integrate_all)(int n, const LawInput *inputs, LawOutput *outputs) = nullptr;
   /// What the state at the end of an increment is like. @p input is that of the increment, without
-  /// old state and rate.
+  /// rate; its old state is null, or one from before: plastic and creep strains are then those of
+  /// the point that has gained most since.
   void (*report)(const LawInput &input, const double *new_state, SectionReport &report) = nullptr;
   /// Of both kinds: what is wrong with these parameters together, each within its bounds: what is
   /// allowed, ": " and what to try, in a few words; null: nothing. A host refuses them with these.

@@ -157,10 +157,9 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       const Vector6 by = Values(to + strain) - Values(from + strain);
       const double growth = std::hypot(std::abs(by[0]) + radius * std::hypot(by[4], by[5]),
                                        radius * by[3] / std::sqrt(3.));
-      const SectionReport then = cell.law(q).report(from + strain, 1., {}, from + internal),
-                          now = cell.law(q).report(to + strain, 1., {}, to + internal);
-      const double flow =
-          now.plastic_strain - then.plastic_strain + now.creep_strain - then.creep_strain;
+      const SectionReport gained =
+          cell.law(q).report(to + strain, 1., {}, to + internal, from + internal);
+      const double flow = gained.plastic_strain + gained.creep_strain;
       if (growth > change.growth) {
         change.growth = growth;
         change.cell = i;
