@@ -113,6 +113,10 @@ KnownError by_time_step(const Scene &scene, const Results &results, const Resolu
     return {{},
             "contacts changed their state in " + std::to_string(all.state_changes) +
                 " time steps, which leaves an error of first order; Accuracy measures it"};
+  if (all.forces_lag)
+    return {{},
+            "the law of a support has a force by its rate, which is that of the middle of a time "
+            "step, an error of first order; Accuracy measures it"};
   if (all.turned_in_motion > all.local_errors)
     return {
         {},

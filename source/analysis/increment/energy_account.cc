@@ -48,18 +48,21 @@ Contact::Strains slip_between(const Contact &contact, const LineState &before,
   return {0., slip(law.slip_y), slip(law.slip_z), slip(law.twist)};
 }
 
+/// Share of one contact whose law alone knows what it has lost.
+void account_by_law(const Contact &contact, const unsigned int i, const Contact::Strains &mean,
+                    const LineState &before, const LineState &after, EnergyAccount &account) {
+  const double lost = after.contacts.dissipated[i] - before.contacts.dissipated[i];
+  account.dissipated += lost;
+  account.stored +=
+      contact.weight * mean.dot(after.contacts.strain[i] - before.contacts.strain[i]) - lost;
+}
+
 /// Share of one contact: its strain increment in parts that store, open a gap and slip.
 void account_contact(const Contact &contact, const unsigned int i, const LineState &before,
                      const LineState &after, EnergyAccount &account) {
   const Contact::Strains change = after.contacts.strain[i] - before.contacts.strain[i],
                          force = (before.contact_stress[i] + after.contact_stress[i]) / 2.,
                          force_change = after.contact_stress[i] - before.contact_stress[i];
-  if (!contact.law.has_closed_form()) { // only the law knows
-    const double lost = after.contacts.dissipated[i] - before.contacts.dissipated[i];
-    account.dissipated += lost;
-    account.stored += contact.weight * force.dot(change) - lost;
-    return;
-  }
   const FrictionThreshold &law = contact.law.closed_form();
   const Contact::Strains slipped = slip_between(contact, before, after);
   const double normal_elastic = force_change[0] / law.axial_rigidity;
@@ -92,8 +95,11 @@ EnergyAccount account_contacts(const Model &model, const LineState &before, cons
     const Contact::Strains change = after.contacts.strain[i] - before.contacts.strain[i];
     Contact::Strains mean = (before.contact_stress[i] + after.contact_stress[i]) / 2.;
     EnergyAccount share;
-    if (i < work.size()) {
+    if (i < work.size())
       mean = work[i].mean_stress;
+    if (!contact.law.has_closed_form())
+      account_by_law(contact, i, mean, before, after, share);
+    else if (i < work.size()) {
       for (int e = 0; e < n_support_strains; ++e) {
         const double s0 = before.contact_stress[i][e], s1 = after.contact_stress[i][e],
                      rigidity = work[i].rigidity[e];

@@ -4,7 +4,9 @@
 #include "model/line_pose.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace frictionbeam {
 
@@ -184,10 +186,44 @@ private:
   unsigned int n_held = 0;
 };
 
+/// Whether the law of a contact, without a closed form, answers to one small strain otherwise in
+/// two seconds than in one: to shear, pressed or pulled.
+bool answers_to_rates(const Contact &contact) {
+  constexpr double small = 1e-12, same = 1e-6;
+  const BoundLaw &law = contact.law;
+  if (law.has_closed_form() || law.closed_form_varies())
+    return false;
+  const std::vector<double> fresh(law.n_internal_variables() + 1, 0.);
+  for (const double normal : {-small, small}) {
+    const Contact::Strains strain(normal, small, small, small);
+    std::array<Contact::Strains, 2> stress;
+    for (int i = 0; i < 2; ++i) {
+      const double seconds = i + 1.;
+      const Contact::Strains rate = strain / seconds;
+      std::vector<double> state = fresh;
+      LawOutput output{stress[i].data(), nullptr, state.data(), 0., ContactStatus::none};
+      if (law.integrate(strain.data(), rate.data(), contact.length, {seconds, seconds},
+                        fresh.data(), LawTangent::none, output) != LawStatus::ok)
+        return false;
+    }
+    if ((stress[0] - stress[1]).norm() > same * (stress[0].norm() + stress[1].norm()))
+      return true;
+  }
+  return false;
+}
+
+bool any_answers_to_rates(const Contacts &contacts) {
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (answers_to_rates(contacts[i]))
+      return true;
+  return false;
+}
+
 } // namespace
 
 FollowResolution::FollowResolution(const Model &model)
-    : model(model), is_translation(model.space.n_unknowns(), false) {
+    : model(model), forces_lag(any_answers_to_rates(model.contacts)),
+      is_translation(model.space.n_unknowns(), false) {
   const VertexDofs &dofs = model.discretization.vertex_dofs();
   for (unsigned int v = 0; v < model.discretization.n_line_vertices(); ++v)
     for (unsigned int d = 0; d < 3; ++d) {
@@ -216,6 +252,7 @@ void FollowResolution::add_time_step(const LineState &before, const LineState &a
   resolution.exact_in_time = resolution.exact_in_time && is_exact;
   if (is_exact)
     return;
+  resolution.forces_lag = resolution.forces_lag || forces_lag;
   if (!after.events.empty())
     ++resolution.state_changes;
   double turned = 0.;

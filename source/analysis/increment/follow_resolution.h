@@ -28,9 +28,10 @@ private:
   void add_displacement(const LineState &state, Resolution &resolution) const;
 
   const Model &model;
-  std::vector<unsigned int> translations;                  ///< degrees of freedom
-  std::vector<bool> is_translation;                        ///< of each unknown
-  std::vector<double> slip_turned;                         ///< of each contact, so far [m]
+  bool forces_lag;                        ///< whether a contact's law answers to rates
+  std::vector<unsigned int> translations; ///< degrees of freedom
+  std::vector<bool> is_translation;       ///< of each unknown
+  std::vector<double> slip_turned;        ///< of each contact, so far [m]
   std::vector<std::optional<Eigen::Matrix2d>> compliances; ///< of contacts that have slipped [m/N]
 
   /// Of a contact in the present step.

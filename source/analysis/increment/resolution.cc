@@ -21,6 +21,7 @@ void Resolution::include(const Resolution &other) {
   touched_within = touched_within || other.touched_within;
   turned_unseen = turned_unseen || other.turned_unseen;
   loads_bend_within = loads_bend_within || other.loads_bend_within;
+  forces_lag = forces_lag || other.forces_lag;
   starts_to_move = starts_to_move || other.starts_to_move;
   turned_within = turned_within || other.turned_within;
   slip_in_one = std::max(slip_in_one, other.slip_in_one);

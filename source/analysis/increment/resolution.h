@@ -21,6 +21,7 @@ struct Resolution {
   /// times the sine by which its friction force turns: an error of first order [m].
   double turned_in_motion = 0.;
   bool starts_to_move = false; ///< in a time step before which nothing accelerates: not in the sums
+  bool forces_lag = false;     ///< a support's force depends on the mean rate of the time step
   bool exact_in_time = true;   ///< no time step has an error of its own (event)
   bool handed_over = false;    ///< parts of the motion, by event to an integrator that has one
   /// Large displacements: by how much cells, whose length is that of their chords, are longer than
@@ -58,7 +59,7 @@ struct Resolution {
     archive(local_errors, largest_displacement, accelerations, acceleration_changes, state_changes,
             exact_in_time, handed_over, unbent, slip_turned, slip_from_rest, slip_is_known,
             touched_within, turned_in_motion, turned_within, turned_unseen, starts_to_move,
-            loads_bend_within, slip_in_one, flow_increments, limit_changed_within);
+            loads_bend_within, slip_in_one, flow_increments, limit_changed_within, forces_lag);
   }
 };
 
