@@ -13,49 +13,124 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <map>
 
 namespace frictionbeam {
 
 namespace {
 
-/// A csv file whose rows are found by their texts: names, steps, and numbers that place them.
-struct Table {
-  std::vector<std::string> columns;                                        ///< of the numbers
-  std::map<std::string, std::pair<std::string, std::vector<double>>> rows; ///< key: status, numbers
+struct QuantityOfRun {
+  double value = 0., in_si = 0.; ///< in_si: SI units in its unit; 0: not known
+  std::string unit;
 };
 
-/// @param n_keys fields that say what a row is about; @param status whether a word follows them
-Table read_table(const std::string &path, const unsigned int n_keys, const bool status) {
+/// What summary.json says of a run.
+struct Run {
+  std::string folder, status;
+  std::map<std::string, QuantityOfRun> quantities; ///< by name
+  std::map<std::string, double> units; ///< how many of SI one of the tables' is, by that of SI
+
+  double in_si(const std::string &unit) const {
+    const auto found = units.find(unit);
+    return found == units.end() ? 1. : found->second;
+  }
+};
+
+Run read_run(const std::string &folder) {
+  const std::string path = folder + "/summary.json";
+  std::ifstream in(path);
+  const nlohmann::json summary = nlohmann::json::parse(in, nullptr, false);
+  if (!in || !summary.contains("quantities"))
+    throw UserError("There is no '" + path +
+                    "' of this program. Name two folders with results of it: frictionbeam compare "
+                    "output/a output/b");
+  Run run{folder, summary.value("status", "converged"), {}, {}};
+  for (const nlohmann::json &quantity : summary.at("quantities")) {
+    if (!quantity.at("value").is_number())
+      continue;
+    const auto in_si = quantity.find("in_si");
+    run.quantities[quantity.at("name")] = {
+        quantity.at("value").get<double>(),
+        in_si != quantity.end() && in_si->is_number() ? in_si->get<double>() : 0.,
+        quantity.at("unit").get<std::string>()};
+  }
+  if (const auto units = summary.find("units"); units != summary.end())
+    for (const auto &[si, unit] : units->items())
+      run.units[si] = unit.at("in_si").get<double>();
+  return run;
+}
+
+/// A column of numbers, and its unit in SI.
+struct Column {
+  std::string name, unit;
+};
+
+/// A csv file whose rows are found by their texts: names, steps, and numbers that place them.
+struct Table {
+  /// Numbers by column, in the units of the first run; NaN: none.
+  struct Row {
+    std::string status;
+    std::map<std::string, double> numbers;
+  };
+  std::map<std::string, Row> rows;
+};
+
+/// What of a table is compared.
+struct Layout {
+  std::string title, file;
+  std::vector<std::string> keys; ///< columns that say what a row is about
+  std::vector<Column> columns;
+};
+
+[[noreturn]] void refuse(const std::string &what, const std::string &path,
+                         const std::string &read) {
+  throw UserError(what + " of '" + path + "'.\n  read:    '" + read +
+                  "'\n  allowed: the tables as this program has written them\n  try:     run the "
+                  "case again");
+}
+
+/// The number in a field; NaN if it is empty.
+double number_in(const std::string &field, const std::string &column, const std::string &path) {
+  double number = std::numeric_limits<double>::quiet_NaN();
+  if (!field.empty() && !to_number(field, number))
+    refuse("There is no number in column " + column, path, field);
+  return number;
+}
+
+/// @param first in whose units the numbers are
+Table read_table(const Run &run, const Run &first, const Layout &layout) {
+  const std::string path = run.folder + '/' + layout.file;
   std::ifstream in(path);
   Table table;
   std::string line;
   if (!in || !std::getline(in, line))
     return table;
-  const unsigned int n_texts = n_keys + (status ? 1 : 0);
+  const auto factor = [&](const std::string &unit) { return run.in_si(unit) / first.in_si(unit); };
   const std::vector<std::string> header = csv_fields(line);
-  table.columns.assign(header.begin() + std::min<std::size_t>(n_texts, header.size()),
-                       header.end());
   std::map<std::string, unsigned int> seen; // a node may stand twice, with either side
   while (std::getline(in, line)) {
-    const std::vector<std::string> row = csv_fields(line);
-    if (row.size() != header.size())
-      continue;
+    const std::vector<std::string> fields = csv_fields(line);
+    if (fields.size() != header.size())
+      refuse("A row has other fields than the header", path, line);
+    std::map<std::string, std::string> field;
+    for (std::size_t i = 0; i < header.size(); ++i)
+      field[header[i]] = fields[i];
     std::string key;
-    for (unsigned int i = 0; i < n_keys; ++i) {
-      double number;
-      key += (i > 0 ? ", " : "") +
-             (i >= 2 && to_number(row[i], number) ? rounded_number(number, 6) : row[i]);
+    for (const std::string &name : layout.keys) {
+      std::string place = field[name];
+      if (const bool is_length = std::string("sxyz").find(name) != std::string::npos;
+          (is_length || name == "time") && !place.empty())
+        place = rounded_number(number_in(place, name, path) * (is_length ? factor("m") : 1.), 6);
+      key += (key.empty() ? "" : ", ") + place;
     }
     if (const unsigned int n = ++seen[key]; n > 1)
       key += " (" + std::to_string(n) + ")";
-    std::vector<double> numbers;
-    for (unsigned int i = n_texts; i < row.size(); ++i) {
-      double number = 0.;
-      to_number(row[i], number);
-      numbers.push_back(number);
-    }
-    table.rows[key] = {status ? row[n_keys] : "", numbers};
+    Table::Row &row = table.rows[key];
+    row.status = field["status"];
+    for (const Column &column : layout.columns)
+      row.numbers[column.name] =
+          number_in(field[column.name], column.name, path) * factor(column.unit);
   }
   return table;
 }
@@ -66,13 +141,22 @@ struct Difference {
   double size() const { return std::abs(second - first); }
 };
 
-/// Say by how much a column differs at most. @return whether it does
-bool print_worst(const std::string &column, std::vector<Difference> &list) {
+/// The largest number of the columns with a unit.
+double largest(const std::vector<Column> &columns, const std::string &unit,
+               const std::map<std::string, std::vector<Difference>> &found) {
+  double result = 0.;
+  for (const Column &column : columns)
+    if (const auto list = found.find(column.name); column.unit == unit && list != found.end())
+      for (const Difference &d : list->second)
+        result = std::max({result, std::abs(d.first), std::abs(d.second)});
+  return result;
+}
+
+/// Say by how much a column differs at most, beside the largest number of its kind. @return whether
+/// it does
+bool print_worst(const std::string &column, const double scale, std::vector<Difference> list) {
   std::stable_sort(list.begin(), list.end(),
                    [](const Difference &x, const Difference &y) { return x.size() > y.size(); });
-  double scale = 0.;
-  for (const Difference &d : list)
-    scale = std::max({scale, std::abs(d.first), std::abs(d.second)});
   if (list.empty() || list.front().size() <= equal_numbers * scale)
     return false;
   const Difference &worst = list.front();
@@ -83,13 +167,13 @@ bool print_worst(const std::string &column, std::vector<Difference> &list) {
   return true;
 }
 
-/// The largest differences of some columns, and changes of status.
-void compare(const std::string &title, const Table &a, const Table &b,
-             const std::vector<std::string> &columns) {
+/// The largest differences of each column, and changes of status.
+void compare(const Run &first, const Run &second, const Layout &layout) {
   constexpr std::size_t most = 5;
+  const Table a = read_table(first, first, layout), b = read_table(second, first, layout);
   if (a.rows.empty() && b.rows.empty())
     return;
-  std::size_t alone = 0, changed = 0;
+  std::size_t alone = 0, changed = 0, gone = 0;
   std::string states;
   std::map<std::string, std::vector<Difference>> found;
   for (const auto &[key, row] : a.rows) {
@@ -98,54 +182,38 @@ void compare(const std::string &title, const Table &a, const Table &b,
       ++alone;
       continue;
     }
-    if (row.first != other->second.first && ++changed <= most)
-      states += "    " + key + ": " + row.first + " -> " + other->second.first + "\n";
-    for (const std::string &column : columns) {
-      const auto place = std::find(a.columns.begin(), a.columns.end(), column);
-      const auto place_b = std::find(b.columns.begin(), b.columns.end(), column);
-      if (place != a.columns.end() && place_b != b.columns.end())
-        found[column].push_back({key, row.second[place - a.columns.begin()],
-                                 other->second.second[place_b - b.columns.begin()]});
-    }
+    if (row.status != other->second.status && ++changed <= most)
+      states += "    " + key + ": " + row.status + " -> " + other->second.status + "\n";
+    for (const auto &[column, x] : row.numbers)
+      if (const double y = other->second.numbers.at(column); std::isnan(x) != std::isnan(y))
+        ++gone;
+      else if (!std::isnan(x))
+        found[column].push_back({key, x, y});
   }
   for (const auto &row : b.rows)
     alone += a.rows.count(row.first) == 0 ? 1 : 0;
-  std::cout << title << ":\n";
+  std::cout << layout.title << ":\n";
   if (alone > 0)
     std::cout << "  " << alone << " rows are in one of the two runs only\n";
+  if (gone > 0)
+    std::cout << "  " << gone << " numbers are in one of the two runs only\n";
   if (changed > 0)
     std::cout << "  " << changed << " states changed\n" << states;
   bool any = false;
-  for (const std::string &column : columns)
-    any = print_worst(column, found[column]) || any;
-  if (!any && changed == 0 && alone == 0)
+  for (const Column &column : layout.columns)
+    any =
+        print_worst(column.name, largest(layout.columns, column.unit, found), found[column.name]) ||
+        any;
+  if (!any && changed == 0 && alone == 0 && gone == 0)
     std::cout << "  the same\n";
 }
 
-struct QuantityOfRun {
-  double value = 0., in_si = 0.; ///< in_si: SI units in its unit; 0: not known
-  std::string unit;
-};
-
-/// Quantities of summary.json by their names.
-std::map<std::string, QuantityOfRun> read_quantities(const std::string &path) {
-  std::ifstream in(path);
-  const nlohmann::json summary = nlohmann::json::parse(in, nullptr, false);
-  if (!in || !summary.contains("quantities"))
-    throw UserError("There is no '" + path +
-                    "' of this program. Name two folders with results of it: frictionbeam compare "
-                    "output/a output/b");
-  std::map<std::string, QuantityOfRun> quantities;
-  for (const nlohmann::json &quantity : summary.at("quantities")) {
-    if (!quantity.at("value").is_number())
-      continue;
-    const auto in_si = quantity.find("in_si");
-    quantities[quantity.at("name")] = {
-        quantity.at("value").get<double>(),
-        in_si != quantity.end() && in_si->is_number() ? in_si->get<double>() : 0.,
-        quantity.at("unit").get<std::string>()};
-  }
-  return quantities;
+/// What to know of the numbers of a run that has not converged.
+void warn(const Run &run) {
+  if (run.status != "converged")
+    std::cout
+        << "The run in " << run.folder << " has ended with '" << run.status
+        << "': its numbers are those of the last state that was found, not of the whole case\n";
 }
 
 /// The second of two quantities of one name in the unit of the first.
@@ -166,13 +234,15 @@ double in_unit_of(const QuantityOfRun &first, const QuantityOfRun &second,
 } // namespace
 
 int compare_runs(const std::string &first, const std::string &second) {
-  const auto a = read_quantities(first + "/summary.json"),
-             b = read_quantities(second + "/summary.json");
-  std::cout << "What changes from " << first << " to " << second << '\n' << "Quantities:\n";
+  const Run a = read_run(first), b = read_run(second);
+  std::cout << "What changes from " << first << " to " << second << '\n';
+  warn(a);
+  warn(b);
+  std::cout << "Quantities:\n";
   std::size_t n_same = 0;
-  for (const auto &[name, quantity] : a) {
-    const auto other = b.find(name);
-    if (other == b.end()) {
+  for (const auto &[name, quantity] : a.quantities) {
+    const auto other = b.quantities.find(name);
+    if (other == b.quantities.end()) {
       std::cout << "  " << name << " is in the first run only\n";
       continue;
     }
@@ -185,18 +255,56 @@ int compare_runs(const std::string &first, const std::string &second) {
                 << (x != 0. ? " (" + rounded_number(100. * (y - x) / std::abs(x), 3) + " %)" : "")
                 << '\n';
   }
+  for (const auto &quantity : b.quantities)
+    if (a.quantities.count(quantity.first) == 0)
+      std::cout << "  " << quantity.first << " is in the second run only\n";
   if (n_same > 0)
     std::cout << "  " << n_same << " are the same\n";
-  compare("Supports", read_table(first + "/supports.csv", 4, true),
-          read_table(second + "/supports.csv", 4, true),
-          {"fn", "ft1", "ft2", "gap", "slip1", "slip2", "mt"});
-  compare("Reactions", read_table(first + "/reactions.csv", 4, false),
-          read_table(second + "/reactions.csv", 4, false), {"fx", "fy", "fz", "mx", "my", "mz"});
-  compare("Line", read_table(first + "/line.csv", 3, false),
-          read_table(second + "/line.csv", 3, false),
-          {"ux", "uy", "uz", "N", "Vy", "Vz", "Mx", "My", "Mz"});
-  compare("Stresses", read_table(first + "/stresses.csv", 4, false),
-          read_table(second + "/stresses.csv", 4, false), {"stress", "utilization"});
+  // Not by their increments, of which the runs may have different numbers.
+  for (const Layout &layout : std::vector<Layout>{
+           {"Supports",
+            "supports.csv",
+            {"support", "step", "time"},
+            {{"fn", "N"},
+             {"ft1", "N"},
+             {"ft2", "N"},
+             {"gap", "m"},
+             {"slip1", "m"},
+             {"slip2", "m"},
+             {"mt", "N m"}}},
+           {"Reactions",
+            "reactions.csv",
+            {"restraint", "step", "time"},
+            {{"fx", "N"}, {"fy", "N"}, {"fz", "N"}, {"mx", "N m"}, {"my", "N m"}, {"mz", "N m"}}},
+           {"Line",
+            "line.csv",
+            {"step", "pipe", "s"},
+            {{"ux", "m"},
+             {"uy", "m"},
+             {"uz", "m"},
+             {"N", "N"},
+             {"Vy", "N"},
+             {"Vz", "N"},
+             {"Mx", "N m"},
+             {"My", "N m"},
+             {"Mz", "N m"}}},
+           {"Contact",
+            "contact.csv",
+            {"surface", "step", "x", "y", "z"},
+            {{"pressure", "Pa"},
+             {"t1", "Pa"},
+             {"t2", "Pa"},
+             {"gap", "m"},
+             {"slip1", "m"},
+             {"slip2", "m"},
+             {"ux", "m"},
+             {"uy", "m"},
+             {"uz", "m"}}},
+           {"Stresses",
+            "stresses.csv",
+            {"case", "kind", "pipe", "s"},
+            {{"stress", "Pa"}, {"utilization", "-"}}}})
+    compare(a, b, layout);
   return 0;
 }
 

@@ -53,3 +53,47 @@ execute_process(COMMAND ${PROGRAM} compare ${WORK}/si ${WORK}/own RESULT_VARIABL
 if(NOT status EQUAL 1 OR NOT text MATCHES "units that cannot be converted.*read: +m and cm")
   message(SEND_ERROR "units that cannot be converted are compared:\n${text}")
 endif()
+# So are the tables; runs of other numbers of increments meet at the ends of their steps.
+file(WRITE ${WORK}/line.prm "subsection Material steel
+ set Young's modulus = 2e11\n set Density = 7850\n set Expansion = 1.2e-5\nend
+subsection Section s\n set Outer diameter = 0.2\n set Wall = 0.008\nend
+subsection Pipe p\n set Route = A 0 0 0; C 3 0 0; B 3 4 0\nend
+subsection Support a\n set Kind = anchor\n set At = A\nend
+subsection Support r\n set Kind = rest\n set At = C\n set Friction coefficient = 0.3\nend
+subsection Load w\n set Kind = weight\nend
+subsection Load h\n set Kind = temperature\n set Temperature = 200\nend
+subsection Step w\n set Loads = w\nend
+subsection Step h\n set Loads = w, h\n set Increments = 2\nend
+subsection Quantities\n set q = fn at r\nend\n")
+file(READ ${WORK}/line.prm line)
+string(REPLACE "2e11" "2e8" kilo "set Units = m kN\n${line}")
+string(REPLACE "7850" "7.85" kilo "${kilo}")
+file(WRITE ${WORK}/kilo.prm "${kilo}")
+run(${WORK}/line.prm --output-directory ${WORK}/line)
+run(${WORK}/kilo.prm --output-directory ${WORK}/kilo)
+run(${WORK}/line.prm --output-directory ${WORK}/finer --set "Step h/Increments = 4")
+run(compare ${WORK}/line ${WORK}/kilo)
+if(text MATCHES "->" OR text MATCHES "only" OR NOT text MATCHES "Line:\n  the same")
+  message(SEND_ERROR "one line in two units is told apart:\n${text}")
+endif()
+run(compare ${WORK}/line ${WORK}/finer)
+if(text MATCHES "->" OR text MATCHES "only" OR NOT text MATCHES "Line:\n  the same")
+  message(SEND_ERROR "two and four increments do not meet at the end of the step:\n${text}")
+endif()
+# A run that has failed is no run of the whole case, and says so; so does what is no number.
+file(READ ${WORK}/a/summary.json summary)
+string(REPLACE "\"converged\"" "\"no_equilibrium\"" summary "${summary}")
+file(COPY ${WORK}/a/ DESTINATION ${WORK}/stopped)
+file(WRITE ${WORK}/stopped/summary.json "${summary}")
+run(compare ${WORK}/a ${WORK}/stopped)
+if(NOT text MATCHES "stopped has ended with 'no_equilibrium'")
+  message(SEND_ERROR "nothing is said of a run that has failed:\n${text}")
+endif()
+file(READ ${WORK}/a/reactions.csv table)
+string(REGEX REPLACE "\n([^,\n]*,[^,\n]*,[^,\n]*,[^,\n]*),[^,\n]*," "\n\\1,12x," table "${table}")
+file(WRITE ${WORK}/stopped/reactions.csv "${table}")
+execute_process(COMMAND ${PROGRAM} compare ${WORK}/a ${WORK}/stopped RESULT_VARIABLE status
+  OUTPUT_VARIABLE text ERROR_VARIABLE text)
+if(NOT status EQUAL 1 OR NOT text MATCHES "no number in column fx.*read: +'12x'")
+  message(SEND_ERROR "a text is compared as a number (${status}):\n${text}")
+endif()

@@ -136,6 +136,14 @@ Json summary_of(const StepEnvelope &envelope, const Scene &scene, const Results 
           {"restraints", restraints}};
 }
 
+/// The units of the tables, by those of SI.
+Json summary_of(const UnitSystem &units) {
+  Json result;
+  for (const char *const si : {"m", "N", "N m", "Pa", "kg", "K", "J"})
+    result[si] = {{"name", units.name(si)}, {"in_si", units.factor(si)}};
+  return result;
+}
+
 Json summary_of(const EnergyAccount &energy) {
   return {{"external", energy.external},
           {"stored", energy.stored},
@@ -210,7 +218,8 @@ std::string deal_ii_version() { return DEAL_II_PACKAGE_VERSION; }
 void write_summary(const Scene &scene, const Results &results, const std::string &folder) {
   Json summary{{"case", scene.name},
                {"program", {{"version", program_version()}, {"deal_ii", deal_ii_version()}}},
-               {"status", status_word(results.status)}};
+               {"status", status_word(results.status)},
+               {"units", summary_of(scene.units)}};
   Json &quantities = summary["quantities"] = Json::array();
   for (const auto &quantity : results.quantities)
     quantities.push_back({{"name", quantity.name},
