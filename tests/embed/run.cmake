@@ -4,6 +4,10 @@
 cmake_minimum_required(VERSION 3.18)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/build)
+find_program(GOLD ld.gold) # GNU's takes a minute for the 200 libraries of Debian's deal.II
+if(GOLD)
+  set(ENV{LDFLAGS} -fuse-ld=gold)
+endif()
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result WORKING_DIRECTORY ${WORK}/build)
   if(NOT result EQUAL 0)

@@ -74,6 +74,12 @@ if(machine STREQUAL "x86_64")
   run(${compile} -mavx -DEIGEN_MALLOC_ALREADY_ALIGNED=0 -DFRICTIONBEAM_EIGEN_ALIGNMENT=32 ${source})
 endif()
 
+# GNU's linker takes a minute for a program that is linked with the 200 libraries of Debian's deal.II;
+# by hand, below, one is linked with it.
+find_program(GOLD ld.gold)
+if(GOLD)
+  set(ENV{LDFLAGS} -fuse-ld=gold)
+endif()
 # The flavour is that of the build type, and a program never loads both.
 set(project ${CMAKE_CURRENT_LIST_DIR}/flavour)
 foreach(pair Debug:frictionbeam.g debug:frictionbeam.g RelWithDebInfo:frictionbeam)

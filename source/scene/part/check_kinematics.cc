@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene/part/parts.h"
+#include "scene/steps/history_origins.h"
 #include "scene/steps/step_factors.h"
 #include "scene/steps/step_tree.h"
 
@@ -262,9 +263,11 @@ void remark_on_held_loads(Scene &scene) {
 }
 
 void remark_on_wind(Scene &scene) {
-  for (const Load &load : scene.loads)
-    if (scene.kinematics == Kinematics::corotational && load.kind == Load::Kind::wind)
-      scene.remarks.push_back("Load " + load.name +
+  for (unsigned int l = 0; l < scene.loads.size(); ++l)
+    if (scene.kinematics == Kinematics::corotational && scene.loads[l].kind == Load::Kind::wind &&
+        std::any_of(scene.steps.begin(), scene.steps.end(),
+                    [l](const LoadStep &step) { return acts(step, l); }))
+      scene.remarks.push_back("Load " + scene.loads[l].name +
                               ": wind stays that of the pipe as it is built, wherever it turns.");
 }
 

@@ -149,7 +149,12 @@ const Rows &rows_of_parts() {
          return unless(at.number("Cold load") == 0., "beside a Cold load: the hanger is not sized");
        }},
       {"Support",
-       {"Locked stiffness", "Locking velocity", "Locking acceleration", "Dead band", "Drag"},
+       {"Locked stiffness"},
+       [](const Place &at) {
+         return unless(at.has_motion() || at.has_modes(), "without a transient step or modes");
+       }},
+      {"Support",
+       {"Locking velocity", "Locking acceleration", "Dead band", "Drag"},
        [](const Place &at) { return unless(at.has_motion(), "without a transient step"); }},
       {"Tee",
        {"Kind", "Pad", "Crotch radius"},
