@@ -2,7 +2,6 @@
 #include "command/study/quick_line.h"
 
 #include "model/line_model.h"
-#include "results/quantity/point_forces.h"
 #include "results/quantity/shown_quantity.h"
 #include "results/stress/inner_pressure.h"
 #include "results/stress/stresses.h"
@@ -142,6 +141,7 @@ void QuickLine::observe(const unsigned int step, const LineState &state) {
   frame.reactions = builder.reactions(state);
   for (unsigned int i = 0; i < frame.supports.size(); ++i)
     frame.supports[i] = support_state(model, state, i);
+  frame.together = builder.together(state, frame);
   set_forces(state, frame);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Quantity &quantity = scene.quantities[i];
@@ -152,25 +152,10 @@ void QuickLine::observe(const unsigned int step, const LineState &state) {
 
 double QuickLine::evaluate(const Quantity &quantity, const Frame &frame, const LineState &state) {
   const unsigned int component = quantity.kind().component;
-  double value = 0.;
-  if (quantity.is(Of::motion))
-    value = builder.motion(state, quantity.where)[component];
-  else if (quantity.is(Of::holder))
-    value = force_of_holder(quantity, frame, state);
-  else
+  if (!quantity.is(Of::motion))
     return collector.evaluate(quantity, frame);
+  const double value = builder.motion(state, quantity.where)[component];
   return quantity.scale * (quantity.absolute ? std::abs(value) : value);
-}
-
-double QuickLine::force_of_holder(const Quantity &quantity, const Frame &frame,
-                                  const LineState &state) {
-  const unsigned int component = quantity.kind().component;
-  for (std::size_t i = 0; i < results.restraints.size(); ++i)
-    if (results.restraints[i].name == quantity.where)
-      return frame.reactions[i][component];
-  if (const auto force = force_of_supports(model, results, quantity.where, state, component))
-    return *force;
-  return force_at_point(model, builder, quantity.where, state, component);
 }
 
 void QuickLine::evaluate(const Case &of, std::vector<double> &stress) const {

@@ -43,7 +43,6 @@ private:
   /// Forces of all stations; the frame gets them where a quantity of its step asks for some.
   void set_forces(const LineState &state, Frame &frame);
   double evaluate(const Quantity &quantity, const Frame &frame, const LineState &state);
-  double force_of_holder(const Quantity &quantity, const Frame &frame, const LineState &state);
   void find_stresses();
   void find_quantities();
 

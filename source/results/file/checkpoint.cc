@@ -133,7 +133,7 @@ void transfer(Archive &archive, Station &station) {
 
 void transfer(Archive &archive, Frame &frame) {
   archive(frame.name, frame.step, frame.step_before, frame.increment, frame.time, frame.end_of_step,
-          frame.line, frame.supports, frame.reactions, frame.sections);
+          frame.line, frame.supports, frame.reactions, frame.together, frame.sections);
 }
 
 void transfer(Archive &archive, History &history) {

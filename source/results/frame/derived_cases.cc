@@ -30,6 +30,12 @@ void for_each_number(AnyFrame &frame, const Function &function) {
   for (auto &support : frame.supports)
     for (auto &value : support.on_pipe)
       function(value);
+  for (auto &sum : frame.together) {
+    for (unsigned int i = 0; i < n_shown_support_numbers; ++i)
+      function(sum.*support_numbers[i]);
+    for (auto &value : sum.on_pipe)
+      function(value);
+  }
 }
 
 } // namespace

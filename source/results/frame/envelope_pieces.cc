@@ -87,13 +87,14 @@ Frame kinds_of(Frame frame) {
     station.displacement = {displacement, displacement, displacement, rotation, rotation, rotation};
     station.force = {force, force, force, moment, moment, moment};
   }
-  for (SupportState &support : frame.supports) {
-    support.fn = support.ft1 = support.ft2 = force;
-    support.gap = support.slip1 = support.slip2 = displacement;
-    support.work_friction = energy;
-    support.mt = moment;
-    support.on_pipe = {force, force, force, moment, moment, moment};
-  }
+  for (std::vector<SupportState> *const states : {&frame.supports, &frame.together})
+    for (SupportState &support : *states) {
+      support.fn = support.ft1 = support.ft2 = force;
+      support.gap = support.slip1 = support.slip2 = displacement;
+      support.work_friction = energy;
+      support.mt = moment;
+      support.on_pipe = {force, force, force, moment, moment, moment};
+    }
   for (Motion &reaction : frame.reactions)
     reaction = {force, force, force, moment, moment, moment};
   return frame;

@@ -53,6 +53,7 @@ FrameBuilder::FrameBuilder(const Model &model, const bool both_sides)
   for (unsigned int i = 0; i < cells.size(); ++i)
     element.reinit(model.discretization.pipe_cell(i));
   find_cells_at_restraints();
+  find_places();
 }
 
 std::vector<RestraintInfo> FrameBuilder::restraint_infos() const {
@@ -135,6 +136,7 @@ Frame FrameBuilder::make(const LineState &state) {
   for (unsigned int i = 0; i < model.contacts.places().size(); ++i)
     frame.supports.push_back(support_state(model, state, i));
   frame.reactions = reactions_of_vertices(state);
+  frame.together = together(state, frame);
   return frame;
 }
 

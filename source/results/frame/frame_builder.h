@@ -6,6 +6,7 @@
 #include "results/frame/cell_course.h"
 #include "results/results.h"
 
+#include <optional>
 #include <unordered_map>
 
 namespace frictionbeam {
@@ -32,12 +33,35 @@ public:
   /// the vertices of restraints and imposed motions.
   std::vector<Motion> reactions(const LineState &state);
 
+  /// What acts together at the places that quantities name, of the frame of this state made last:
+  /// the sum of a pair's halves, the sizes of several supports, or in `on_pipe` of all that holds a
+  /// point.
+  std::vector<SupportState> together(const LineState &state, const Frame &frame) const;
+  /// Its place in Frame::together. @param of_all whether `name` are all of a repeated support's
+  std::optional<std::size_t> place_of(const std::string &where, const bool of_all) const;
+
   /// Motion of a named point in global axes [m, rad].
   Motion motion(const LineState &state, const std::string &point) const;
 
   /// Velocity of a named point in global axes, also of one that loads move [m/s, rad/s].
   Motion velocity(const LineState &state, const std::string &point) const;
 
+  /// Linear momentum (3) [kg m/s] and angular momentum about the origin (3) [kg m2/s], kinetic and
+  /// stored energy of the line together [J].
+  std::array<double, 7> momentum_and_energy(const LineState &state) const;
+
+private:
+  /// A place that a quantity asks for.
+  struct Place {
+    std::string where;
+    bool of_all = false;                ///< that are repeated, or all there are
+    std::vector<unsigned int> supports; ///< that act together; none: the point of this name
+  };
+
+  void find_places();
+  /// Force on a vertex [N, N m], global axes, of all that holds it.
+  Motion force_on(const unsigned int vertex, const std::string &point, const LineState &state,
+                  const Frame &frame) const;
   /// Force of restraints and imposed motions on a vertex, of the frame made last [N, N m]; 0 at
   /// others, where what is left of the forces is inertia.
   Motion reaction(const unsigned int vertex) const {
@@ -46,11 +70,6 @@ public:
   /// Force of a spring and its dashpot on its first point [N, N m].
   Motion spring_force(const LineState &state, const Spring &spring) const;
 
-  /// Linear momentum (3) [kg m/s] and angular momentum about the origin (3) [kg m2/s], kinetic and
-  /// stored energy of the line together [J].
-  std::array<double, 7> momentum_and_energy(const LineState &state) const;
-
-private:
   /// A pipe cell at a restraint, or at a node that a load moves.
   struct HeldCell {
     unsigned int index = 0;
@@ -117,6 +136,7 @@ private:
   std::vector<bool> is_held; ///< vertices of restraints and imposed motions
   PipeElement element;
   std::vector<HeldCell> held_cells;
+  std::vector<Place> places;
   dealii::FEValues<1, 3> station_values;
   std::unordered_map<unsigned int, StationShapes> station_shapes; ///< of Discretization::like()
   std::vector<unsigned int> first_cell; ///< of each pipe, in Discretization::pipe_cells()

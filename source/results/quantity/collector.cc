@@ -6,12 +6,12 @@
 #include "results/inelastic/section_states.h"
 #include "results/quantity/fibre_quantities.h"
 #include "results/quantity/impact_forces.h"
-#include "results/quantity/point_forces.h"
 #include "results/quantity/shown_quantity.h"
 #include "results/quantity/station_at.h"
 #include "results/quantity/support_quantities.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/stress/stresses.h"
+#include "results/support/support_names.h"
 #include "results/support/support_states.h"
 #include "scene/steps/step_tree.h"
 
@@ -75,19 +75,6 @@ const Frame &Collector::current_frame(const LineState &state) {
   return frame;
 }
 
-double Collector::force_at(const Quantity &quantity, const LineState &state,
-                           const unsigned int component) {
-  const Frame &now = current_frame(state);
-  for (unsigned int i = 0; i < results.restraints.size(); ++i)
-    if (results.restraints[i].name == quantity.where)
-      return now.reactions[i][component];
-  if (const auto force = force_of_supports(model, results, quantity.where, state, component))
-    return *force;
-  if (model.mesh.points.count(quantity.where) == 0)
-    refuse_place(quantity);
-  return force_at_point(model, builder, quantity.where, state, component);
-}
-
 double Collector::evaluate(const Quantity &quantity, const LineState &state) {
   const double value = evaluate_signed(quantity, state);
   return !quantity.absolute ? value : std::copysign(value, quantity.scale);
@@ -102,7 +89,7 @@ double Collector::evaluate_signed(const Quantity &quantity, const LineState &sta
     case Of::velocity:
       return builder.velocity(state, quantity.where)[kind.component];
     case Of::holder:
-      return force_at(quantity, state, kind.component);
+      return force_at(quantity, current_frame(state), kind.component);
     case Of::section:
       return section_force(quantity, current_frame(state), kind.component);
     case Of::directed:
@@ -135,7 +122,7 @@ double Collector::along_direction(const Quantity &quantity, const LineState &sta
         return is_rate ? builder.velocity(state, quantity.where)
                        : builder.motion(state, quantity.where);
       },
-      [&](const unsigned int c) { return force_at(quantity, state, c); },
+      [&](const unsigned int c) { return force_at(quantity, current_frame(state), c); },
       [&]() -> const Frame & { return current_frame(state); });
 }
 
@@ -150,6 +137,9 @@ double Collector::along_direction(const Quantity &quantity, const Frame &made) c
 }
 
 double Collector::of_supports(const Quantity &quantity, const Frame &made) const {
+  if (quantity.kind().component == 0) // in a case the sum is combined, and not its parts
+    if (const auto place = builder.place_of(quantity.where, true))
+      return std::abs(made.together[*place].fn);
   std::vector<SupportInfo> infos;
   std::vector<SupportState> states;
   for (unsigned int i = 0; i < results.supports.size(); ++i)
@@ -191,26 +181,14 @@ double Collector::section_force(const Quantity &quantity, const Frame &made,
 
 double Collector::force_at(const Quantity &quantity, const Frame &made,
                            const unsigned int component) const {
-  const auto point = model.mesh.points.find(quantity.where);
-  const bool is_point = point != model.mesh.points.end();
-  double value = 0.;
-  bool found = is_point;
   for (unsigned int i = 0; i < results.restraints.size(); ++i)
-    if (results.restraints[i].name == quantity.where ||
-        (is_point &&
-         results.restraints[i].position.distance(model.mesh.vertices[point->second]) == 0.)) {
-      value += made.reactions[i][component];
-      found = true;
-    }
-  for (unsigned int i = 0; i < results.supports.size(); ++i)
-    if (is_part_of(results.supports[i], quantity.where) ||
-        (is_point && results.supports[i].position == model.mesh.vertices[point->second])) {
-      value += made.supports[i].on_pipe[component];
-      found = true;
-    }
-  if (!found)
-    refuse_place(quantity);
-  return value;
+    if (results.restraints[i].name == quantity.where)
+      return made.reactions[i][component];
+  if (const auto place = builder.place_of(quantity.where, false))
+    return made.together[*place].on_pipe[component];
+  throw UserError("Quantity " + quantity.name +
+                  ": there is no point, restraint, spring or support called '" + quantity.where +
+                  "'. A repeated support's names are numbered: name.1, name.2, ...");
 }
 
 double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
@@ -228,9 +206,9 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
     case Of::supports:
       return of_supports(quantity, made);
     case Of::support:
-      return of_support(quantity, [&](const unsigned int i) {
-        return made.supports[i].*support_numbers[kind.component];
-      });
+      if (const auto place = builder.place_of(quantity.where, false))
+        return made.together[*place].*support_numbers[kind.component];
+      return of_support(quantity, [](const unsigned int) { return 0.; });
     default:
       return 0.;
     }

@@ -98,7 +98,6 @@ private:
                        const unsigned int component) const;
   double along_direction(const Quantity &quantity, const LineState &state);
   double along_direction(const Quantity &quantity, const Frame &made) const;
-  double force_at(const Quantity &quantity, const LineState &state, const unsigned int component);
   double force_at(const Quantity &quantity, const Frame &made, const unsigned int component) const;
   double of_supports(const Quantity &quantity, const Frame &made) const;
   /// A number of the friction support that a quantity names, summed over the halves of a pair.

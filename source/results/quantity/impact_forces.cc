@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/quantity/impact_forces.h"
+#include "results/support/support_names.h"
 
 #include "base/user_error.h"
-#include "results/quantity/point_forces.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "base/numbers.h"
 #include "results/quantity/collector.h"
 #include "results/quantity/impact_forces.h"
-#include "results/quantity/point_forces.h"
+#include "results/support/support_names.h"
 
 #include <algorithm>
 #include <cmath>

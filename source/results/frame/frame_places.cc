@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "results/frame/frame_builder.h"
+
+#include "results/support/support_names.h"
+#include "results/support/support_states.h"
+
+#include <cmath>
+
+namespace frictionbeam {
+
+void FrameBuilder::find_places() {
+  using Of = QuantityKind::Of;
+  const std::vector<SupportInfo> infos = support_infos(model);
+  for (const Quantity &quantity : model.scene.quantities) {
+    const bool of_all = quantity.is(Of::supports);
+    if (!(of_all || quantity.is(Of::holder) || quantity.is(Of::directed) ||
+          quantity.is(Of::support)) ||
+        place_of(quantity.where, of_all))
+      continue;
+    Place place{quantity.where, of_all, {}};
+    for (unsigned int i = 0; i < infos.size(); ++i)
+      if (of_all ? quantity.where.empty() || is_one_of(infos[i], quantity.where)
+                 : is_part_of(infos[i], quantity.where))
+        place.supports.push_back(i);
+    if (of_all || !place.supports.empty() || model.mesh.points.count(quantity.where) > 0)
+      places.push_back(place);
+  }
+}
+
+std::optional<std::size_t> FrameBuilder::place_of(const std::string &where,
+                                                  const bool of_all) const {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (places[i].where == where && places[i].of_all == of_all)
+      return i;
+  return {};
+}
+
+std::vector<SupportState> FrameBuilder::together(const LineState &state, const Frame &frame) const {
+  std::vector<SupportState> result;
+  for (const Place &place : places) {
+    SupportState sum;
+    for (const unsigned int i : place.supports) {
+      for (const auto number : support_numbers)
+        sum.*number +=
+            place.of_all ? std::abs(frame.supports[i].*number) : frame.supports[i].*number;
+      for (unsigned int c = 0; c < 6; ++c)
+        sum.on_pipe[c] += frame.supports[i].on_pipe[c];
+    }
+    if (!place.of_all && place.supports.empty())
+      sum.on_pipe = force_on(model.mesh.points.at(place.where), place.where, state, frame);
+    result.push_back(sum);
+  }
+  return result;
+}
+
+Motion FrameBuilder::force_on(const unsigned int vertex, const std::string &point,
+                              const LineState &state, const Frame &frame) const {
+  Motion force = reaction(vertex); // of restraints
+  const auto add = [&](const double sign, const Motion &one) {
+    for (unsigned int c = 0; c < 6; ++c)
+      force[c] += sign * one[c];
+  };
+  for (const Spring &spring : model.scene.springs)
+    if (spring.point == point || spring.other == point)
+      add(spring.point == point ? 1. : -1., spring_force(state, spring));
+  for (unsigned int i = 0; i < model.contacts.places().size(); ++i) {
+    const unsigned int contact = model.contacts.places()[i].front();
+    if (model.contacts[contact].at == vertex)
+      add(1., frame.supports[i].on_pipe);
+    if (model.contacts[contact].vertices[1] == vertex) // stands on the point
+      add(1., force_of_contact(model, contact, state.contact_stress[contact], 1));
+  }
+  return force;
+}
+
+} // namespace frictionbeam
