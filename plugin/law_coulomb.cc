@@ -34,7 +34,8 @@ constexpr LawParameter parameters[n_parameters] = {
      "GS_y of the friction element; GS over its length is the tangential stiffness. 0: rigid "
      "(return mapping alone then takes 1e9 N)"},
     {"Shear rigidity ratio", "-", 1., 1e-6, 1e6,
-     "GS_z over GS_y: along t1 of a support over along its t2"},
+     "GS_z over GS_y: along t1 of a support over along its t2; of a body in space along t2 over "
+     "along t1"},
     {"Friction coefficient", "-", 0.3, 0., 100., "f at which sticking ends"},
     {"Dynamic friction coefficient", "-", -1., -1., 100.,
      "f while slipping, never above the other; -1: equal to it"},
