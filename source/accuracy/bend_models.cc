@@ -270,7 +270,7 @@ std::string why_not_mixed(const Scene &scene) {
     return "it moves or is brought to its limit";
   if (scene.yields())
     return "sections yield";
-  if (!scene.hangers.empty())
+  if (any(scene.hangers, [](const Hanger &hanger) { return hanger.cold_load == 0.; }))
     return "hangers are chosen";
   if (scene.continuum || !scene.mesh.file.empty() || scene.pipes.empty())
     return "its pipes have no routes";

@@ -11,19 +11,19 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double nothing = 1e-6; ///< of the largest dissipation of a cycle
-constexpr double closed = 1e-3;  ///< of what yields and creeps within the cycle
+constexpr double nothing = 1e-5; ///< of the strain at which a section yields
 constexpr double steady = 0.02;  ///< by which a rate may differ from that of the cycle before
 
-CycleVerdict::Kind kind_of(const CycleVerdict &cycle, const double largest_loss) {
+CycleVerdict::Kind kind_of(const CycleVerdict &cycle, const PipeSections::Change &change,
+                           const bool has_lost) {
   using Kind = CycleVerdict::Kind;
-  if (largest_loss == 0.)
+  if (!has_lost)
     return Kind::elastic;
-  if (cycle.dissipated <= nothing * largest_loss)
+  if (change.flow_share <= nothing)
     return Kind::shakedown;
   if (cycle.number == 1)
     return Kind::unsettled;
-  if (cycle.growth <= closed * cycle.flow)
+  if (change.comes_back)
     return Kind::alternating;
   return std::abs(cycle.growth - cycle.growth_before) <= steady * cycle.growth_before
              ? Kind::ratchet
@@ -59,7 +59,8 @@ void CycleWatch::step_begins(const LoadStep &step, const LineState &state) {
   if (!step.cycle.begins || step.cycle.number != 1)
     return;
   before = state.sections;
-  growth_before = largest_loss = 0.;
+  growth_before = 0.;
+  has_lost = false;
 }
 
 std::optional<CycleVerdict> CycleWatch::step_ends(const LoadStep &step, const LineState &state) {
@@ -75,8 +76,8 @@ std::optional<CycleVerdict> CycleWatch::step_ends(const LoadStep &step, const Li
   cycle.growth_before = growth_before;
   cycle.flow = change.flow;
   cycle.cell = change.cell;
-  largest_loss = std::max(largest_loss, cycle.dissipated);
-  cycle.kind = kind_of(cycle, largest_loss);
+  has_lost = has_lost || cycle.dissipated > 0.;
+  cycle.kind = kind_of(cycle, change, has_lost);
   cycle.words = words_of(cycle, change.part, model);
   before = state.sections;
   growth_before = cycle.growth;

@@ -20,13 +20,13 @@ public:
   /// Where a step ends. @return of the last step of a cycle
   std::optional<CycleVerdict> step_ends(const LoadStep &step, const LineState &state);
 
-  void transfer(Archive &archive) { archive(before, growth_before, largest_loss); }
+  void transfer(Archive &archive) { archive(before, growth_before, has_lost); }
 
 private:
   const Model &model;
   Vector before;             ///< states of sections at the end of the cycle before
   double growth_before = 0.; ///< in that cycle
-  double largest_loss = 0.;  ///< of a cycle so far [J]
+  bool has_lost = false;     ///< whether a cycle so far has dissipated anything
 };
 
 } // namespace frictionbeam

@@ -43,9 +43,10 @@ struct CycleVerdict {
   unsigned int number = 0, of = 0; ///< of the cycle, from 1 on, and how many there are
   double dissipated = 0.;          ///< in it [J]
   double flow = 0.;                ///< by which accumulated plastic and creep strain grew most [-]
-  double growth = 0.;              ///< most of a section's strain from its beginning to its end [-]
-  double growth_before = 0.;       ///< the same of the cycle before
-  unsigned int cell = 0;           ///< where that is, or where `flow` is if strains close
+  /// Most of a section's strain from its beginning to its end, of those that do not come back [-].
+  double growth = 0.;
+  double growth_before = 0.; ///< the same of the cycle before
+  unsigned int cell = 0;     ///< where that is, or where `flow` is if strains close
   std::string words;
   void transfer(Archive &archive) {
     archive(kind, number, of, dissipated, flow, growth, growth_before, cell, words);

@@ -124,10 +124,13 @@ public:
     double dissipated = 0.; ///< by all sections [J]
     /// Of a section's strain, equivalent, in the wall: sqrt((|d eps| + r |d kappa|)^2 + (r d
     /// chi)^2/3), r = sqrt(2 I/A) [-].
+    /// Of those that do not come back to it, if there are any.
     double growth = 0.;
-    double flow = 0.;      ///< growth of plastic and creep strain that laws accumulate [-]
-    unsigned int cell = 0; ///< of `growth`, or of `flow` if that is beyond 1000 times as much
-    double part = 0.5;     ///< of the way along it, likewise
+    double flow = 0.;       ///< most that plastic and creep strain of a point have gained [-]
+    double flow_share = 0.; ///< the same over the strain at which the section yields, or 1e-3
+    bool comes_back = true; ///< each section that flows, to 1e-3 of its own flow
+    unsigned int cell = 0;  ///< of `growth`, or of `flow` if all come back
+    double part = 0.5;      ///< of the way along it, likewise
   };
   Change largest_change(const Vector &before, const Vector &after) const;
 

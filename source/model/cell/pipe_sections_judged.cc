@@ -141,7 +141,8 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
 }
 
 PipeSections::Change PipeSections::largest_change(const Vector &before, const Vector &after) const {
-  constexpr double closed = 1e-3;
+  constexpr double closed = 1e-3, no_flow = 1e-5, least_flow = 1e-3, most_yield_strain = 1e-3;
+  const Vector6 stretch = Vector6::Unit(0);
   Change change;
   unsigned int cell_of_flow = 0;
   double part_of_flow = 0.5;
@@ -159,20 +160,28 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
                                        radius * by[3] / std::sqrt(3.));
       const SectionReport gained =
           cell.law(q).report(to + strain, 1., {}, to + internal, from + internal);
-      const double flow = gained.plastic_strain + gained.creep_strain;
-      if (growth > change.growth) {
+      const double flow = gained.plastic_strain + gained.creep_strain,
+                   yield_strain = std::min(most_yield_strain,
+                                           1. / cell.law(q).elastic_bound(stretch.data(), 1., {}));
+      const bool comes_back = flow <= no_flow * yield_strain ||
+                              growth <= closed * std::max(flow, least_flow * yield_strain);
+      if (change.comes_back && !comes_back)
+        change.growth = 0.; // of those that count from here on
+      if ((!comes_back || change.comes_back) && growth > change.growth) {
         change.growth = growth;
         change.cell = i;
         change.part = cell.part[q];
       }
+      change.comes_back = change.comes_back && comes_back;
       if (flow > change.flow) {
         change.flow = flow;
         cell_of_flow = i;
         part_of_flow = cell.part[q];
       }
+      change.flow_share = std::max(change.flow_share, flow / yield_strain);
     }
   }
-  if (change.growth <= closed * change.flow) {
+  if (change.comes_back && change.flow > 0.) {
     change.cell = cell_of_flow;
     change.part = part_of_flow;
   }
