@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "analysis/statics/body_sequence.h"
+#include "analysis/body/body_sequence.h"
 #include "results/results.h"
 
 namespace frictionbeam {

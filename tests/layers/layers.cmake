@@ -9,7 +9,7 @@ set(floors
   base scene mesh import/pcf import/line import
   model/unknowns model/contact model/line model/cell model/body model
   analysis/algebra analysis/substructure analysis/contact analysis/contact_problem analysis/vibration analysis/increment
-  analysis/statics analysis/refinement analysis/time analysis/event analysis/march
+  analysis/statics analysis/body analysis/refinement analysis/time analysis/event analysis/march
   analysis/reduction analysis/sequence
   results accuracy chart study command)
 set(most_files 22)

@@ -101,6 +101,12 @@ public:
   bool has_pressure(const unsigned int i) const {
     return surfaces[points[i].surface].pressure.has_value();
   }
+  /// How an exact contact without pressure is at rest.
+  struct Rest {
+    LocalVector at_zero;    ///< gap, and slip so far, of a body without displacement [m]
+    LocalVector compliance; ///< [m/Pa]
+  };
+  Rest rest(const unsigned int i, const FoundationState &committed) const;
   /// Gap of the rigid part and elastic-free slip in the sliding plane since contact began.
   double gap(const unsigned int i, const LocalVector &displacement) const;
   LocalVector slip(const unsigned int i, const LocalVector &displacement,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/statics/foundation_contacts.h"
+#include "analysis/body/foundation_contacts.h"
 
 #include <frictionbeam/contact/proximal_law.h>
 
@@ -187,6 +187,14 @@ std::vector<std::optional<double>> FoundationContacts::most_friction() const {
       result[i] = std::max(law.closed_form().static_friction, law.closed_form().dynamic_friction);
   }
   return result;
+}
+
+FoundationContacts::Rest FoundationContacts::rest(const unsigned int i,
+                                                  const FoundationState &committed) const {
+  const FrictionThreshold &law = surfaces[points[i].surface].law.closed_form();
+  const double *const old_state = committed.internal.data() + offset[i];
+  return {{law.gap, old_state[law.slip_y], old_state[law.slip_z]},
+          {1. / law.axial_rigidity, 1. / law.shear_rigidity_y, 1. / law.shear_rigidity_z}};
 }
 
 double FoundationContacts::gap(const unsigned int i, const LocalVector &displacement) const {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/algebra/elastic_system.h"
+#include "analysis/body/foundation_contacts.h"
 #include "analysis/contact/free_body.h"
-#include "analysis/statics/foundation_contacts.h"
 #include <frictionbeam/contact/attempts.h>
 
 namespace frictionbeam {

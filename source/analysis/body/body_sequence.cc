@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/statics/body_sequence.h"
+#include "analysis/body/body_sequence.h"
 
 #include "analysis/contact/free_body.h"
 #include "base/numbers.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "analysis/body/continuum_newton.h"
 #include "analysis/increment/progress.h"
 #include "analysis/increment/step_report.h"
-#include "analysis/statics/continuum_newton.h"
 
 namespace frictionbeam {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "analysis/statics/continuum_newton.h"
+#include "analysis/body/continuum_newton.h"
 
+#include "analysis/body/condensed_start.h"
 #include "base/interruption.h"
 #include "base/numbers.h"
 #include <frictionbeam/contact/halving_search.h>
@@ -152,6 +153,9 @@ contact::Outcome ContinuumNewton<dim>::solve_contacts(ContinuumVector &u,
   const ContinuumVector start = u;
   const auto centre = contacts.centre;
   contact::Outcome outcome = attempts.solve(u, response, result);
+  if (outcome == contact::Outcome::stalled &&
+      find_condensed_start(body, system, contacts, *committed, *loads, contacts.centre, u))
+    outcome = attempts.solve(u, response, result);
   if (outcome == contact::Outcome::stalled) {
     contacts.centre = centre;
     outcome = attempts.solve_from_elsewhere(most_restarts_of_body, start, u, response, result);
