@@ -135,9 +135,9 @@ public:
 
   /**
    * Velocities after an impact, or after a time step on velocities: A v + impulses = momentum, with
-   * v_N >= -e v_N(before) for contacts that are closed, and Coulomb's law between the impulses and
-   * the sliding velocity. A is the system's matrix: the mass, or what an implicit step makes of it.
-   * Laws must be rigid.
+   * v_N >= -e min(0, v_N(before)) for contacts that are closed, and Coulomb's law between impulses
+   * and the sliding velocity. A is the system's matrix: the mass, or what an implicit step makes of
+   * it. Laws must be rigid.
    * @param v in: before, out: after; as it was if not converged
    * @param takes_part whether a contact is closed, for each
    */
