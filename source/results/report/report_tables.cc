@@ -2,6 +2,7 @@
 #include "results/report/report_tables.h"
 #include "results/combination/governing_cases.h"
 #include "results/file/envelope_tables.h"
+#include "results/frame/frame_choice.h"
 #include "results/page/html.h"
 #include "results/picture/marker.h"
 #include "results/text.h"
@@ -70,12 +71,15 @@ std::string left_out(const std::size_t n_shown, const std::size_t n_all, const s
 
 /// Of force times length: work that is smaller is rounding, and shown as zero.
 constexpr double least_work = 1e-4;
+constexpr double least_length = 1e-9; ///< [m], of a scene without pipes
 constexpr double rounding_of_work = 1e-8; ///< of all supports together, likewise
 
 std::string support_table(const Results &results, const Frame &frame) {
   AssertDimension(frame.supports.size(), results.supports.size());
   std::vector<double> weight;
   Largest force, length;
+  length(largest_motion(frame)); // beside which gaps and slips may be nothing but rounding
+  length(least_length);
   for (const SupportState &state : frame.supports) {
     for (const double value : {state.fn, state.ft1, state.ft2})
       force(value);
