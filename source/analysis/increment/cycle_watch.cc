@@ -30,7 +30,8 @@ CycleVerdict::Kind kind_of(const CycleVerdict &cycle, const PipeSections::Change
              : Kind::unsettled;
 }
 
-std::string words_of(const CycleVerdict &cycle, const double part, const Model &model) {
+std::string words_of(const CycleVerdict &cycle, const double part, const Model &model,
+                     const LineState &state) {
   using Kind = CycleVerdict::Kind;
   const auto number = [](const double value) { return rounded_number(value, 4); };
   const std::string there = " (" + place_in_words(model, cycle.cell, part) + ")";
@@ -41,7 +42,10 @@ std::string words_of(const CycleVerdict &cycle, const double part, const Model &
     return "shakedown: the last cycle is elastic";
   case Kind::alternating:
     return "alternating plasticity: strains close, and " + number(cycle.flow) +
-           " is yielded in a cycle" + there;
+           " is yielded in a cycle" + there +
+           (model.cells.surroundings(cycle.cell, state.load_factors).pressure == 0.
+                ? ""
+                : "; whether the wall widens in each cycle, under its pressure, is not judged");
   case Kind::ratchet:
     return "ratchet: a section strains by " + number(cycle.growth) + " a cycle" + there;
   case Kind::unsettled:
@@ -78,7 +82,7 @@ std::optional<CycleVerdict> CycleWatch::step_ends(const LoadStep &step, const Li
   cycle.cell = change.cell;
   has_lost = has_lost || cycle.dissipated > 0.;
   cycle.kind = kind_of(cycle, change, has_lost);
-  cycle.words = words_of(cycle, change.part, model);
+  cycle.words = words_of(cycle, change.part, model, state);
   before = state.sections;
   growth_before = cycle.growth;
   return cycle;
