@@ -10,6 +10,7 @@
 #include "results/doubt/doubts.h"
 #include "results/energy_judgement.h"
 #include "results/frame/frame_builder.h"
+#include "results/frame/frame_choice.h"
 #include "results/how_well_known.h"
 #include "results/quantity/wall_quantities.h"
 #include "results/report/reduction_text.h"
@@ -56,6 +57,19 @@ std::string limit_in_words(const Scene &scene, const std::string &step, const Li
          "; " + limit.mechanism + ".";
 }
 
+/// How far the line has moved where a step ends: in large displacements a limit may be that of a
+/// pose far away.
+std::string motion_in_words(const Scene &scene, const Results &results, const unsigned int step) {
+  if (scene.kinematics == Kinematics::linear)
+    return "";
+  for (const Frame &frame : results.frames)
+    if (frame.end_of_step && frame.step == step)
+      return " The line has moved by up to " +
+             rounded_number(largest_motion(frame) / scene.units.factor("m"), 3) + " " +
+             scene.units.name("m") + " there.";
+  return "";
+}
+
 /// How the steps were solved, and at what cost.
 void report_steps(const Scene &scene, const LoadSequence &sequence, const bool converged,
                   Results &results) {
@@ -84,7 +98,8 @@ void report_steps(const Scene &scene, const LoadSequence &sequence, const bool c
   for (unsigned int s = 0; s < results.steps.size(); ++s)
     if (const StepReport &step = results.steps[s]; step.limit && step.converged)
       results.remarks.push_back(
-          limit_in_words(scene, step.step, *step.limit, sequence.factors_at_end(s)));
+          limit_in_words(scene, step.step, *step.limit, sequence.factors_at_end(s)) +
+          motion_in_words(scene, results, s));
   for (const StepReport &step : results.steps)
     if (step.cycle && (step.cycle->number == step.cycle->of || &step == &results.steps.back()))
       results.remarks.push_back("Cycles to the end of step " + step.step + ": " +
