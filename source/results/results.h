@@ -113,7 +113,7 @@ struct Frame {
   std::vector<Station> line;
   std::vector<SupportState> supports;
   std::vector<Motion> reactions; ///< of RestraintInfo
-  /// Of FrameBuilder's places, the sum of what is there: combined in cases as one number.
+  /// FrameBuilder::together(), first of all supports: what cases combine as one number.
   std::vector<SupportState> together;
   /// Of pipes that yield or creep, one after the other along each; at the ends of steps only.
   std::vector<SectionState> sections;

@@ -226,7 +226,7 @@ void Envelope::include_supports(const LineState &state) {
     for (unsigned int c = no_force ? 3 : 0; c < 6; ++c)
       support.values[c].include(values[c], state.time);
     any_impulse = any_impulse || no_force;
-    normal += now.fn;
+    normal += std::abs(now.fn);
     friction += along;
     if (no_force)
       continue;

@@ -121,7 +121,7 @@ Eigen::VectorXd Envelope::numbers_at(const LineState &state) {
   for (unsigned int i = 0; i < results.supports.size(); ++i) {
     const SupportState now = support_state(model, state, i);
     result.segment<6>(6 * i) << now.fn, now.ft1, now.ft2, now.gap, now.slip1, now.slip2;
-    result[places.sum_normal] += now.fn;
+    result[places.sum_normal] += std::abs(now.fn);
   }
   unsigned int next = places.restraints;
   for (const Motion &reaction : tools->builder.reactions(state))

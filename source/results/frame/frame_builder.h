@@ -33,9 +33,9 @@ public:
   /// the vertices of restraints and imposed motions.
   std::vector<Motion> reactions(const LineState &state);
 
-  /// What acts together at the places that quantities name, of the frame of this state made last:
-  /// the sum of a pair's halves, the sizes of several supports, or in `on_pipe` of all that holds a
-  /// point.
+  /// What acts together, of the frame of this state made last: first all supports, then at the
+  /// places that quantities name. Of a pair the sum of both halves; of a point what holds it, in
+  /// `on_pipe`; of several supports sizes, the normal forces in `fn`, friction forces in `ft1`.
   std::vector<SupportState> together(const LineState &state, const Frame &frame) const;
   /// Its place in Frame::together. @param of_all whether `name` are all of a repeated support's
   std::optional<std::size_t> place_of(const std::string &where, const bool of_all) const;

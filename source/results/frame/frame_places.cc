@@ -11,20 +11,21 @@ namespace frictionbeam {
 void FrameBuilder::find_places() {
   using Of = QuantityKind::Of;
   const std::vector<SupportInfo> infos = support_infos(model);
-  for (const Quantity &quantity : model.scene.quantities) {
-    const bool of_all = quantity.is(Of::supports);
-    if (!(of_all || quantity.is(Of::holder) || quantity.is(Of::directed) ||
-          quantity.is(Of::support)) ||
-        place_of(quantity.where, of_all))
-      continue;
-    Place place{quantity.where, of_all, {}};
+  const auto add = [&](const std::string &where, const bool of_all) {
+    if (place_of(where, of_all))
+      return;
+    Place place{where, of_all, {}};
     for (unsigned int i = 0; i < infos.size(); ++i)
-      if (of_all ? quantity.where.empty() || is_one_of(infos[i], quantity.where)
-                 : is_part_of(infos[i], quantity.where))
+      if (of_all ? where.empty() || is_one_of(infos[i], where) : is_part_of(infos[i], where))
         place.supports.push_back(i);
-    if (of_all || !place.supports.empty() || model.mesh.points.count(quantity.where) > 0)
+    if (of_all || !place.supports.empty() || model.mesh.points.count(where) > 0)
       places.push_back(place);
-  }
+  };
+  add("", true);
+  for (const Quantity &quantity : model.scene.quantities)
+    if (quantity.is(Of::supports) || quantity.is(Of::holder) || quantity.is(Of::directed) ||
+        quantity.is(Of::support))
+      add(quantity.where, quantity.is(Of::supports));
 }
 
 std::optional<std::size_t> FrameBuilder::place_of(const std::string &where,
@@ -40,11 +41,16 @@ std::vector<SupportState> FrameBuilder::together(const LineState &state, const F
   for (const Place &place : places) {
     SupportState sum;
     for (const unsigned int i : place.supports) {
+      const SupportState &one = frame.supports[i];
+      if (place.of_all) {
+        sum.fn += std::abs(one.fn);
+        sum.ft1 += std::hypot(one.ft1, one.ft2);
+        continue;
+      }
       for (const auto number : support_numbers)
-        sum.*number +=
-            place.of_all ? std::abs(frame.supports[i].*number) : frame.supports[i].*number;
+        sum.*number += one.*number;
       for (unsigned int c = 0; c < 6; ++c)
-        sum.on_pipe[c] += frame.supports[i].on_pipe[c];
+        sum.on_pipe[c] += one.on_pipe[c];
     }
     if (!place.of_all && place.supports.empty())
       sum.on_pipe = force_on(model.mesh.points.at(place.where), place.where, state, frame);

@@ -137,9 +137,11 @@ double Collector::along_direction(const Quantity &quantity, const Frame &made) c
 }
 
 double Collector::of_supports(const Quantity &quantity, const Frame &made) const {
-  if (quantity.kind().component == 0) // in a case the sum is combined, and not its parts
-    if (const auto place = builder.place_of(quantity.where, true))
-      return std::abs(made.together[*place].fn);
+  const unsigned int component = quantity.kind().component;
+  if (const auto place = builder.place_of(quantity.where, true); place && component < 2) {
+    const SupportState &sum = made.together[*place]; // one number in cases
+    return std::abs(component == 0 ? sum.fn : sum.ft1);
+  }
   std::vector<SupportInfo> infos;
   std::vector<SupportState> states;
   for (unsigned int i = 0; i < results.supports.size(); ++i)

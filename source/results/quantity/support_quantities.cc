@@ -3,6 +3,8 @@
 
 #include "results/quantity/along_line.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -63,13 +65,12 @@ double value_of_supports(const std::vector<SupportInfo> &infos,
   const auto component = static_cast<Component>(kind.component); // in the order of quantity_kinds
   if (component == zone)
     return slip_length(infos, states);
-  double sum = 0.;
+  Assert(component != normal && component != friction, dealii::ExcInternalError()); // in Frame
+  unsigned int sum = 0;
   for (const SupportState &support : states)
-    sum += component == normal     ? std::abs(support.fn)
-           : component == friction ? std::hypot(support.ft1, support.ft2)
-           : component == sticking ? support.status == ContactStatus::stick
-           : component == slipping ? support.status == ContactStatus::slip
-                                   : support.status == ContactStatus::open;
+    sum += support.status == (component == sticking   ? ContactStatus::stick
+                              : component == slipping ? ContactStatus::slip
+                                                      : ContactStatus::open);
   return sum;
 }
 

@@ -71,7 +71,7 @@ std::string left_out(const std::size_t n_shown, const std::size_t n_all, const s
 
 /// Of force times length: work that is smaller is rounding, and shown as zero.
 constexpr double least_work = 1e-4;
-constexpr double least_length = 1e-9; ///< [m], of a scene without pipes
+constexpr double least_length = 1e-9;     ///< [m], of a scene without pipes
 constexpr double rounding_of_work = 1e-8; ///< of all supports together, likewise
 
 std::string support_table(const Results &results, const Frame &frame) {
@@ -232,19 +232,22 @@ struct StepRows {
     where.push_back(place);
     displacement.push_back(size);
     std::array<unsigned int, 4> count{};
-    double sum_normal = 0., sum_friction = 0., sum_work = 0.;
+    SupportState sums;
+    double sum_work = 0.;
     for (const SupportState &state : frame.supports) {
       for (unsigned int s = 0; s < 4; ++s)
         count[s] += state.status == statuses[s] ? 1 : 0;
-      sum_normal += state.fn;
-      sum_friction += friction_force(state);
+      sums.fn += std::abs(state.fn);
+      sums.ft1 += friction_force(state);
       sum_work += state.work_friction;
     }
+    if (!frame.together.empty()) // of a case not those of its supports' numbers
+      sums = frame.together.front();
     const bool is_step = frame.step < scene.steps.size(); // a case has no contact status, no work
     for (unsigned int s = 0; s < 4; ++s)
       counts[s].push_back(is_step ? std::to_string(count[s]) : dash);
-    normal.push_back(sum_normal);
-    friction.push_back(sum_friction);
+    normal.push_back(std::abs(sums.fn));
+    friction.push_back(std::abs(sums.ft1));
     work.push_back(is_step ? sum_work : std::numeric_limits<double>::quiet_NaN());
   }
 
@@ -264,7 +267,7 @@ struct StepRows {
       if (std::any_of(counts[s].begin(), counts[s].end(),
                       [](const std::string &count) { return count != "0" && count != dash; }))
         table.right(status_word(statuses[s]), counts[s]);
-    return table.numbers("\u03a3 fn", "N", normal)
+    return table.numbers("\u03a3 |fn|", "N", normal)
         .numbers("\u03a3 |ft|", "N", friction)
         .numbers("work", "J", work, rounding_of_work * largest(normal) * largest(displacement))
         .str();
