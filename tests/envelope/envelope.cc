@@ -7,7 +7,7 @@
 
 #include "analysis/sequence/load_sequence.h"
 #include "model/line_model.h"
-#include "results/frame/envelope.h"
+#include "results/envelope/envelope.h"
 #include "results/frame/frame_builder.h"
 #include "results/support/support_states.h"
 #include "scene/read_scene.h"

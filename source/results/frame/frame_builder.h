@@ -6,6 +6,7 @@
 #include "results/frame/cell_course.h"
 #include "results/results.h"
 
+#include <functional>
 #include <optional>
 #include <unordered_map>
 
@@ -37,6 +38,8 @@ public:
   /// places that quantities name. Of a pair the sum of both halves; of a point what holds it, in
   /// `on_pipe`; of several supports sizes, the normal forces in `fn`, friction forces in `ft1`.
   std::vector<SupportState> together(const LineState &state, const Frame &frame) const;
+  /// The same by what a frame has alone, of a wall, whose points carry no other supports.
+  std::vector<SupportState> together(const Frame &frame) const;
   /// Its place in Frame::together. @param of_all whether `name` are all of a repeated support's
   std::optional<std::size_t> place_of(const std::string &where, const bool of_all) const;
 
@@ -59,6 +62,8 @@ private:
   };
 
   void find_places();
+  using ForceAtPoint = std::function<Motion(unsigned int vertex, const std::string &name)>;
+  std::vector<SupportState> sums_of(const Frame &frame, const ForceAtPoint &force_at) const;
   /// Force on a vertex [N, N m], global axes, of all that holds it.
   Motion force_on(const unsigned int vertex, const std::string &point, const LineState &state,
                   const Frame &frame) const;

@@ -36,7 +36,8 @@ std::optional<std::size_t> FrameBuilder::place_of(const std::string &where,
   return {};
 }
 
-std::vector<SupportState> FrameBuilder::together(const LineState &state, const Frame &frame) const {
+std::vector<SupportState> FrameBuilder::sums_of(const Frame &frame,
+                                                const ForceAtPoint &force_at) const {
   std::vector<SupportState> result;
   for (const Place &place : places) {
     SupportState sum;
@@ -53,10 +54,32 @@ std::vector<SupportState> FrameBuilder::together(const LineState &state, const F
         sum.on_pipe[c] += one.on_pipe[c];
     }
     if (!place.of_all && place.supports.empty())
-      sum.on_pipe = force_on(model.mesh.points.at(place.where), place.where, state, frame);
+      sum.on_pipe = force_at(model.mesh.points.at(place.where), place.where);
     result.push_back(sum);
   }
   return result;
+}
+
+std::vector<SupportState> FrameBuilder::together(const LineState &state, const Frame &frame) const {
+  return sums_of(frame, [&](const unsigned int vertex, const std::string &point) {
+    return force_on(vertex, point, state, frame);
+  });
+}
+
+std::vector<SupportState> FrameBuilder::together(const Frame &frame) const {
+  const std::vector<RestraintInfo> restraints = restraint_infos();
+  const std::vector<SupportInfo> supports = support_infos(model);
+  return sums_of(frame, [&](const unsigned int vertex, const std::string &) {
+    const Point3 place = model.mesh.vertices[vertex];
+    Motion sum{};
+    for (unsigned int c = 0; c < 6; ++c) {
+      for (std::size_t i = 0; i < restraints.size(); ++i)
+        sum[c] += restraints[i].position == place ? frame.reactions[i][c] : 0.;
+      for (std::size_t i = 0; i < supports.size(); ++i)
+        sum[c] += supports[i].position == place ? frame.supports[i].on_pipe[c] : 0.;
+    }
+    return sum;
+  });
 }
 
 Motion FrameBuilder::force_on(const unsigned int vertex, const std::string &point,

@@ -2,6 +2,7 @@
 #include "results/solid/solid_frame.h"
 
 #include "model/unknowns/restraint_forces.h"
+#include "results/frame/frame_builder.h"
 #include "results/support/support_states.h"
 
 #include <algorithm>
@@ -169,6 +170,7 @@ Frame solid_frame(const Scene &scene, const Model &line, const PipeWall &wall,
     for (unsigned int d = 0; d < 3; ++d)
       support.on_pipe[d] = force[d];
   }
+  frame.together = FrameBuilder(line).together(frame);
   frame.step = state.step;
   frame.name = scene.steps[state.step].name;
   frame.step_before = state.step > 0 ? static_cast<int>(state.step) - 1 : -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "results/turnable/model_envelopes.h"
-#include "results/frame/kept_instants.h"
+#include "results/envelope/kept_instants.h"
 #include "results/turnable/packed_numbers.h"
 
 #include <algorithm>

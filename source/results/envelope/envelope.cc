@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/frame/envelope.h"
-#include "results/frame/envelope_tools.h"
+#include "results/envelope/envelope.h"
+#include "results/envelope/envelope_tools.h"
 
 #include "results/frame/derived_cases.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/frame/smooth_courses.h"
+#include "results/envelope/smooth_courses.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/frame/envelope.h"
-#include "results/frame/envelope_tools.h"
+#include "results/envelope/envelope.h"
+#include "results/envelope/envelope_tools.h"
 
+#include "results/envelope/smooth_courses.h"
 #include "results/frame/derived_cases.h"
-#include "results/frame/smooth_courses.h"
 #include "results/support/support_states.h"
 #include "results/text.h"
 

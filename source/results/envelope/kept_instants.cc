@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "results/frame/kept_instants.h"
+#include "results/envelope/kept_instants.h"
 
 #include <algorithm>
 
