@@ -68,7 +68,8 @@ std::string exact_number(const double value) {
 std::string rounded_number(const double value, const unsigned int digits) {
   if (std::abs(value) >= std::pow(10., digits) && std::abs(value) < 1e7)
     return fixed_number(value, 0);
-  return number_text(value, std::chars_format::general, static_cast<int>(digits));
+  const double number = value + 0.; // no negative zero
+  return number_text(number, std::chars_format::general, static_cast<int>(digits));
 }
 
 std::string fixed_number(const double value, const unsigned int decimals) {

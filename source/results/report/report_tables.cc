@@ -71,8 +71,9 @@ std::string left_out(const std::size_t n_shown, const std::size_t n_all, const s
 
 /// Of force times length: work that is smaller is rounding, and shown as zero.
 constexpr double least_work = 1e-4;
-constexpr double least_length = 1e-9;     ///< [m], of a scene without pipes
-constexpr double rounding_of_work = 1e-8; ///< of all supports together, likewise
+constexpr double rounding_of_forces = 1e-9; ///< beside moments at 1 m, and the other way
+constexpr double least_length = 1e-9;       ///< [m], of a scene without pipes
+constexpr double rounding_of_work = 1e-8;   ///< of all supports together, likewise
 
 std::string support_table(const Results &results, const Frame &frame) {
   AssertDimension(frame.supports.size(), results.supports.size());
@@ -154,7 +155,9 @@ std::string reaction_table(const Results &results, const Frame &frame) {
     std::vector<double> values;
     for (const std::size_t row : rows)
       values.push_back(frame.reactions[row][c]);
-    table.numbers(headers[c], c < 3 ? "N" : "N m", values, force[c / 3].value());
+    const unsigned int kind = c / 3;
+    table.numbers(headers[c], kind == 0 ? "N" : "N m", values,
+                  std::max(force[kind].value(), rounding_of_forces * force[1 - kind].value()));
   }
   return table.str() + left_out(rows.size(), frame.reactions.size(), "restraints", "reactions.csv");
 }
