@@ -128,8 +128,8 @@ SectionReport BoundLaw::report(const double *strain, const double element_length
   const bool knows_since = law->interface_version >= 4;
   input.old_state = knows_since ? since : nullptr;
   law->report(input, new_state, result);
-  if (since != nullptr &&
-      !knows_since) { // of an older law, how much its largest strains have grown
+  if (since != nullptr && !knows_since) {
+    // By how much its largest strains have grown, wherever they are.
     SectionReport then;
     law->report(input, since, then);
     result.plastic_strain -= then.plastic_strain;

@@ -150,12 +150,10 @@ void fibre_report(const LawInput &in, const double *state, SectionReport &report
       report.utilization =
           std::max(report.utilization,
                    std::sqrt(X * X + 3. * W * W + 0.75 * B * B) / pipe.material.yield(f[1]));
-      const auto gained = [&](const int place) {
-        return f[place] - (in.old_state == nullptr ? 0. : in.old_state[f - state + place]);
-      };
-      report.plastic_strain = std::max(report.plastic_strain, gained(1));
+      const int fibre = at.of_fibre(j, i);
+      report.plastic_strain = std::max(report.plastic_strain, gained(in, state, fibre + 1));
       if (at.creep >= 0)
-        report.creep_strain = std::max(report.creep_strain, gained(at.creep));
+        report.creep_strain = std::max(report.creep_strain, gained(in, state, fibre + at.creep));
     }
   }
 }

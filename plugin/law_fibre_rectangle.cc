@@ -192,9 +192,8 @@ void rectangle_report(const LawInput &in, const double *state, SectionReport &re
     const double X = bar.E * (strain - now[plastic]) - H * now[plastic];
     report.utilization =
         std::max(report.utilization, std::abs(X) / bar.material.yield(now[accumulated]));
-    const double before =
-        in.old_state == nullptr ? 0. : in.old_state[n_states_of_fibre * i + accumulated];
-    report.plastic_strain = std::max(report.plastic_strain, now[accumulated] - before);
+    report.plastic_strain = std::max(
+        report.plastic_strain, section::gained(in, state, n_states_of_fibre * i + accumulated));
   });
 }
 

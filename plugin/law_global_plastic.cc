@@ -187,8 +187,7 @@ const char *global_fault(const double *p) {
 
 void global_report(const LawInput &in, const double *state, SectionReport &report) {
   report.utilization = utilization(in, state);
-  report.plastic_strain =
-      state[accumulated] - (in.old_state == nullptr ? 0. : in.old_state[accumulated]);
+  report.plastic_strain = section::gained(in, state, accumulated);
 }
 
 } // namespace

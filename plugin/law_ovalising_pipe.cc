@@ -166,12 +166,9 @@ void oval_report(const LawInput &in, const double *state, SectionReport &report)
   std::copy(state, state + 2 * at.modes, unknown.mode);
   for (int i = 0; i < at.stations; ++i) {
     std::copy(state + at.of_station(i), state + at.of_station(i) + 2, unknown.own[i]);
-    for (int j = 0; j < at.points; ++j) {
-      const int place = at.of_point(i, j) + 3;
+    for (int j = 0; j < at.points; ++j)
       report.plastic_strain =
-          std::max(report.plastic_strain,
-                   state[place] - (in.old_state == nullptr ? 0. : in.old_state[place]));
-    }
+          std::max(report.plastic_strain, gained(in, state, at.of_point(i, j) + 3));
   }
   report.utilization = utilization(pipe, shapes, strain, unknown, state);
 }

@@ -25,6 +25,11 @@ constexpr std::array<LawParameter, n + m> joined(const LawParameter (&first)[n],
   return result;
 }
 
+/// What an accumulated strain in a state has gained since the old one of LawDescription::report.
+inline double gained(const LawInput &in, const double *const state, const int place) {
+  return state[place] - (in.old_state == nullptr ? 0. : in.old_state[place]);
+}
+
 constexpr int n_curve_points = 6, n_temperatures = 4;
 
 /// Places of the material's parameters within their own list.

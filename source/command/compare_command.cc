@@ -61,7 +61,7 @@ Run read_run(const std::string &folder) {
   return run;
 }
 
-/// A column of numbers, and its unit in SI.
+/// A column and its unit in SI; empty: of words.
 struct Column {
   std::string name, unit;
 };
@@ -79,7 +79,7 @@ struct Table {
 /// What of a table is compared.
 struct Layout {
   std::string title, file;
-  std::vector<std::string> keys; ///< columns that say what a row is about
+  std::vector<Column> keys; ///< columns that say what a row is about
   std::vector<Column> columns;
 };
 
@@ -117,11 +117,10 @@ Table read_table(const Run &run, const Run &first, const Layout &layout) {
     for (std::size_t i = 0; i < header.size(); ++i)
       field[header[i]] = fields[i];
     std::string key;
-    for (const std::string &name : layout.keys) {
+    for (const auto &[name, unit] : layout.keys) {
       std::string place = field[name];
-      if (const bool is_length = std::string("sxyz").find(name) != std::string::npos;
-          (is_length || name == "time") && !place.empty())
-        place = rounded_number(number_in(place, name, path) * (is_length ? factor("m") : 1.), 6);
+      if (!unit.empty() && !place.empty())
+        place = rounded_number(number_in(place, name, path) * factor(unit), 6);
       key += (key.empty() ? "" : ", ") + place;
     }
     if (const unsigned int n = ++seen[key]; n > 1)
@@ -141,20 +140,9 @@ struct Difference {
   double size() const { return std::abs(second - first); }
 };
 
-/// The largest number of the columns with a unit.
-double largest(const std::vector<Column> &columns, const std::string &unit,
-               const std::map<std::string, std::vector<Difference>> &found) {
-  double result = 0.;
-  for (const Column &column : columns)
-    if (const auto list = found.find(column.name); column.unit == unit && list != found.end())
-      for (const Difference &d : list->second)
-        result = std::max({result, std::abs(d.first), std::abs(d.second)});
-  return result;
-}
-
 /// Say by how much a column differs at most, beside the largest number of its kind. @return whether
 /// it does
-bool print_worst(const std::string &column, const double scale, std::vector<Difference> list) {
+bool print_worst(const std::string &column, const double scale, std::vector<Difference> &list) {
   std::stable_sort(list.begin(), list.end(),
                    [](const Difference &x, const Difference &y) { return x.size() > y.size(); });
   if (list.empty() || list.front().size() <= equal_numbers * scale)
@@ -176,6 +164,7 @@ void compare(const Run &first, const Run &second, const Layout &layout) {
   std::size_t alone = 0, changed = 0, gone = 0;
   std::string states;
   std::map<std::string, std::vector<Difference>> found;
+  std::map<std::string, double> largest; // by unit
   for (const auto &[key, row] : a.rows) {
     const auto other = b.rows.find(key);
     if (other == b.rows.end()) {
@@ -184,11 +173,15 @@ void compare(const Run &first, const Run &second, const Layout &layout) {
     }
     if (row.status != other->second.status && ++changed <= most)
       states += "    " + key + ": " + row.status + " -> " + other->second.status + "\n";
-    for (const auto &[column, x] : row.numbers)
-      if (const double y = other->second.numbers.at(column); std::isnan(x) != std::isnan(y))
+    for (const auto &[column, unit] : layout.columns) {
+      const double x = row.numbers.at(column), y = other->second.numbers.at(column);
+      if (std::isnan(x) != std::isnan(y))
         ++gone;
-      else if (!std::isnan(x))
+      else if (!std::isnan(x)) {
         found[column].push_back({key, x, y});
+        largest[unit] = std::max({largest[unit], std::abs(x), std::abs(y)});
+      }
+    }
   }
   for (const auto &row : b.rows)
     alone += a.rows.count(row.first) == 0 ? 1 : 0;
@@ -200,10 +193,8 @@ void compare(const Run &first, const Run &second, const Layout &layout) {
   if (changed > 0)
     std::cout << "  " << changed << " states changed\n" << states;
   bool any = false;
-  for (const Column &column : layout.columns)
-    any =
-        print_worst(column.name, largest(layout.columns, column.unit, found), found[column.name]) ||
-        any;
+  for (const auto &[column, unit] : layout.columns)
+    any = print_worst(column, largest[unit], found[column]) || any;
   if (!any && changed == 0 && alone == 0 && gone == 0)
     std::cout << "  the same\n";
 }
@@ -264,7 +255,7 @@ int compare_runs(const std::string &first, const std::string &second) {
   for (const Layout &layout : std::vector<Layout>{
            {"Supports",
             "supports.csv",
-            {"support", "step", "time"},
+            {{"support", ""}, {"step", ""}, {"time", "s"}},
             {{"fn", "N"},
              {"ft1", "N"},
              {"ft2", "N"},
@@ -274,11 +265,11 @@ int compare_runs(const std::string &first, const std::string &second) {
              {"mt", "N m"}}},
            {"Reactions",
             "reactions.csv",
-            {"restraint", "step", "time"},
+            {{"restraint", ""}, {"step", ""}, {"time", "s"}},
             {{"fx", "N"}, {"fy", "N"}, {"fz", "N"}, {"mx", "N m"}, {"my", "N m"}, {"mz", "N m"}}},
            {"Line",
             "line.csv",
-            {"step", "pipe", "s"},
+            {{"step", ""}, {"pipe", ""}, {"s", "m"}},
             {{"ux", "m"},
              {"uy", "m"},
              {"uz", "m"},
@@ -290,7 +281,7 @@ int compare_runs(const std::string &first, const std::string &second) {
              {"Mz", "N m"}}},
            {"Contact",
             "contact.csv",
-            {"surface", "step", "x", "y", "z"},
+            {{"surface", ""}, {"step", ""}, {"x", "m"}, {"y", "m"}, {"z", "m"}},
             {{"pressure", "Pa"},
              {"t1", "Pa"},
              {"t2", "Pa"},
@@ -302,7 +293,7 @@ int compare_runs(const std::string &first, const std::string &second) {
              {"uz", "m"}}},
            {"Stresses",
             "stresses.csv",
-            {"case", "kind", "pipe", "s"},
+            {{"case", ""}, {"kind", ""}, {"pipe", ""}, {"s", "m"}},
             {{"stress", "Pa"}, {"utilization", "-"}}}})
     compare(a, b, layout);
   return 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/body/continuum_newton.h"
 
-#include "analysis/body/condensed_start.h"
 #include "base/interruption.h"
 #include "base/numbers.h"
 #include <frictionbeam/contact/halving_search.h>
@@ -153,8 +152,7 @@ contact::Outcome ContinuumNewton<dim>::solve_contacts(ContinuumVector &u,
   const ContinuumVector start = u;
   const auto centre = contacts.centre;
   contact::Outcome outcome = attempts.solve(u, response, result);
-  if (outcome == contact::Outcome::stalled &&
-      find_condensed_start(body, system, contacts, *committed, *loads, contacts.centre, u))
+  if (outcome == contact::Outcome::stalled && find_condensed_start(u))
     outcome = attempts.solve(u, response, result);
   if (outcome == contact::Outcome::stalled) {
     contacts.centre = centre;

@@ -64,6 +64,14 @@ private:
   static double or_least(const double largest, const double so_far);
   contact::Outcome solve_contacts(ContinuumVector &u, FoundationResponse &response,
                                   ContinuumNewtonResult &result);
+  /**
+   * Where these methods stall: solve the problem condensed to its contacts, contact::LocalProblem,
+   * by contact::solve_local_contact(), for a start of one more attempt, the contacts' centre and u.
+   * Weak springs at the contacts give a body that nothing else holds a flexibility; they have no
+   * part in the attempt. Of bodies on one process with few contacts, exact ones without pressure.
+   * @return whether there is one; if not, nothing is changed
+   */
+  bool find_condensed_start(ContinuumVector &u);
   /// Evaluate contacts and elastic forces at u.
   void evaluate(const ContinuumVector &u, FoundationResponse &response);
   /// Loads minus elastic forces, stiffness times u, plus forces of tractions.

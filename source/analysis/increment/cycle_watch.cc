@@ -11,15 +11,14 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double nothing = 1e-5; ///< of the strain at which a section yields
-constexpr double steady = 0.02;  ///< by which a rate may differ from that of the cycle before
+constexpr double steady = 0.02; ///< by which a rate may differ from that of the cycle before
 
 CycleVerdict::Kind kind_of(const CycleVerdict &cycle, const PipeSections::Change &change,
                            const bool has_lost) {
   using Kind = CycleVerdict::Kind;
   if (!has_lost)
     return Kind::elastic;
-  if (change.flow_share <= nothing)
+  if (!change.flows)
     return Kind::shakedown;
   if (cycle.number == 1)
     return Kind::unsettled;

@@ -123,11 +123,10 @@ public:
   struct Change {
     double dissipated = 0.; ///< by all sections [J]
     /// Of a section's strain, equivalent, in the wall: sqrt((|d eps| + r |d kappa|)^2 + (r d
-    /// chi)^2/3), r = sqrt(2 I/A) [-].
-    /// Of those that do not come back to it, if there are any.
+    /// chi)^2/3), r = sqrt(2 I/A); of those that do not come back to it, if there are any [-].
     double growth = 0.;
     double flow = 0.;       ///< most that plastic and creep strain of a point have gained [-]
-    double flow_share = 0.; ///< the same over the strain at which the section yields, or 1e-3
+    bool flows = false;     ///< any section, by 1e-5 of the strain at which it yields, or of 1e-3
     bool comes_back = true; ///< each section that flows, to 1e-3 of its own flow
     unsigned int cell = 0;  ///< of `growth`, or of `flow` if all come back
     double part = 0.5;      ///< of the way along it, likewise

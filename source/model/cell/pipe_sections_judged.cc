@@ -163,8 +163,9 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       const double flow = gained.plastic_strain + gained.creep_strain,
                    yield_strain = std::min(most_yield_strain,
                                            1. / cell.law(q).elastic_bound(stretch.data(), 1., {}));
-      const bool comes_back = flow <= no_flow * yield_strain ||
-                              growth <= closed * std::max(flow, least_flow * yield_strain);
+      const bool flows = flow > no_flow * yield_strain,
+                 comes_back =
+                     !flows || growth <= closed * std::max(flow, least_flow * yield_strain);
       if (change.comes_back && !comes_back)
         change.growth = 0.; // of those that count from here on
       if ((!comes_back || change.comes_back) && growth > change.growth) {
@@ -173,12 +174,12 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
         change.part = cell.part[q];
       }
       change.comes_back = change.comes_back && comes_back;
+      change.flows = change.flows || flows;
       if (flow > change.flow) {
         change.flow = flow;
         cell_of_flow = i;
         part_of_flow = cell.part[q];
       }
-      change.flow_share = std::max(change.flow_share, flow / yield_strain);
     }
   }
   if (change.comes_back && change.flow > 0.) {

@@ -52,6 +52,11 @@ double part_along(const Model &model, const Quantity &quantity, const MotionAt &
                value);
 }
 
+[[noreturn]] void refuse_support(const Quantity &quantity) {
+  throw UserError("Quantity " + quantity.name + ": there is no friction support called '" +
+                  quantity.where + "'. A repeated support's names are numbered: name.1, ...");
+}
+
 } // namespace
 
 Collector::Collector(const Model &model, Results &results, FrameSink sink)
@@ -161,10 +166,9 @@ double Collector::of_support(const Quantity &quantity,
       sum += number(i);
       found = true;
     }
-  if (found)
-    return sum;
-  throw UserError("Quantity " + quantity.name + ": there is no friction support called '" +
-                  quantity.where + "'. A repeated support's names are numbered: name.1, ...");
+  if (!found)
+    refuse_support(quantity);
+  return sum;
 }
 
 double Collector::section_force(const Quantity &quantity, const Frame &made,
@@ -210,7 +214,7 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
     case Of::support:
       if (const auto place = builder.place_of(quantity.where, false))
         return made.together[*place].*support_numbers[kind.component];
-      return of_support(quantity, [](const unsigned int) { return 0.; });
+      refuse_support(quantity);
     default:
       return 0.;
     }
