@@ -235,13 +235,17 @@ struct StepRows {
     where.push_back(place);
     displacement.push_back(size);
     std::array<unsigned int, 4> count{};
+    SupportState sums;
     double sum_work = 0.;
     for (const SupportState &state : frame.supports) {
       for (unsigned int s = 0; s < 4; ++s)
         count[s] += state.status == statuses[s] ? 1 : 0;
+      sums.fn += std::abs(state.fn);
+      sums.ft1 += friction_force(state);
       sum_work += state.work_friction;
     }
-    const SupportState &sums = frame.together.front();
+    if (!frame.together.empty()) // a builder has made it: of a case not those of its supports
+      sums = frame.together.front();
     const bool is_step = frame.step < scene.steps.size(); // a case has no contact status, no work
     for (unsigned int s = 0; s < 4; ++s)
       counts[s].push_back(is_step ? std::to_string(count[s]) : dash);
