@@ -86,10 +86,16 @@ public:
         out.tangent[(n_section_strains + 1) * i] = 0.;
     for (const int i : {1, 2})
       out.stored_energy += out.stress[i] * in.strain[i] / 2.;
+    const auto pipe_before = [&](const double part) {
+      return creep.is_on && in.temperature_change != 0.
+                 ? FibrePipe(p, in.temperature - part * in.temperature_change, in.pressure)
+                 : pipe;
+    };
+    const PipeCourse course{pipe_before(1.), pipe_before(1. - gamma_stage), pipe};
     const FibrePlaces places(at.fibres);
     double error = 0., size = 0.;
     for (int j = 0; j < at.rings; ++j) {
-      RingIncrement ring(pipe, places, j, creep.is_on ? &creep : nullptr, in.old_state);
+      RingIncrement ring(course, places, j, creep.is_on ? &creep : nullptr, in.old_state);
       if (!(creep.is_on ? ring.creep(old_strain, in.old_state[n_fibre_strains], strain)
                         : ring.step(strain)))
         return LawStatus::failed;

@@ -47,16 +47,25 @@ public:
         hardens_by_strain(p[primary_hardening] >= 0.5), is_set(is_any(p)) {
     if (!is_set || time_increment <= 0.)
       return;
-    const double factor = mean_factor(p[activation], p, temperature, change);
     const double start = std::max(0., time - time_increment);
-    secondary = p[creep_coefficient] * factor * time_increment;
+    const auto evenly = [](const double part) { return part; };
+    const Course even = course_of(p[activation], p, temperature, change, 1., evenly);
+    secondary = p[creep_coefficient] * even.mean * time_increment;
+    delay_of_secondary = even.centre - 0.5;
     if (hardens_by_strain) {
-      by_strain = std::pow(p[primary_coefficient], 1. / m) *
-                  mean_factor(p[activation] / m, p, temperature, change) * time_increment;
+      const Course course = course_of(p[activation] / m, p, temperature, change, 1., evenly);
+      by_strain = std::pow(p[primary_coefficient], 1. / m) * course.mean * time_increment;
+      delay_of_primary = course.centre - 0.5;
       k /= m;
-    } else
-      by_time = p[primary_coefficient] * factor *
-                (std::pow(start + time_increment, m) - std::pow(start, m));
+    } else { // t^m goes evenly from its start to its end
+      const double first = std::pow(start, m), last = std::pow(start + time_increment, m);
+      const Course course =
+          course_of(p[activation], p, temperature, change, m, [&](const double part) {
+            return (std::pow(first + part * (last - first), 1. / m) - start) / time_increment;
+          });
+      by_time = p[primary_coefficient] * course.mean * (last - first);
+      delay_of_primary = course.centre - 0.5;
+    }
     is_on = secondary > 0. || by_time > 0. || by_strain > 0.;
   }
 
@@ -99,27 +108,60 @@ public:
     return dose;
   }
 
+  /// Whether doses come evenly over the increment: not where the temperature changes, or time
+  /// hardens.
+  bool comes_evenly() const {
+    constexpr double nothing = 1e-9;
+    return std::abs(delay_of_secondary) <= nothing && std::abs(delay_of_primary) <= nothing;
+  }
+  /// Doses per stress, each times how much of the increment it comes later than evenly: where the
+  /// stress changes, the dose is off by as much as this changes.
+  struct Delayed {
+    double secondary, primary;
+  };
+  Delayed delayed(const double stress, const double old_primary) const {
+    if (!(stress > 0.))
+      return {0., 0.};
+    const Dose dose = (*this)(stress, old_primary);
+    return {delay_of_secondary * (dose.total - dose.primary) / stress,
+            delay_of_primary * dose.primary / stress};
+  }
+
 private:
-  /// Mean of exp(-Q/R (1/T - 1/T0)) over the increment: what creeps is then exact where nothing
-  /// else changes, and of second order with what does.
-  static double mean_factor(const double activation_temperature, const double *p, const double end,
-                            const double change) {
+  /// What a dose of an increment is made of in its course.
+  struct Course {
+    double mean;   ///< of the Arrhenius factor exp(-Q/R (1/T - 1/T0))
+    double centre; ///< part of the increment at which the dose is, in the mean
+  };
+  /**
+   * While the temperature changes evenly, and part after part of the dose comes when @p when says,
+   * from 0 to 1: creep under constant stress is exact then.
+   * @param steepness of the temperature's course by parts of the dose, over even: 1/steepness
+   */
+  template <typename When>
+  static Course course_of(const double activation_temperature, const double *p, const double end,
+                          const double change, const double steepness, const When &when) {
     constexpr double zero = -273.15, panel = 2.; // of the exponent: 1e-6 of the mean
+    constexpr double apart = 0.7745966692414834; // Gauss and Legendre, three points
     const double reference = 1. / (p[reference_temperature] - zero);
     const auto exponent = [&](const double temperature) {
       return activation_temperature * (reference - 1. / std::max(1., temperature - zero));
     };
     const double way = std::abs(exponent(end) - exponent(end - change));
-    if (way == 0.)
-      return std::exp(exponent(end));
-    constexpr double apart = 0.7745966692414834; // Gauss and Legendre, three points
-    const int n_panels = static_cast<int>(std::min(1000., std::ceil(way / panel)));
-    double sum = 0.;
+    const double n_needed = std::ceil((way / panel + (steepness < 1. ? 1. : 0.)) / steepness);
+    const int n_panels = static_cast<int>(std::clamp(n_needed, 1., 1000.));
+    double sum = 0., moment = 0.;
     for (int i = 0; i < n_panels; ++i)
-      for (const double x : {-1., 0., 1.})
-        sum += (x == 0. ? 8. : 5.) / 18. *
-               std::exp(exponent(end - change * (i + (1. + x * apart) / 2.) / n_panels));
-    return sum / n_panels;
+      for (const double x : {-1., 0., 1.}) {
+        const double at = when((i + (1. + x * apart) / 2.) / n_panels);
+        const double part =
+            (x == 0. ? 8. : 5.) / 18. / n_panels * std::exp(exponent(end - change * (1. - at)));
+        sum += part;
+        moment += part * at;
+      }
+    if (way == 0.)
+      return {std::exp(exponent(end)), sum > 0. ? moment / sum : 0.5};
+    return {sum, sum > 0. ? moment / sum : 0.5};
   }
 
   double n, k, m;
@@ -131,6 +173,7 @@ public:
 
 private:
   double secondary = 0., by_time = 0., by_strain = 0.;
+  double delay_of_secondary = 0., delay_of_primary = 0.;
 };
 
 } // namespace frictionbeam::section

@@ -12,19 +12,26 @@ constexpr double gamma_stage = 0.29289321881345247560, // 1 - 1/sqrt(2)
 
 using FibreStrains = double[n_fibre_strains];
 
+/// A pipe in the course of an increment: at its start, in the first stage, at its end. Without
+/// creep the end alone is looked at.
+struct PipeCourse {
+  FibrePipe start, first, end;
+};
+
 /**
  * One ring over an increment: one implicit step, or with creep the two of SDIRK2 (R. Alexander,
  * SIAM J. Numer. Anal. 14, 1977, 1006-1021, doi:10.1137/0714068): of order 2, L-stable, with
- * weights that make relaxation exact. Strains and pressure are straight over the increment, time
- * hardening is its mean over it.
+ * weights that make relaxation exact. Strains, pressure and temperature are straight over the
+ * increment, time hardening is its mean over it.
  */
 class RingIncrement {
 public:
-  RingIncrement(const FibrePipe &pipe, const FibrePlaces &places, const int number,
+  RingIncrement(const PipeCourse &course, const FibrePlaces &places, const int number,
                 const Creep *creep, const double *old_state)
-      : pipe(pipe), places(places), number(number), n(pipe.layout.fibres), r(pipe.radius[number]),
-        ring(n, pipe.G, {pipe.material, creep, pipe.E, pipe.hoop}),
-        first(n, pipe.G, {pipe.material, creep, pipe.E, pipe.hoop}), old(old_state) {}
+      : course(course), pipe(course.end), places(places), number(number), n(pipe.layout.fibres),
+        r(pipe.radius[number]), ring(n, pipe.G, {pipe.material, creep, pipe.E, pipe.hoop}),
+        first(n, course.first.G, {course.first.material, creep, course.first.E, pipe.hoop}),
+        old(old_state) {}
 
   /// One implicit step; whether there is an answer.
   bool step(const FibreStrains &strain) {
@@ -80,7 +87,7 @@ private:
     for (int i = 0; i < n; ++i) {
       const double *const f = old + at.of_fibre(number, i);
       const double e = at.g < 0 ? 0. : at.e < 0 ? f[0] : f[at.e];
-      stage.start[i] = {pipe.E * (strain_of(i, strain) - f[0]) - stage.fibre.hoop / 2.,
+      stage.start[i] = {stage.fibre.E * (strain_of(i, strain) - f[0]) - stage.fibre.hoop / 2.,
                         e,
                         at.g < 0 ? 0. : f[at.g],
                         at.h < 0 ? 0. : f[at.h],
@@ -98,13 +105,15 @@ private:
            stage.tau * stage.shear(i);
   }
 
-  const FibrePipe &pipe;
+  const PipeCourse &course;
+  const FibrePipe &pipe; ///< at the end
   const FibrePlaces &places;
   const int number, n;
   const double r;
   Ring ring, first;
-  double carry[most_fibres];                                   ///< times what the first stage added
-  double old_x[most_fibres], old_q[most_fibres], old_tau = 0.; ///< at the start of the increment
+  double carry[most_fibres]; ///< times what the first stage added
+  double old_x[most_fibres], old_s[most_fibres], old_q[most_fibres],
+      old_tau = 0.;             ///< at the start of the increment
   double alone[most_fibres][2]; ///< q of a stress that relaxes alone, in the stages, over its first
   bool two_stages = false;
   const double *const old;
@@ -120,14 +129,15 @@ private:
 inline void RingIncrement::set_weights(const FibreStrains &old_strain, const double old_hoop) {
   const Creep &creep = *ring.fibre.creep;
   const double E = pipe.E;
-  old_tau = pipe.G * (r * old_strain[twist] - ring_state(0));
+  old_tau = course.start.G * (r * old_strain[twist] - ring_state(0));
   for (int i = 0; i < n; ++i) {
     const double *const f = old + pipe.layout.of_fibre(number, i);
-    const double x = E * (strain_of(i, old_strain) - f[0]) - old_hoop / 2.;
+    const double x = course.start.E * (strain_of(i, old_strain) - f[0]) - old_hoop / 2.;
     const double s = std::sqrt(x * x + 0.75 * old_hoop * old_hoop + 3. * old_tau * old_tau);
     const double primary = ring.start[i].primary;
     const Creep::Dose dose = creep(s, primary);
     old_x[i] = x;
+    old_s[i] = s;
     old_q[i] = s > 0. ? dose.total / s : 0.;
     size = std::max(size, s);
     double phi = 1.;
@@ -151,14 +161,16 @@ inline void RingIncrement::set_weights(const FibreStrains &old_strain, const dou
 /**
  * What the rates of creep at the start and in both stages tell of the next term of the series, or
  * if that is less, of the term that SDIRK2 has; of the rates, or if that is less and relaxation is
- * exact, of what they differ by from it.
+ * exact, of what they differ by from it. And what doses that do not come evenly make of a stress
+ * that changes.
  */
 inline void RingIncrement::estimate_error() {
   const auto smaller = [](const double k0, const double k1, const double k2) {
     const double bend = (k2 - k1) / (1. - gamma_stage) - (k1 - k0) / gamma_stage;
     return std::min(0.081 * std::abs(bend), gamma_stage * std::abs(k2 - k1));
   };
-  double shear[3] = {};
+  double shear[3] = {}, shear_delayed[2] = {};
+  const Creep &creep = *ring.fibre.creep;
   for (int i = 0; i < n; ++i) {
     const Fibre::End &a = first.end[i], &b = ring.end[i];
     const double share = ring.start[i].share;
@@ -167,16 +179,27 @@ inline void RingIncrement::estimate_error() {
                  by_others = smaller(0., k1 - alone[i][0] * old_x[i], k2 - alone[i][1] * old_x[i]);
     // Differences may vanish by chance: where the rates say that much happens, they are believed.
     const double share_of_stress = pipe.E * by_rates / std::max(b.s, std::abs(old_x[i]));
-    const double known = ring.fibre.creep->relaxes_by_power()
-                             ? std::min(by_rates, by_others + share_of_stress * by_rates)
-                             : by_rates;
+    double known = creep.relaxes_by_power()
+                       ? std::min(by_rates, by_others + share_of_stress * by_rates)
+                       : by_rates;
+    if (!creep.comes_evenly()) {
+      const double primary = ring.start[i].primary;
+      const Creep::Delayed from = creep.delayed(old_s[i], primary),
+                           to = creep.delayed(b.s, primary);
+      known += std::abs(to.secondary * b.x - from.secondary * old_x[i]) +
+               std::abs(to.primary * b.x - from.primary * old_x[i]);
+      shear_delayed[0] += 3. * (to.secondary * ring.tau - from.secondary * old_tau) / n;
+      shear_delayed[1] += 3. * (to.primary * ring.tau - from.primary * old_tau) / n;
+    }
     error = std::max(error, pipe.E * known);
     shear[0] += 3. * old_q[i] * old_tau / n;
     shear[1] += 3. * a.q * first.tau / gamma_stage / n;
     shear[2] += 3. * b.q * ring.tau / share / n;
     size = std::max(size, b.s);
   }
-  error = std::max(error, std::sqrt(3.) * pipe.G * smaller(shear[0], shear[1], shear[2]));
+  error = std::max(error, std::sqrt(3.) * pipe.G *
+                              (smaller(shear[0], shear[1], shear[2]) + std::abs(shear_delayed[0]) +
+                               std::abs(shear_delayed[1])));
 }
 
 inline void RingIncrement::write(double *state, LawOutput &out) const {
@@ -254,12 +277,12 @@ inline void RingIncrement::add_tangent(double *tangent) const {
       const double of_strain[n_fibre_strains] = {1., 0., z(i), -y(i)};
       const double g = first.fibre.change(first.end[i], first.tau, unit_trial).g;
       for (int k = 0; k < n_fibre_strains; ++k)
-        first_shear[k] += gamma_stage * E * of_strain[k] * g / n;
+        first_shear[k] += gamma_stage * first.fibre.E * of_strain[k] * g / n;
       first_by_tau += first.fibre.change(first.end[i], first.tau, unit_tau).g / n;
     }
     for (int k = 0; k < n_fibre_strains; ++k)
       first_tau[k] =
-          ((k == twist ? gamma_stage * r : 0.) - first_shear[k]) / (1. / pipe.G + first_by_tau);
+          ((k == twist ? gamma_stage * r : 0.) - first_shear[k]) / (1. / first.G + first_by_tau);
   }
   double C[n_fibre_strains][n_fibre_strains] = {}; // at constant tau
   double of_tau[n_fibre_strains] = {};             // stresses per tau
@@ -283,7 +306,7 @@ inline void RingIncrement::add_tangent(double *tangent) const {
     for (int k = 0; k < n_fibre_strains; ++k) {
       double dx = E * of_strain[k] * one.x_by_trial, dg = -of_strain[k] * one.x_by_tau;
       if (two_stages) {
-        const double by_trial = gamma_stage * E * of_strain[k];
+        const double by_trial = gamma_stage * first.fibre.E * of_strain[k];
         const auto carried = [&](double Fibre::Response::*part) {
           return carry[i] * (by_trial * started.*part + first_tau[k] * started_by_tau.*part);
         };
