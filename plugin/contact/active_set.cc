@@ -97,9 +97,9 @@ bool ActiveSet::step(Vector &x, Response &response, Result &result) {
     const Strains moved = equations.strain_of(i, motion), before = proximal.centre[i];
     response.state.strain[i] += moved;
     proximal.centre[i] = response.stress[i] + response.tangent[i] * moved;
-    yielded = std::max(yielded, equations.contacts[i].largest_force(proximal.centre[i] - before) /
-                                    stiffness_of_branch);
+    yielded = std::max(yielded, equations.contacts[i].largest_force(proximal.centre[i] - before));
   }
+  yielded /= stiffness_of_branch;
   look_at_points(equations.rounding_of_motion(x), response);
   return x.allFinite();
 }
@@ -270,7 +270,8 @@ void ActiveSet::learn_how_far(const std::vector<ContactStatus> &sketch,
 
 bool ActiveSet::predict(const bool is_first, Vector &x, Response &response, Result &result) {
   proximal.stiffness_factor = stiffness_of_branch;
-  equations.place(x, response);
+  if (kept.status.size() != points.size()) // the first ones are told by forces and gaps
+    equations.place(x, response);
   const ChosenBranches chosen(proximal, first_branches(response));
   unsigned int least_changes = points.size() + 1, n_in_vain = 0, n_fronts = 0;
   std::vector<ContactStatus> sketch;

@@ -4,6 +4,7 @@
 #include <frictionbeam/contact/tolerances.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace frictionbeam::contact {
@@ -23,6 +24,11 @@ int place_of(const SparseMatrix &matrix, const int row, const int column) {
   const int *const begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row],
                    *const end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row + 1];
   return std::lower_bound(begin, end, column) - matrix.innerIndexPtr();
+}
+
+/// Whether all bits of two lists are the same.
+bool are_same(const std::vector<Block> &a, const std::vector<Block> &b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Block)) == 0;
 }
 
 } // namespace
@@ -208,7 +214,7 @@ bool IncrementEquations::differs_without_unknowns(const Response &response) cons
   if (reduced || is_shifted || factored.size() != contacts.size())
     return false;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
-    if (response.tangent[i] == factored[i])
+    if (std::memcmp(&response.tangent[i], &factored[i], sizeof(Block)) == 0)
       continue;
     for (unsigned int row = 0; row < 4; ++row)
       for (unsigned int column = 0; column < 4; ++column)
@@ -220,7 +226,7 @@ bool IncrementEquations::differs_without_unknowns(const Response &response) cons
 }
 
 bool IncrementEquations::factor(const Response &response, Result &result) {
-  if (response.tangent == factored) // nothing slides, nothing opened or closed
+  if (are_same(response.tangent, factored)) // nothing slides, nothing opened or closed
     return true;
   if (differs_without_unknowns(response)) {
     status_of_factors = response.status;

@@ -136,6 +136,7 @@ void ProximalSites::evaluate(const State &committed, const Increment &increment,
                              const LawTangent tangent, Response &response) {
   contacts.prepare(response);
   find_stiffness();
+  response.state.internal = committed.internal;
   for (unsigned int i = 0; i < scales.size(); ++i) {
     if (is_exact(i))
       evaluate_exact(i, committed, response);
@@ -166,7 +167,6 @@ void ProximalSites::evaluate_exact(const unsigned int i, const State &committed,
   misfit[i] = answer.misfit;
   response.tangent[i] = answer.tangent;
   response.status[i] = answer.status;
-  std::copy(old_state, old_state + contact.law.n_internal_variables(), new_state);
   answer.slip.write(law, new_state);
   response.state.touch[i] = answer.status == ContactStatus::open ? strain : committed.touch[i];
   response.state.dissipated[i] = committed.dissipated[i] + contact.weight * answer.dissipated;
