@@ -234,11 +234,20 @@ void check_summary(const Sample &sample) {
 }
 
 void check_vtu(const Sample &sample) {
-  VtuWriter vtu(sample.results, folder);
+  const unsigned int n_steps = sample.results.frames.back().step + 1;
+  VtuWriter vtu(sample.results, folder, n_steps);
   for (const Frame &frame : sample.results.frames)
     vtu.append(frame);
+  Frame sizes = sample.results.frames.back(); // a case, whose time is that of a step
+  sizes.step = n_steps + 1;
+  sizes.is_amplitude = true;
+  vtu.append(sizes);
+  vtu.finish();
   CHECK(count(read(folder + "/results.pvd"), "vtu/line_") == 4);
   CHECK(count(read(folder + "/supports.pvd"), "vtu/supports_") == 4);
+  CHECK(count(read(folder + "/cases.pvd"),
+              "timestep=\"2\" group=\"\" part=\"0\" file=\"vtu/case_0002.vtu\"") == 1);
+  CHECK(count(read(folder + "/case_supports.pvd"), "vtu/case_supports_0002.vtu") == 1);
   const std::string line = read(folder + "/vtu/line_0003.vtu");
   CHECK(contains(line, "NumberOfPoints=\"98\" NumberOfCells=\"49\""));
   CHECK(contains(line, "Name=\"displacement\" NumberOfComponents=\"3\""));

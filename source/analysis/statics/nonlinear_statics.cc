@@ -304,16 +304,44 @@ std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
   return motions.collapse(at, begin, end);
 }
 
+namespace {
+/// Not those that follow the line, nor a moment that keeps its axis on a vertex that may turn about
+/// several: no signs of the stiffness tell then whether a pose is stable.
+bool loads_have_potential(const Model &model, const std::vector<double> &factors) {
+  const auto turns_about = [&](const unsigned int vertex) {
+    unsigned int n_axes = 0;
+    for (unsigned int d = 3; d < 6; ++d) {
+      const auto dof = model.discretization.vertex_dofs().index(vertex, d);
+      n_axes += dof != numbers::invalid_dof_index && !model.space.terms(dof).empty() ? 1 : 0;
+    }
+    return n_axes;
+  };
+  for (unsigned int l = 0; l < factors.size(); ++l) {
+    if (factors[l] == 0.)
+      continue;
+    if (model.scene.loads[l].follows)
+      return false;
+    for (const auto &[vertex, load] : model.linear.nodal(l))
+      if ((load[3] != 0. || load[4] != 0. || load[5] != 0.) && turns_about(vertex) > 1)
+        return false;
+  }
+  return true;
+}
+} // namespace
+
 bool NonlinearStatics::is_unstable(const LineState &state) const {
   constexpr double same = 1e-9, stiff = 1e3; // parts of the stiffest
-  if (!model.cells.turns_far() || state.unknowns.size() == 0)
+  if (!model.cells.turns_far() || state.unknowns.size() == 0 ||
+      !loads_have_potential(model, state.load_factors))
     return false;
   LineCells::Balance balance;
   model.cells.evaluate(pose_of(state), state.load_factors, balance);
+  // Cells that are bent and twisted are symmetric but for squares of their deformations.
   const SparseMatrix symmetric = symmetric_part(balance.stiffness);
   const double largest = symmetric.diagonal().cwiseAbs().maxCoeff();
-  if ((balance.stiffness - symmetric).norm() > same * symmetric.norm())
-    return false; // loads that follow the line have no potential, nor signs that would tell
+  if (model.cells.pipe_sections().any() &&
+      (balance.stiffness - symmetric).norm() > same * symmetric.norm())
+    return false; // by a law whose tangent is not
   std::vector<Eigen::Triplet<double>> of_contacts;
   const std::vector<bool> idle = idle_halves(model.contacts, state);
   for (unsigned int i = 0; i < model.contacts.size(); ++i) {

@@ -240,12 +240,15 @@ void ImpulseContacts::add_histories(const LineState &from, const double step, Li
     const double normal = contact.share() * -contact_work[i].mean_stress[0];
     to.contacts.impulse[i] = from.contacts.impulse[i] + step * normal;
     to.contacts.wear[i] = from.contacts.wear[i];
-    if (!kinds[i].is_exact)
+    const Contact::Strains change = to.contacts.strain[i] - from.contacts.strain[i] + beyond[i];
+    if (!kinds[i].is_exact) { // its law alone knows what slips: all, where it says that it does
+      if (slides(to.contact_status[i]))
+        to.contacts.wear[i] += normal * contact.length * change.segment<2>(1).norm();
       continue;
+    }
     const FrictionThreshold &law = kinds[i].law;
-    const Contact::Strains change = to.contacts.strain[i] - from.contacts.strain[i] + beyond[i],
-                           force_change = part(i, to.contact_stress[i], false) -
-                                          part(i, from.contact_stress[i], false);
+    const Contact::Strains force_change =
+        part(i, to.contact_stress[i], false) - part(i, from.contact_stress[i], false);
     const double slip_y = change[1] - force_change[1] / law.shear_rigidity_y,
                  slip_z = change[2] - force_change[2] / law.shear_rigidity_z;
     double twist = 0.;

@@ -52,6 +52,24 @@ void commit_contacts(ContactResponse &response, const std::vector<ContactStatus>
       after.events.push_back({after.time, i, after.contact_status[i]});
 }
 
+namespace {
+/// Size of what slips across, over the length; of a law without closed form all that moves where it
+/// says that it slips or touches without sticking.
+double slip_in_step(const Contact &contact, const unsigned int i, const LineState &before,
+                    const LineState &after) {
+  if (!contact.law.has_closed_form())
+    return slides(after.contact_status[i])
+               ? (after.contacts.strain[i] - before.contacts.strain[i]).segment<2>(1).norm()
+               : 0.;
+  const FrictionThreshold &law = contact.law.closed_form();
+  const auto slip = [&](const int place) {
+    return after.contacts.internal[contact.state_offset + place] -
+           before.contacts.internal[contact.state_offset + place];
+  };
+  return std::hypot(slip(law.slip_y), slip(law.slip_z));
+}
+} // namespace
+
 void add_histories(const Contacts &contacts, const LineState &before, LineState &after) {
   const double step = after.time - before.time;
   for (unsigned int i = 0; i < contacts.size(); ++i) {
@@ -60,15 +78,8 @@ void add_histories(const Contacts &contacts, const LineState &before, LineState 
         -contact.share() / 2. * (before.contact_stress[i][0] + after.contact_stress[i][0]);
     after.contacts.impulse[i] = before.contacts.impulse[i] + step * normal;
     after.contacts.wear[i] = before.contacts.wear[i];
-    if (!contact.law.has_closed_form() || after.contact_status[i] == ContactStatus::open)
-      continue;
-    const FrictionThreshold &law = contact.law.closed_form();
-    const auto slip = [&](const int place) {
-      return after.contacts.internal[contact.state_offset + place] -
-             before.contacts.internal[contact.state_offset + place];
-    };
-    after.contacts.wear[i] +=
-        normal * contact.length * std::hypot(slip(law.slip_y), slip(law.slip_z));
+    if (after.contact_status[i] != ContactStatus::open)
+      after.contacts.wear[i] += normal * contact.length * slip_in_step(contact, i, before, after);
   }
 }
 

@@ -24,6 +24,11 @@ void arrive(const Model &model, const LoadCourse &loads, const double time,
 void commit_contacts(ContactResponse &response, const std::vector<ContactStatus> &before,
                      LineState &after);
 
+/// Whether a law without a closed form says that all motion across is slip.
+inline bool slides(const ContactStatus status) {
+  return status == ContactStatus::slip || status == ContactStatus::closed;
+}
+
 /// Wear and impulses of a step with friction elements by their return mapping.
 void add_histories(const Contacts &contacts, const LineState &before, LineState &after);
 

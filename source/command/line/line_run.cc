@@ -162,7 +162,7 @@ void LineRun::open_files() {
   csv = std::make_unique<CsvWriter>(scene, results, scene.output.directory, saved.has_value());
   write_model_tables(model, results, scene.output.directory);
   if (scene.output.vtu)
-    vtu = std::make_unique<VtuWriter>(results, scene.output.directory);
+    vtu = std::make_unique<VtuWriter>(results, scene.output.directory, scene.steps.size());
   if (scene.output.contact_problems)
     contact_problems = std::make_unique<ContactProblemWriter>(model, results, saved.has_value());
   if (saved)

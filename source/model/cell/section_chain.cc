@@ -19,6 +19,8 @@ constexpr double most_overshoot = 0.5;
 /// so little more stiffness they share evenly.
 constexpr double least_stiffness = 1e-8;
 constexpr double solved_to = 1e-13, as_good_as_rounding = 1e-10; // relative
+/// Of what the first guess carries, where hardly anything is to be carried.
+constexpr double of_guess = 1e-6;
 
 /// Of a section's stiffness, zero for its rigid components.
 Matrix6 compliance_of(Matrix6 stiffness) {
@@ -196,7 +198,7 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
   std::vector<Matrix6> tangent(n_points);
   Vector6 beta = Vector6::Zero(), missing;
   const Vector6 moved = G * motions;
-  double size_of_stress = 0., size_of_motion = 0.;
+  double size_of_stress = 0., size_of_motion = 0., least_stress = 0., least_motion = 0.;
   Linear linear(*this);
   solution.solved = solution.compatible = false;
 
@@ -206,8 +208,9 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
         strain[q][i] = 0.;
   const auto evaluate = [&]() {
     missing = moved;
-    size_of_stress = 0.;
-    size_of_motion = moved.cwiseProduct(beta_scale).lpNorm<Eigen::Infinity>();
+    size_of_stress = least_stress;
+    size_of_motion =
+        std::max(least_motion, moved.cwiseProduct(beta_scale).lpNorm<Eigen::Infinity>());
     for (unsigned int q = 0; q < n_points; ++q) {
       const Point &point = points[q];
       if (!law(q, strain[q], stress[q], tangent[q]))
@@ -252,6 +255,8 @@ void SectionChain::solve(const Law &law, const Vector12 &motions, const std::vec
 
   if (!evaluate())
     return;
+  least_stress = of_guess * size_of_stress;
+  least_motion = of_guess * size_of_motion;
   for (unsigned int iteration = 0; iteration < most_iterations && !is_solved(solved_to);
        ++iteration) {
     linear.factorize(tangent);

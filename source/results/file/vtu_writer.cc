@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <sstream>
 
 namespace frictionbeam {
@@ -115,8 +116,10 @@ void write_supports(const std::vector<SupportInfo> &infos, const Frame &frame,
   for (unsigned int i = 0; i < infos.size(); ++i) {
     const SupportInfo &info = infos[i];
     const SupportState &state = frame.supports[i];
-    const Vector3 force = force_in_space(state);
-    const Vector3 slip = state.slip1 * info.t1 + state.slip2 * info.t2;
+    Vector3 force = force_in_space(state), slip = state.slip1 * info.t1 + state.slip2 * info.t2;
+    if (frame.is_amplitude) // sizes along axes cannot be turned
+      for (unsigned int d = 0; d < 3; ++d)
+        force[d] = slip[d] = std::numeric_limits<double>::quiet_NaN();
     PatchesOut<0>::Patch patch;
     patch.vertices[0] = info.position;
     patch.patch_index = i;
@@ -134,6 +137,13 @@ void write_supports(const std::vector<SupportInfo> &infos, const Frame &frame,
   write(out, frame.time, path);
 }
 
+/// End of a file's name.
+std::string numbered(const std::size_t number) {
+  char text[16];
+  std::snprintf(text, sizeof(text), "%04zu", number);
+  return text + std::string(".vtu");
+}
+
 void write_pvd(const std::vector<std::pair<double, std::string>> &frames, const std::string &path) {
   std::ostringstream text;
   DataOutBase::write_pvd_record(text, frames);
@@ -145,13 +155,14 @@ void write_pvd(const std::vector<std::pair<double, std::string>> &frames, const 
 void remove_frames(const std::string &folder) {
   namespace fs = std::filesystem;
   std::error_code error; // what cannot be removed will not be overwritten either, and is said then
-  for (const char *const collection : {"results.pvd", "supports.pvd", "modes.pvd"})
+  for (const char *const collection :
+       {"results.pvd", "supports.pvd", "cases.pvd", "case_supports.pvd", "modes.pvd"})
     fs::remove(fs::path(folder) / collection, error);
   std::vector<fs::path> frames;
   for (const auto &entry : fs::directory_iterator(fs::path(folder) / "vtu", error)) {
     const std::string name = entry.path().filename().string();
     const bool is_ours = name.rfind("line_", 0) == 0 || name.rfind("supports_", 0) == 0 ||
-                         name.rfind("mode_", 0) == 0;
+                         name.rfind("case_", 0) == 0 || name.rfind("mode_", 0) == 0;
     if (is_ours && entry.path().extension() == ".vtu")
       frames.push_back(entry.path());
   }
@@ -159,21 +170,33 @@ void remove_frames(const std::string &folder) {
     fs::remove(frame, error);
 }
 
-VtuWriter::VtuWriter(const Results &results, const std::string &folder)
-    : results(results), folder(folder) {
+VtuWriter::VtuWriter(const Results &results, const std::string &folder, const unsigned int n_steps)
+    : results(results), folder(folder), n_steps(n_steps) {
   prepare_output_folder(folder + "/vtu");
 }
 
-void VtuWriter::append(const Frame &frame) {
-  char number[16];
-  std::snprintf(number, sizeof(number), "%04u", n_frames++);
+void VtuWriter::write_frame(const Frame &frame, const std::string &line,
+                            const std::string &supports, const double time, Collection &of_line,
+                            Collection &of_supports) const {
   if (frame.line.size() > 1) {
-    line_frames.emplace_back(frame.time, std::string("vtu/line_") + number + ".vtu");
-    write_line(frame, folder + "/" + line_frames.back().second);
+    of_line.emplace_back(time, "vtu/" + line);
+    write_line(frame, folder + "/" + of_line.back().second);
   }
   if (!frame.supports.empty()) {
-    support_frames.emplace_back(frame.time, std::string("vtu/supports_") + number + ".vtu");
-    write_supports(results.supports, frame, folder + "/" + support_frames.back().second);
+    of_supports.emplace_back(time, "vtu/" + supports);
+    write_supports(results.supports, frame, folder + "/" + of_supports.back().second);
+  }
+}
+
+void VtuWriter::append(const Frame &frame) {
+  if (frame.step >= n_steps) {
+    const unsigned int n = frame.step - n_steps + 1;
+    const std::string number = numbered(n);
+    write_frame(frame, "case_" + number, "case_supports_" + number, n, line_cases, support_cases);
+  } else {
+    const std::string number = numbered(n_frames++);
+    write_frame(frame, "line_" + number, "supports_" + number, frame.time, line_frames,
+                support_frames);
   }
   // The collections are written again and again, ever more rarely: their total cost stays linear.
   if (n_frames >= next_collection) {
@@ -185,9 +208,7 @@ void VtuWriter::append(const Frame &frame) {
 void VtuWriter::append_modes() const {
   std::vector<std::pair<double, std::string>> modes;
   for (const ModeResult &mode : results.modes) {
-    char number[16];
-    std::snprintf(number, sizeof(number), "%04zu", modes.size() + 1);
-    modes.emplace_back(mode.frequency, std::string("vtu/mode_") + number + ".vtu");
+    modes.emplace_back(mode.frequency, "vtu/mode_" + numbered(modes.size() + 1));
     Frame shape = mode.shape;
     shape.time = mode.frequency;
     write_line(shape, folder + "/" + modes.back().second);
@@ -201,6 +222,10 @@ void VtuWriter::finish() const {
     write_pvd(line_frames, folder + "/results.pvd");
   if (!support_frames.empty())
     write_pvd(support_frames, folder + "/supports.pvd");
+  if (!line_cases.empty())
+    write_pvd(line_cases, folder + "/cases.pvd");
+  if (!support_cases.empty())
+    write_pvd(support_cases, folder + "/case_supports.pvd");
 }
 
 } // namespace frictionbeam
