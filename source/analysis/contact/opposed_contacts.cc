@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/contact/opposed_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -42,13 +43,52 @@ std::vector<bool> idle_halves(const Contacts &contacts,
   return idle;
 }
 
+std::vector<bool> contacts_that_do_not_hold(const Contacts &contacts,
+                                            const std::function<bool(unsigned int)> &touches,
+                                            const std::function<double(unsigned int)> &force,
+                                            const double nothing) {
+  std::vector<bool> result = idle_halves(contacts, touches, force);
+  std::map<unsigned int, std::vector<unsigned int>> closed; // by the pipe's node
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (touches(i))
+      closed[contacts[i].vertices[0]].push_back(i);
+  for (const auto &[node, of_node] : closed)
+    for (const unsigned int i : of_node)
+      result[i] =
+          result[i] || (force(i) <= nothing &&
+                        std::none_of(of_node.begin(), of_node.end(), [&](const unsigned int k) {
+                          return are_opposed(contacts[k], contacts[i]);
+                        }));
+  return result;
+}
+
+namespace {
+/// What a state says of its contacts.
+struct OfState {
+  const Contacts &contacts;
+  const LineState &state;
+  bool touches(const unsigned int i) const {
+    return state.contact_status[i] != ContactStatus::open;
+  }
+  double force(const unsigned int i) const {
+    return contacts[i].share() * std::abs(state.contact_stress[i][0]);
+  }
+};
+} // namespace
+
 std::vector<bool> idle_halves(const Contacts &contacts, const LineState &state) {
+  const OfState of{contacts, state};
   return idle_halves(
-      contacts,
-      [&](const unsigned int i) { return state.contact_status[i] != ContactStatus::open; },
-      [&](const unsigned int i) {
-        return contacts[i].share() * std::abs(state.contact_stress[i][0]);
-      });
+      contacts, [&](const unsigned int i) { return of.touches(i); },
+      [&](const unsigned int i) { return of.force(i); });
+}
+
+std::vector<bool> contacts_that_do_not_hold(const Contacts &contacts, const LineState &state,
+                                            const double nothing) {
+  const OfState of{contacts, state};
+  return contacts_that_do_not_hold(
+      contacts, [&](const unsigned int i) { return of.touches(i); },
+      [&](const unsigned int i) { return of.force(i); }, nothing);
 }
 
 } // namespace frictionbeam

@@ -20,6 +20,18 @@ std::vector<bool> idle_halves(const Contacts &contacts,
                               const std::function<bool(unsigned int)> &touches,
                               const std::function<double(unsigned int)> &force);
 
+/**
+ * Of a pose whose stability is asked for, those that do not hold it: idle halves, and contacts that
+ * carry at most @p nothing [N] with none at their node that touches from the other side. The line
+ * leaves them without resistance to one side, and a mode of buckling has two.
+ */
+std::vector<bool> contacts_that_do_not_hold(const Contacts &contacts,
+                                            const std::function<bool(unsigned int)> &touches,
+                                            const std::function<double(unsigned int)> &force,
+                                            const double nothing);
+std::vector<bool> contacts_that_do_not_hold(const Contacts &contacts, const LineState &state,
+                                            const double nothing);
+
 /// Whether another contact at the node of contact @p i touches from the other side.
 bool is_held_opposite(const Contacts &contacts, const LineState &state, const unsigned int i);
 

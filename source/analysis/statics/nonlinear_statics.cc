@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/statics/nonlinear_statics.h"
-#include "analysis/contact/opposed_contacts.h"
 #include "analysis/statics/slope_search.h"
 
 #include "base/interruption.h"
@@ -16,8 +15,7 @@ using namespace dealii;
 
 namespace {
 
-constexpr double most_turn = 0.5;            // of a vertex in one iteration [rad]
-constexpr double rounding_of_pivots = 1e-12; // of the largest stiffness
+constexpr double most_turn = 0.5; // of a vertex in one iteration [rad]
 
 } // namespace
 
@@ -302,74 +300,6 @@ std::optional<Collapse> NonlinearStatics::collapse(const LineState &at,
   if (!model.cells.pipe_sections().any())
     return {};
   return motions.collapse(at, begin, end);
-}
-
-namespace {
-/// Not those that follow the line, nor a moment that keeps its axis on a vertex that may turn about
-/// several: no signs of the stiffness tell then whether a pose is stable.
-bool loads_have_potential(const Model &model, const std::vector<double> &factors) {
-  const auto turns_about = [&](const unsigned int vertex) {
-    unsigned int n_axes = 0;
-    for (unsigned int d = 3; d < 6; ++d) {
-      const auto dof = model.discretization.vertex_dofs().index(vertex, d);
-      n_axes += dof != numbers::invalid_dof_index && !model.space.terms(dof).empty() ? 1 : 0;
-    }
-    return n_axes;
-  };
-  for (unsigned int l = 0; l < factors.size(); ++l) {
-    if (factors[l] == 0.)
-      continue;
-    if (model.scene.loads[l].follows)
-      return false;
-    for (const auto &[vertex, load] : model.linear.nodal(l))
-      if ((load[3] != 0. || load[4] != 0. || load[5] != 0.) && turns_about(vertex) > 1)
-        return false;
-  }
-  return true;
-}
-} // namespace
-
-bool NonlinearStatics::is_unstable(const LineState &state) const {
-  constexpr double same = 1e-9, stiff = 1e3; // parts of the stiffest
-  if (!model.cells.turns_far() || state.unknowns.size() == 0 ||
-      !loads_have_potential(model, state.load_factors))
-    return false;
-  LineCells::Balance balance;
-  model.cells.evaluate(pose_of(state), state.load_factors, balance);
-  // Cells that are bent and twisted are symmetric but for squares of their deformations.
-  const SparseMatrix symmetric = symmetric_part(balance.stiffness);
-  const double largest = symmetric.diagonal().cwiseAbs().maxCoeff();
-  if (model.cells.pipe_sections().any() &&
-      (balance.stiffness - symmetric).norm() > same * symmetric.norm())
-    return false; // by a law whose tangent is not
-  std::vector<Eigen::Triplet<double>> of_contacts;
-  const std::vector<bool> idle = idle_halves(model.contacts, state);
-  for (unsigned int i = 0; i < model.contacts.size(); ++i) {
-    const Contact &contact = model.contacts[i];
-    if (state.contact_status[i] == ContactStatus::open || idle[i])
-      continue;
-    const bool is_known = contact.law.has_closed_form();
-    const FrictionThreshold &law = contact.law.closed_form();
-    const bool rubs = !is_known || law.static_friction > 0.; // else it holds along its normal alone
-    const double rigid = stiff * largest * contact.length * contact.length;
-    const auto stiffness = [&](const double rigidity) {
-      return is_known && std::isfinite(rigidity) ? std::min(rigid, rigidity * contact.weight)
-                                                 : rigid;
-    };
-    const Eigen::Vector3d hold(stiffness(law.axial_rigidity),
-                               rubs ? stiffness(law.shear_rigidity_y) : 0.,
-                               rubs ? stiffness(law.shear_rigidity_z) : 0.);
-    const Eigen::MatrixXd B = contact.B.topRows(3), block = B.transpose() * hold.asDiagonal() * B;
-    for (unsigned int a = 0; a < contact.unknowns.size(); ++a)
-      for (unsigned int b = 0; b < contact.unknowns.size(); ++b)
-        of_contacts.emplace_back(contact.unknowns[a], contact.unknowns[b], block(a, b));
-  }
-  SparseMatrix held(symmetric.rows(), symmetric.cols());
-  held.setFromTriplets(of_contacts.begin(), of_contacts.end());
-  const SparseMatrix tangent = symmetric + held;
-  contact::LineFactorization factors;
-  factors.analyze(tangent);
-  return factors.factorize(tangent) && factors.least_pivot() < -rounding_of_pivots * largest;
 }
 
 EnergyAccount NonlinearStatics::account(const LineState &before, const LineState &after,

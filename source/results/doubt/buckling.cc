@@ -23,6 +23,7 @@ constexpr double nothing = 1e-18;   ///< of the largest one, for unknowns withou
 constexpr double resolved = 1e-5;   ///< of the factor
 constexpr double takes_part = 0.02; ///< of the cell that bends most
 constexpr double few = 0.3;         ///< N l^2/EI below which a cell is one
+constexpr double no_force = 1e-9;   ///< of the support's, or of the largest along a pipe
 
 using Matrix4 = Eigen::Matrix4d;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
@@ -42,7 +43,6 @@ Matrix4 of_compression() {
 
 /// What a frame says of each friction element: an edge of a patch that carries nothing is open.
 std::vector<SupportState> states_of_contacts(const Contacts &contacts, const Frame &frame) {
-  constexpr double no_force = 1e-9; // of the support's
   std::vector<SupportState> states(frame.supports.empty() ? 0 : contacts.size());
   for (std::size_t i = 0; i < frame.supports.size(); ++i) {
     const std::vector<unsigned int> &of_place = contacts.places()[i];
@@ -221,6 +221,14 @@ private:
       cells.push_back(cell);
   }
 
+  /// Of cells, along them [N].
+  double largest_force() const {
+    double largest = 0.;
+    for (const PressedCell &cell : cells)
+      largest = std::max({largest, std::abs(cell.begin), std::abs(cell.end)});
+    return largest;
+  }
+
   void assemble(const double touching) {
     base = model.linear.stiffness();
     const Vector diagonal = base.diagonal();
@@ -232,8 +240,9 @@ private:
       return i < states.size() && (!contact.law.has_closed_form() || contact.platen_force != 0. ||
                                    !stands_off(states[i], touching));
     };
-    const std::vector<bool> idle = idle_halves(
-        model.contacts, touches, [&](const unsigned int i) { return std::abs(states[i].fn); });
+    const auto force = [&](const unsigned int i) { return std::abs(states[i].fn); };
+    const std::vector<bool> idle =
+        contacts_that_do_not_hold(model.contacts, touches, force, no_force * largest_force());
     for (unsigned int i = 0; i < model.contacts.size(); ++i)
       if (touches(i) && !idle[i])
         add_contact(model.contacts[i], states[i], held * largest, entries);

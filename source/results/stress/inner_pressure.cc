@@ -2,6 +2,7 @@
 #include "results/stress/inner_pressure.h"
 
 #include "scene/steps/history_origins.h"
+#include "scene/steps/step_factors.h"
 #include "scene/steps/step_tree.h"
 
 #include <algorithm>
@@ -13,35 +14,50 @@ namespace {
 
 constexpr unsigned int n_instants = 1000; ///< of a transient step, beside its corners
 
-/// A pressure of a step's loads, its history in the time of the run.
+/// A pressure load of a step: its declared value goes evenly from one to another, times its history
+/// in the time of the run.
 struct Part {
-  double size; ///< with its factor [Pa]
+  double from, to; ///< with its factors [Pa]
   const TimeFunction &history;
   double origin; ///< of its time [s]
 
-  double before(const double time) const { return size * history.before(time - origin); }
-  double after(const double time) const { return size * history.after(time - origin); }
+  double before(const double ramped, const double time) const {
+    return (from + ramped * (to - from)) * history.before(time - origin);
+  }
+  double after(const double ramped, const double time) const {
+    return (from + ramped * (to - from)) * history.after(time - origin);
+  }
 };
+
+/// Factors of the loads that a step ends with: its ramp may be longer than itself.
+std::vector<double> factors_at_end(const Scene &scene, const unsigned int step) {
+  const LoadStep &declared = scene.steps[step];
+  std::vector<double> factors = declared_factors(scene, declared);
+  const auto before = step_before(scene, step);
+  if (!declared.transient || !(declared.ramp > declared.duration))
+    return factors;
+  const std::vector<double> from =
+      before ? factors_at_end(scene, *before) : std::vector<double>(factors.size(), 0.);
+  for (std::size_t l = 0; l < factors.size(); ++l)
+    factors[l] = from[l] + declared.duration / declared.ramp * (factors[l] - from[l]);
+  return factors;
+}
 
 std::vector<Part> parts_of(const Scene &scene, const unsigned int step, const unsigned int pipe) {
   std::vector<Part> parts;
   const HistoryOrigins origins(scene, step);
-  for (const auto &[l, factor] : scene.steps[step].loads) {
+  const std::vector<double> to = declared_factors(scene, scene.steps[step]);
+  const auto before = step_before(scene, step);
+  const std::vector<double> from =
+      before ? factors_at_end(scene, *before) : std::vector<double>(to.size(), 0.);
+  for (std::size_t l = 0; l < to.size(); ++l) {
     const Load &load = scene.loads[l];
     const auto &pipes = load.pipes;
-    if (load.kind == Load::Kind::pressure &&
+    if (load.kind == Load::Kind::pressure && (from[l] != 0. || to[l] != 0.) &&
         (pipes.empty() || std::count(pipes.begin(), pipes.end(), scene.pipes[pipe].name) > 0))
-      parts.push_back({factor * load.value, load.history, origins.loads[l]});
+      parts.push_back({from[l] * load.value, to[l] * load.value, load.history, origins.loads[l]});
   }
   return parts;
-}
-
-double sum(const std::vector<Part> &parts, const double time,
-           double (Part::*const side)(double) const) {
-  double result = 0.;
-  for (const Part &part : parts)
-    result += (part.*side)(time);
-  return result;
 }
 
 PressureBounds bounds_of_step(const Scene &scene, const unsigned int step,
@@ -51,15 +67,25 @@ PressureBounds bounds_of_step(const Scene &scene, const unsigned int step,
   double begin = 0.;
   for (unsigned int s = 0; s < step; ++s)
     begin += scene.steps[s].duration;
-  const double end = begin + declared.duration, at_end = sum(parts, end, &Part::before);
+  const double end = begin + declared.duration,
+               ramp = declared.transient ? declared.ramp : declared.duration;
+  const auto pressure = [&](const double time,
+                            double (Part::*const side)(const double, const double) const) {
+    const double ramped = ramp > 0. ? std::clamp((time - begin) / ramp, 0., 1.) : 1.;
+    double sum = 0.;
+    for (const Part &part : parts)
+      sum += (part.*side)(ramped, time);
+    return sum;
+  };
+  const double at_end = pressure(end, &Part::before);
   PressureBounds result{at_end, at_end};
   if (!declared.transient)
     return result;
-  const auto take = [&](const double pressure) {
-    result.least = std::min(result.least, pressure);
-    result.largest = std::max(result.largest, pressure);
+  const auto take = [&](const double value) {
+    result.least = std::min(result.least, value);
+    result.largest = std::max(result.largest, value);
   };
-  std::vector<double> instants;
+  std::vector<double> instants = {begin + ramp};
   for (unsigned int i = 0; i < n_instants; ++i)
     instants.push_back(begin + i * declared.duration / n_instants);
   for (const Part &part : parts)
@@ -67,15 +93,10 @@ PressureBounds bounds_of_step(const Scene &scene, const unsigned int step,
       instants.push_back(part.origin + corner);
   for (const double time : instants)
     if (time >= begin && time <= end) {
-      take(sum(parts, time, &Part::after));
+      take(pressure(time, &Part::after));
       if (time > begin)
-        take(sum(parts, time, &Part::before));
+        take(pressure(time, &Part::before));
     }
-  if (const auto before = step_before(scene, step); before && declared.ramp > 0.) {
-    const PressureBounds from = bounds_of_step(scene, *before, pipe); // which it ramps from
-    take(from.least);
-    take(from.largest);
-  }
   return result;
 }
 
