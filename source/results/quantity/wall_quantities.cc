@@ -54,7 +54,10 @@ double value_of_wall(const Model &model, const Quantity &quantity, const LineSta
   }
   if (!is_of_line && nearest == std::numeric_limits<double>::max())
     throw UserError("Quantity " + quantity.name + ": at the point '" + quantity.where +
-                    "' no pipe has a section that yields or creeps.");
+                    "' no pipe has a section that yields or creeps" +
+                    (quantity.side == Quantity::Side::any     ? "."
+                     : quantity.side == Quantity::Side::after ? " behind it: try 'before'."
+                                                              : " before it: try 'after'."));
   return value;
 }
 
