@@ -242,7 +242,7 @@ void ImpulseContacts::add_histories(const LineState &from, const double step, Li
     to.contacts.wear[i] = from.contacts.wear[i];
     const Contact::Strains change = to.contacts.strain[i] - from.contacts.strain[i] + beyond[i];
     if (!kinds[i].is_exact) { // its law alone knows what slips: all, where it says that it does
-      if (slides(to.contact_status[i]))
+      if (slides(to.contact_status[i], to.contact_stress[i]))
         to.contacts.wear[i] += normal * contact.length * change.segment<2>(1).norm();
       continue;
     }

@@ -53,12 +53,12 @@ void commit_contacts(ContactResponse &response, const std::vector<ContactStatus>
 }
 
 namespace {
-/// Size of what slips across, over the length; of a law without closed form all that moves where it
-/// says that it slips or touches without sticking.
+/// Size of what slips across, over the length; of a law without a closed form all that moves where
+/// it resists without sticking.
 double slip_in_step(const Contact &contact, const unsigned int i, const LineState &before,
                     const LineState &after) {
   if (!contact.law.has_closed_form())
-    return slides(after.contact_status[i])
+    return slides(after.contact_status[i], after.contact_stress[i])
                ? (after.contacts.strain[i] - before.contacts.strain[i]).segment<2>(1).norm()
                : 0.;
   const FrictionThreshold &law = contact.law.closed_form();

@@ -24,9 +24,11 @@ void arrive(const Model &model, const LoadCourse &loads, const double time,
 void commit_contacts(ContactResponse &response, const std::vector<ContactStatus> &before,
                      LineState &after);
 
-/// Whether a law without a closed form says that all motion across is slip.
-inline bool slides(const ContactStatus status) {
-  return status == ContactStatus::slip || status == ContactStatus::closed;
+/// Whether a law without a closed form says that all motion across is slip: it does not stick, and
+/// resists.
+inline bool slides(const ContactStatus status, const Contact::Strains &stress) {
+  return (status == ContactStatus::slip || status == ContactStatus::closed) &&
+         (stress[1] != 0. || stress[2] != 0.);
 }
 
 /// Wear and impulses of a step with friction elements by their return mapping.
