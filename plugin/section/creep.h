@@ -52,18 +52,25 @@ public:
     const Course even = course_of(p[activation], p, temperature, change, 1., evenly);
     secondary = p[creep_coefficient] * even.mean * time_increment;
     delay_of_secondary = even.centre - 0.5;
+    if (p[primary_coefficient] == 0.) {
+      is_on = secondary > 0.;
+      return;
+    }
     if (hardens_by_strain) {
       const Course course = course_of(p[activation] / m, p, temperature, change, 1., evenly);
       by_strain = std::pow(p[primary_coefficient], 1. / m) * course.mean * time_increment;
       delay_of_primary = course.centre - 0.5;
       k /= m;
     } else { // t^m goes evenly from its start to its end
-      const double first = std::pow(start, m), last = std::pow(start + time_increment, m);
+      const double from = start / time_increment,
+                   growth = from > 0. ? std::expm1(m * std::log1p(1. / from)) : 0.;
       const Course course =
           course_of(p[activation], p, temperature, change, m, [&](const double part) {
-            return (std::pow(first + part * (last - first), 1. / m) - start) / time_increment;
+            return from > 0. ? std::min(1., from * std::expm1(std::log1p(part * growth) / m))
+                             : std::pow(part, 1. / m);
           });
-      by_time = p[primary_coefficient] * course.mean * (last - first);
+      const double whole = from > 0. ? std::pow(start, m) * growth : std::pow(time_increment, m);
+      by_time = p[primary_coefficient] * course.mean * whole;
       delay_of_primary = course.centre - 0.5;
     }
     is_on = secondary > 0. || by_time > 0. || by_strain > 0.;
@@ -79,6 +86,10 @@ public:
   /// Whether a stress that relaxes alone does so by its power: not where primary creep hardens by
   /// its strain, whose rate falls with what it has done as well.
   bool relaxes_by_power() const { return by_strain == 0.; }
+  /// The same, whenever its dose comes: of one kind of creep.
+  bool relaxes_by_one_power() const {
+    return by_strain == 0. && (secondary == 0. || by_time == 0.);
+  }
 
   struct Dose {
     double total, slope; ///< creep strain, its derivative by stress
@@ -148,8 +159,10 @@ private:
       return activation_temperature * (reference - 1. / std::max(1., temperature - zero));
     };
     const double way = std::abs(exponent(end) - exponent(end - change));
+    if (way == 0. && steepness == 1.)
+      return {std::exp(exponent(end)), 0.5};
     const double n_needed = std::ceil((way / panel + (steepness < 1. ? 1. : 0.)) / steepness);
-    const int n_panels = static_cast<int>(std::clamp(n_needed, 1., 1000.));
+    const int n_panels = static_cast<int>(std::clamp(n_needed, 1., way == 0. ? 20. : 1000.));
     double sum = 0., moment = 0.;
     for (int i = 0; i < n_panels; ++i)
       for (const double x : {-1., 0., 1.}) {
@@ -159,9 +172,7 @@ private:
         sum += part;
         moment += part * at;
       }
-    if (way == 0.)
-      return {std::exp(exponent(end)), sum > 0. ? moment / sum : 0.5};
-    return {sum, sum > 0. ? moment / sum : 0.5};
+    return {way == 0. ? std::exp(exponent(end)) : sum, sum > 0. ? moment / sum : 0.5};
   }
 
   double n, k, m;

@@ -111,9 +111,9 @@ private:
   const int number, n;
   const double r;
   Ring ring, first;
-  double carry[most_fibres]; ///< times what the first stage added
-  double old_x[most_fibres], old_s[most_fibres], old_q[most_fibres],
-      old_tau = 0.;             ///< at the start of the increment
+  double carry[most_fibres];                                   ///< times what the first stage added
+  double old_x[most_fibres], old_q[most_fibres], old_tau = 0.; ///< at the start of the increment
+  double relaxed[most_fibres][2]; ///< a stress that relaxes alone, after the stages
   double alone[most_fibres][2]; ///< q of a stress that relaxes alone, in the stages, over its first
   bool two_stages = false;
   const double *const old;
@@ -137,11 +137,11 @@ inline void RingIncrement::set_weights(const FibreStrains &old_strain, const dou
     const double primary = ring.start[i].primary;
     const Creep::Dose dose = creep(s, primary);
     old_x[i] = x;
-    old_s[i] = s;
     old_q[i] = s > 0. ? dose.total / s : 0.;
     size = std::max(size, s);
     double phi = 1.;
     alone[i][0] = alone[i][1] = old_q[i];
+    relaxed[i][0] = relaxed[i][1] = s;
     if (E * dose.slope > 1e-4 && s > 0.) {
       const double power = dose.slope * s / dose.total - 1., amount = E * dose.total / s;
       const double exact =
@@ -149,6 +149,8 @@ inline void RingIncrement::set_weights(const FibreStrains &old_strain, const dou
       const double middle = ring.fibre.relaxed(s, primary, gamma_stage);
       const double at_middle = creep(middle, primary).total, at_end = creep(exact, primary).total;
       const double difference = at_middle - at_end;
+      relaxed[i][0] = middle;
+      relaxed[i][1] = exact;
       alone[i][0] = at_middle / s;
       alone[i][1] = at_end / s;
       phi = difference > 0. ? ((s - exact) / E - at_end) / ((1. - gamma_stage) * difference) : 0.;
@@ -162,7 +164,7 @@ inline void RingIncrement::set_weights(const FibreStrains &old_strain, const dou
  * What the rates of creep at the start and in both stages tell of the next term of the series, or
  * if that is less, of the term that SDIRK2 has; of the rates, or if that is less and relaxation is
  * exact, of what they differ by from it. And what doses that do not come evenly make of a stress
- * that changes.
+ * that changes from the first stage to the end, but for what it relaxes alone.
  */
 inline void RingIncrement::estimate_error() {
   const auto smaller = [](const double k0, const double k1, const double k2) {
@@ -183,13 +185,24 @@ inline void RingIncrement::estimate_error() {
                        ? std::min(by_rates, by_others + share_of_stress * by_rates)
                        : by_rates;
     if (!creep.comes_evenly()) {
-      const double primary = ring.start[i].primary;
-      const Creep::Delayed from = creep.delayed(old_s[i], primary),
-                           to = creep.delayed(b.s, primary);
-      known += std::abs(to.secondary * b.x - from.secondary * old_x[i]) +
-               std::abs(to.primary * b.x - from.primary * old_x[i]);
-      shear_delayed[0] += 3. * (to.secondary * ring.tau - from.secondary * old_tau) / n;
-      shear_delayed[1] += 3. * (to.primary * ring.tau - from.primary * old_tau) / n;
+      const double primary = ring.start[i].primary, way = std::copysign(1. - gamma_stage, old_x[i]);
+      const Creep::Delayed from = creep.delayed(a.s, primary), to = creep.delayed(b.s, primary),
+                           alone_from = creep.delayed(relaxed[i][0], primary),
+                           alone_to = creep.delayed(relaxed[i][1], primary);
+      const auto off = [&](double Creep::Delayed::*kind) {
+        const double change = (to.*kind * b.x - from.*kind * a.x) / way,
+                     of_alone =
+                         (alone_to.*kind * relaxed[i][1] - alone_from.*kind * relaxed[i][0]) /
+                         (1. - gamma_stage);
+        return creep.relaxes_by_one_power()
+                   ? std::min(std::abs(change),
+                              std::abs(change - of_alone) + share_of_stress * std::abs(change))
+                   : std::abs(change);
+      };
+      known += off(&Creep::Delayed::secondary) + off(&Creep::Delayed::primary);
+      const double whole = 3. / (1. - gamma_stage) / n;
+      shear_delayed[0] += whole * (to.secondary * ring.tau - from.secondary * first.tau);
+      shear_delayed[1] += whole * (to.primary * ring.tau - from.primary * first.tau);
     }
     error = std::max(error, pipe.E * known);
     shear[0] += 3. * old_q[i] * old_tau / n;

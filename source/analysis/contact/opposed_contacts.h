@@ -23,7 +23,8 @@ std::vector<bool> idle_halves(const Contacts &contacts,
 /**
  * Of a pose whose stability is asked for, those that do not hold it: idle halves, and contacts that
  * carry at most @p nothing [N] with none at their node that touches from the other side. The line
- * leaves them without resistance to one side, and a mode of buckling has two.
+ * leaves them without resistance to one side, and a mode of buckling has two; that other nodes may
+ * bar either is not seen. A law without closed form may pull as well as push, and holds.
  */
 std::vector<bool> contacts_that_do_not_hold(const Contacts &contacts,
                                             const std::function<bool(unsigned int)> &touches,

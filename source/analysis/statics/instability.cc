@@ -6,6 +6,7 @@
 #include <frictionbeam/contact/line_factorization.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace frictionbeam {
@@ -13,29 +14,30 @@ namespace frictionbeam {
 using namespace dealii;
 
 namespace {
-/// Not those that follow the line, nor a moment that keeps its axis on a vertex that may turn about
-/// several: no signs of the stiffness tell then whether a pose is stable.
+/// Not those that follow a vertex that may turn, nor moments that keep their axis where both other
+/// axes are free: no signs of the stiffness tell then whether a pose is stable.
 bool loads_have_potential(const Model &model, const std::vector<double> &factors) {
-  const auto is_free = [&](const types::global_dof_index dof) {
-    const ReducedSpace::Terms terms = model.space.terms(dof);
-    return terms.first != terms.last;
-  };
-  const auto turns_about = [&](const unsigned int vertex) {
-    unsigned int n_axes = 0;
-    for (unsigned int d = 3; d < 6; ++d)
-      if (const auto dof = model.discretization.vertex_dofs().index(vertex, d);
-          dof != numbers::invalid_dof_index && is_free(dof))
-        ++n_axes;
-    return n_axes;
+  const auto free_axes = [&](const unsigned int vertex) {
+    std::array<bool, 3> free{};
+    for (unsigned int d = 0; d < 3; ++d)
+      if (const auto dof = model.discretization.vertex_dofs().index(vertex, 3 + d);
+          dof != numbers::invalid_dof_index) {
+        const ReducedSpace::Terms terms = model.space.terms(dof);
+        free[d] = terms.first != terms.last;
+      }
+    return free;
   };
   for (unsigned int l = 0; l < factors.size(); ++l) {
     if (factors[l] == 0.)
       continue;
-    if (model.scene.loads[l].follows)
-      return false;
-    for (const auto &[vertex, load] : model.linear.nodal(l))
-      if ((load[3] != 0. || load[4] != 0. || load[5] != 0.) && turns_about(vertex) > 1)
+    for (const auto &[vertex, load] : model.linear.nodal(l)) {
+      const std::array<bool, 3> free = free_axes(vertex);
+      if (model.scene.loads[l].follows && (free[0] || free[1] || free[2]))
         return false;
+      for (unsigned int d = 0; d < 3; ++d)
+        if (load[3 + d] != 0. && free[(d + 1) % 3] && free[(d + 2) % 3])
+          return false;
+    }
   }
   return true;
 }

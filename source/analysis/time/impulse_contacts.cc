@@ -3,6 +3,7 @@
 #include "analysis/time/step_helpers.h"
 #include "base/numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -243,7 +244,7 @@ void ImpulseContacts::add_histories(const LineState &from, const double step, Li
     const Contact::Strains change = to.contacts.strain[i] - from.contacts.strain[i] + beyond[i];
     if (!kinds[i].is_exact) { // its law alone knows what slips: all, where it says that it does
       if (slides(to.contact_status[i], to.contact_stress[i]))
-        to.contacts.wear[i] += normal * contact.length * change.segment<2>(1).norm();
+        to.contacts.wear[i] += std::max(0., normal) * contact.length * change.segment<2>(1).norm();
       continue;
     }
     const FrictionThreshold &law = kinds[i].law;

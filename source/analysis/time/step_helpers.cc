@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "analysis/time/step_helpers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace frictionbeam {
@@ -79,7 +80,8 @@ void add_histories(const Contacts &contacts, const LineState &before, LineState 
     after.contacts.impulse[i] = before.contacts.impulse[i] + step * normal;
     after.contacts.wear[i] = before.contacts.wear[i];
     if (after.contact_status[i] != ContactStatus::open)
-      after.contacts.wear[i] += normal * contact.length * slip_in_step(contact, i, before, after);
+      after.contacts.wear[i] +=
+          std::max(0., normal) * contact.length * slip_in_step(contact, i, before, after);
   }
 }
 

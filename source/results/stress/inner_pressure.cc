@@ -29,27 +29,13 @@ struct Part {
   }
 };
 
-/// Factors of the loads that a step ends with: its ramp may be longer than itself.
-std::vector<double> factors_at_end(const Scene &scene, const unsigned int step) {
-  const LoadStep &declared = scene.steps[step];
-  std::vector<double> factors = declared_factors(scene, declared);
-  const auto before = step_before(scene, step);
-  if (!declared.transient || !(declared.ramp > declared.duration))
-    return factors;
-  const std::vector<double> from =
-      before ? factors_at_end(scene, *before) : std::vector<double>(factors.size(), 0.);
-  for (std::size_t l = 0; l < factors.size(); ++l)
-    factors[l] = from[l] + declared.duration / declared.ramp * (factors[l] - from[l]);
-  return factors;
-}
-
 std::vector<Part> parts_of(const Scene &scene, const unsigned int step, const unsigned int pipe) {
   std::vector<Part> parts;
   const HistoryOrigins origins(scene, step);
   const std::vector<double> to = declared_factors(scene, scene.steps[step]);
   const auto before = step_before(scene, step);
   const std::vector<double> from =
-      before ? factors_at_end(scene, *before) : std::vector<double>(to.size(), 0.);
+      before ? declared_factors(scene, scene.steps[*before]) : std::vector<double>(to.size(), 0.);
   for (std::size_t l = 0; l < to.size(); ++l) {
     const Load &load = scene.loads[l];
     const auto &pipes = load.pipes;
@@ -71,7 +57,7 @@ PressureBounds bounds_of_step(const Scene &scene, const unsigned int step,
                ramp = declared.transient ? declared.ramp : declared.duration;
   const auto pressure = [&](const double time,
                             double (Part::*const side)(const double, const double) const) {
-    const double ramped = ramp > 0. ? std::clamp((time - begin) / ramp, 0., 1.) : 1.;
+    const double ramped = time < begin + ramp ? std::max(0., (time - begin) / ramp) : 1.;
     double sum = 0.;
     for (const Part &part : parts)
       sum += (part.*side)(ramped, time);
