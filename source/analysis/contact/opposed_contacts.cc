@@ -55,7 +55,7 @@ std::vector<bool> contacts_that_do_not_hold(const Contacts &contacts,
   for (const auto &[node, of_node] : closed)
     for (const unsigned int i : of_node)
       result[i] =
-          result[i] || (force(i) <= nothing &&
+          result[i] || (contacts[i].law.has_closed_form() && force(i) <= nothing &&
                         std::none_of(of_node.begin(), of_node.end(), [&](const unsigned int k) {
                           return are_opposed(contacts[k], contacts[i]);
                         }));
