@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The law coulomb with friction that grows with the sliding rate v, f (1 + v/(1 m/s)), with a closed
-// form that says so.
+// The law coulomb with friction that grows with the sliding rate v, f (1 + v/(1 m/s)), with a
+// closed form that says so.
 #include "../coulomb_by_another_name.h"
 
 #include <cmath>
