@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "section/ring_increment.h"
 
+#include <optional>
+
 /**
  * Straight pipe of fibres that yield and creep. The axial strain is plane over the section, the
  * hoop stress follows from the pressure, p r/t, and the shear stress is one over each ring of
@@ -86,12 +88,12 @@ public:
         out.tangent[(n_section_strains + 1) * i] = 0.;
     for (const int i : {1, 2})
       out.stored_energy += out.stress[i] * in.strain[i] / 2.;
-    const auto pipe_before = [&](const double part) {
-      return creep.is_on && in.temperature_change != 0.
-                 ? FibrePipe(p, in.temperature - part * in.temperature_change, in.pressure)
-                 : pipe;
-    };
-    const PipeCourse course{pipe_before(1.), pipe_before(1. - gamma_stage), pipe};
+    std::optional<FibrePipe> at_start, at_first;
+    if (creep.is_on && in.temperature_change != 0.) {
+      at_start.emplace(p, in.temperature - in.temperature_change, in.pressure);
+      at_first.emplace(p, in.temperature - (1. - gamma_stage) * in.temperature_change, in.pressure);
+    }
+    const PipeCourse course{at_start ? *at_start : pipe, at_first ? *at_first : pipe, pipe};
     const FibrePlaces places(at.fibres);
     double error = 0., size = 0.;
     for (int j = 0; j < at.rings; ++j) {

@@ -15,7 +15,7 @@ using FibreStrains = double[n_fibre_strains];
 /// A pipe in the course of an increment: at its start, in the first stage, at its end. Without
 /// creep the end alone is looked at.
 struct PipeCourse {
-  FibrePipe start, first, end;
+  const FibrePipe &start, &first, &end;
 };
 
 /**

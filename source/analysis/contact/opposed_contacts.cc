@@ -12,6 +12,16 @@ bool are_opposed(const Contact &one, const Contact &other) {
   constexpr double opposite = -1. + 1e-9;
   return one.vertices[0] == other.vertices[0] && one.axes.x * other.axes.x < opposite;
 }
+
+/// Contacts that touch, by the pipe's node.
+std::map<unsigned int, std::vector<unsigned int>>
+closed_by_node(const Contacts &contacts, const std::function<bool(unsigned int)> &touches) {
+  std::map<unsigned int, std::vector<unsigned int>> closed;
+  for (unsigned int i = 0; i < contacts.size(); ++i)
+    if (touches(i))
+      closed[contacts[i].vertices[0]].push_back(i);
+  return closed;
+}
 } // namespace
 
 bool is_held_opposite(const Contacts &contacts, const LineState &state, const unsigned int i) {
@@ -26,20 +36,15 @@ std::vector<bool> idle_halves(const Contacts &contacts,
                               const std::function<double(unsigned int)> &force) {
   constexpr double no_force = 1e-9; // of the other's
   std::vector<bool> idle(contacts.size(), false);
-  std::map<unsigned int, std::vector<unsigned int>> closed; // by the pipe's node
-  for (unsigned int i = 0; i < contacts.size(); ++i) {
-    if (!touches(i))
-      continue;
-    auto &others = closed[contacts[i].vertices[0]];
-    for (const unsigned int k : others)
-      if (!idle[k] && are_opposed(contacts[k], contacts[i])) {
-        if (force(i) <= no_force * force(k))
-          idle[i] = true;
-        else if (force(k) <= no_force * force(i))
-          idle[k] = true;
-      }
-    others.push_back(i);
-  }
+  for (const auto &[node, closed] : closed_by_node(contacts, touches))
+    for (auto i = closed.begin(); i != closed.end(); ++i)
+      for (auto k = closed.begin(); k != i; ++k)
+        if (!idle[*k] && are_opposed(contacts[*k], contacts[*i])) {
+          if (force(*i) <= no_force * force(*k))
+            idle[*i] = true;
+          else if (force(*k) <= no_force * force(*i))
+            idle[*k] = true;
+        }
   return idle;
 }
 
@@ -48,15 +53,11 @@ std::vector<bool> contacts_that_do_not_hold(const Contacts &contacts,
                                             const std::function<double(unsigned int)> &force,
                                             const double nothing) {
   std::vector<bool> result = idle_halves(contacts, touches, force);
-  std::map<unsigned int, std::vector<unsigned int>> closed; // by the pipe's node
-  for (unsigned int i = 0; i < contacts.size(); ++i)
-    if (touches(i))
-      closed[contacts[i].vertices[0]].push_back(i);
-  for (const auto &[node, of_node] : closed)
-    for (const unsigned int i : of_node)
+  for (const auto &[node, closed] : closed_by_node(contacts, touches))
+    for (const unsigned int i : closed)
       result[i] =
           result[i] || (contacts[i].law.has_closed_form() && force(i) <= nothing &&
-                        std::none_of(of_node.begin(), of_node.end(), [&](const unsigned int k) {
+                        std::none_of(closed.begin(), closed.end(), [&](const unsigned int k) {
                           return are_opposed(contacts[k], contacts[i]);
                         }));
   return result;

@@ -20,13 +20,6 @@ struct Part {
   double from, to; ///< with its factors [Pa]
   const TimeFunction &history;
   double origin; ///< of its time [s]
-
-  double before(const double ramped, const double time) const {
-    return (from + ramped * (to - from)) * history.before(time - origin);
-  }
-  double after(const double ramped, const double time) const {
-    return (from + ramped * (to - from)) * history.after(time - origin);
-  }
 };
 
 std::vector<Part> parts_of(const Scene &scene, const unsigned int step, const unsigned int pipe) {
@@ -56,14 +49,15 @@ PressureBounds bounds_of_step(const Scene &scene, const unsigned int step,
   const double end = begin + declared.duration,
                ramp = declared.transient ? declared.ramp : declared.duration;
   const auto pressure = [&](const double time,
-                            double (Part::*const side)(const double, const double) const) {
+                            double (TimeFunction::*const side)(double, double) const) {
     const double ramped = time < begin + ramp ? std::max(0., (time - begin) / ramp) : 1.;
     double sum = 0.;
     for (const Part &part : parts)
-      sum += (part.*side)(ramped, time);
+      sum += (part.from + ramped * (part.to - part.from)) *
+             (part.history.*side)(time - part.origin, 0.);
     return sum;
   };
-  const double at_end = pressure(end, &Part::before);
+  const double at_end = pressure(end, &TimeFunction::before);
   PressureBounds result{at_end, at_end};
   if (!declared.transient)
     return result;
@@ -79,9 +73,9 @@ PressureBounds bounds_of_step(const Scene &scene, const unsigned int step,
       instants.push_back(part.origin + corner);
   for (const double time : instants)
     if (time >= begin && time <= end) {
-      take(pressure(time, &Part::after));
+      take(pressure(time, &TimeFunction::after));
       if (time > begin)
-        take(pressure(time, &Part::before));
+        take(pressure(time, &TimeFunction::before));
     }
   return result;
 }
