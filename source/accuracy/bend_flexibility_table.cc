@@ -49,7 +49,7 @@ constexpr Measured table[2][3][4] = {{{{{13.09, 15.07}, {14.05, 13.95}},
                                        {{1.52, 1.53}, {1.48, 1.47}}}}};
 
 /// Where a value stands among measured ones: the interval, and how far in it (0 to 1).
-struct Place {
+struct Interval {
   unsigned int below = 0;
   double part = 0.;
   template <typename Value>
@@ -60,8 +60,8 @@ struct Place {
 
 /// By logarithms, level beyond.
 template <std::size_t n>
-Place place_of(const double value, const std::array<double, n> &measured) {
-  Place place;
+Interval place_of(const double value, const std::array<double, n> &measured) {
+  Interval place;
   while (place.below + 2 < n && measured[place.below + 1] < value)
     ++place.below;
   const double low = measured[place.below], high = measured[place.below + 1];
@@ -82,10 +82,10 @@ double off(const BendShape &bend) {
 } // namespace
 
 BendRatios ratios_of_walls(const BendShape &bend) {
-  const Place h = place_of(bend.h, h_measured), radius = place_of(bend.radius_ratio, radii);
-  const Place tangent{
+  const Interval h = place_of(bend.h, h_measured), radius = place_of(bend.radius_ratio, radii);
+  const Interval tangent{
       0, std::clamp((bend.tangent - tangents[0]) / (tangents[1] - tangents[0]), 0., 1.)};
-  const Place angle{0, right_angle / std::clamp(bend.angle, least_angle, right_angle) - 1.};
+  const Interval angle{0, right_angle / std::clamp(bend.angle, least_angle, right_angle) - 1.};
   const auto ratio = [&](const auto &of) {
     return angle([&](const unsigned int a) {
       return radius([&](const unsigned int R) {

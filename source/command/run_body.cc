@@ -23,7 +23,7 @@ namespace {
 // Of the estimate of a quantity's error from its changes d by one mesh after the other.
 constexpr double fastest = 1. / 3., slowest = 0.5; ///< ratios of changes that are believed
 constexpr double least_by_chance = 1. / 16.;       ///< of the change before, that d is taken for
-constexpr double first_share = 0.25; ///< of the tolerance, if there is one change only
+constexpr double share_of_first_change = 0.25; ///< of the tolerance, if there is one change only
 constexpr double by_energy = 10.;    ///< relative error of a quantity by the squared one in energy
 constexpr double least_share = 0.01; ///< of the largest quantity of its kind, that one counts for
 
@@ -260,7 +260,7 @@ void AdaptiveRun<dim>::run() {
     if (levels.size() > 1) {
       error = std::max(estimated_error(), untouched);
       // Slip zones end where they will: one small change may be chance.
-      reached = error <= (levels.size() == 2 ? first_share : 1.) * settings.tolerance;
+      reached = error <= (levels.size() == 2 ? share_of_first_change : 1.) * settings.tolerance;
     }
     if (!solution.converged || reached)
       break;

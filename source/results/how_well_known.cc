@@ -10,7 +10,7 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double worth_a_remark = 0.05, rounding = 1e-9;
+constexpr double worth_a_remark = 0.05, rounding_of_parts = 1e-9;
 /// Error of the displacements by how much slip has turned within increments, relative to the
 /// largest displacement: 0.35 to 0.43 on a node that goes along a tractrix, 0.4 to 0.9 on lines
 /// with rests in 1 to 8 increments a step, each against 64 or more (doc/accuracy.md).
@@ -55,7 +55,7 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
     return {0., "there is no static increment"};
   if (has_flowed(results))
     return {{}, "pipes yield or creep within increments; Accuracy measures it"};
-  constexpr double as_near = 1. + rounding;
+  constexpr double as_near = 1. + rounding_of_parts;
   if (std::any_of(results.steps.begin(), results.steps.end(), [](const StepReport &step) {
         return step.limit && !(step.limit->bound <= as_near * step.limit->reached);
       }))
@@ -87,7 +87,7 @@ KnownError by_increments(const Scene &scene, const Results &results, const Resol
     return {{},
             "a contact closes, opens, turns back or lets go within an increment, where friction of "
             "others may turn unseen; Accuracy measures it"};
-  if (all.slip_turned <= rounding * all.largest_displacement)
+  if (all.slip_turned <= rounding_of_parts * all.largest_displacement)
     return {0., "no friction force has turned within an increment"};
   return {error_by_turned_slip * all.slip_turned / all.largest_displacement,
           "by how much friction forces turn while they slip within increments"};
@@ -195,11 +195,11 @@ KnownError by_cells(const Scene &scene, const Results &results, const Resolution
     const double angle = right_angle / scene.mesh.cells_per_bend;
     error = angle * angle / 12.;
   }
-  if (all.unbent > rounding * all.largest_displacement)
+  if (all.unbent > rounding_of_parts * all.largest_displacement)
     error += error_by_unbent_cells * all.unbent / all.largest_displacement;
   if (scene.kinematics == Kinematics::corotational) {
     const AxialForces forces = axial_forces_in_cells(scene, results);
-    if (forces.compression > std::max(error, rounding))
+    if (forces.compression > std::max(error, rounding_of_parts))
       return {{}, "compression bends cells within themselves; Accuracy measures it"};
     // What the tension of a cell is beyond its bending changes where it bends, not how much.
     error += forces.tension / (1. + 4. * forces.tension);
@@ -245,7 +245,7 @@ double unseen_yield(const Results &results) {
   double largest = 0.;
   for (const StepReport &step : results.steps)
     largest = std::max(largest, step.sections.unseen_yield);
-  return largest > rounding ? largest : 0.;
+  return largest > rounding_of_parts ? largest : 0.;
 }
 
 void add_remarks(const HowWellKnown &known, const bool chooses_increments, Results &results) {

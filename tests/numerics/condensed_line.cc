@@ -79,7 +79,7 @@ void check_line(const LineFrom &line, const int n_rests) {
 
 } // namespace
 
-int main() {
+int condensed_line(int, char **) {
   // Two rests, a bend between them and cells that no contact touches.
   check_line(line_of("A 0 0 0; P 4 0 0; 8 0 0 bend 1; Q 8 6 0; B 8 9 0", "P, Q"), 2);
   // Spans of 4 m, equal along x and along y.

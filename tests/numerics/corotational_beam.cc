@@ -50,7 +50,7 @@ Beam::Ends moved(Beam::Ends ends, const Beam::Vector12 &by) {
 
 } // namespace
 
-int main() {
+int corotational_beam(int, char **) {
   const Beam beam(chord, Eigen::Matrix3d::Identity(), stiffness());
   const Eigen::Quaterniond R = turn({0.4, -1.1, 2.});
   const auto rigid = beam.deform({R * chord - chord, {R, R}});

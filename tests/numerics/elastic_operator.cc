@@ -92,7 +92,7 @@ void try_mesh(const unsigned int degree, const bool refined, const bool distorte
 
 } // namespace
 
-int main() {
+int elastic_operator(int, char **) {
   for (const unsigned int degree : {1, 2, 3}) {
     for (const bool refined : {false, true}) {
       try_mesh<2>(degree, refined, false);

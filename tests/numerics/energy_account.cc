@@ -43,7 +43,7 @@ subsection Step pull
 
 } // namespace
 
-int main() {
+int energy_account(int, char **) {
   const double F = 15., friction = 0.5 * 20., k = 1000., u = (F - friction) / k;
   for (const unsigned int n : {3u, 12u}) { // slip begins at the end of an increment, at 2/3
     const LineFrom line(scene(n));

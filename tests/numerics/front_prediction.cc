@@ -147,7 +147,7 @@ unsigned int n_to_carry(const double force, const std::vector<double> &press) {
 
 } // namespace
 
-int main() {
+int front_prediction(int, char **) {
   predict();
 
   LawLibrary laws;

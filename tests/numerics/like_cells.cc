@@ -74,7 +74,7 @@ void compare(const std::string &bends, const std::size_t n_kinds) {
 
 } // namespace
 
-int main() {
+int like_cells(int, char **) {
   // Of the wide one: 3 m, 4 m, two ends of legs beside the bend and the bend's pieces; one narrow.
   compare("straight pieces", 6);
   compare("arcs", 5);

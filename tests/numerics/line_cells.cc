@@ -112,7 +112,7 @@ void check_equal(const EnergyAccount &one, const EnergyAccount &two) {
 
 } // namespace
 
-int main() {
+int line_cells(int, char **) {
   const LineFrom line(scene);
   const Model &model = line.model;
   CHECK(!model.cells.is_linear()); // its tail has a law, so that there are places for tangents

@@ -127,7 +127,7 @@ void factors() {
 
 } // namespace
 
-int main() {
+int line_factorization(int, char **) {
   factors<contact::LineFactorization>();
   factors<BlockFactorization>();
   for (const int n_loops : {0, 1, 9, 100})

@@ -227,7 +227,7 @@ void few_planar_contacts_are_solved() {
 
 } // namespace
 
-int main() {
+int local_contact_solver(int, char **) {
   few_planar_contacts_are_solved();
   const auto open = contact::solve_local_contact(one_contact({1., 0.3, 0.}), 1e-12);
   CHECK(open.converged && open.reactions.norm() == 0.);

@@ -30,7 +30,7 @@ bool is_refused(const Pipe &pipe) {
 
 } // namespace
 
-int main() {
+int pipe_path(int, char **) {
   const PipePath path(elbow(1.), UnitSystem());
   CHECK(path.segments().size() == 3);
   CHECK_NEAR(path.length(), 2. + pi / 2. + 3., 1e-14);

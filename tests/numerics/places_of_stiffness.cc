@@ -71,7 +71,7 @@ Vector solve(const Model &model, const bool rests_between) {
 
 } // namespace
 
-int main() {
+int places_of_stiffness(int, char **) {
   const LineFrom line(text), turning(std::string("set Kinematics = corotational\n") + text);
   const SparseMatrix &K = line.model.linear.stiffness(), &all = turning.model.linear.stiffness();
   CHECK(K.nonZeros() < 0.6 * all.nonZeros());

@@ -41,7 +41,7 @@ void check_points(const double tolerance, const double from) {
 
 } // namespace
 
-int main() {
+int point_set(int, char **) {
   check_points(1e-6, 0.);
   check_points(1e-6, -1e5);
   check_points(0.25, 3.);

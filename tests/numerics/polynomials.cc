@@ -43,7 +43,7 @@ void interpolates(const double length, const bool smooth_expected) {
 
 } // namespace
 
-int main() {
+int polynomials(int, char **) {
   const Polynomial p = polynomial({1., -2., 3.}), q = polynomial({0., 1., 0., 4.});
   CHECK_NEAR(value(p, 0.5), 0.75, 1e-15);
   CHECK_NEAR(value(derivative(q), 0.5), 4., 1e-15);

@@ -131,7 +131,7 @@ void become_oval(const FreeWall &wall, const unsigned int n, const double tolera
 
 } // namespace
 
-int main() {
+int pressure_stiffness(int, char **) {
   move_as_a_whole(2);
   const LineFrom tube(pipe("A 0 0 0; B 0.2 0 0", 3, 16));
   const FreeWall wall(tube);

@@ -73,7 +73,7 @@ Chain::Solution solve(const Chain &chain, const Chain::Vector12 &motions,
 
 } // namespace
 
-int main() {
+int section_chain(int, char **) {
   const Chain chain = straight();
   const Chain::Matrix12 &K = chain.elastic_stiffness();
   const double phi = 12. * EI / (GA * length * length);

@@ -117,7 +117,7 @@ void check_forgetting() {
 
 } // namespace
 
-int main() {
+int section_watch(int, char **) {
   check_places();
   check_forgetting();
   return check::report();

@@ -172,7 +172,7 @@ void test_matched_record() {
 
 } // namespace
 
-int main() {
+int spectra(int, char **) {
   test_oscillators();
   test_combinations();
   test_matched_record();

@@ -91,7 +91,7 @@ void refused(const std::string &text, const std::string &message) {
 
 } // namespace
 
-int main() {
+int table_rows(int, char **) {
   fields();
   rows();
   curves();

@@ -9,7 +9,7 @@
 
 using namespace frictionbeam;
 
-int main() {
+int taylor_motion(int, char **) {
   const LineFrom line(R"(
 subsection Point P
 end

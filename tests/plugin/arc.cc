@@ -177,7 +177,7 @@ void clamped() {
 
 } // namespace
 
-int main() {
+int arc(int, char **) {
   quadrature_and_rigid_motions();
   castigliano();
   clamped();

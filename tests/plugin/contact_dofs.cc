@@ -126,7 +126,7 @@ void of_a_line() {
 
 } // namespace
 
-int main() {
+int contact_dofs(int, char **) {
   systems<2>();
   systems<3>();
   beside_nothing();

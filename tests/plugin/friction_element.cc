@@ -210,7 +210,7 @@ void beam_on_support() {
 
 } // namespace
 
-int main() {
+int friction_element(int, char **) {
   for (const bool torsion : {false, true}) {
     moments(Rotations::none, torsion, 0., 0.);
     moments(Rotations::averaged, torsion, l / 2, l / 2);

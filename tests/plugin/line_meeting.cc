@@ -203,7 +203,7 @@ void names() {
 
 } // namespace
 
-int main() {
+int line_meeting(int, char **) {
   deal_II_exceptions::disable_abort_on_exception();
   std::vector<unsigned int> place = {0, 1, 2};
   do

@@ -267,7 +267,7 @@ void refused(const std::vector<Point<3>> &vertices, const std::vector<LineCell> 
 
 } // namespace
 
-int main() {
+int line_mesh(int, char **) {
   deal_II_exceptions::disable_abort_on_exception();
   for (const Line &line : lines())
     for (unsigned int seed = 0; seed < 40; ++seed)

@@ -8,7 +8,7 @@
 
 using namespace host;
 
-int main(int argc, char **argv) {
+int line_shared(int argc, char **argv) {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const MPI_Comm all_processes = MPI_COMM_WORLD;
   const unsigned int n_cells = 12, n_processes = Utilities::MPI::n_mpi_processes(all_processes);

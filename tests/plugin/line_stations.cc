@@ -231,7 +231,7 @@ void postprocessor_of_other_dofs() {
 
 } // namespace
 
-int main() {
+int line_stations(int, char **) {
   deal_II_exceptions::disable_abort_on_exception();
   uniform_load();
   ring();

@@ -201,7 +201,7 @@ void moment_past_a_support(const std::vector<unsigned int> &place) {
 
 } // namespace
 
-int main() {
+int shared_vertices(int, char **) {
   for (const unsigned int size : {2, 3, 4})
     every_set(size);
   random_stars(1000);

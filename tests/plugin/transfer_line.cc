@@ -271,7 +271,7 @@ void refusals() {
 
 } // namespace
 
-int main() {
+int transfer_line(int, char **) {
   deal_II_exceptions::disable_abort_on_exception();
   bending();
   rigid_motion();

@@ -13,10 +13,11 @@ namespace frictionbeam {
 namespace {
 
 constexpr int n_nodes = 12, n_orders = 31;
-constexpr unsigned int most_iterations = 15;
+constexpr unsigned int most_slip_iterations = 15;
 constexpr double largest_turn = 0.5, small_turn = 1e-12, noise_of_turn = 1e-8;
-constexpr double rounding = 1e-9; ///< of velocities at the start, of the fastest in the piece
-constexpr double rounding_of_values = 1e-15; ///< of friction, which its derivative multiplies
+constexpr double rounding_of_velocities =
+    1e-9; ///< of velocities at the start, of the fastest in the piece
+constexpr double rounding_of_friction = 1e-15; ///< of friction, which its derivative multiplies
 
 using Eigen::MatrixXd, Eigen::VectorXd, Eigen::Vector2d;
 
@@ -214,7 +215,7 @@ bool Piece::solve() {
   MatrixXd jacobian(2 * m, 2 * m); // angles, then normal forces
   VectorXd residual(2 * m);
   double turn_before = 1e300;
-  for (unsigned int iteration = 0; iteration <= most_iterations; ++iteration) {
+  for (unsigned int iteration = 0; iteration <= most_slip_iterations; ++iteration) {
     const VectorXd values = constant + matrix * all_friction();
     MatrixXd slopes(matrix.rows(), 2 * m);
     for (int k = 0; k < m; ++k) {
@@ -267,9 +268,10 @@ bool Piece::is_resolved(const double tolerance) const {
     double fastest = 0.;
     for (int p = 0; p < n_points; ++p)
       fastest = std::max(fastest, values.segment<2>(row(i, p)).norm());
-    const double noise = contacts[i].compliance / length * rounding_of_values * largest *
+    const double noise = contacts[i].compliance / length * rounding_of_friction * largest *
                          basis.derivatives.cwiseAbs().rowwise().sum().maxCoeff();
-    if (unit(angles[unknown(i, 0)]).dot(values.segment<2>(row(i, 0))) < -rounding * fastest - noise)
+    if (unit(angles[unknown(i, 0)]).dot(values.segment<2>(row(i, 0))) <
+        -rounding_of_velocities * fastest - noise)
       return false;
     for (int p = n_nodes; p < n_points; ++p) {
       const Vector2d t = at_points.col(p), w = values.segment<2>(row(i, p));

@@ -9,7 +9,6 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double at_rest = 1e-12;         ///< of the fastest velocity so far
 constexpr double rounding_of_rate = 1e-6; ///< of ground motions, of the fastest velocity
 constexpr double no_jump = 1e-9;          ///< of the largest jump at that instant
 constexpr double gap_rounding = 1e-12;

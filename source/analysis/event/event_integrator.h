@@ -7,6 +7,9 @@
 
 namespace frictionbeam {
 
+/// What does not move, in parts of the fastest velocity so far.
+inline constexpr double at_rest = 1e-12;
+
 /**
  * From one change of a contact's state to the next: in between the motion is linear and known to
  * rounding (TaylorMotion), and so are the instants of slip, stick, closing and opening, roots of

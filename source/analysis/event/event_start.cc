@@ -8,11 +8,10 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr unsigned int most_iterations = 5000;
-constexpr double tolerance = 1e-14;           ///< of the largest force
-constexpr double good_enough = 1e-9;          ///< of it, where most_iterations do not get so far
-constexpr double at_rest = 1e-12;             ///< of the fastest velocity so far
-constexpr double no_acceleration = 1e-9;      ///< of the largest of the parts that it is the sum of
+constexpr unsigned int most_start_iterations = 5000;
+constexpr double tolerance = 1e-14;      ///< of the largest force
+constexpr double good_enough = 1e-9;     ///< of it, where most_start_iterations do not get so far
+constexpr double no_acceleration = 1e-9; ///< of the largest of the parts that it is the sum of
 constexpr double well_below_the_limit = 1e-6; ///< friction that has been relieved
 
 } // namespace
@@ -52,7 +51,7 @@ struct EventIntegrator::SharedStart {
   template <typename Next>
   bool solve(const Next &next) {
     double change = 0.;
-    for (unsigned int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (unsigned int iteration = 0; iteration < most_start_iterations; ++iteration) {
       change = 0.;
       for (int k = 0; 2 * k < tau.size(); ++k) {
         const Eigen::Vector2d changed = next(k);

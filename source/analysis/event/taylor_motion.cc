@@ -9,7 +9,7 @@
 namespace frictionbeam {
 
 namespace {
-constexpr double rounding = 1e-17;
+constexpr double rounding_of_terms = 1e-17;
 constexpr double dependent = 1e-11; ///< constraints, by pivots of the matrix that couples them
 } // namespace
 
@@ -230,7 +230,7 @@ double TaylorMotion::valid_part() const {
       double allowed = part;
       for (const int k : {order - 1, order})
         if (const double term = m->col(k).lpNorm<Eigen::Infinity>(); term > 0.)
-          allowed = std::min(allowed, std::pow(rounding * largest / term, 1. / k));
+          allowed = std::min(allowed, std::pow(rounding_of_terms * largest / term, 1. / k));
       if (allowed >= 0.999 * part)
         break;
       part = allowed;

@@ -8,8 +8,8 @@
 namespace frictionbeam {
 
 namespace {
-constexpr double same_shape = 1e-7; ///< of its norm: less of a shape is in the others
-constexpr double rounding = 1e-12;  ///< of what a shape is the difference of
+constexpr double same_shape = 1e-7;          ///< of its norm: less of a shape is in the others
+constexpr double rounding_of_shapes = 1e-12; ///< of what a shape is the difference of
 } // namespace
 
 StaticShapes::StaticShapes(const PartOfLine &part, const Eigen::MatrixXd &modes,
@@ -26,7 +26,7 @@ void StaticShapes::add(Vector shape, const Eigen::SparseMatrix<double> &norm, co
       shape -= other.dot(part.K * shape) * other;
   }
   const double left = size(shape);
-  if (left > same_shape * whole && left > rounding * of)
+  if (left > same_shape * whole && left > rounding_of_shapes * of)
     shapes.push_back(shape / std::sqrt(shape.dot(part.K * shape)));
 }
 

@@ -15,11 +15,12 @@ constexpr double small_step = 1e-3; // of the extent, within which nothing snaps
 constexpr double large_step = 0.05; // of the extent
 constexpr double most_deviation = 0.3; // of the expected gain
 constexpr double of_loads = 0.01;      // which the expected gain may be off by besides
-constexpr double rounding = 1e-12, rounding_of_all = 1e-9; // of the extent: of an increment, and
-                                                           // of all of the loads at its rate
-constexpr double flat = 1e-6;                              // of the first slope
-constexpr double no_gain = 1e-6;                           // of the loads, in an increment
-constexpr unsigned int most_first_halvings = 40;           // loads of any size may be declared
+constexpr double rounding_of_increment = 1e-12,
+                 rounding_of_all = 1e-9;         // of the extent: of an increment, and
+                                                 // of all of the loads at its rate
+constexpr double flat = 1e-6;                    // of the first slope
+constexpr double no_gain = 1e-6;                 // of the loads, in an increment
+constexpr unsigned int most_first_halvings = 40; // loads of any size may be declared
 constexpr unsigned int several = 3;
 constexpr double soft = 1e-2;       // of the first slope
 constexpr double most_growth = 10.; // of a motion over what is expected, where hinges form
@@ -104,7 +105,8 @@ void LimitPath::add(const Vector &moved, const double gained, const double done)
   n_halved = 0;
   const double length = measure(moved);
   // A straight bar that is held at both ends, say, moves by nothing but rounding until it buckles.
-  if (length <= (is_at_rest() ? extent * std::max(rounding, rounding_of_all * gained) : 0.))
+  if (length <=
+      (is_at_rest() ? extent * std::max(rounding_of_increment, rounding_of_all * gained) : 0.))
     return;
   if (first_slope == 0.)
     first_slope = gained / length;

@@ -16,14 +16,15 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr int n_parts = 8;          ///< of a straight cell
-constexpr double held = 1e3;        ///< stiffness of what is rigid, of the line's largest
-constexpr double rounding = 1e-12;  ///< of a diagonal: what slides freely has no stiffness at all
+constexpr int n_parts = 8;   ///< of a straight cell
+constexpr double held = 1e3; ///< stiffness of what is rigid, of the line's largest
+constexpr double rounding_of_diagonal =
+    1e-12;                          ///< of a diagonal: what slides freely has no stiffness at all
 constexpr double nothing = 1e-18;   ///< of the largest one, for unknowns without any
 constexpr double resolved = 1e-5;   ///< of the factor
 constexpr double takes_part = 0.02; ///< of the cell that bends most
 constexpr double few = 0.3;         ///< N l^2/EI below which a cell is one
-constexpr double no_force = 1e-9;   ///< of the support's, or of the largest along a pipe
+constexpr double carries_nothing = 1e-9; ///< of the support's, or of the largest along a pipe
 
 using Matrix4 = Eigen::Matrix4d;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
@@ -56,7 +57,7 @@ std::vector<SupportState> states_of_contacts(const Contacts &contacts, const Fra
       edge.fn = (edge.fn + way * of_tilt) / 2.;
       edge.ft1 /= 2.;
       edge.ft2 /= 2.;
-      if (edge.fn <= no_force * frame.supports[i].fn) {
+      if (edge.fn <= carries_nothing * frame.supports[i].fn) {
         edge.status = ContactStatus::open;
         edge.gap = std::numeric_limits<double>::infinity();
       }
@@ -241,13 +242,13 @@ private:
                                    !stands_off(states[i], touching));
     };
     const auto force = [&](const unsigned int i) { return std::abs(states[i].fn); };
-    const std::vector<bool> idle =
-        contacts_that_do_not_hold(model.contacts, touches, force, no_force * largest_force());
+    const std::vector<bool> idle = contacts_that_do_not_hold(model.contacts, touches, force,
+                                                             carries_nothing * largest_force());
     for (unsigned int i = 0; i < model.contacts.size(); ++i)
       if (touches(i) && !idle[i])
         add_contact(model.contacts[i], states[i], held * largest, entries);
     for (int i = 0; i < diagonal.size(); ++i)
-      entries.emplace_back(i, i, rounding * diagonal[i] + nothing * largest);
+      entries.emplace_back(i, i, rounding_of_diagonal * diagonal[i] + nothing * largest);
     SparseMatrix supports(base.rows(), base.cols());
     supports.setFromTriplets(entries.begin(), entries.end());
     base += supports;

@@ -14,8 +14,8 @@ namespace frictionbeam {
 
 namespace {
 
-constexpr double worth_a_remark = 0.01; // of the largest bending stress at stations
-constexpr unsigned int n_places = 16;   // within three stations
+constexpr double worth_more_stations = 0.01; // of the largest bending stress at stations
+constexpr unsigned int n_places = 16;        // within three stations
 
 /// Bending moment of a station over what makes a stress of it [Pa].
 double bending_stress(const Section &section, const double My, const double Mz) {
@@ -70,10 +70,10 @@ void remark_on_peaks_between_stations(const Scene &scene, Results &results) {
     }
   }
   const double missed = between.stress / at_stations - 1.;
-  if (!(at_stations > 0.) || !(missed > worth_a_remark))
+  if (!(at_stations > 0.) || !(missed > worth_more_stations))
     return;
   const unsigned int enough =
-      std::ceil((scene.output.stations + 1) * std::sqrt(missed / worth_a_remark));
+      std::ceil((scene.output.stations + 1) * std::sqrt(missed / worth_more_stations));
   results.remarks.push_back(
       "Pipe " + between.pipe +
       " bends more at s = " + rounded_number(between.s / scene.units.factor("m"), 4) + " " +

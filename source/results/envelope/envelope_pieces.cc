@@ -41,7 +41,7 @@ void use_extremes(const Use &use, const Size &size, Extremes &known, const AtLar
 }
 
 /// Of what kind numbers are, so that rounding of one is told by the size of all.
-enum Kind { force, moment, displacement, rotation, energy };
+enum NumberKind { force, moment, displacement, rotation, energy };
 
 /// The largest value of a function of instants: that of the courses' points, and beside the largest
 /// of them by golden sections.

@@ -9,7 +9,7 @@ namespace frictionbeam {
 namespace {
 
 constexpr int first_degree = 4, last_degree = 32;
-constexpr double rounding = 1e-12, pi = 3.14159265358979323846;
+constexpr double rounding_of_coefficients = 1e-12, pi = 3.14159265358979323846;
 
 /// Values in Chebyshev's points to coefficients, exact for the degree.
 Eigen::MatrixXd transformation(const int n) {
@@ -122,7 +122,8 @@ bool SmoothCourses::interpolate(const Eigen::VectorXd &sizes) {
   for (Eigen::Index f = 0; f < coefficients.cols(); ++f) {
     const double largest =
         std::max(coefficients.col(f).lpNorm<Eigen::Infinity>(), sizes.size() > 0 ? sizes[f] : 0.);
-    if (!(coefficients.col(f).tail(2).lpNorm<Eigen::Infinity>() <= rounding * largest))
+    if (!(coefficients.col(f).tail(2).lpNorm<Eigen::Infinity>() <=
+          rounding_of_coefficients * largest))
       return false;
   }
   return true;

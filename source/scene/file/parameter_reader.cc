@@ -258,14 +258,14 @@ std::vector<double> ParameterReader::numbers(const std::string &name) const {
   return result;
 }
 
-double ParameterReader::in_bounds(const std::string &entry, const double si_value,
+double ParameterReader::in_bounds(const std::string &entry, const double in_si,
                                   const std::string &si_unit, const bool is_positive) const {
   const PhysicalBounds bounds = physical_bounds(si_unit);
   // Rounding may leave numbers that are as good as 0, but none that small.
   const double least = is_positive ? bounds.smallest : std::min(bounds.smallest, 1e-60);
-  const double size = std::abs(si_value);
+  const double size = std::abs(in_si);
   if ((size == 0. && !is_positive) || (size >= least && size <= bounds.largest))
-    return si_value;
+    return in_si;
   const double factor = units.factor(si_unit);
   fail(entry,
        std::string("numbers of a size that physics knows, ") + (is_positive ? "" : "0 or ") +

@@ -72,8 +72,8 @@ public:
   }
   std::vector<std::string> list(const std::string &name) const; ///< between commas, no empty item
   std::vector<double> numbers(const std::string &name) const;   ///< between blanks, as written
-  /// @p si_value, which the entry has in it. @throws UserError if no model has such a number.
-  double in_bounds(const std::string &entry, const double si_value, const std::string &si_unit,
+  /// @p in_si, which the entry has in it. @throws UserError if no model has such a number.
+  double in_bounds(const std::string &entry, const double in_si, const std::string &si_unit,
                    const bool is_positive = false) const;
   /// Three numbers, in SI units where the file has them in its own for @p si_unit.
   dealii::Tensor<1, 3> vector(const std::string &name, const std::string &si_unit = "-") const;
