@@ -65,9 +65,13 @@ unsigned int n_internal_variables(const LawDescription &law,
 BoundLaw::BoundLaw(const LawDescription &law, const std::vector<double> &parameters)
     : law(&law), values(checked(law, parameters)),
       n_variables(frictionbeam::n_internal_variables(law, parameters)) {
+  for (int i = 0; i < law.n_parameters && law.kind == LawKind::support; ++i)
+    if (std::string("Gap") == law.parameters[i].name)
+      travel = values[i];
   if (law.threshold == nullptr)
     return;
   form = closed_form_at_rest(law, values);
+  travel = form.gap;
   is_constant = !form.varies;
   if (form.varies) // that of another instant is not to be believed
     form = {};
@@ -120,8 +124,12 @@ SectionReport BoundLaw::report(const double *strain, const double element_length
                                const LawIncrement &increment, const double *new_state,
                                const double *const since) const {
   SectionReport result;
-  if (!tells_of_sections(*law) || law->report == nullptr)
+  if (!tells_of_sections(*law) || law->report == nullptr) {
+    if (n_internal_variables() > 0) // else nothing can flow
+      result.utilization = result.plastic_strain = result.creep_strain =
+          std::numeric_limits<double>::quiet_NaN();
     return result;
+  }
   const double no_rate[n_section_strains] = {};
   LawInput input = input_of(strain, element_length, increment);
   input.strain_rate = no_rate;

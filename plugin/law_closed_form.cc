@@ -19,6 +19,7 @@ constexpr double element_length = 0.5; // [m]
 /// Where a closed form is asked.
 struct Instant {
   double temperature = 20., rate = 0., time = 1., time_increment = 0.25; // degC, 1/s, s, s
+  double normal_rate = 0.;                                               // 1/s
 };
 
 /// What a law is given there, but for strain and displacement.
@@ -40,7 +41,8 @@ LawInput input_at(const Instant &instant, const std::vector<double> &parameters,
 FrictionThreshold form_at(const LawDescription &law, const std::vector<double> &parameters,
                           const Instant &instant, const std::vector<double> &old_state) {
   const double zero[n_support_strains] = {},
-               strain_rate[n_support_strains] = {0., instant.rate, -instant.rate, 0.};
+               strain_rate[n_support_strains] = {instant.normal_rate, instant.rate, -instant.rate,
+                                                 0.};
   return closed_form(law, input_at(instant, parameters, zero, strain_rate, zero, old_state));
 }
 
@@ -59,6 +61,12 @@ std::vector<double> state_of(const FrictionThreshold &places, const unsigned int
 std::string text_of(const Instant &instant) {
   std::ostringstream text;
   text << "temperature " << instant.temperature << " degC, rates of " << instant.rate << " 1/s";
+  if (instant.normal_rate != 0.)
+    text << ", along the normal of " << instant.normal_rate << " 1/s";
+  if (instant.time != Instant().time)
+    text << ", at " << instant.time << " s";
+  if (instant.time_increment == 0.)
+    text << ", in statics";
   return text.str();
 }
 
@@ -148,8 +156,24 @@ public:
   std::vector<std::string> faults;
 
   /// Compare on strains from a tenth of the stick limit to ten times the limit, open and closed,
-  /// from rest and from slip, until something is wrong.
+  /// from rest and from slip, until something is wrong; at more instants below and above the limit.
   void run() {
+    run_at_two_temperatures();
+    for (const Instant &other :
+         {Instant{-200.}, Instant{350.}, Instant{700.}, Instant{1200.}, Instant{20., 0., 0.},
+          Instant{20., 0., 100.}, Instant{20., 0., 1e7}, Instant{20., 0., 1., 0.},
+          Instant{20., 0., 1., 0.25, -0.2}}) {
+      old_state = state_of(form, law.n_internal_variables, 0., 0., 0.);
+      instant = other;
+      form = form_at(law, parameters, instant, old_state);
+      for (const double share : {0.9, 1.1})
+        if (faults.empty())
+          compare({-1e-2 - form.gap / element_length, 0., 0., 0.}, share, 0.3);
+    }
+  }
+
+private:
+  void run_at_two_temperatures() {
     std::vector<double> memories = {0.};
     if (law.n_internal_variables > 4)
       memories.push_back(1e-2);
@@ -172,9 +196,9 @@ public:
               }
   }
 
-private:
   LawStatus evaluate(const Strain &strain, const LawTangent kind) {
-    const double strain_rate[n_support_strains] = {0., instant.rate, -instant.rate, 0.};
+    const double strain_rate[n_support_strains] = {instant.normal_rate, instant.rate, -instant.rate,
+                                                   0.};
     const double displacement[3] = {strain[0] * element_length, strain[1] * element_length,
                                     strain[2] * element_length};
     LawInput input =
@@ -226,7 +250,7 @@ private:
     std::ostringstream text;
     text << "its closed form disagrees with integrate(): " << what << ' ' << expected
          << " by the closed form, " << found << " by integrate()";
-    if (instant.temperature != 20. || instant.rate != 0.)
+    if (text_of(instant) != text_of(Instant()))
       text << " (" << text_of(instant)
            << "; threshold() has them in its LawInput, and says so by FrictionThreshold::varies)";
     faults.push_back(text.str());

@@ -29,6 +29,39 @@ struct Increment {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Closed, around a square across the normal to either side, opened; likewise, and twisted;
+/// opened, and closed again from elsewhere.
+inline std::vector<std::vector<Vector>> ways_of(const double n, const double across) {
+  std::vector<std::vector<Vector>> ways;
+  for (const double turn : {across, -across})
+    ways.push_back({{n, 0., 0., 0.},
+                    {-n, 0., 0., 0.},
+                    {-n, across, 0., 0.},
+                    {-n, across, turn, 0.},
+                    {-n, 0., turn, 0.},
+                    {-n, 0., 0., 0.},
+                    {n, 0., 0., 0.}});
+  for (const double twist : {across, 100. * across})
+    ways.push_back({{n, 0., 0., 0.},
+                    {-n, 0., 0., 0.},
+                    {-n, 0., 0., twist},
+                    {-n, 0., 0., -twist},
+                    {-n, 0., 0., 0.},
+                    {n, 0., 0., 0.}});
+  for (const int i : {1, 2}) {
+    Vector away = {n, 0., 0., 0.}, closed = {-n, 0., 0., 0.};
+    away[i] = closed[i] = across;
+    ways.push_back({{n, 0., 0., 0.},
+                    {-n, 0., 0., 0.},
+                    {n, 0., 0., 0.},
+                    away,
+                    closed,
+                    {-n, 0., 0., 0.},
+                    {n, 0., 0., 0.}});
+  }
+  return ways;
+}
+
 /// A law with parameters, asked increment by increment; results that it does not write are no
 /// numbers.
 class LawDriver {
@@ -114,6 +147,32 @@ public:
     for (const double x : evaluate(increment, LawTangent::elastic).tangent)
       rigidity = std::max(rigidity, std::abs(x));
     return 1e-15 * rigidity * size(increment.strain);
+  }
+
+  /// Entries of a column of the tangent that are not difference quotients of this step.
+  /// @param column gets its largest entry, if that is above
+  std::vector<bool> wrong_tangent(const Increment &increment, const Result &result, const int j,
+                                  const double h, double &column) const {
+    const int n = law.n_strains;
+    const double rounding = (1e-14 * size(result.stress) + this->rounding(increment)) / h;
+    const auto moved = [&](const double step) {
+      Increment other = increment;
+      other.strain[j] += step;
+      return evaluate(other, LawTangent::none).stress;
+    };
+    const Vector up = moved(h), down = moved(-h);
+    for (int i = 0; i < n; ++i)
+      column = std::max(
+          {column, std::abs(result.tangent[n * i + j]), std::abs(up[i] - down[i]) / (2 * h)});
+    std::vector<bool> wrong(n, false);
+    for (int i = 0; i < n; ++i) {
+      const double forward = (up[i] - result.stress[i]) / h;
+      const double backward = (result.stress[i] - down[i]) / h;
+      wrong[i] = std::abs(forward - backward) <= 1e-3 * column + rounding && // no kink between
+                 std::abs(result.tangent[n * i + j] - (forward + backward) / 2) >
+                     1e-4 * column + std::abs(forward - backward) / 2 + 10. * rounding;
+    }
+    return wrong;
   }
 
   static bool all_finite(const Vector &v) {

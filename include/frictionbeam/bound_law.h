@@ -45,6 +45,8 @@ public:
   }
   /// Zeros if it has none.
   const FrictionThreshold &closed_form() const { return form; }
+  /// Distance to travel before contact [m]: that of a closed form, else of a parameter `Gap`, or 0.
+  double gap() const { return travel; }
   /// Whether it does not give along its normal.
   bool is_rigid_along_normal() const;
 
@@ -63,7 +65,7 @@ public:
    */
   double elastic_bound(const double *strain, const double element_length,
                        const LawIncrement &increment) const;
-  /// What the state at the end of an increment is like; zeros if the law does not say. @param since
+  /// What the state at the end of an increment is like; NaN if the law does not say. @param since
   /// internal variables from before: strains are those since then; null: all
   SectionReport report(const double *strain, const double element_length,
                        const LawIncrement &increment, const double *new_state,
@@ -86,6 +88,7 @@ private:
   unsigned int n_variables = 0;
   bool is_constant = false; ///< whether it has a closed form, of the parameters alone
   FrictionThreshold form{};
+  double travel = 0.;
 };
 
 } // namespace frictionbeam

@@ -39,7 +39,7 @@ constexpr int n = is_section ? n_section_strains : n_support_strains;
 
 constexpr LawParameter parameters[] = {
 #if FRICTIONBEAM_UMAT_IS_SECTION
-    {"Outer diameter", "m", 0.2191, 1e-6, 1e6, "of the pipe"},
+    {"Outside diameter", "m", 0.2191, 1e-6, 1e6, "of the pipe"},
     {"Wall thickness", "m", 0.0063, 1e-9, 1e6, "of the pipe, at most half its diameter"},
     {"Shear modulus", "Pa", 8e10, 0., 1e300, "of shear and torsion, which are elastic"},
     {"Shear area ratio", "-", 0.5, 0., 1., "effective shear area over the metal's area"}

@@ -42,14 +42,24 @@ Outcome CondensedAttempts::solve_from_balanced_forces(Vector &x, Response &respo
 Outcome CondensedAttempts::solve(const bool is_static, Vector &x, Response &response,
                                  Result &result) {
   const std::vector<Strains> centre = proximal.centre;
-  const Outcome outcome = attempts.solve(x, response, result);
+  Outcome outcome = attempts.solve(x, response, result);
+  const bool is_guess = outcome == Outcome::slides_away && newton.is_guess();
+  if (is_guess) {
+    proximal.centre = centre;
+    if (solve_with_drag(x, response, result) == Outcome::slides_away)
+      return Outcome::slides_away;
+    newton.refute();
+    proximal.centre = centre;
+    x = Vector::Zero(equations.S.rows());
+    outcome = attempts.solve(x, response, result);
+  }
   if (outcome != Outcome::stalled || result.iterations >= newton.most_iterations)
     return outcome;
   const bool is_barred = newton.rounding_bars();
   if (is_static) {
     const std::vector<Strains> found = proximal.centre;
     proximal.centre = centre;
-    if (solve_with_drag(x, response, result) == Outcome::slides_away)
+    if (!is_guess && solve_with_drag(x, response, result) == Outcome::slides_away)
       return Outcome::slides_away;
     const Outcome from_forces = solve_from_balanced_forces(x, response, result);
     if (from_forces != Outcome::stalled)

@@ -13,12 +13,13 @@ public:
   /**
    * From no motion; where that stalls, something may be free to move; else from forces that balance
    * the loads on motions without strains, which friction may hold by no more than how contacts
-   * press on each other; else from elsewhere.
+   * press on each other; else from elsewhere. A guess of Newton's that nothing holds is decided by
+   * the solution with drag.
    */
   Outcome solve(const bool is_static, Vector &x, Response &response, Result &result);
   /**
-   * With a drag too small to carry anything: `slides_away` if it is all that holds the loads,
-   * `solved` if what it leads to holds without it.
+   * With a drag too small to carry anything: `slides_away` if it is all that holds the loads, else
+   * `stalled`.
    */
   Outcome solve_with_drag(Vector &x, Response &response, Result &result);
 

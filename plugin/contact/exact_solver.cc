@@ -162,10 +162,13 @@ std::vector<Strains> ExactSolver::Implementation::strains_at(const Pass &now) co
 }
 
 Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, Vector &x) {
+  const auto is_known = [&](const Outcome outcome) {
+    return outcome != Outcome::stalled && !(outcome == Outcome::slides_away && newton.is_guess());
+  };
   if (active_set && active_set->wants_correction()) {
     const Outcome outcome = active_set->correct(x, now.response, now.result);
     now.is_corrected = outcome == Outcome::solved;
-    if (outcome != Outcome::stalled)
+    if (is_known(outcome))
       return outcome;
     start_again(now);
     x.setZero();
@@ -184,8 +187,12 @@ Outcome ExactSolver::Implementation::solve_pass(Pass &now, const bool is_first, 
   if (active_set && is_any) {
     const Outcome outcome =
         active_set->solve(is_first, attempts.best_factor(), x, now.response, now.result);
-    if (outcome != Outcome::stalled)
+    if (is_known(outcome))
       return outcome;
+    if (outcome == Outcome::slides_away) {
+      start_again(now);
+      x.setZero();
+    }
   }
   return attempts.solve(now.is_static(), x, now.response, now.result);
 }

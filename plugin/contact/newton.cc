@@ -60,7 +60,10 @@ private:
 
 } // namespace
 
-void Newton::begin() { is_barred = is_proved = false; }
+void Newton::begin() {
+  is_barred = is_looked_at = guesses = false;
+  may_guess = true;
+}
 
 void Newton::set_drag(const double factor) {
   is_barred = false;
@@ -91,10 +94,11 @@ bool Newton::slides_away(const Vector &x, Response &response) {
   const Vector motion = equations.solve_tangent(forces);
   const double work = forces.dot(motion);
   return work > 0. && motion.dot(S * motion) <= 1e-3 * work && loads_do(work, motion) &&
-         is_resisted_in_vain(motion, response);
+         is_resisted_in_vain(motion, response, false);
 }
 
-bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response) {
+bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response,
+                                 const bool is_solution) {
   constexpr double nothing = 1e-12; // of the motion: a contact that it leaves where it is
   const double size = motion.lpNorm<Eigen::Infinity>();
   for (unsigned int i = 0; i < contacts.size(); ++i) {
@@ -103,13 +107,21 @@ bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response)
         !proximal.gives_utmost(i, response, rate))
       return false;
   }
-  if (!is_proved) { // once for these loads
-    motion_of_proof = find_free_motion(contacts, equations.unknowns_of_contacts(), S, diagonal,
-                                       equations.loads, motion)
-                          .value_or(Vector());
-    is_proved = true;
+  const auto &unknowns = equations.unknowns_of_contacts();
+  if (!is_looked_at) { // once for these loads
+    is_looked_at = true;
+    normal_forces_are_any =
+        free_motions_press(contacts, unknowns, S, diagonal, equations.loads).value_or(true);
+    motion_of_proof = Vector();
+    if (normal_forces_are_any)
+      motion_of_proof =
+          find_free_motion(contacts, unknowns, S, diagonal, equations.loads).value_or(Vector());
   }
-  return motion_of_proof.size() > 0;
+  guesses = !normal_forces_are_any && !is_solution;
+  if (normal_forces_are_any)
+    return motion_of_proof.size() > 0;
+  motion_of_proof = motion;
+  return is_solution || (may_guess && !(equations.drag_factor() > 0.));
 }
 
 std::optional<std::vector<Strains>> Newton::balanced_forces() const {
@@ -133,7 +145,7 @@ bool Newton::drag_alone_holds(const Vector &x, const Response &response) {
   constexpr double hardly_elastic = 1e-3;
   const double work = equations.drag_factor() * x.dot(diagonal.cwiseProduct(x));
   return work > 0. && loads_do(work, x) && x.dot(S * x) <= hardly_elastic * work &&
-         strains_nothing(x) && is_resisted_in_vain(x, response);
+         strains_nothing(x) && is_resisted_in_vain(x, response, true);
 }
 
 bool Newton::loads_do(const double work, const Vector &motion) const {

@@ -61,6 +61,11 @@ public:
 
   /// Of the kept unknowns, where an outcome is `slides_away`.
   const Vector &free_motion() const { return motion_of_proof; }
+  /// Whether such an outcome is no proof: where loads and elasticity make the normal forces, those
+  /// of an iterate are none of an equilibrium. The solution with drag decides.
+  bool is_guess() const { return guesses; }
+  /// It has decided otherwise: no more guesses of these loads.
+  void refute() { may_guess = false; }
 
   void take_forces_as_centre(const Response &response) { proximal.centre = response.stress; }
   /// Whether no further attempt is worth its iterations.
@@ -88,8 +93,9 @@ private:
   /// Contacts only take off what loads do on a motion; where these do less than is left, a pose far
   /// off has rounding for its forces, or ground pushes what floats out of its way.
   bool loads_do(const double work, const Vector &motion) const;
-  /// Whether all contacts give their utmost against a motion, which is kept as the proof.
-  bool is_resisted_in_vain(const Vector &motion, const Response &response);
+  /// Whether all contacts give their utmost against a motion, which is kept as the proof or, if
+  /// the response is not that of a solution, as a guess.
+  bool is_resisted_in_vain(const Vector &motion, const Response &response, const bool is_solution);
 
   IncrementEquations &equations;
   const Settings &settings;
@@ -100,8 +106,10 @@ private:
 
   // of the increment
   bool is_barred = false;
-  Vector motion_of_proof; ///< without entries: there is none
-  bool is_proved = false; ///< whether these loads have been looked at
+  Vector motion_of_proof;             ///< without entries: there is none
+  bool is_looked_at = false;          ///< whether these loads have been
+  bool normal_forces_are_any = false; ///< because free motions press contacts together
+  bool guesses = false, may_guess = true;
 };
 
 } // namespace frictionbeam::contact

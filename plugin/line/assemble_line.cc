@@ -12,16 +12,16 @@ namespace {
 
 /// The law's answer at a point, into @p trial and @p tangent.
 LawStatus ask_law(const BoundLaw &law, const double length, const LineIncrement &increment,
-                  const double temperature, const LawPoint &committed, LawPoint &trial,
+                  const LawIncrement &of_law, const LawPoint &committed, LawPoint &trial,
                   double *const tangent) {
   GeneralizedStrain rate;
   if (increment.length > 0.)
     rate = (trial.strain - committed.strain) / increment.length;
   LawOutput output{&trial.stress[0], tangent, trial.internal_variables.data(), 0.,
                    ContactStatus::none};
-  const LawStatus status = law.integrate(
-      &trial.strain[0], &rate[0], length, {increment.time, increment.length, temperature},
-      committed.internal_variables.data(), increment.tangent, output);
+  const LawStatus status =
+      law.integrate(&trial.strain[0], &rate[0], length, of_law, committed.internal_variables.data(),
+                    increment.tangent, output);
   trial.dissipation = committed.dissipation + output.dissipation;
   trial.contact = output.contact;
   return status;
@@ -85,10 +85,15 @@ LawStatus assemble_line_cell(const LineValues &values, const LineCellIterator &c
     for (unsigned int s = n_strains; s < 6; ++s)
       strain[s] = 0.; // of supports, which have no curvature
     trial[q].strain = strain;
-    const double temperature =
-        increment.temperature ? increment.temperature(cell, values.point(q)) : 20.;
+    LawIncrement of_law;
+    of_law.time = increment.time;
+    of_law.length = increment.length;
+    if (increment.temperature)
+      of_law.temperature = increment.temperature(cell, values.point(q));
+    if (increment.temperature_change)
+      of_law.temperature_change = increment.temperature_change(cell, values.point(q));
     double C[n_section_strains * n_section_strains];
-    if (ask_law(material.law, values.length(), increment, temperature, committed[q], trial[q], C) !=
+    if (ask_law(material.law, values.length(), increment, of_law, committed[q], trial[q], C) !=
         LawStatus::ok)
       return LawStatus::failed;
     for (const unsigned int i : values.line_dofs()) {

@@ -14,6 +14,19 @@ std::string settings_in_words(const std::vector<std::string> &settings) {
   return text;
 }
 
+void include_walls(const bool are_refined, KnownError &cells, AccuracyAccount &account) {
+  cells.is_of_walls = cells.is_of_walls && !are_refined;
+  if (!cells.is_of_walls || (cells.error && *cells.error <= account.demanded))
+    return;
+  account.left_out.push_back("walls of Solid/At are not refined, their cells are for Solid/Degree "
+                             "and Cells around to choose: " +
+                             cells.reason);
+  if (!cells.error)
+    return;
+  account.reached = false;
+  account.estimate = std::fmax(account.estimate, *cells.error);
+}
+
 void add_remarks(const AccountInWords &of, Results &results) {
   const AccuracyAccount &account = of.account;
   const std::vector<std::string> &chosen = account.chosen;

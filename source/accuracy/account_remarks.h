@@ -16,6 +16,10 @@ struct AccountInWords {
   const std::vector<std::string> &judged; ///< bends and supports, a line each
 };
 
+/// What the cells of walls that the file names, and that were not refined, leave: an estimate that
+/// was not reached, or something left out.
+void include_walls(const bool are_refined, KnownError &cells, AccuracyAccount &account);
+
 /// What was chosen, how well the quantities are known and what is not, as remarks.
 void add_remarks(const AccountInWords &of, Results &results);
 

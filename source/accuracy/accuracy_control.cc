@@ -373,15 +373,15 @@ SolvedScene AccuracyControl::run() {
     results = solve_solid_bends(std::move(results));
   account.reached = account.reached && pipes.beyond == 0.;
   account.chosen = chosen;
+  accuracy::include_walls(choose, results.known.cells, account);
   for (const QuantityResult &quantity : results.quantities)
     if (quantity.of_impact)
       account.left_out.push_back(
           quantity.name + ": the force of an impact on a rigid support has no largest value");
-  const Cost last = results.cost;
-  results.cost = cost;
-  results.cost.unknowns = last.unknowns;
-  results.cost.cells = last.cells;
-  results.cost.contacts = last.contacts;
+  cost.unknowns = results.cost.unknowns;
+  cost.cells = results.cost.cells;
+  cost.contacts = results.cost.contacts;
+  results.cost = cost; // of all runs, but for the size of the last one
   if (!account.reached && results.status == RunStatus::converged)
     results.status = RunStatus::failed;
   accuracy::add_remarks({account, margin, choose, missed, pipes.judged}, results);

@@ -56,8 +56,13 @@ void read_summary(const std::string &folder, const bool whole_process, Run &run)
     const auto number = [&](const char *name) {
       return entry.at(name).is_null() ? std::nullopt : std::optional<double>(entry.at(name));
     };
-    run.values.push_back({entry.at("name"), entry.at("unit"),
-                          number("value").value_or(std::nan("")), number("reference")});
+    // In SI units, as other runs and references are; a unit with an offset has no such factor.
+    const double si = number("in_si").value_or(1.);
+    Value value{entry.at("name"), entry.at("unit"), si * number("value").value_or(std::nan("")),
+                number("reference")};
+    if (value.reference)
+      *value.reference *= si;
+    run.values.push_back(value);
   }
   const nlohmann::json &cost = summary.at("cost");
   if (!whole_process)

@@ -228,7 +228,7 @@ void include_accuracy(const bool chooses_increments, Results &results) {
   else if (!results.known.increments.error)
     results.known.increments.reason = "Accuracy leaves the increments of bodies as they are given";
   for (KnownError *const known : measured)
-    if (!known->error || *known->error > 0.)
+    if (!known->is_of_walls && (!known->error || *known->error > 0.))
       *known = {results.accuracy->estimate,
                 results.accuracy->model.empty()
                     ? "estimated from coarser runs, all of them together"

@@ -11,6 +11,7 @@ namespace frictionbeam {
 struct KnownError {
   std::optional<double> error; ///< none: not estimated
   std::string reason;          ///< where the number is from, or why there is none
+  bool is_of_walls = false;    ///< of solid parts that the file names, which no Accuracy refines
 };
 
 /// How well the answer of a run is known, besides that its equations are solved: what load

@@ -94,7 +94,7 @@ void section() {
   CHECK(fibre.kind == LawKind::section && fibre.n_internal_variables == 16 * (2 + 1 + 1 + 3) + 2);
   const double pi = std::acos(-1.), D = 0.3, d = 0.28, E = 2e11, G = 8e10, yield = 2e8;
   const double A = pi / 4. * (D * D - d * d), I = pi / 64. * (std::pow(D, 4) - std::pow(d, 4));
-  const Probe::Values values = {{"Outer diameter", D},  {"Wall thickness", (D - d) / 2.},
+  const Probe::Values values = {{"Outside diameter", D}, {"Wall thickness", (D - d) / 2.},
                                 {"Shear modulus", G},   {"Shear area ratio", 0.53},
                                 {"Young's modulus", E}, {"Yield stress", yield},
                                 {"Expansion", 1.2e-5}};

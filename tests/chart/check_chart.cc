@@ -102,6 +102,18 @@ void check_reference_run(const std::string &binary, const fs::path &lists) {
   CHECK(std::stod(rows[2].at("error")) == 0.);
 }
 
+/// Cases in other units, and the list's references in SI units.
+void check_units(const std::string &binary, const fs::path &lists) {
+  const program::TemporaryFolder folder;
+  const program::Run run = program::execute({binary, "chart", (lists / "units/units.prm").string(),
+                                             "--output-directory", folder.path.string()});
+  CHECK(run.exit_status == 0);
+  const std::vector<Row> rows = read_csv(folder.path / "units.csv");
+  CHECK(rows.size() == 2);
+  for (const Row &row : rows)
+    CHECK(row.at("problem").empty() && std::stod(row.at("error")) < 1e-9);
+}
+
 void check_message(const std::string &binary, const fs::path &list) {
   const program::Run run = program::execute({binary, "chart", list.string()});
   CHECK(run.exit_status == 1);
@@ -126,6 +138,7 @@ int main(int argc, char **argv) {
   try {
     check_list(binary, lists);
     check_reference_run(binary, lists);
+    check_units(binary, lists);
     for (const char *name : {"misspelt_entry", "no_curve", "values_without_entry", "missing_case"})
       check_message(binary, lists / (std::string(name) + ".prm"));
   } catch (const std::exception &error) {

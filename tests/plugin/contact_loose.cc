@@ -51,6 +51,27 @@ void walls_that_press_on_each_other() {
   CHECK(!report.converged);
 }
 
+/// What has an upright spring under it and is free sideways is held by friction, as far as a push is
+/// below what friction bears, in any direction; above, nothing holds it.
+void an_upright_spring() {
+  constexpr double mu = 0.5, weight = 100.;
+  for (const double k : {1e2, 1e5, 3.6e5}) {
+    contact::SparseMatrix matrix(3, 3);
+    matrix.insert(2, 2) = k;
+    contact::Solver solver(contact::system_of(matrix), {on_wall({0., 0., -1.}, mu)});
+    for (const double part : {0.01, 0.14, 0.386, 0.9, 1.05, 3.})
+      for (unsigned int i = 0; i < 50; ++i) {
+        const double angle = 0.1 + 2.399963 * i, push = part * mu * weight;
+        contact::ContactMemory memory = solver.initial_memory();
+        Vector u = Vector::Zero(3);
+        const contact::Report report =
+            solver.solve(Vector3(push * std::cos(angle), push * std::sin(angle), -weight), memory, u,
+                         memory);
+        CHECK(report.converged == (part < 1.) && report.no_equilibrium == (part > 1.));
+      }
+  }
+}
+
 /// Loads that are the sum of forces inside the cones, at no motion: an equilibrium there is.
 void what_can_be_held() {
   const Vector3 down(0., 0., -1.);
@@ -304,6 +325,7 @@ void bound_laws() {
 int main() {
   laws.load_builtin();
   walls_that_press_on_each_other();
+  an_upright_spring();
   what_can_be_held();
   what_nothing_holds();
   what_does_not_fit();

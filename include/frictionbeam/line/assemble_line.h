@@ -34,6 +34,9 @@ struct LineIncrement {
   std::function<GeneralizedStrain(const Cell &, const Point &)> free_strain;
   /// Temperature that laws are given [degC]; 20 if empty.
   std::function<double(const Cell &, const Point &)> temperature;
+  /// By how much it has changed in the increment [K], which creep of sections needs whose moduli
+  /// fall with it; 0 if empty.
+  std::function<double(const Cell &, const Point &)> temperature_change;
   /// Force on beams and arcs per length [N/m], global axes, constant along a cell. None if empty.
   std::function<dealii::Tensor<1, 3>(const Cell &)> line_force;
 };

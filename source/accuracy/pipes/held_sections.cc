@@ -209,16 +209,16 @@ private:
       const Vector3 mean =
           of_curvature / wall.EI * dealii::cross_product_3d(forces.moment, place.tangent) +
           of_force * forces.held;
-      std::vector<Load::AtPoint> at;
-      for (const Vector3 &direction : held) {
-        Load::AtPoint one;
-        one.point = point;
-        one.axes = axes_along(direction);
-        one.given[0] = true;
-        one.value[0] = -(mean * direction);
-        at.push_back(one);
+      Load::AtPoint at;
+      at.point = point;
+      at.axes = axes_along(held[0]);
+      if (held.size() > 1)
+        at.axes = {{held[0], held[1], dealii::cross_product_3d(held[0], held[1])}};
+      for (unsigned int d = 0; d < held.size(); ++d) {
+        at.given[d] = true;
+        at.value[d] = -(mean * (d < 2 ? held[d] : at.axes[d]));
       }
-      add_load(Load::Kind::displacement, frame.step, at);
+      add_load(Load::Kind::displacement, frame.step, {at});
     });
     if (turns && of_curvature > 0.)
       add_kink(wall, place);

@@ -200,7 +200,7 @@ FoundationContacts::Rest FoundationContacts::rest(const unsigned int i,
 double FoundationContacts::gap(const unsigned int i, const LocalVector &displacement) const {
   if (has_pressure(i))
     return 0.;
-  return (is_exact(i) ? surfaces[points[i].surface].law.closed_form().gap : 0.) - displacement[0];
+  return surfaces[points[i].surface].law.gap() - displacement[0];
 }
 
 LocalVector FoundationContacts::slip(const unsigned int i, const LocalVector &displacement,

@@ -37,8 +37,7 @@ void ContactsBefore::take(const Model &model, const LineState &state) {
   since.resize(status.size(), state.time);
   for (unsigned int i = 0; i < since.size(); ++i) {
     const Contact &contact = model.contacts[i];
-    const double way = contact.length * state.contacts.strain[i][0],
-                 gap = contact.law.has_closed_form() ? contact.law.closed_form().gap : 0.;
+    const double way = contact.length * state.contacts.strain[i][0], gap = contact.law.gap();
     const bool is_open = status[i] == ContactStatus::open;
     if (is_open && way + gap > rounding * (std::abs(way) + std::abs(gap) + moved))
       since[i] = apart;

@@ -6,6 +6,7 @@
 #include "model/mechanism.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace frictionbeam {
 
@@ -40,8 +41,11 @@ std::string words_of(const CycleVerdict &cycle, const double part, const Model &
   case Kind::shakedown:
     return "shakedown: the last cycle is elastic";
   case Kind::alternating:
-    return "alternating plasticity: strains close, and " + number(cycle.flow) +
-           " is yielded in a cycle" + there +
+    return "alternating plasticity: strains close, and " +
+           (std::isnan(cycle.flow)
+                ? "work is lost in each cycle; how far it yields, its law does not tell"
+                : number(cycle.flow) + " is yielded in a cycle") +
+           there +
            (model.cells.surroundings(cycle.cell, state.load_factors).pressure == 0.
                 ? ""
                 : "; whether the wall widens in each cycle, under its pressure, is not judged");
@@ -79,7 +83,7 @@ std::optional<CycleVerdict> CycleWatch::step_ends(const LoadStep &step, const Li
   cycle.growth_before = growth_before;
   cycle.flow = change.flow;
   cycle.cell = change.cell;
-  has_lost = has_lost || cycle.dissipated > 0.;
+  has_lost = has_lost || cycle.dissipated > 0. || change.flows;
   cycle.kind = kind_of(cycle, change, has_lost);
   cycle.words = words_of(cycle, change.part, model, state);
   before = state.sections;

@@ -181,8 +181,10 @@ std::vector<std::string> MixedWalls::in_words() const {
 void MixedWalls::add_to(KnownError &cells) const {
   for (const auto &wall : walls) {
     const KnownError error = error_of_cells(wall->own.scene, "the wall of " + wall->stretch.name);
-    if (!error.error || (cells.error && *error.error > *cells.error))
+    if (!error.error || (cells.error && *error.error > *cells.error)) {
       cells = error;
+      cells.is_of_walls = true;
+    }
   }
 }
 

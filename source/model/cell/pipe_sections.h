@@ -9,6 +9,9 @@
 
 namespace frictionbeam {
 
+/// Of a law that does not say where it begins to yield: the offset of a proof stress.
+inline constexpr double proof_strain = 2e-3;
+
 /**
  * The sections of pipes that have a law of their own, plastic or creeping, some along each cell in
  * a SectionChain. Each is given the strain that causes stress,
@@ -125,7 +128,9 @@ public:
     /// Of a section's strain, equivalent, in the wall: sqrt((|d eps| + r |d kappa|)^2 + (r d
     /// chi)^2/3), r = sqrt(2 I/A); of those that do not come back to it, if there are any [-].
     double growth = 0.;
-    double flow = 0.;       ///< most that plastic and creep strain of a point have gained [-]
+    /// Most that plastic and creep strain of a point have gained [-]; NaN where a section flows
+    /// whose law does not tell: such a one is judged by what it dissipates.
+    double flow = 0.;
     bool flows = false;     ///< any section, by 1e-5 of the strain at which it yields, or of 1e-3
     bool comes_back = true; ///< each section that flows, to 1e-3 of its own flow
     unsigned int cell = 0;  ///< of `growth`, or of `flow` if all come back

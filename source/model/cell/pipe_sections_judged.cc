@@ -14,6 +14,23 @@ using Vector6 = PipeSections::Vector6;
 using Vector12 = PipeSections::Vector12;
 using Values = Eigen::Map<const Vector6>;
 
+namespace {
+
+/// Of a section's strains, equivalent, in the wall at this radius [-].
+double size_of(const PipeSections::Vector6 &strain, const double radius) {
+  return std::hypot(std::abs(strain[0]) + radius * std::hypot(strain[4], strain[5]),
+                    radius * strain[3] / std::sqrt(3.));
+}
+
+/// Of its forces [N]: they do at most this times the strain's size as work; positive.
+double force_of(const PipeSections::Vector6 &stress, const double radius) {
+  const double along = std::max(std::abs(stress[0]), std::hypot(stress[4], stress[5]) / radius);
+  return std::max(std::hypot(along, std::sqrt(3.) * stress[3] / radius),
+                  std::numeric_limits<double>::min());
+}
+
+} // namespace
+
 void PipeSections::Check::include(const Check &other) {
   yield_violation = std::max(yield_violation, other.yield_violation);
   imbalance = std::max(imbalance, other.imbalance);
@@ -96,16 +113,18 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
   const Flow none{std::numeric_limits<double>::infinity()};
   const Cell &cell = *cells[index];
   constexpr double rounding = 1e-12;
+  const double radius = std::sqrt(2. * cell.profile.EI / cell.profile.EA);
   double bound = 0.;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     Vector6 direction = cell.B[q] * motion;
     const Vector6 terms = cell.B[q].cwiseAbs() * motion.cwiseAbs();
     for (unsigned int c = 0; c < 6; ++c) // a cell that only moves along
       direction[c] = std::abs(direction[c]) > rounding * terms[c] ? direction[c] : 0.;
-    bound = std::max(bound, cell.law(q).elastic_bound(direction.data(), 1., {}));
+    const double told = cell.law(q).elastic_bound(direction.data(), 1., {});
+    bound = std::max(bound, std::isfinite(told) ? told : size_of(direction, radius) / proof_strain);
   }
-  if (bound == 0. || std::isinf(bound))
-    return bound == 0. ? Flow() : none;
+  if (bound == 0.)
+    return Flow();
   Vector there = states;
   Vector12 place = at;
   const double length = far / bound;
@@ -156,13 +175,19 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       const double *const from = before.data() + place_of(cell, q), *const to = after.data() +
                                                                                 place_of(cell, q);
       const Vector6 by = Values(to + strain) - Values(from + strain);
-      const double growth = std::hypot(std::abs(by[0]) + radius * std::hypot(by[4], by[5]),
-                                       radius * by[3] / std::sqrt(3.));
+      const double growth = size_of(by, radius);
       const SectionReport gained =
           cell.law(q).report(to + strain, 1., {}, to + internal, from + internal);
-      const double flow = gained.plastic_strain + gained.creep_strain,
-                   yield_strain = std::min(most_yield_strain,
-                                           1. / cell.law(q).elastic_bound(stretch.data(), 1., {}));
+      const double bound = cell.law(q).elastic_bound(stretch.data(), 1., {}),
+                   yield_strain = std::isfinite(bound) ? std::min(most_yield_strain, 1. / bound)
+                                                       : most_yield_strain;
+      double flow = gained.plastic_strain + gained.creep_strain;
+      const bool is_told = !std::isnan(flow);
+      if (!is_told) { // what the largest force dissipates by; a law may count that as stored
+        const double dissipated = to[lost] - from[lost], kept = to[stored] - from[stored];
+        flow = (dissipated + std::max(kept, 0.)) / std::max(force_of(Values(from + stress), radius),
+                                                            force_of(Values(to + stress), radius));
+      }
       const bool flows = flow > no_flow * yield_strain,
                  comes_back =
                      !flows || growth <= closed * std::max(flow, least_flow * yield_strain);
@@ -175,14 +200,19 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       }
       change.comes_back = change.comes_back && comes_back;
       change.flows = change.flows || flows;
-      if (flow > change.flow) {
+      if (flows && !is_told) {
+        change.flow = std::numeric_limits<double>::quiet_NaN();
+        cell_of_flow = i;
+        part_of_flow = cell.part[q];
+      }
+      if (is_told && flow > change.flow) {
         change.flow = flow;
         cell_of_flow = i;
         part_of_flow = cell.part[q];
       }
     }
   }
-  if (change.comes_back && change.flow > 0.) {
+  if (change.comes_back && !(change.flow <= 0.)) {
     change.cell = cell_of_flow;
     change.part = part_of_flow;
   }

@@ -40,6 +40,10 @@ struct KnownFigure {
 constexpr KnownFigure known_figures[] = {
     {"Young's modulus", [](const Known &of) { return of.profile.material.youngs_modulus; }},
     {"Poisson ratio", [](const Known &of) { return of.profile.material.poissons_ratio; }},
+    {"Shear modulus",
+     [](const Known &of) {
+       return of.profile.material.youngs_modulus / (2. * (1. + of.profile.material.poissons_ratio));
+     }},
     {"Outside diameter", [](const Known &of) { return 2. * of.section.outer_radius; },
      By::diameter},
     {"Wall thickness", [](const Known &of) { return of.section.wall; }, By::diameter},

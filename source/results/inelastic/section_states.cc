@@ -9,9 +9,6 @@ namespace frictionbeam {
 
 namespace {
 
-/// A law that does not say where it begins to yield: the offset of a proof stress.
-constexpr double proof_strain = 0.002;
-
 double yield_strain_of(const BoundLaw &law, const double temperature) {
   const double stretched[n_section_strains] = {1.};
   LawIncrement increment;

@@ -66,7 +66,8 @@ WorstSection largest_utilization(const std::vector<const Frame *> &frames,
   WorstSection result;
   for (const Frame *frame : frames)
     for (const std::size_t i : own)
-      if (const SectionState &section = frame->sections[i]; section.utilization > result.value)
+      if (const SectionState &section = frame->sections[i];
+          section.utilization > result.value || std::isnan(section.utilization))
         result = {section.utilization, section.s, frame->name};
   return result;
 }

@@ -354,6 +354,8 @@ void Collector::finish(const LineState &state) {
     for (const StepReport &step : results.steps)
       if (const auto value = value_of_step(quantity, step))
         pending[i].value = quantity.scale * *value;
+    if (quantity.is(Of::wall) && pending[i].value && std::isnan(*pending[i].value))
+      pending[i].value.reset(); // the law does not tell
     if (!pending[i].value) {
       results.remarks.push_back("Quantity " + quantity.name +
                                 why_no_value(quantity, results.steps));

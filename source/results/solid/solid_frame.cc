@@ -92,11 +92,13 @@ std::vector<Station> FrameOfWall::stations(const std::vector<bool> &jumps) const
   return all;
 }
 
-/// Of all processes.
+/// Of all processes. @param contact the beam's, by whose axes forces are told @param place on the
+/// pipe's axis
 SupportState patch_state(const ContinuumBody<3> &body, const FoundationContacts &contacts,
-                         const ContinuumState &state, const unsigned int surface) {
-  std::vector<double> sums(9, 0.); // fn, ft1, ft2, slips, weight, work, sticking, slipping, closed
-  sums.push_back(0.);
+                         const ContinuumState &state, const unsigned int surface,
+                         const Contact &contact, const Point3 &place) {
+  // fn, ft1, ft2, slips, weight, work, sticking, slipping, closed, moment
+  std::vector<double> sums(13, 0.);
   double gap = std::numeric_limits<double>::max();
   for (unsigned int i = 0; i < body.nodes.size(); ++i) {
     if (body.nodes[i].surface != surface)
@@ -108,6 +110,14 @@ SupportState patch_state(const ContinuumBody<3> &body, const FoundationContacts 
     sums[0] -= w * stress[0];
     sums[1] += w * stress[1];
     sums[2] += w * stress[2];
+    SupportState of_node;
+    of_node.fn = -w * stress[0];
+    of_node.ft1 = w * stress[1];
+    of_node.ft2 = w * stress[2];
+    const Vector3 moment =
+        cross_product_3d(body.nodes[i].position - place, force_along_axes(contact, of_node));
+    for (unsigned int d = 0; d < 3; ++d)
+      sums[10 + d] += moment[d];
     if (status != ContactStatus::open) {
       sums[3] += w * slip[1];
       sums[4] += w * slip[2];
@@ -135,6 +145,11 @@ SupportState patch_state(const ContinuumBody<3> &body, const FoundationContacts 
                   : sums[8] > 0. ? ContactStatus::slip
                   : sums[9] > 0. ? ContactStatus::closed
                                  : ContactStatus::open;
+  const Vector3 force = force_along_axes(contact, result);
+  for (unsigned int d = 0; d < 3; ++d) {
+    result.on_pipe[d] = force[d];
+    result.on_pipe[3 + d] = sums[10 + d];
+  }
   return result;
 }
 
@@ -164,11 +179,8 @@ Frame solid_frame(const Scene &scene, const Model &line, const PipeWall &wall,
           return one.support == contact.support && one.site == contact.site;
         });
     Assert(patch != wall.patches.end(), ExcInternalError());
-    SupportState &support = frame.supports.emplace_back(
-        patch_state(body, contacts, state, patch - wall.patches.begin()));
-    const Vector3 force = force_along_axes(contact, support);
-    for (unsigned int d = 0; d < 3; ++d)
-      support.on_pipe[d] = force[d];
+    frame.supports.push_back(patch_state(body, contacts, state, patch - wall.patches.begin(),
+                                         contact, line.mesh.vertices[patch->vertex]));
   }
   frame.together = FrameBuilder(line).together(frame);
   frame.step = state.step;

@@ -22,9 +22,10 @@ std::string doubt_of_stresses(const Scene &scene, const PipeWall &wall,
       if (material.yield_stress <= 0. || stress <= worst * material.yield_stress)
         continue;
       worst = stress / material.yield_stress;
-      text = "Pipe " + pipe.name + ", " +
-             rounded_number(wall.rings[r].s / scene.units.factor("m"), 4) + " " +
-             scene.units.name("m") + " along the pipes, step " + scene.steps[frame.step].name +
+      const double s = std::max(0., wall.rings[r].s -
+                                        wall.pipe_start[wall.segments[wall.rings[r].segment].pipe]);
+      text = "Pipe " + pipe.name + ", s = " + rounded_number(s / scene.units.factor("m"), 4) + " " +
+             scene.units.name("m") + ", step " + scene.steps[frame.step].name +
              ": the equivalent stress of the wall is " +
              rounded_number(stress / scene.units.factor("Pa"), 3) + " " + scene.units.name("Pa") +
              ", " + rounded_number(worst, 3) + " times the Yield stress of material " +

@@ -23,7 +23,7 @@ SupportState state_of_contact(const Model &model, const LineState &state, const 
   result.wear = state.contacts.wear[i];
   result.impulse = state.contacts.impulse[i];
   const FrictionThreshold &law = contact.law.closed_form();
-  result.gap = strain[0] * contact.length + law.gap;
+  result.gap = strain[0] * contact.length + contact.law.gap();
   if (result.status != ContactStatus::open) {
     // What is left of the displacement since contact began when the elastic part is taken out.
     const Contact::Strains &touch = state.contacts.touch[i];
