@@ -153,7 +153,7 @@ void bound_law() {
   const BoundLaw of_old(old, {1e3});
   CHECK(of_old.n_internal_variables() == 3);
   CHECK(std::isinf(of_old.elastic_bound(strain, 1., {})));
-  CHECK(of_old.report(strain, 1., {}, state).plastic_strain == 0.);
+  CHECK(std::isnan(of_old.report(strain, 1., {}, state).plastic_strain)); // it does not tell
   LawDescription silent = law;
   silent.n_states = nullptr;
   silent.elastic_bound = nullptr;

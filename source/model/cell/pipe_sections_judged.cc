@@ -22,11 +22,10 @@ double size_of(const PipeSections::Vector6 &strain, const double radius) {
                     radius * strain[3] / std::sqrt(3.));
 }
 
-/// Of its forces [N]: they do at most this times the strain's size as work; positive.
+/// Of its forces [N]: they do at most this times the strain's size as work.
 double force_of(const PipeSections::Vector6 &stress, const double radius) {
   const double along = std::max(std::abs(stress[0]), std::hypot(stress[4], stress[5]) / radius);
-  return std::max(std::hypot(along, std::sqrt(3.) * stress[3] / radius),
-                  std::numeric_limits<double>::min());
+  return std::hypot(along, std::sqrt(3.) * stress[3] / radius);
 }
 
 } // namespace
@@ -163,6 +162,7 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
   constexpr double closed = 1e-3, no_flow = 1e-5, least_flow = 1e-3, most_yield_strain = 1e-3;
   const Vector6 stretch = Vector6::Unit(0);
   Change change;
+  double most_untold = 0.;
   unsigned int cell_of_flow = 0;
   double part_of_flow = 0.5;
   for (unsigned int i = 0; i < cells.size(); ++i) {
@@ -184,9 +184,12 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       double flow = gained.plastic_strain + gained.creep_strain;
       const bool is_told = !std::isnan(flow);
       if (!is_told) { // what the largest force dissipates by; a law may count that as stored
+        constexpr double least = 1e-3; // of the force at yield
         const double dissipated = to[lost] - from[lost], kept = to[stored] - from[stored];
-        flow = (dissipated + std::max(kept, 0.)) / std::max(force_of(Values(from + stress), radius),
-                                                            force_of(Values(to + stress), radius));
+        flow =
+            (dissipated + std::max(kept, 0.)) / std::max({force_of(Values(from + stress), radius),
+                                                          force_of(Values(to + stress), radius),
+                                                          least * yield_strain * cell.profile.EA});
       }
       const bool flows = flow > no_flow * yield_strain,
                  comes_back =
@@ -200,7 +203,8 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       }
       change.comes_back = change.comes_back && comes_back;
       change.flows = change.flows || flows;
-      if (flows && !is_told) {
+      if (flows && !is_told && flow > most_untold) {
+        most_untold = flow;
         change.flow = std::numeric_limits<double>::quiet_NaN();
         cell_of_flow = i;
         part_of_flow = cell.part[q];
