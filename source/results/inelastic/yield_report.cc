@@ -117,7 +117,7 @@ void add_columns(HtmlTable &table, const std::string &name, const std::vector<Wo
   std::vector<double> s;
   for (const WorstSection &one : worst) {
     const bool is_any = one.value > 0.;
-    values.push_back(is_any ? percent(one.value) : "0");
+    values.push_back(is_any ? percent(one.value) : std::isnan(one.value) ? "not told" : "0");
     s.push_back(is_any ? one.s : std::numeric_limits<double>::quiet_NaN());
     steps.push_back(is_any ? one.step : dash);
   }
@@ -167,8 +167,14 @@ std::string hinge_table(const Scene &scene, const Results &results,
     return a.worst.plastic_strain > b.worst.plastic_strain;
   });
   found.resize(std::min(n, n_hinges_at_most));
+  const std::vector<SectionState> &end = frames.back()->sections;
+  const bool is_told = std::none_of(end.begin(), end.end(), [](const SectionState &section) {
+    return std::isnan(section.plastic_strain);
+  });
   if (found.empty())
-    return "<h3>Hinges</h3>\n" + html_note("None. " + definition);
+    return "<h3>Hinges</h3>\n" +
+           html_note((is_told ? "None. " : "Not known: the law of a section does not tell. ") +
+                     definition);
   std::vector<std::string> pipes, strain, utilization, since, flows;
   std::vector<double> from, to, at, moment;
   for (const Hinge &hinge : found) {
