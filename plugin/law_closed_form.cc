@@ -22,6 +22,11 @@ struct Instant {
   double normal_rate = 0.;                                               // 1/s
 };
 
+/// Strain rates there.
+Strain rates_at(const Instant &instant) {
+  return {instant.normal_rate, instant.rate, -instant.rate, 0.};
+}
+
 /// What a law is given there, but for strain and displacement.
 LawInput input_at(const Instant &instant, const std::vector<double> &parameters,
                   const double *const strain, const double *const strain_rate,
@@ -40,10 +45,9 @@ LawInput input_at(const Instant &instant, const std::vector<double> &parameters,
 
 FrictionThreshold form_at(const LawDescription &law, const std::vector<double> &parameters,
                           const Instant &instant, const std::vector<double> &old_state) {
-  const double zero[n_support_strains] = {},
-               strain_rate[n_support_strains] = {instant.normal_rate, instant.rate, -instant.rate,
-                                                 0.};
-  return closed_form(law, input_at(instant, parameters, zero, strain_rate, zero, old_state));
+  const Strain zero{}, strain_rate = rates_at(instant);
+  return closed_form(
+      law, input_at(instant, parameters, zero.data(), strain_rate.data(), zero.data(), old_state));
 }
 
 /// The state of a contact that has slipped, with @p memory in what is none of the form's places.
@@ -166,10 +170,10 @@ public:
       old_state = state_of(form, law.n_internal_variables, 0., 0., 0.);
       instant = other;
       form = form_at(law, parameters, instant, old_state);
-      std::vector<std::string> none; // there its formula may not be meant
-      add_faults_of_coefficients(form, "", none);
+      std::vector<std::string> beyond; // what its formula is meant for
+      add_faults_of_coefficients(form, "", beyond);
       for (const double share : {0.9, 1.1})
-        if (faults.empty() && none.empty())
+        if (faults.empty() && beyond.empty())
           compare({-1e-2 - form.gap / element_length, 0., 0., 0.}, share, 0.3);
     }
   }
@@ -199,12 +203,11 @@ private:
   }
 
   LawStatus evaluate(const Strain &strain, const LawTangent kind) {
-    const double strain_rate[n_support_strains] = {instant.normal_rate, instant.rate, -instant.rate,
-                                                   0.};
+    const Strain strain_rate = rates_at(instant);
     const double displacement[3] = {strain[0] * element_length, strain[1] * element_length,
                                     strain[2] * element_length};
     LawInput input =
-        input_at(instant, parameters, strain.data(), strain_rate, displacement, old_state);
+        input_at(instant, parameters, strain.data(), strain_rate.data(), displacement, old_state);
     input.tangent = kind;
     LawOutput output{stress.data(), tangent.data(), new_state.data(), 0., ContactStatus::none};
     return law.law->integrate(input, output);

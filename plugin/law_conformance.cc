@@ -90,13 +90,13 @@ public:
 private:
   static constexpr double most_lost = 0.1; ///< of the work that was done either way
 
-  /// Whether it is, in @p result; said if not.
+  /// Whether a result is of numbers; said if not.
   bool is_finite(const Result &result) {
     const bool all =
         all_finite(result.stress) && all_finite(result.state) && std::isfinite(result.dissipation);
     if (!all)
       violated("a result is not a finite number, or not written, in statics (time_increment is 0: "
-               "do not divide by it) or where nothing moves");
+               "do not divide by it), in a small step or where nothing moves");
     return all;
   }
 

@@ -16,4 +16,15 @@ constexpr LawDescription coulomb_called(const char *const name, const LawBase *c
       "a law of the tests",  n_parameters,     parameters,        other,    other_threshold};
 }
 
+/// Integrate it with another friction coefficient. @param factor of the law's own
+[[maybe_unused]] LawStatus integrate_with_friction(const double factor, const LawInput &in,
+                                                   LawOutput &out) {
+  double now[n_parameters];
+  std::copy(in.parameters, in.parameters + n_parameters, now);
+  now[f_static] *= factor;
+  LawInput own = in;
+  own.parameters = now;
+  return law.integrate(own, out);
+}
+
 } // namespace

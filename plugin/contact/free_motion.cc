@@ -28,18 +28,18 @@ public:
              const SparseMatrix &S, const Vector &diagonal, const Vector &loads)
       : contacts(contacts), unknowns(unknowns), S(S), diagonal(diagonal), loads(loads) {}
 
-  std::optional<Vector> find();
+  FreeMotionProof find();
   std::optional<std::vector<Strains>> find_balanced();
-  /// Whether contacts with friction can be pressed together by a motion that strains nothing: only
-  /// then can their normal forces be anything.
-  bool normals_are_free() const;
-  bool factorize();
 
 private:
   /// Allowed forces that leave ever less of the loads, until what they leave is enough.
   /// @return the last ones, or nothing if they never do
   template <typename Enough>
   std::optional<std::vector<Force>> approach(const unsigned int most, const Enough &is_enough);
+  /// Whether contacts with friction can be pressed together by a motion that strains nothing: only
+  /// then can their normal forces be anything.
+  bool normals_are_free() const;
+  bool factorize();
   /// A times forces.
   Vector without_strain(const Vector &forces) const {
     return factors.solve(Vector(shift * forces));
@@ -181,11 +181,17 @@ std::optional<std::vector<Force>> FreeMotion::approach(const unsigned int most,
   return {};
 }
 
-std::optional<Vector> FreeMotion::find() {
+FreeMotionProof FreeMotion::find() {
+  FreeMotionProof proof;
   if (loads.size() == 0 || !factorize())
-    return {};
-  const auto forces = approach(most_iterations, [&](const Vector &left) { return proves(left); });
-  return forces ? std::make_optional(without_strain(left_by(*forces))) : std::nullopt;
+    return proof;
+  proof.is_any_force = normals_are_free();
+  if (!proof.is_any_force)
+    return proof;
+  if (const auto forces =
+          approach(most_iterations, [&](const Vector &left) { return proves(left); }))
+    proof.motion = without_strain(left_by(*forces));
+  return proof;
 }
 
 std::optional<std::vector<Strains>> FreeMotion::find_balanced() {
@@ -208,21 +214,11 @@ std::optional<std::vector<Strains>> FreeMotion::find_balanced() {
 
 } // namespace
 
-std::optional<Vector> find_free_motion(const SiteList &contacts,
-                                       const std::vector<std::vector<int>> &unknowns,
-                                       const SparseMatrix &S, const Vector &diagonal,
-                                       const Vector &loads) {
+FreeMotionProof find_free_motion(const SiteList &contacts,
+                                 const std::vector<std::vector<int>> &unknowns,
+                                 const SparseMatrix &S, const Vector &diagonal,
+                                 const Vector &loads) {
   return FreeMotion(contacts, unknowns, S, diagonal, loads).find();
-}
-
-std::optional<bool> free_motions_press(const SiteList &contacts,
-                                       const std::vector<std::vector<int>> &unknowns,
-                                       const SparseMatrix &S, const Vector &diagonal,
-                                       const Vector &loads) {
-  FreeMotion motion(contacts, unknowns, S, diagonal, loads);
-  if (loads.size() == 0 || !motion.factorize())
-    return {};
-  return motion.normals_are_free();
 }
 
 std::optional<std::vector<Strains>>

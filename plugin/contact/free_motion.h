@@ -7,6 +7,12 @@
 
 namespace frictionbeam::contact {
 
+/// What find_free_motion() tells.
+struct FreeMotionProof {
+  bool is_any_force = true; ///< whether motions without strains press contacts together
+  Vector motion; ///< without entries: none, and forces up to 1e4 times the loads may hold them
+};
+
 /**
  * A motion w that proves that loads have no equilibrium: it strains nothing, S w = 0, the loads do
  * work on it, g . w > 0, and at every contact
@@ -19,24 +25,16 @@ namespace frictionbeam::contact {
  * projected gradients with momentum (A. Beck, M. Teboulle, SIAM J. Imaging Sci. 2 (2009) 183-202,
  * doi:10.1137/080716542). Contacts without a closed form may give any force, which proves less.
  *
+ * Where no motion without strains presses contacts with friction together, their normal forces are
+ * what the loads and the body's elasticity make them, and not anything: loads can then be too large
+ * for friction without such a motion, and none is sought.
+ *
  * @param unknowns of each contact, places in S @param diagonal of S, positive
- * @return nothing if there is no such motion: then forces up to 1e4 times the loads may hold them
  */
-std::optional<Vector> find_free_motion(const SiteList &contacts,
-                                       const std::vector<std::vector<int>> &unknowns,
-                                       const SparseMatrix &S, const Vector &diagonal,
-                                       const Vector &loads);
-
-/**
- * Whether a motion without strains presses contacts with friction together. Where none does, their
- * normal forces are what the loads and the body's elasticity make them, and not anything: loads
- * can then be too large though find_free_motion() has no proof.
- * @return nothing if S cannot be factored
- */
-std::optional<bool> free_motions_press(const SiteList &contacts,
-                                       const std::vector<std::vector<int>> &unknowns,
-                                       const SparseMatrix &S, const Vector &diagonal,
-                                       const Vector &loads);
+FreeMotionProof find_free_motion(const SiteList &contacts,
+                                 const std::vector<std::vector<int>> &unknowns,
+                                 const SparseMatrix &S, const Vector &diagonal,
+                                 const Vector &loads);
 
 /**
  * Forces r that friction allows and that balance the loads on all motions without strains,

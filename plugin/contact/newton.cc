@@ -61,8 +61,9 @@ private:
 } // namespace
 
 void Newton::begin() {
-  is_barred = is_looked_at = guesses = false;
+  is_barred = guesses = false;
   may_guess = true;
+  proof.reset();
 }
 
 void Newton::set_drag(const double factor) {
@@ -107,20 +108,13 @@ bool Newton::is_resisted_in_vain(const Vector &motion, const Response &response,
         !proximal.gives_utmost(i, response, rate))
       return false;
   }
-  const auto &unknowns = equations.unknowns_of_contacts();
-  if (!is_looked_at) { // once for these loads
-    is_looked_at = true;
-    normal_forces_are_any =
-        free_motions_press(contacts, unknowns, S, diagonal, equations.loads).value_or(true);
-    motion_of_proof = Vector();
-    if (normal_forces_are_any)
-      motion_of_proof =
-          find_free_motion(contacts, unknowns, S, diagonal, equations.loads).value_or(Vector());
-  }
-  guesses = !normal_forces_are_any && !is_solution;
-  if (normal_forces_are_any)
-    return motion_of_proof.size() > 0;
-  motion_of_proof = motion;
+  if (!proof) // once for these loads
+    proof =
+        find_free_motion(contacts, equations.unknowns_of_contacts(), S, diagonal, equations.loads);
+  guesses = !proof->is_any_force && !is_solution;
+  if (proof->is_any_force)
+    return proof->motion.size() > 0;
+  proof->motion = motion;
   return is_solution || (may_guess && !(equations.drag_factor() > 0.));
 }
 

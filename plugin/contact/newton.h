@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "free_motion.h"
 #include "increment_equations.h"
 #include <frictionbeam/contact/attempts.h>
 
@@ -60,7 +61,7 @@ public:
   std::optional<std::vector<Strains>> balanced_forces() const;
 
   /// Of the kept unknowns, where an outcome is `slides_away`.
-  const Vector &free_motion() const { return motion_of_proof; }
+  const Vector &free_motion() const { return proof->motion; }
   /// Whether such an outcome is no proof: where loads and elasticity make the normal forces, those
   /// of an iterate are none of an equilibrium. The solution with drag decides.
   bool is_guess() const { return guesses; }
@@ -106,9 +107,7 @@ private:
 
   // of the increment
   bool is_barred = false;
-  Vector motion_of_proof;             ///< without entries: there is none
-  bool is_looked_at = false;          ///< whether these loads have been
-  bool normal_forces_are_any = false; ///< because free motions press contacts together
+  std::optional<FreeMotionProof> proof; ///< for these loads, once they have been looked at
   bool guesses = false, may_guess = true;
 };
 

@@ -16,15 +16,16 @@ std::string settings_in_words(const std::vector<std::string> &settings) {
 
 void include_walls(const bool are_refined, KnownError &cells, AccuracyAccount &account) {
   cells.is_of_walls = cells.is_of_walls && !are_refined;
-  if (!cells.is_of_walls || (cells.error && *cells.error <= account.demanded))
+  if (!cells.is_of_walls)
+    return;
+  if (cells.error)
+    account.estimate = std::max(account.estimate, *cells.error); // not known stays so
+  if (cells.error && *cells.error <= account.demanded)
     return;
   account.left_out.push_back("walls of Solid/At are not refined, their cells are for Solid/Degree "
                              "and Cells around to choose: " +
                              cells.reason);
-  if (!cells.error)
-    return;
-  account.reached = false;
-  account.estimate = std::fmax(account.estimate, *cells.error);
+  account.reached = account.reached && !cells.error;
 }
 
 void add_remarks(const AccountInWords &of, Results &results) {

@@ -14,12 +14,7 @@ double growth(const LawInput &in) {
 class GrowingCoulomb final : public LawBase {
 public:
   LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {
-    double now[n_parameters];
-    std::copy(in.parameters, in.parameters + n_parameters, now);
-    now[f_static] *= growth(in);
-    LawInput fast = in;
-    fast.parameters = now;
-    return law.integrate(fast, out);
+    return integrate_with_friction(growth(in), in, out);
   }
 };
 

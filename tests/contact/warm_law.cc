@@ -5,15 +5,12 @@
 
 namespace {
 
+double softness(const LawInput &in) { return 1. - 0.002 * (in.temperature - 20.); }
+
 class WarmCoulomb final : public LawBase {
 public:
   LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {
-    double now[n_parameters];
-    std::copy(in.parameters, in.parameters + n_parameters, now);
-    now[f_static] *= 1. - 0.002 * (in.temperature - 20.);
-    LawInput warm = in;
-    warm.parameters = now;
-    return law.integrate(warm, out);
+    return integrate_with_friction(softness(in), in, out);
   }
 };
 
@@ -22,7 +19,7 @@ constexpr WarmCoulomb warm_law;
 #ifdef WITH_FORM
 void form(const LawInput &in, FrictionThreshold &t) {
   threshold(in, t);
-  t.static_friction *= 1. - 0.002 * (in.temperature - 20.);
+  t.static_friction *= softness(in);
   t.dynamic_friction = t.static_friction;
   t.varies = true;
 }

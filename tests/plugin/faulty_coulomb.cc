@@ -9,16 +9,13 @@ namespace {
 class FaultyCoulomb final : public LawBase {
 public:
   LawStatus integrate(const LawInput &in, LawOutput &out) const noexcept override {
-    double now[n_parameters];
-    std::copy(in.parameters, in.parameters + n_parameters, now);
-    LawInput own = in;
-    own.parameters = now;
+    double factor = 1.;
 #if defined(MELTS) // a pad above 300 degC, which its closed form does not say
-    now[f_static] *= in.temperature > 300. ? 0.25 : 1.;
+    factor = in.temperature > 300. ? 0.25 : 1.;
 #elif defined(WEARS_IN) // with time
-    now[f_static] *= in.time > 10. ? 2. : 1.;
+    factor = in.time > 10. ? 2. : 1.;
 #endif
-    const LawStatus status = law.integrate(own, out);
+    const LawStatus status = integrate_with_friction(factor, in, out);
 #if defined(DIVIDES_BY_TIME)
     if (in.time_increment == 0.)
       out.stress[1] = std::numeric_limits<double>::quiet_NaN();

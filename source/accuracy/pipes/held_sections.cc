@@ -216,7 +216,7 @@ private:
         at.axes = {{held[0], held[1], dealii::cross_product_3d(held[0], held[1])}};
       for (unsigned int d = 0; d < held.size(); ++d) {
         at.given[d] = true;
-        at.value[d] = -(mean * (d < 2 ? held[d] : at.axes[d]));
+        at.value[d] = -(mean * at.axes[d]);
       }
       add_load(Load::Kind::displacement, frame.step, {at});
     });

@@ -15,9 +15,8 @@ namespace {
 constexpr int n_nodes = 12, n_orders = 31;
 constexpr unsigned int most_slip_iterations = 15;
 constexpr double largest_turn = 0.5, small_turn = 1e-12, noise_of_turn = 1e-8;
-constexpr double rounding_of_velocities =
-    1e-9; ///< of velocities at the start, of the fastest in the piece
-constexpr double rounding_of_friction = 1e-15; ///< of friction, which its derivative multiplies
+constexpr double rounding_of_velocities = 1e-9; ///< at the start, of the fastest in the piece
+constexpr double rounding_of_friction = 1e-15;  ///< of friction, which its derivative multiplies
 
 using Eigen::MatrixXd, Eigen::VectorXd, Eigen::Vector2d;
 

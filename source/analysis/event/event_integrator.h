@@ -7,9 +7,6 @@
 
 namespace frictionbeam {
 
-/// What does not move, in parts of the fastest velocity so far.
-inline constexpr double at_rest = 1e-12;
-
 /**
  * From one change of a contact's state to the next: in between the motion is linear and known to
  * rounding (TaylorMotion), and so are the instants of slip, stick, closing and opening, roots of
@@ -37,6 +34,7 @@ public:
   std::string remark() const override;
 
 private:
+  static constexpr double at_rest = 1e-12; ///< what does not move, of the fastest velocity so far
   enum class Kind { closing, opening, slipping, dragged, sticking };
   struct Event {
     double x = 2.;

@@ -156,6 +156,16 @@ void add_remarks(const StudyCase &of, const Variables &variables, StudyResults &
     study.remarks.push_back("Hangers are built once: " + hangers +
                             " has in all runs the loads and stiffness that were chosen for the "
                             "case as it stands.");
+  std::vector<std::string> without_value;
+  for (const Quantity &quantity : of.scene.quantities)
+    if (std::none_of(study.names.begin(), study.names.end(), [&](const ResultName &name) {
+          return name.of == ResultName::Of::quantity && name.name == quantity.name;
+        }))
+      without_value.push_back(quantity.name);
+  if (!without_value.empty())
+    study.remarks.push_back(
+        "Quantities that have no value in the case as it stands are left out: " +
+        first_of(without_value) + ". A run of the case says why.");
   const std::size_t n_lost = study.runs.size() - study.count(Outcome::converged);
   if (n_lost > 0)
     study.remarks.push_back(

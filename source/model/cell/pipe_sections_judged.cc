@@ -16,6 +16,9 @@ using Values = Eigen::Map<const Vector6>;
 
 namespace {
 
+/// Of a thin ring that is as stiff [m].
+double radius_of(const Profile &profile) { return std::sqrt(2. * profile.EI / profile.EA); }
+
 /// Of a section's strains, equivalent, in the wall at this radius [-].
 double size_of(const PipeSections::Vector6 &strain, const double radius) {
   return std::hypot(std::abs(strain[0]) + radius * std::hypot(strain[4], strain[5]),
@@ -95,7 +98,7 @@ void PipeSections::check(const unsigned int index, const Surroundings &surroundi
 bool PipeSections::is_far(const unsigned int index, const Vector12 &motions) const {
   constexpr double most = 10.; // of the wall
   const Cell &cell = *cells[index];
-  const double radius = std::sqrt(2. * cell.profile.EI / cell.profile.EA);
+  const double radius = radius_of(cell.profile);
   return std::any_of(cell.B.begin(), cell.B.end(), [&](const auto &B) {
     const Vector6 strain = B * motions;
     return !(std::abs(strain[0]) + radius * std::hypot(strain[4], strain[5]) < most) ||
@@ -112,7 +115,7 @@ PipeSections::Flow PipeSections::plastic_flow(const unsigned int index, const Ve
   const Flow none{std::numeric_limits<double>::infinity()};
   const Cell &cell = *cells[index];
   constexpr double rounding = 1e-12;
-  const double radius = std::sqrt(2. * cell.profile.EI / cell.profile.EA);
+  const double radius = radius_of(cell.profile);
   double bound = 0.;
   for (unsigned int q = 0; q < cell.chain.size(); ++q) {
     Vector6 direction = cell.B[q] * motion;
@@ -170,7 +173,7 @@ PipeSections::Change PipeSections::largest_change(const Vector &before, const Ve
       continue;
     const Cell &cell = *cells[i];
     change.dissipated += sum(cell, after, lost) - sum(cell, before, lost);
-    const double radius = std::sqrt(2. * cell.profile.EI / cell.profile.EA);
+    const double radius = radius_of(cell.profile);
     for (unsigned int q = 0; q < cell.chain.size(); ++q) {
       const double *const from = before.data() + place_of(cell, q), *const to = after.data() +
                                                                                 place_of(cell, q);

@@ -18,12 +18,12 @@ namespace {
 
 constexpr int n_parts = 8;   ///< of a straight cell
 constexpr double held = 1e3; ///< stiffness of what is rigid, of the line's largest
-constexpr double rounding_of_diagonal =
-    1e-12;                          ///< of a diagonal: what slides freely has no stiffness at all
-constexpr double nothing = 1e-18;   ///< of the largest one, for unknowns without any
-constexpr double resolved = 1e-5;   ///< of the factor
-constexpr double takes_part = 0.02; ///< of the cell that bends most
-constexpr double few = 0.3;         ///< N l^2/EI below which a cell is one
+/// What slides freely has no stiffness at all.
+constexpr double rounding_of_diagonal = 1e-12;
+constexpr double nothing = 1e-18;        ///< of the largest one, for unknowns without any
+constexpr double resolved = 1e-5;        ///< of the factor
+constexpr double takes_part = 0.02;      ///< of the cell that bends most
+constexpr double few = 0.3;              ///< N l^2/EI below which a cell is one
 constexpr double carries_nothing = 1e-9; ///< of the support's, or of the largest along a pipe
 
 using Matrix4 = Eigen::Matrix4d;

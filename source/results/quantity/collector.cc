@@ -354,11 +354,13 @@ void Collector::finish(const LineState &state) {
     for (const StepReport &step : results.steps)
       if (const auto value = value_of_step(quantity, step))
         pending[i].value = quantity.scale * *value;
-    if (quantity.is(Of::wall) && pending[i].value && std::isnan(*pending[i].value))
-      pending[i].value.reset(); // the law does not tell
-    if (!pending[i].value) {
-      results.remarks.push_back("Quantity " + quantity.name +
-                                why_no_value(quantity, results.steps));
+    const bool is_untold = (quantity.is(Of::wall) || quantity.is(Of::cycle)) && pending[i].value &&
+                           std::isnan(*pending[i].value);
+    if (!pending[i].value || is_untold) {
+      results.remarks.push_back(
+          "Quantity " + quantity.name +
+          (is_untold ? " is not known: the law of a section does not tell how far it has flowed."
+                     : why_no_value(quantity, results.steps)));
       continue;
     }
     QuantityResult result =

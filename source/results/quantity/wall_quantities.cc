@@ -89,7 +89,7 @@ std::optional<double> value_of_step(const Quantity &quantity, const StepReport &
     if (const double value = which == 0 ? step.limit->reached : step.limit->bound;
         std::isfinite(value)) // no bound may be known
       return value;
-  if (quantity.is(Of::cycle) && step.cycle && !(which == 1 && std::isnan(step.cycle->flow)))
+  if (quantity.is(Of::cycle) && step.cycle)
     return which == 0 ? step.cycle->growth : which == 1 ? step.cycle->flow : step.cycle->dissipated;
   return {};
 }
@@ -99,10 +99,6 @@ std::string why_no_value(const Quantity &quantity, const std::vector<StepReport>
     for (const StepReport &step : steps)
       if (step.limit && (quantity.step.empty() || step.step == quantity.step))
         return " is not known: step " + step.step + " has come to no mechanism that gives a bound.";
-  if (quantity.is(QuantityKind::Of::wall) || quantity.is(QuantityKind::Of::cycle))
-    for (const StepReport &step : steps)
-      if (quantity.is(QuantityKind::Of::wall) || (step.cycle && std::isnan(step.cycle->flow)))
-        return " is not known: the law of a section does not tell how far it has flowed.";
   return " was not reached.";
 }
 

@@ -107,13 +107,13 @@ SupportState patch_state(const ContinuumBody<3> &body, const FoundationContacts 
     const LocalVector &stress = state.contacts.stress[i];
     const LocalVector slip = contacts.slip(i, state.contact_displacement[i], state.contacts);
     const ContactStatus status = state.contacts.status[i];
-    sums[0] -= w * stress[0];
-    sums[1] += w * stress[1];
-    sums[2] += w * stress[2];
     SupportState of_node;
     of_node.fn = -w * stress[0];
     of_node.ft1 = w * stress[1];
     of_node.ft2 = w * stress[2];
+    sums[0] += of_node.fn;
+    sums[1] += of_node.ft1;
+    sums[2] += of_node.ft2;
     const Vector3 moment =
         cross_product_3d(body.nodes[i].position - place, force_along_axes(contact, of_node));
     for (unsigned int d = 0; d < 3; ++d)

@@ -9,6 +9,18 @@
 
 namespace frictionbeam {
 
+namespace {
+
+/// Of a ring: its pipe and how far along it, in words.
+std::string place_of(const WallRing &ring, const PipeWall &wall, const Scene &scene) {
+  const unsigned int pipe = wall.segments[ring.segment].pipe;
+  const double s = std::max(0., ring.s - wall.pipe_start[pipe]); // its first one: to rounding
+  return scene.pipes[pipe].name + ", s = " + rounded_number(s / scene.units.factor("m"), 4) + " " +
+         scene.units.name("m");
+}
+
+} // namespace
+
 std::string doubt_of_stresses(const Scene &scene, const PipeWall &wall,
                               const std::vector<WallFrame> &frames) {
   double worst = 1.; // of the yield stress
@@ -22,11 +34,8 @@ std::string doubt_of_stresses(const Scene &scene, const PipeWall &wall,
       if (material.yield_stress <= 0. || stress <= worst * material.yield_stress)
         continue;
       worst = stress / material.yield_stress;
-      const double s = std::max(0., wall.rings[r].s -
-                                        wall.pipe_start[wall.segments[wall.rings[r].segment].pipe]);
-      text = "Pipe " + pipe.name + ", s = " + rounded_number(s / scene.units.factor("m"), 4) + " " +
-             scene.units.name("m") + ", step " + scene.steps[frame.step].name +
-             ": the equivalent stress of the wall is " +
+      text = "Pipe " + place_of(wall.rings[r], wall, scene) + ", step " +
+             scene.steps[frame.step].name + ": the equivalent stress of the wall is " +
              rounded_number(stress / scene.units.factor("Pa"), 3) + " " + scene.units.name("Pa") +
              ", " + rounded_number(worst, 3) + " times the Yield stress of material " +
              material.name + ", while the wall is taken for elastic.";
@@ -46,9 +55,8 @@ std::string doubt_of_bore(const Scene &scene, const PipeWall &wall,
       if (ring.pressure == 0. || miss <= worst * ring.largest_mises(0))
         continue;
       worst = miss / ring.largest_mises(0);
-      text = "Step " + scene.steps[frame.step].name + ", " +
-             rounded_number(wall.rings[r].s / scene.units.factor("m"), 4) + " " +
-             scene.units.name("m") + " along the pipes: the radial stress of the bore is " +
+      text = "Pipe " + place_of(wall.rings[r], wall, scene) + ", step " +
+             scene.steps[frame.step].name + ": the radial stress of the bore is " +
              rounded_number(ring.on_bore / Pa, 3) + " " + scene.units.name("Pa") +
              ", where the pressure makes " + rounded_number(-ring.pressure / Pa, 3) +
              ": cells through the wall are too coarse for its stresses. Take more of "
