@@ -8,29 +8,39 @@ namespace frictionbeam::contact {
 
 namespace {
 
-// As they lie in memory, which knows of nothing but doubles.
-using TwoNumbers = double __attribute__((vector_size(16), aligned(8), may_alias));
-using FourNumbers = double __attribute__((vector_size(32), aligned(8), may_alias));
+using TwoNumbers = double __attribute__((vector_size(16)));
+using FourNumbers = double __attribute__((vector_size(32)));
 
 constexpr int most_pivots = 6; ///< at once: unknowns of a node, and an even number
 
+/// Numbers that lie at any double in memory, which knows of nothing but doubles.
 template <typename Numbers>
-[[gnu::always_inline]] inline const Numbers &at(const double *const place) {
-  return *reinterpret_cast<const Numbers *>(place);
+struct __attribute__((packed, may_alias)) Unaligned {
+  Numbers all;
+};
+
+template <typename Numbers>
+[[gnu::always_inline]] inline const Unaligned<Numbers> &at(const double *const place) {
+  return *reinterpret_cast<const Unaligned<Numbers> *>(place);
+}
+
+template <typename Numbers>
+[[gnu::always_inline]] inline Unaligned<Numbers> &at(double *const place) {
+  return *reinterpret_cast<Unaligned<Numbers> *>(place);
 }
 
 template <typename Numbers, int n_pivots>
 [[gnu::always_inline]] inline void subtract_from(const double *const *const from, const int k,
                                                  const double (*const factor)[4],
                                                  double *const to) {
-  Numbers left = at<Numbers>(to + k);
+  Numbers left = at<Numbers>(to + k).all;
 #pragma GCC unroll 6
   for (int p = 0; p + 1 < n_pivots; p += 2)
-    left -= at<Numbers>(factor[p]) * at<Numbers>(from[p] + k) +
-            at<Numbers>(factor[p + 1]) * at<Numbers>(from[p + 1] + k);
+    left -= at<Numbers>(factor[p]).all * at<Numbers>(from[p] + k).all +
+            at<Numbers>(factor[p + 1]).all * at<Numbers>(from[p + 1] + k).all;
   if (n_pivots % 2 != 0)
-    left -= at<Numbers>(factor[n_pivots - 1]) * at<Numbers>(from[n_pivots - 1] + k);
-  *reinterpret_cast<Numbers *>(to + k) = left;
+    left -= at<Numbers>(factor[n_pivots - 1]).all * at<Numbers>(from[n_pivots - 1] + k).all;
+  at<Numbers>(to + k).all = left;
 }
 
 template <int n_pivots>
@@ -79,7 +89,7 @@ template <int n_pivots>
                                              const double factor) {
   int k = 0;
   for (; k + 1 < n; k += 2)
-    *reinterpret_cast<FourNumbers *>(pairs + 2 * k) *= FourNumbers{1., factor, 1., factor};
+    at<FourNumbers>(pairs + 2 * k).all *= FourNumbers{1., factor, 1., factor};
   if (k < n)
     pairs[2 * k + 1] *= factor;
 }
@@ -117,15 +127,15 @@ template <int n_pivots>
       x[k] -= row[2 * k + 1] * x[p];
   int k = width;
   for (; k + 3 < stride; k += 4) {
-    const FourNumbers &before = at<FourNumbers>(x + k);
+    const FourNumbers before = at<FourNumbers>(x + k).all;
     FourNumbers left = __builtin_shufflevector(before, before, 0, 2, 1, 3);
     row = pairs + 2 * k;
     for (int p = 0; p < width; ++p, row += 2 * stride) {
-      const FourNumbers L =
-          __builtin_shufflevector(at<FourNumbers>(row), at<FourNumbers>(row + 4), 1, 5, 3, 7);
+      const FourNumbers L = __builtin_shufflevector(at<FourNumbers>(row).all,
+                                                    at<FourNumbers>(row + 4).all, 1, 5, 3, 7);
       left -= L * FourNumbers{x[p], x[p], x[p], x[p]};
     }
-    *reinterpret_cast<FourNumbers *>(x + k) = __builtin_shufflevector(left, left, 0, 2, 1, 3);
+    at<FourNumbers>(x + k).all = __builtin_shufflevector(left, left, 0, 2, 1, 3);
   }
   for (; k < stride; ++k) {
     double left = x[k];
@@ -144,7 +154,7 @@ template <int n_pivots>
     FourNumbers sum = {0., 0., 0., 0.};
     int k = width;
     for (; k + 1 < stride; k += 2)
-      sum += at<FourNumbers>(row + 2 * k) * FourNumbers{x[k], x[k], x[k + 1], x[k + 1]};
+      sum += at<FourNumbers>(row + 2 * k).all * FourNumbers{x[k], x[k], x[k + 1], x[k + 1]};
     if (k < stride)
       sum[0] += row[2 * k] * x[k];
     x[p] -= sum[0] + sum[2];

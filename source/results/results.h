@@ -110,6 +110,7 @@ struct Frame {
   bool end_of_step = true;
   bool is_amplitude = false; ///< of a case whose numbers are sizes, or each from another state: no
                              ///< shape to draw
+  bool is_judged = true; ///< by what a state may be at most: all steps, and cases that are states
   std::vector<Station> line;
   std::vector<SupportState> supports;
   std::vector<Motion> reactions; ///< of RestraintInfo

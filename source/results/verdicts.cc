@@ -5,7 +5,6 @@
 #include "results/combination/uplift.h"
 #include "results/energy_judgement.h"
 #include "results/how_well_known.h"
-#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -161,14 +160,14 @@ OneCheck uplift(const Scene &scene, const Results &results) {
 double size_of(const Motion &force) { return std::hypot(force[0], force[1], force[2]); }
 
 /// Over all steps, transient ones at each instant, and combinations that are states.
-OneCheck capacity(const Scene &scene, const Results &results) {
+OneCheck capacity(const Results &results) {
   OneCheck check("capacity", "supports", "N");
   const auto judge = [&](const std::string &name, const double limit, const auto &at_end,
                          const auto &at_most, const auto &is_struck) {
     if (limit == 0.)
       return;
     for (const Frame &frame : results.frames) {
-      if (!is_judged(scene, frame.name))
+      if (!frame.is_judged)
         continue;
       const StepEnvelope *const envelope = results.envelope_of(frame.step);
       if (envelope != nullptr && is_struck(*envelope))
@@ -254,7 +253,7 @@ std::vector<Verdict> verdicts_of(const Scene &scene, const Results &results) {
   hangers(results).tell(told);
   if (scene.checks.uplift)
     uplift(scene, results).tell(told);
-  capacity(scene, results).tell(told);
+  capacity(results).tell(told);
   limits(scene, results).tell(told);
   references(scene, results).tell(told);
   return told;

@@ -31,6 +31,22 @@ std::vector<std::string> law_entries(const LawDescription &law) {
   return entries;
 }
 
+void declare_parameters(ParameterReader &in, const LawDescription &law,
+                        const std::vector<double> &defaults) {
+  for (int i = 0; i < law.n_parameters; ++i) {
+    const LawParameter &p = law.parameters[i];
+    if (in.is_declared(p.name))
+      in.fail("Law",
+              "a law whose parameters have names of their own; '" + std::string(p.name) +
+                  "' is an entry of this section whatever its law is",
+              "another name for that parameter, in the source of law '" + std::string(law.name) +
+                  "'",
+              law.name);
+    in.declare_number(p.name, defaults.empty() ? p.default_value : defaults[i], p.unit, p.minimum,
+                      p.maximum, "Law " + std::string(law.name) + ": " + p.meaning + ".");
+  }
+}
+
 void check_closed_form(const ParameterReader &in, const LawDescription &law,
                        const std::vector<double> &parameters) {
   const std::vector<std::string> faults = closed_form_faults(law, parameters);

@@ -19,6 +19,15 @@ const LawDescription &find_law(const ParameterReader &in, const LawLibrary &laws
 /// Names of a law's parameters, which are entries of the support or section.
 std::vector<std::string> law_entries(const LawDescription &law);
 
+/**
+ * A law's parameters, as entries of the current section after those of its own.
+ * @param defaults if there are any, in place of the law's
+ * @throws UserError where one is called as an entry is that the section has already: one number
+ * would be read for both.
+ */
+void declare_parameters(ParameterReader &in, const LawDescription &law,
+                        const std::vector<double> &defaults = {});
+
 /// The method exact believes a law's closed form, the others its integrate(): they must agree.
 void check_closed_form(const ParameterReader &in, const LawDescription &law,
                        const std::vector<double> &parameters);

@@ -236,6 +236,22 @@ void test_references_and_include() {
   CHECK(scene.title == "shrunk" && scene.points.size() == 3);
 }
 
+/// Entries of bends that no beam has are told, of each pipe.
+void test_bends_that_are_solids() {
+  const auto is_told = [](const Options &options) {
+    const Scene scene = read(source / "prm/example/mixed_rack.prm", options);
+    return std::any_of(scene.remarks.begin(), scene.remarks.end(), [](const std::string &remark) {
+      return remark.find("its Bend flexibility is not used where all its bends are solids") !=
+             std::string::npos;
+    });
+  };
+  const std::string given = "Pipe main/Bend flexibility = none";
+  CHECK(!is_told({}));
+  CHECK(is_told({given}));
+  CHECK(is_told({given, "Solid/At = all bends"}));
+  CHECK(!is_told({given, "Solid/At ="}));
+}
+
 double u_0(const double F, const double GS, const unsigned int n, const Options &more = {}) {
   Options options = more;
   std::ostringstream force, rigidity;
@@ -377,6 +393,7 @@ int main() {
   test_forty_lines();
   test_parts();
   test_references_and_include();
+  test_bends_that_are_solids();
   test_slab();
   test_oscillator();
   test_friction_bed();

@@ -3,13 +3,14 @@
 #include "model/body/body_cell_matrices.h"
 
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <Epetra_Vector.h>
 
 namespace frictionbeam {
 
@@ -21,16 +22,34 @@ namespace {
 constexpr double linear_tolerance = 1e-11, enough = 1e-4;
 constexpr unsigned int most_linear_iterations = 400;
 
+/// Products of a matrix with our vectors. The template of deal.II that does it has one name in a
+/// library made by GCC and another in a program made by Clang.
+class Product {
+public:
+  explicit Product(const TrilinosWrappers::SparseMatrix &matrix)
+      : matrix(matrix.trilinos_matrix()) {}
+
+  void vmult(ContinuumVector &y, const ContinuumVector &x) const {
+    const Epetra_Vector from(View, matrix.DomainMap(), const_cast<double *>(x.begin()));
+    Epetra_Vector to(View, matrix.RangeMap(), y.begin());
+    const int error = matrix.Multiply(false, from, to);
+    AssertThrow(error == 0, ExcTrilinosError(error));
+  }
+
+private:
+  const Epetra_CrsMatrix &matrix;
+};
+
 class DistributedSystem final : public ContinuumSystem {
 public:
   template <int dim>
   DistributedSystem(const ContinuumBody<dim> &body, const bool direct)
       : direct(direct), constraints(body.constraints), degree(body.fe.degree) {
-    DynamicSparsityPattern pattern(body.relevant);
+    TrilinosWrappers::SparsityPattern pattern(body.owned, body.owned, body.relevant,
+                                              body.communicator);
     DoFTools::make_sparsity_pattern(body.dof_handler, pattern, body.constraints, false);
-    SparsityTools::distribute_sparsity_pattern(pattern, body.owned, body.communicator,
-                                               body.relevant);
-    matrix.reinit(body.owned, body.owned, pattern, body.communicator);
+    pattern.compress();
+    matrix.reinit(pattern);
     assemble_stiffness<dim>(
         body, body.dof_handler,
         [&](const FullMatrix<double> &local, const std::vector<types::global_dof_index> &dofs) {
@@ -41,7 +60,9 @@ public:
     DoFTools::extract_constant_modes(body.dof_handler, ComponentMask(), constant_modes);
   }
 
-  void multiply(const ContinuumVector &x, ContinuumVector &y) const override { matrix.vmult(y, x); }
+  void multiply(const ContinuumVector &x, ContinuumVector &y) const override {
+    Product(matrix).vmult(y, x);
+  }
   double diagonal(const types::global_dof_index dof) const override {
     return matrix.diag_element(dof);
   }
@@ -103,10 +124,10 @@ bool DistributedSystem::solve_by_multigrid(const std::vector<Block> &blocks, con
   SolverControl control(most_linear_iterations, linear_tolerance * size);
   try {
     if (symmetric)
-      SolverCG<ContinuumVector>(control).solve(with_blocks, x, right, multigrid);
+      SolverCG<ContinuumVector>(control).solve(Product(with_blocks), x, right, multigrid);
     else
       SolverGMRES<ContinuumVector>(control, SolverGMRES<ContinuumVector>::AdditionalData(100, true))
-          .solve(with_blocks, x, right, multigrid);
+          .solve(Product(with_blocks), x, right, multigrid);
   } catch (const SolverControl::NoConvergence &failure) {
     // Newton's method makes up for what rounding leaves of a direction.
     if (!(failure.last_residual <= enough * size))

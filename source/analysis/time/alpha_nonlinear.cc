@@ -254,7 +254,7 @@ EnergyAccount AlphaScheme::account_turning(const Step &step, const LineState &fr
   account.kinetic = kinetic - velocity_before.dot(before) / 2.;
   account.damping = lost * mean.dot(before + after);
   account.external += of_imposed.dot((1. + lost) * after - (1. - lost) * before);
-  account.at_hand = kinetic + line.stored_energy(end);
+  account.at_hand = kinetic + std::abs(line.stored_energy(end));
   account.turnover += std::abs(account.kinetic);
   return account;
 }
@@ -274,7 +274,7 @@ EnergyAccount AlphaScheme::account_nonlinear(const Step &step, const LineState &
   account.kinetic = kinetic - from.velocity.dot(step.momentum_before) / 2.;
   if (model.linear.damping().nonZeros() > 0)
     account.damping = (from.velocity + to.velocity).dot(model.linear.damping() * motion) / 2.;
-  account.at_hand = kinetic + model.cells.stored_energy(pose_of(to)) +
+  account.at_hand = kinetic + std::abs(model.cells.stored_energy(pose_of(to))) +
                     model.linear.kinetic_by_imposed(to.load_rates, to.velocity);
   account.turnover += std::abs(account.kinetic);
   EnergyAccount imposed = account_imposed(model, from, to, step.h);

@@ -233,7 +233,7 @@ void NonlinearMotion::account(const Step &step, const Vector &velocity_after,
                      model.contacts.platen_forces().dot(step.moved) +
                      (step.balance.internal - step.balance.loads).dot(step.imposed) +
                      step.imposed_velocity.dot((1. + lost) * after - (1. - lost) * before);
-  account.at_hand = kinetic + stored;
+  account.at_hand = kinetic + std::abs(stored); // below 0 where sections jump
   if (line.pipe_sections().any())
     account.inelastic = line.pipe_sections().dissipated(*step.to.sections) -
                         line.pipe_sections().dissipated(*step.from.sections);

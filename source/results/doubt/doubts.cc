@@ -216,12 +216,13 @@ public:
     for (std::size_t i = 0; i < n; ++i) {
       const auto [known, is_first] =
           first.emplace(places.insert(results.restraints[i].position), i);
+      const std::size_t before = known->second;
       const std::string &name = results.restraints[i].name,
-                        &other = results.restraints[known->second].name;
+                        &other = results.restraints[before].name;
       if (!is_first &&
           std::any_of(results.frames.begin(), results.frames.end(), [&](const Frame &frame) {
             return i < frame.reactions.size() && frame.reactions[i] != Motion{} &&
-                   are_alike(frame.reactions[i], frame.reactions[known->second]);
+                   are_alike(frame.reactions[i], frame.reactions[before]);
           }))
         results.remarks.push_back(other + " and " + name +
                                   " hold the same motions of one point: nothing says what either "

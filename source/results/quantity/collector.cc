@@ -222,13 +222,14 @@ double Collector::evaluate(const Quantity &quantity, const Frame &made) const {
   return quantity.scale * (quantity.absolute ? std::abs(value()) : value());
 }
 
-void Collector::observe_case(const Frame &made) {
+void Collector::observe_case(Frame made) {
+  made.is_judged = is_judged(model.scene, made.name);
   for (unsigned int i = 0; i < pending.size(); ++i)
     if (model.scene.quantities[i].step == made.name &&
         !model.scene.quantities[i].kind().is_of_the_end())
       pending[i].value = evaluate(model.scene.quantities[i], made);
   sink(made);
-  results.frames.push_back(made);
+  results.frames.push_back(std::move(made));
 }
 
 bool Collector::output_is_due(const LoadStep &step, const double time, const bool last) const {

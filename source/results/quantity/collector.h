@@ -44,7 +44,7 @@ public:
                   const unsigned int n_increments, const double time) const;
 
   /// To be called for every case made after the load sequence: @p made is put out and kept.
-  void observe_case(const Frame &made);
+  void observe_case(Frame made);
 
   /// The quantity in a frame alone, for cases that have no state of the line.
   double evaluate(const Quantity &quantity, const Frame &made) const;

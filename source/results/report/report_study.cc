@@ -82,7 +82,7 @@ std::vector<SummaryRow> summary_rows(const Results &results) {
   for (const RestraintInfo &info : results.restraints)
     all.push_back({info.name, info.kind, "", ""});
   for (const Frame &frame : results.frames)
-    if (frame.end_of_step)
+    if (frame.end_of_step && frame.is_judged)
       for (std::size_t i = 0; i < all.size(); ++i)
         include_step(frame, results.envelope_of(frame.step), i, all[i]);
   std::vector<double> weight;
@@ -115,6 +115,10 @@ std::string restraint_summary(const Results &results) {
       .text("in step", column([](const SummaryRow &row) { return row.step; }));
   std::string note = "The largest force of each support over all steps, and the step that it comes "
                      "from; the worst line is the first.";
+  if (std::any_of(results.frames.begin(), results.frames.end(),
+                  [&](const Frame &frame) { return frame.step >= results.steps.size(); }))
+    note += " The spectrum and combinations count where they are states, as for a capacity "
+            "(doc/load_cases.md): differences, sums of two states and envelopes do not.";
   if (!results.envelopes.empty()) {
     table.right("at time [s]", column([](const SummaryRow &row) { return row.when; }));
     note += " Of static steps their ends count, of transient ones every time step; fn, friction "
@@ -195,6 +199,8 @@ std::string displacement_tables(const Results &results, const std::vector<const 
 std::vector<double> largest_forces(const Results &results) {
   std::vector<double> largest(results.supports.size() + results.restraints.size(), 0.);
   for (const Frame &frame : results.frames) {
+    if (!frame.is_judged)
+      continue;
     for (std::size_t i = 0; i < frame.supports.size(); ++i)
       largest[i] = std::max(largest[i], size_of(frame.supports[i]));
     for (std::size_t i = 0; i < frame.reactions.size(); ++i)

@@ -5,14 +5,14 @@
 
 namespace frictionbeam {
 
-/// Every support and restraint with its largest force over all steps and the step of it, the
-/// largest first, as HTML.
+/// Every support and restraint with its largest force over all steps and judged cases and the step
+/// of it, the largest first, as HTML.
 std::string restraint_summary(const Results &results);
 
 /// Displacements and rotations of the named points on pipes, a tab for each of at most six frames.
 std::string displacement_tables(const Results &results, const std::vector<const Frame *> &frames);
 
-/// Largest force of each support over all steps [N]; they come in the order of
+/// Largest force of each support over all steps and judged cases [N]; they come in the order of
 /// Results::supports, then Results::restraints.
 std::vector<double> largest_forces(const Results &results);
 

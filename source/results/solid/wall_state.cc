@@ -42,7 +42,7 @@ class WallReading {
 public:
   WallReading(const PipeWall &wall, const WallLoads &loads, const ContinuumBody<3> &body,
               const ContinuumState &state, const PressureStiffness *const stiffness)
-      : wall(wall), loads(loads), body(body), state(state), stiffness(stiffness), area(wall.area()),
+      : wall(wall), loads(loads), body(body), state(state), area(wall.area()),
         inertia(wall.inertia()), rings(wall.rings.size()), rule(body.fe.degree + 1),
         face_rule(body.fe.degree + 2), nodes(body.fe.base_element(0).get_unit_support_points()),
         values(body.mapping, body.fe, rule,
@@ -99,7 +99,6 @@ private:
   const WallLoads &loads;
   const ContinuumBody<3> &body;
   const ContinuumState &state;
-  const PressureStiffness *const stiffness;
   std::optional<PressureCells> by_pressure;
   ContinuumVector moved;      ///< displacement without that of the pressure by itself
   const double area, inertia; ///< of the mesh, which take a while to find

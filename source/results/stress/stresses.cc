@@ -4,7 +4,6 @@
 
 #include "results/stress/stresses.h"
 #include "results/text.h"
-#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -275,7 +274,7 @@ std::vector<NozzleUse> evaluate_nozzles(const Scene &scene, const Results &resul
   const auto sites = nozzle_sites(scene, results);
   for (unsigned int n = 0; n < scene.nozzles.size(); ++n)
     for (const Frame &frame : results.frames) {
-      if (!is_judged(scene, frame.name))
+      if (!frame.is_judged)
         continue; // which no nozzle carries
       const StepEnvelope *const envelope = results.envelope_of(frame.step);
       for (unsigned int k = 0; frame.end_of_step && k < sites.size(); ++k) {

@@ -111,6 +111,13 @@ void ParameterReader::declare(const std::string &name, const std::string &defaul
     handler.leave_subsection();
 }
 
+bool ParameterReader::is_declared(const std::string &name) const {
+  const auto here = declared.find(heading);
+  return here != declared.end() &&
+         std::any_of(here->second.begin(), here->second.end(),
+                     [&](const Declared &entry) { return entry.name == name; });
+}
+
 void ParameterReader::declare_number(const std::string &name, const double default_value,
                                      const std::string &unit, const double minimum,
                                      const double maximum, const std::string &meaning) {

@@ -49,6 +49,8 @@ public:
   void declare_text(const std::string &name, const std::string &default_value,
                     const std::string &allowed, const std::string &meaning);
 
+  bool is_declared(const std::string &name) const; ///< in the current section
+
   /// Take the values of the current section from the file.
   /// @throws UserError for an entry that is not declared or a value out of bounds.
   void take();

@@ -94,12 +94,7 @@ void declare_body(ParameterReader &in, const LawLibrary &laws) {
   in.declare_text("Law", "coulomb", join(laws.names(LawKind::support)),
                   "Of friction, a law of supports: its elements are those on one square metre, 1 m "
                   "long.");
-  const LawDescription &law = find_law(in, laws, LawKind::support, "coulomb");
-  for (int i = 0; i < law.n_parameters; ++i) {
-    const LawParameter &p = law.parameters[i];
-    in.declare_number(p.name, p.default_value, p.unit, p.minimum, p.maximum,
-                      "Law " + std::string(law.name) + ": " + p.meaning + ".");
-  }
+  declare_parameters(in, find_law(in, laws, LawKind::support, "coulomb"));
 }
 
 void build_body(const ParameterReader &in, const LawLibrary &laws, Scene &scene) {

@@ -122,11 +122,8 @@ void declare_section(ParameterReader &in, const LawLibrary &laws) {
                   "parameters are entries of the section; those that diameter, wall, material and "
                   "bend say already may be left out.");
   const LawDescription &law = find_law(in, laws, LawKind::section, elastic_law);
-  for (int i = 0; law.name != elastic_law && i < law.n_parameters; ++i) {
-    const LawParameter &p = law.parameters[i];
-    in.declare_number(p.name, p.default_value, p.unit, p.minimum, p.maximum,
-                      "Law " + std::string(law.name) + ": " + p.meaning + ".");
-  }
+  if (law.name != elastic_law) // which has no entries of its own
+    declare_parameters(in, law);
 }
 
 namespace {

@@ -145,18 +145,19 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_choice(
       "Pad", no_pad, pads,
       "What steel slides on, which gives 'Friction coefficient' a default: steel 0.3, "
-      "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03.");
+      "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03. Guides and stops have none unless one "
+      "of "
+      "the two is given.");
   const LawDescription &law = find_law(in, laws, LawKind::support, default_law(kind));
+  std::vector<double> defaults;
   for (int i = 0; i < law.n_parameters; ++i) {
     const LawParameter &p = law.parameters[i];
-    double value = p.default_value;
-    const bool is_friction = std::string(p.name) == "Friction coefficient";
-    if (is_friction)
-      value = friction_of(in.raw("Pad", "none"), kind_of(kind).slides ? value : 0.);
-    in.declare_number(p.name, value, p.unit, p.minimum, p.maximum,
-                      "Law " + std::string(law.name) + ": " + p.meaning + "." +
-                          (is_friction ? " Guides and stops have none unless it is given." : ""));
+    defaults.push_back(
+        std::string(p.name) == "Friction coefficient"
+            ? friction_of(in.raw("Pad", "none"), kind_of(kind).slides ? p.default_value : 0.)
+            : p.default_value);
   }
+  declare_parameters(in, law, defaults);
 }
 
 namespace {

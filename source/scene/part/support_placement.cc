@@ -74,15 +74,6 @@ std::pair<std::string, unsigned int> repeated_support(const std::string &heading
   return {heading.substr(0, dot), std::stoul(number)};
 }
 
-/// The law's entries, which are what the support says unless they are given.
-void declare_place(ParameterReader &in, const LawDescription &law,
-                   const std::vector<double> &parameters) {
-  for (int i = 0; i < law.n_parameters; ++i) {
-    const LawParameter &p = law.parameters[i];
-    in.declare_number(p.name, parameters[i], p.unit, p.minimum, p.maximum, p.meaning);
-  }
-}
-
 std::vector<double> parse_place(const ParameterReader &in, const LawDescription &law) {
   std::vector<double> parameters;
   for (const std::string &entry : law_entries(law))
@@ -113,7 +104,7 @@ void parse_support_places(ParameterReader &in, const LawLibrary &laws, Scene &sc
         continue;
       const LawDescription &law = laws.find(support.law);
       if (!found) {
-        declare_place(in, law, support.parameters);
+        declare_parameters(in, law, support.parameters); // as the support says, unless given
         in.take();
       }
       found = true;

@@ -88,8 +88,11 @@ const Rows &rows_of_parts() {
        {"Bend flexibility", "Stiffening pressure"},
        [](const Place &at) {
          const Pipe *const pipe = at.part(at.scene.pipes);
-         return at.is_wall() ? at.with_model()
-                             : unless(pipe == nullptr || has_bend(*pipe), "without a bend");
+         if (at.is_wall())
+           return at.with_model();
+         if (pipe == nullptr || has_bend_of_beams(at.scene, *pipe))
+           return std::string();
+         return std::string(has_bend(*pipe) ? "where all its bends are solids" : "without a bend");
        }},
       {"Support",
        {"Torsional rigidity", "Patch radius"},

@@ -1,23 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "scene/solid/mixed_entries.h"
 #include "scene/unused/unused_row.h"
 
 namespace frictionbeam::unused {
 
 namespace {
-
-/// Whether a bend of a route is a beam: the wall of the others is a solid.
-bool has_bend_of_beams(const Scene &scene) {
-  const std::vector<std::string> places = solid_places(scene);
-  if (std::count(places.begin(), places.end(), all_bends) > 0)
-    return false;
-  return any(scene.pipes, [&](const Pipe &pipe) {
-    return pipe.bend_radius > 0. || any(pipe.route, [&](const RoutePoint &point) {
-             return point.bend_radius > 0. &&
-                    std::count(places.begin(), places.end(), point.name) == 0;
-           });
-  });
-}
 
 /// Whether some section of the file has one of these numbers above 0.
 bool any_section_has(const Place &at, const std::vector<std::string> &entries) {
@@ -140,7 +126,10 @@ const Rows &rows_of_settings() {
        [](const Place &at) {
          return !any(at.scene.pipes, has_bend)
                     ? std::string("without a bend")
-                    : unless(has_bend_of_beams(at.scene), "where all bends are solids");
+                    : unless(
+                          any(at.scene.pipes,
+                              [&](const Pipe &pipe) { return has_bend_of_beams(at.scene, pipe); }),
+                          "where all bends are solids");
        }},
       {"Mesh",
        {"Cells per bend"},

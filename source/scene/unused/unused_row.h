@@ -3,6 +3,7 @@
 
 #include "scene/file/parameter_reader.h"
 #include "scene/scene.h"
+#include "scene/solid/mixed_entries.h"
 
 #include <algorithm>
 #include <string>
@@ -70,6 +71,18 @@ bool any(const Items &items, const Property &property) {
 
 /// Whether a pipe has a bend, of its route or as a curve of a mesh file.
 inline bool has_bend(const Pipe &pipe) { return pipe.has_bend() || pipe.bend_radius > 0.; }
+
+/// Whether a pipe has a bend that Solid/At leaves to beams.
+inline bool has_bend_of_beams(const Scene &scene, const Pipe &pipe) {
+  const std::vector<std::string> places = solid_places(scene);
+  const auto is_solid = [&](const std::string &place) {
+    return std::count(places.begin(), places.end(), place) > 0;
+  };
+  return !is_solid(all_bends) &&
+         (pipe.bend_radius > 0. || any(pipe.route, [&](const RoutePoint &point) {
+            return point.bend_radius > 0. && !is_solid(point.name);
+          }));
+}
 
 /// Entries of sections of a kind, and why a scene that has them does not use them: nothing if it
 /// does. Of several rows that have an entry the first one with a reason is said.
