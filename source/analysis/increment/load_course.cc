@@ -3,6 +3,7 @@
 #include "analysis/increment/time_step.h"
 #include "base/numbers.h"
 #include "model/load_forces.h"
+#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,21 @@ void LoadCourse::begin_step(const unsigned int step, const Factors &before, cons
   to = after;
   start = start_time;
   ramp = ramp_time;
+  held.assign(from.size(), std::numeric_limits<double>::quiet_NaN());
+  const auto last = step_before(model.scene, step);
+  if (!last || model.scene.steps[step].transient)
+    return;
+  const HistoryOrigins then(model.scene, *last);
+  const double end = start - (origins.elsewhere - then.elsewhere); // of that step
+  for (unsigned int l = 0; l < held.size(); ++l)
+    if (to[l] == 0. && from[l] != 0.)
+      held[l] = value(model.scene.loads[l].history, then.loads[l], end, Side::before);
+}
+
+double LoadCourse::history_of(const unsigned int load, const double time, const Side side) const {
+  return held.empty() || std::isnan(held[load])
+             ? value(model.scene.loads[load].history, origins.loads[load], time, side)
+             : held[load];
 }
 
 LoadCourse::Factors LoadCourse::declared(const double time) const {
@@ -58,14 +74,14 @@ LoadCourse::Factors LoadCourse::factors_at(const double time, const Side side) c
   Factors result = declared(time);
   for (unsigned int l = 0; l < result.size(); ++l)
     if (result[l] != 0.)
-      result[l] *= value(model.scene.loads[l].history, origins.loads[l], time, side);
+      result[l] *= history_of(l, time, side);
   return result;
 }
 
 double LoadCourse::factor(const unsigned int load, const double time, const Side side) const {
   const double part = ramp > 0. ? std::clamp((time - start) / ramp, 0., 1.) : 1.;
   return (part < 1. ? from[load] + part * (to[load] - from[load]) : to[load]) *
-         value(model.scene.loads[load].history, origins.loads[load], time, side);
+         history_of(load, time, side);
 }
 
 LoadCourse::Factors LoadCourse::factors(const double time) const {

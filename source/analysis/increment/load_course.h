@@ -80,6 +80,8 @@ private:
     Factors first, second;
   };
   Derivatives derivatives(const double time, const Side side) const;
+  /// Value of a load's history, as the step has it.
+  double history_of(const unsigned int load, const double time, const Side side) const;
   /// Value of a history whose time begins at @p origin; both: as at any instant.
   static double value(const TimeFunction &history, const double origin, const double time,
                       const Side side);
@@ -95,6 +97,9 @@ private:
 
   const Model &model;
   HistoryOrigins origins;
+  /// Of loads that a static step does not name: what their histories were at its start, from where
+  /// they go back to zero; nan: the history goes on.
+  Factors held;
   Factors from, to;
   double start = 0., ramp = 0.; ///< [s]
 };

@@ -199,12 +199,17 @@ public:
     note(first_sum(Load::Kind::pressure, is_any), "pressures");
     const std::string heated = first_sum(Load::Kind::temperature, has_table);
     note(first_sum(Load::Kind::temperature, std::not_fn(has_table)), "rises of temperature");
+    const std::string table = " With a mean expansion that depends on temperature this is not that "
+                              "of a pipe that is so hot, which has one load with that temperature.";
     if (!heated.empty())
-      results.remarks.push_back(
-          "Step " + heated +
-          ": their expansions add up, each that of its own temperature. With a mean expansion that "
-          "depends on temperature this is not the expansion of the sum of their rises: a pipe that "
-          "is so hot has one load with that temperature.");
+      results.remarks.push_back("Step " + heated +
+                                ": their expansions add up, each that of its own temperature." +
+                                table);
+    if (const std::string part = first_part(has_table); !part.empty())
+      results.remarks.push_back("Step " + part +
+                                ": the expansion is a part of that of the load's "
+                                "temperature, not that of a part of its rise." +
+                                table);
   }
 
   /// Remarks on restraints of one point that hold the same: each has an even part of the force.
@@ -277,6 +282,19 @@ private:
         if (together.size() > 1)
           return step.name + ", loads " + join(together) + " on pipe " + pipe.name;
       }
+    return "";
+  }
+  /// "NAME: load A on pipe P", of the first step that heats such a pipe by a factor or a history.
+  template <typename IsMeant>
+  std::string first_part(const IsMeant &is_meant) const {
+    for (const LoadStep &step : scene.steps)
+      for (const auto &[number, factor] : step.loads)
+        if (const Load &load = scene.loads[number]; load.kind == Load::Kind::temperature &&
+                                                    factor != 0. &&
+                                                    (factor != 1. || load.history.is_given()))
+          for (const Pipe &pipe : scene.pipes)
+            if (is_meant(pipe) && load.is_on(pipe.name))
+              return step.name + ", load " + load.name + " on pipe " + pipe.name;
     return "";
   }
   void say(const std::string &text) { results.doubts.push_back(text); }

@@ -120,7 +120,9 @@ CellCourse FrameBuilder::in_balance(const unsigned int index, PipeElement::Vecto
   const Vector3 chord = cell->vertex(1) - cell->vertex(0);
   Eigen::Vector3d axis(chord[0], chord[1], chord[2]);
   if (model.discretization.pipe_cells()[index].reversed) {
-    ends << ends.tail<6>().eval(), ends.head<6>().eval();
+    const PipeElement::Vector12 other =
+        ends; // `<<` writes the first half before it reads the second
+    ends << other.tail<6>(), other.head<6>();
     axis *= -1.;
   }
   return course_in_balance(ends, axis);

@@ -205,7 +205,8 @@ void declare_load(ParameterReader &in) {
   in.declare_text("History", "", time_function_form,
                   "Factor on the load; 0 before a table's beginning, its last value after its "
                   "end. In a static step it multiplies the load, which goes evenly from its value "
-                  "before the step to that of the step. Empty: 1.");
+                  "before the step to that of the step; what a static step does not name goes to "
+                  "zero from the value that it had before. Empty: 1.");
   in.declare_choice("History time", TimeFunction::Clock::step, clocks,
                     "Where the time of History begins. step: with the step, or with the first of "
                     "the steps, all transient or all static, that follow each other and name the "
