@@ -246,10 +246,8 @@ void test_bends_that_are_solids() {
     });
   };
   const std::string given = "Pipe main/Bend flexibility = none";
-  CHECK(!is_told({}));
-  CHECK(is_told({given}));
-  CHECK(is_told({given, "Solid/At = all bends"}));
-  CHECK(!is_told({given, "Solid/At ="}));
+  CHECK(!is_told({}) && is_told({given}));
+  CHECK(is_told({given, "Solid/At = all bends"}) && !is_told({given, "Solid/At ="}));
 }
 
 double u_0(const double F, const double GS, const unsigned int n, const Options &more = {}) {

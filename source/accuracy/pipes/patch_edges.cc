@@ -56,7 +56,8 @@ Scene on_edges(Scene scene, const std::vector<unsigned int> &supports) {
 }
 
 Scene with_edges(Scene scene, const WallsAtSupports &walls, const Results &results) {
-  scene = on_edges(std::move(scene), supports_with_edges(scene, walls));
+  const std::vector<unsigned int> supports = supports_with_edges(scene, walls);
+  scene = on_edges(std::move(scene), supports);
   const std::vector<PipePath> paths = paths_of(scene);
   for (const WallAtSupport &wall : walls.walls) {
     const FrictionSupport &support = scene.supports[wall.support];

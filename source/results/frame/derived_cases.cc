@@ -90,9 +90,10 @@ void become_case(Frame &frame, const bool is_amplitude) {
 Frame with_other_sign(const Frame &frame) { return with_numbers(frame, -numbers_of(frame)); }
 
 void widen(Frame &least, Frame &largest, const Frame &frame) {
-  const Vector numbers = numbers_of(frame);
-  least = with_numbers(std::move(least), numbers_of(least).cwiseMin(numbers));
-  largest = with_numbers(std::move(largest), numbers_of(largest).cwiseMax(numbers));
+  const Vector numbers = numbers_of(frame), smaller = numbers_of(least).cwiseMin(numbers),
+               larger = numbers_of(largest).cwiseMax(numbers);
+  least = with_numbers(std::move(least), smaller);
+  largest = with_numbers(std::move(largest), larger);
 }
 
 std::vector<NumberBounds> bounds_of(const Combination &combination,
