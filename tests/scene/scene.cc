@@ -212,17 +212,19 @@ void test_parts() {
   CHECK(scene.quantities.at(1).source == "me" && !scene.quantities.at(2).reference);
 }
 
+bool remarks_on(const Scene &scene, const std::string &text) {
+  return std::any_of(scene.remarks.begin(), scene.remarks.end(), [&](const std::string &remark) {
+    return remark.find(text) != std::string::npos;
+  });
+}
+
 /// A reference in the file goes when the scene is changed, and only then; a file may include
 /// another and set its entries again.
 void test_references_and_include() {
   const fs::path wedge = source / "prm/verification/wedge.prm";
   const auto has_reference = [&](const Options &options) {
     const Scene scene = read(wedge, options);
-    const bool is_said =
-        std::any_of(scene.remarks.begin(), scene.remarks.end(), [](const std::string &remark) {
-          return remark.find("reference") != std::string::npos;
-        });
-    CHECK(is_said == !scene.quantities.at(0).reference);
+    CHECK(remarks_on(scene, "reference") == !scene.quantities.at(0).reference);
     return bool(scene.quantities.at(0).reference);
   };
   CHECK(has_reference({}));
@@ -239,11 +241,8 @@ void test_references_and_include() {
 /// Entries of bends that no beam has are told, of each pipe.
 void test_bends_that_are_solids() {
   const auto is_told = [](const Options &options) {
-    const Scene scene = read(source / "prm/example/mixed_rack.prm", options);
-    return std::any_of(scene.remarks.begin(), scene.remarks.end(), [](const std::string &remark) {
-      return remark.find("its Bend flexibility is not used where all its bends are solids") !=
-             std::string::npos;
-    });
+    return remarks_on(read(source / "prm/example/mixed_rack.prm", options),
+                      "its Bend flexibility is not used where all its bends are solids");
   };
   const std::string given = "Pipe main/Bend flexibility = none";
   CHECK(!is_told({}) && is_told({given}));

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <set>
 
 namespace frictionbeam {
@@ -179,10 +178,10 @@ void CsvWriter::append_line(const Frame &frame) {
     // The node where a bend begins may be the last station of what is before it.
     const bool begins_cell = station.is_node() && station.bend_radius == 0. &&
                              i + 1 < frame.line.size() && frame.line[i + 1].pipe == station.pipe;
-    auto of_bend = moments_of_bend(frame.line[begins_cell ? i + 1 : i].bend_axis, station);
     if (frame.is_amplitude) // sizes along axes, of which no other component can be made
-      of_bend.fill(std::numeric_limits<double>::quiet_NaN());
-    add_numbers(text, of_bend);
+      text += ",,";
+    else
+      add_numbers(text, moments_of_bend(frame.line[begins_cell ? i + 1 : i].bend_axis, station));
     text += '\n';
   };
   write_rows(frame.line.size(), add_row, line);
