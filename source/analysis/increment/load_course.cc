@@ -3,7 +3,6 @@
 #include "analysis/increment/time_step.h"
 #include "base/numbers.h"
 #include "model/load_forces.h"
-#include "scene/steps/step_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,21 +27,13 @@ void LoadCourse::begin_step(const unsigned int step, const Factors &before, cons
   to = after;
   start = start_time;
   ramp = ramp_time;
-  held.assign(from.size(), std::numeric_limits<double>::quiet_NaN());
-  const auto last = step_before(model.scene, step);
-  if (!last || model.scene.steps[step].transient)
-    return;
-  const HistoryOrigins then(model.scene, *last);
-  const double end = start - (origins.elsewhere - then.elsewhere); // of that step
-  for (unsigned int l = 0; l < held.size(); ++l)
-    if (to[l] == 0. && from[l] != 0.)
-      held[l] = value(model.scene.loads[l].history, then.loads[l], end, Side::before);
+  is_static = !model.scene.steps[step].transient;
 }
 
 double LoadCourse::history_of(const unsigned int load, const double time, const Side side) const {
-  return held.empty() || std::isnan(held[load])
-             ? value(model.scene.loads[load].history, origins.loads[load], time, side)
-             : held[load];
+  const TimeFunction &history = model.scene.loads[load].history;
+  return is_static && to[load] == 0. ? value(history, origins.loads[load], start, Side::before)
+                                     : value(history, origins.loads[load], time, side);
 }
 
 LoadCourse::Factors LoadCourse::declared(const double time) const {

@@ -97,10 +97,8 @@ private:
 
   const Model &model;
   HistoryOrigins origins;
-  /// Of loads that a static step does not name: what their histories were at its start, from where
-  /// they go back to zero; nan: the history goes on.
-  Factors held;
   Factors from, to;
+  bool is_static = false; ///< whether loads go to zero from what their histories were at the start
   double start = 0., ramp = 0.; ///< [s]
 };
 

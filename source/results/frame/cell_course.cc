@@ -17,13 +17,14 @@ CellCourse without_couple(const PipeElement::Vector12 &ends, const double length
   return course;
 }
 
-} // namespace
-
-void close_course(const Eigen::Vector3d &on_end, const Vector3 &moment, const double length,
-                  CellCourse &course) {
+/// The couple per length that is missing for the moment on the other end.
+void close(const PipeElement::Vector12 &ends, const Vector3 &moment, const double length,
+           CellCourse &course) {
   for (unsigned int d = 0; d < 3; ++d)
-    course[9 + d] = (on_end[d] - moment[d]) / length;
+    course[9 + d] = (ends[9 + d] - moment[d]) / length;
 }
+
+} // namespace
 
 Vector3 part_of(const CellCourse &course, const unsigned int first) {
   return Vector3({course[first], course[first + 1], course[first + 2]});
@@ -41,14 +42,14 @@ CellCourse course_in_balance(const PipeElement::Vector12 &ends, const Eigen::Vec
   const double length = axis.norm();
   CellCourse course = without_couple(ends, length);
   const Vector3 along({axis[0] / length, axis[1] / length, axis[2] / length});
-  close_course(ends.tail<3>(), section_of_straight(course, along, length).second, length, course);
+  close(ends, section_of_straight(course, along, length).second, length, course);
   return course;
 }
 
 CellCourse course_in_balance(const PipeElement::Vector12 &ends, const ArcBeam &arc) {
   const double length = arc.radius() * arc.angle();
   CellCourse course = without_couple(ends, length);
-  close_course(ends.tail<3>(), section_of_arc(course, arc, arc.angle()).second, length, course);
+  close(ends, section_of_arc(course, arc, arc.angle()).second, length, course);
   return course;
 }
 

@@ -26,12 +26,6 @@ CellCourse course_in_balance(const PipeElement::Vector12 &ends, const Eigen::Vec
 /// The same of an arc, whose start is where the deal.II cell begins.
 CellCourse course_in_balance(const PipeElement::Vector12 &ends, const ArcBeam &arc);
 
-/// Give a course the couple per length that @p moment at its other end lacks: on a cell that has
-/// become longer or shorter than its axis at rest, forces across it have another arm.
-/// @param on_end the moment on that end [N m]
-void close_course(const Eigen::Vector3d &on_end, const Vector3 &moment, const double length,
-                  CellCourse &course);
-
 /// Section force and moment at a distance from a straight cell's start.
 std::pair<Vector3, Vector3> section_of_straight(const CellCourse &course, const Vector3 &along,
                                                 const double distance);

@@ -178,11 +178,7 @@ std::vector<Station> FrameBuilder::stations_of(const unsigned int index,
   const Vector3 axis = cell->vertex(pipe_cell.reversed ? 0 : 1) - begin;
   const LocalAxes axes(axis);
   const double length = axis.norm();
-  CellCourse course = course_of(-ends.segment<6>(start), load.line_force);
-  if (model.cells.turns_far())
-    close_course(ends.segment<3>(9 - start), section_of_straight(course, axes.x, length).second,
-                 length, course);
-  course += inertia;
+  const CellCourse course = course_of(-ends.segment<6>(start), load.line_force) + inertia;
   const auto station = [&](const double x) {
     Station result;
     result.pipe = pipe_cell.pipe;
@@ -275,11 +271,7 @@ std::vector<Station> FrameBuilder::stations_of_arc(const PipeCell &pipe_cell,
   const ArcBeam &arc = *element.arc();
   const MeshedPipe &meshed = model.mesh.pipes[pipe_cell.pipe];
   const unsigned int n = model.scene.output.stations, n_stations = n + 2;
-  CellCourse course = course_of(-ends.head<6>(), load.line_force);
-  if (model.cells.turns_far())
-    close_course(ends.tail<3>(), section_of_arc(course, arc, arc.angle()).second,
-                 arc.radius() * arc.angle(), course);
-  course += inertia;
+  const CellCourse course = course_of(-ends.head<6>(), load.line_force) + inertia;
   FullMatrix<double> shapes, slopes;
   std::vector<Station> stations;
   for (unsigned int i = 0; i < n_stations; ++i) {

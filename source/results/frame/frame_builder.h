@@ -102,8 +102,9 @@ private:
   /// The course of a cell's section forces in balance with those on its ends, which stand in the
   /// order of the deal.II cell.
   CellCourse in_balance(const unsigned int index, PipeElement::Vector12 ends) const;
-  /// What is missing for that in a solid part: the weight of a bend's wall does not act on its
-  /// axis.
+  /// What is missing for that: in a solid part the weight of a bend's wall does not act on its
+  /// axis, and on a cell that has become longer or shorter forces across it have another arm than
+  /// at rest.
   CellCourse beside_line_force(const unsigned int index, const PipeElement::Vector12 &ends,
                                const CellLoad &load) const;
   /// a + alpha v of a degree of freedom, or what was given in place of it.

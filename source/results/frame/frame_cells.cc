@@ -58,7 +58,8 @@ std::vector<Station> FrameBuilder::stations_in(const CellFrame &frame,
     ends.segment<3>(3 * block) = back * of_cell.ends.segment<3>(3 * block);
   load.line_force = to_deal(back * to_eigen(load.line_force));
   std::vector<Station> stations =
-      stations_of(index, ends, element.inside(of_cell.motions, ends, load.pressure), load, inertia);
+      stations_of(index, ends, element.inside(of_cell.motions, ends, load.pressure), load,
+                  inertia + beside_line_force(index, ends, load));
 
   // The frame carries the cell's first vertex to where it is: what is at X in it, moved by w, goes
   // to x_0 + turn (X + w - X_0 - w_0).

@@ -120,9 +120,7 @@ CellCourse FrameBuilder::in_balance(const unsigned int index, PipeElement::Vecto
   const Vector3 chord = cell->vertex(1) - cell->vertex(0);
   Eigen::Vector3d axis(chord[0], chord[1], chord[2]);
   if (model.discretization.pipe_cells()[index].reversed) {
-    const PipeElement::Vector12 other =
-        ends; // `<<` writes the first half before it reads the second
-    ends << other.tail<6>(), other.head<6>();
+    ends.head<6>().swap(ends.tail<6>());
     axis *= -1.;
   }
   return course_in_balance(ends, axis);
@@ -132,7 +130,7 @@ CellCourse FrameBuilder::beside_line_force(const unsigned int index,
                                            const PipeElement::Vector12 &ends,
                                            const CellLoad &load) const {
   const PipeCell &pipe_cell = model.discretization.pipe_cells()[index];
-  if (model.linear.solid_part(pipe_cell) == nullptr)
+  if (!model.cells.turns_far() && model.linear.solid_part(pipe_cell) == nullptr)
     return CellCourse::Zero();
   const unsigned int start = pipe_cell.reversed && !element.arc() ? 6 : 0;
   return in_balance(index, ends) - course_of(-ends.segment<6>(start), load.line_force);

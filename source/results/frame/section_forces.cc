@@ -101,10 +101,8 @@ SectionForces::Kind SectionForces::make_kind(const Model &model, const unsigned 
   if (!model.linear.mass().nonZeros()) // of a static scene
     return kind;
   PipeElement::Matrix12 mass = model.cells.mass_of(index, element);
-  if (first == 6) { // the other end first
-    const PipeElement::Matrix12 other = mass;
-    mass << other.bottomRows<6>(), other.topRows<6>();
-  }
+  if (first == 6) // the other end first
+    mass.topRows<6>().swap(mass.bottomRows<6>());
   const Eigen::Vector3d axis = turn.row(0).transpose() * chord.norm(); // of a straight cell
   for (unsigned int i = 0; i < 12; ++i) {
     const CellCourse course = is_arc ? course_in_balance(mass.col(i), *element.arc())

@@ -145,9 +145,8 @@ void declare_support(ParameterReader &in, const LawLibrary &laws) {
   in.declare_choice(
       "Pad", no_pad, pads,
       "What steel slides on, which gives 'Friction coefficient' a default: steel 0.3, "
-      "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03. Guides and stops have none unless one "
-      "of "
-      "the two is given.");
+      "ptfe 0.1, graphite 0.15, concrete 0.5, roller 0.03. Guides and stops have none unless "
+      "one of the two is given.");
   const LawDescription &law = find_law(in, laws, LawKind::support, default_law(kind));
   std::vector<double> defaults;
   for (int i = 0; i < law.n_parameters; ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A law that was compiled with a header of another interface version.
+// A law that was compiled with a header of another interface version, or one whose parameter is
+// called as an entry of every support is.
 #include <frictionbeam/law.h>
 
 namespace {
@@ -11,16 +12,19 @@ public:
   }
 };
 constexpr Nothing law;
+constexpr frictionbeam::LawParameter parameters[] = {
+    {"Length", "m", 1., 0., 1e300, "of something else"}};
 } // namespace
 
-const frictionbeam::LawDescription frictionbeam_law = {frictionbeam::law_interface_version + 1,
+const frictionbeam::LawDescription frictionbeam_law = {frictionbeam::law_interface_version +
+                                                           VERSIONS_AHEAD,
                                                        frictionbeam::LawKind::support,
                                                        frictionbeam::n_support_strains,
                                                        0,
                                                        true,
-                                                       "old",
+                                                       "long_law",
                                                        "none",
-                                                       0,
-                                                       nullptr,
+                                                       1,
+                                                       parameters,
                                                        &law,
                                                        nullptr};
