@@ -236,7 +236,7 @@ void Generator::ground_motion(Support &support, const double from, const double 
   for (int i = 0, n = random.whole(1, 3); i <= n; ++i) {
     support.ground_motion.push_back({from + t, x[0], x[1], x[2]});
     t += (end - from) / n * random.number(0.3, 1.2);
-    x += (kinds.transient ? 1e-4 : 3e-3) * random.number(0., 1.) * random.direction();
+    x += (kinds.transient ? 1e-4 : 3e-3) * random.vector(0., 1.);
   }
 }
 

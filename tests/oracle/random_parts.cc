@@ -172,7 +172,7 @@ void Generator::loads() {
   Load weight;
   weight.name = "weight";
   if (random.chance(0.2))
-    weight.vector = random.number(1., 20.) * random.direction();
+    weight.vector = random.vector(1., 20.);
   scene.loads.push_back(weight);
   const std::vector<std::string> kinds_of_load = {"temperature", "pressure", "force",
                                                   "line force",  "wind",     "displacement",
@@ -191,14 +191,14 @@ void Generator::loads() {
     else if (load.kind == "pressure")
       load.value = random.number(1e4, 2e7);
     else if (load.kind == "line force")
-      load.vector = random.number(1., 2000.) * random.direction();
+      load.vector = random.vector(1., 2000.);
     else if (load.kind == "ground acceleration")
-      load.vector = random.number(0.1, 5.) * random.direction();
+      load.vector = random.vector(0.1, 5.);
     else if (load.kind == "wind") {
       if (windy)
         continue;
       windy = true;
-      load.vector = random.number(10., 2000.) * random.direction();
+      load.vector = random.vector(10., 2000.);
       load.value = random.number(0.3, 1.5);
     } else {
       const std::string at = load.kind == "force" ? random.pick(candidates) : free_point();

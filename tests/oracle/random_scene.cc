@@ -89,8 +89,11 @@ void Generator::add_pipe(const std::string &from, const Vec &start, Vec directio
     Vec next;
     double cosine;
     do {
-      next = random.chance(0.6) ? Vec(Vec::Unit(random.whole(0, 2)) * (random.chance(0.5) ? 1 : -1))
-                                : random.direction();
+      if (random.chance(0.6)) {
+        const double sign = random.chance(0.5) ? 1. : -1.;
+        next = sign * Vec::Unit(random.whole(0, 2));
+      } else
+        next = random.direction();
       cosine = next.dot(direction);
     } while (cosine > 0.9 || cosine < -0.7);
     direction = next;
@@ -146,7 +149,9 @@ void Generator::points_on(const Pipe &pipe) {
 }
 
 void Generator::pipes() {
-  const Vec start(random.number(-5., 5.), random.number(-5., 5.), random.number(-5., 5.));
+  Vec start;
+  for (const int c : {2, 1, 0})
+    start[c] = random.number(-5., 5.);
   add_pipe("", start, Vec::Unit(random.whole(0, 2)), false);
   for (int i = 0, n = random.whole(0, 2); i < n; ++i) {
     if (random.chance(0.5)) { // go on at the last pipe's end
@@ -160,7 +165,8 @@ void Generator::pipes() {
       const std::vector<std::string> list(on_straight.begin(), on_straight.end());
       const std::string name = random.pick(list);
       on_straight.erase(name);
-      add_pipe(name, places.at(name), random.direction(), random.chance(0.5));
+      const bool only_one_leg = random.chance(0.5);
+      add_pipe(name, places.at(name), random.direction(), only_one_leg);
       Tee tee;
       tee.name = new_name("tee");
       tee.at = name;

@@ -7,7 +7,8 @@
 
 namespace oracle {
 
-/// Numbers that follow from a seed on every machine (splitmix64).
+/// Numbers that follow from a seed on every machine (splitmix64). Of two in one expression a
+/// compiler draws either first: each is drawn in a statement of its own.
 class Random {
 public:
   explicit Random(const std::uint64_t seed) : state(seed) {}
@@ -26,6 +27,10 @@ public:
   Vec direction() { // evenly over the sphere
     const double z = number(-1., 1.), turn = number(0., 2. * pi), r = std::sqrt(1. - z * z);
     return Vec(r * std::cos(turn), r * std::sin(turn), z);
+  }
+  Vec vector(const double shortest, const double longest) { // in any direction
+    const Vec along = direction();
+    return number(shortest, longest) * along;
   }
 
 private:

@@ -65,7 +65,7 @@ public:
         result.push_back(time);
     };
     for (std::size_t l = 0; l < origin.size(); ++l)
-      if (from[l] != 0 || to[l] != 0)
+      if (to[l] != 0)
         for (const auto &row : scene.loads[l].history)
           add(origin[l] + row[0]);
     for (const Support &support : scene.supports)
@@ -80,8 +80,9 @@ public:
   std::vector<Real> factors(const double time) const {
     const Real part = (static_cast<Real>(time) - start) / scene.steps[step].duration;
     std::vector<Real> result(from.size());
-    for (std::size_t l = 0; l < result.size(); ++l)
-      result[l] = (from[l] + part * (to[l] - from[l])) * history(l, time - origin[l]);
+    for (std::size_t l = 0; l < result.size(); ++l) // what goes to zero stands still in its history
+      result[l] = (from[l] + part * (to[l] - from[l])) *
+                  history(l, (to[l] == 0 ? start : time) - origin[l]);
     result.push_back(step == 0 ? part : 1);
     return result;
   }
