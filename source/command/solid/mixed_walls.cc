@@ -175,6 +175,12 @@ std::vector<std::string> MixedWalls::in_words() const {
               "first one its mean";
     result.push_back(text + ".");
   }
+  const bool none_is_anchored = std::none_of(walls.begin(), walls.end(), [](const auto &wall) {
+    return wall->stretch.anchored[0] || wall->stretch.anchored[1];
+  });
+  if (!walls.empty() && none_is_anchored &&
+      scene.solid.anchors == SolidSettings::Anchors::breathing)
+    result.push_back("Solid: its Anchors is not used where no solid ends at an anchor.");
   return result;
 }
 
