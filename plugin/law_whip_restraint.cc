@@ -12,7 +12,7 @@
  *   F = k (d - d_p) >= 0,   but at most  C d^n  (and d_p grows then),
  *
  * so that it unloads along k and is met again where it was left. k applies alone until the two
- * curves cross. It pushes only and has no friction.
+ * curves cross; with n = 1 and C < k it is never alone. It pushes only and has no friction.
  */
 namespace {
 
@@ -37,6 +37,8 @@ double deflection_of_flow(const double *const p, const double left, double d) {
     const double elastic = p[coefficient] * std::pow(d, p[exponent]) / p[stiffness],
                  step = (d - elastic - left) / (1. - p[exponent] * elastic / d);
     d -= step;
+    if (!(d > 0.)) // the curves cross at zero: n = 1
+      return 0.;
     if (!(step > 1e-15 * d))
       break;
   }
@@ -71,7 +73,7 @@ public:
     // The elastic branch is below the power's until they cross, where the power is the lower one.
     const double limit = p[coefficient] * std::pow(d, p[exponent]),
                  crossing = std::pow(p[coefficient] / k, 1. / (1. - p[exponent]));
-    if (p[exponent] < 1. && d > crossing && force > limit) {
+    if (d > crossing && force > limit) {
       force = limit;
       slope = p[exponent] * limit / d;
       out.new_state[remaining] = d - force / k;

@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "base/user_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -32,10 +33,13 @@ Points factorial(const Variables &variables) {
 constexpr unsigned int morris_levels = 4;               ///< of the grid
 constexpr unsigned int morris_jump = morris_levels / 2; ///< by 2/3 of its range (Morris 1991)
 
-/// Whether a distribution has a tail: probabilities of 0 and 1 have no value then.
-bool has_tails(const Variation &variation) {
-  return variation.shape != Variation::Shape::list &&
-         (std::isinf(variation.from) || std::isinf(variation.to));
+/// Probability of a level of the grid. Where a distribution has a tail, 0 and 1 have no value.
+double probability_of(const unsigned int level, const Variation &variation) {
+  constexpr double tail = 0.01;
+  const bool has_tails = variation.shape != Variation::Shape::list &&
+                         (std::isinf(variation.from) || std::isinf(variation.to));
+  const double u = level / (morris_levels - 1.);
+  return has_tails ? tail + u * (1. - 2. * tail) : u;
 }
 
 /**
@@ -49,12 +53,9 @@ Points morris(const unsigned int n_ways, const Variables &variables, const unsig
   const std::size_t d = variables.size();
   Points points;
   const auto add = [&](const std::vector<unsigned int> &levels) {
-    constexpr double tail = 0.01;
     std::vector<double> point;
-    for (std::size_t i = 0; i < d; ++i) {
-      const double u = levels[i] / (morris_levels - 1.);
-      point.push_back(has_tails(variables.variation(i)) ? tail + u * (1. - 2. * tail) : u);
-    }
+    for (std::size_t i = 0; i < d; ++i)
+      point.push_back(probability_of(levels[i], variables.variation(i)));
     points.push_back(point);
   };
   for (unsigned int way = 0; way < n_ways; ++way) {
@@ -122,16 +123,27 @@ Points make_design(const StudySettings &settings, const Variables &variables,
   return morris(n, variables, seed);
 }
 
+std::vector<double> morris_ranges(const Variables &variables) {
+  std::vector<double> ranges;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    std::vector<double> values;
+    for (unsigned int level = 0; level < morris_levels; ++level)
+      values.push_back(variables.value(i, probability_of(level, variables.variation(i))));
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+    ranges.push_back(*largest - *least);
+  }
+  return ranges;
+}
+
 std::vector<MorrisStep> morris_steps(const Points &design) {
-  constexpr double jump = morris_jump / (morris_levels - 1.);
   std::vector<MorrisStep> steps;
   const std::size_t d = design.empty() ? 0 : design.front().size();
   for (std::size_t run = 1; run < design.size(); ++run) {
     if (run % (d + 1) == 0)
       continue; // the next way begins
     for (std::size_t i = 0; i < d; ++i)
-      if (const double change = design[run][i] - design[run - 1][i]; change != 0.)
-        steps.push_back({run - 1, run, i, std::copysign(jump, change)});
+      if (design[run][i] != design[run - 1][i])
+        steps.push_back({run - 1, run, i});
   }
   return steps;
 }

@@ -14,8 +14,10 @@ Points make_design(const StudySettings &settings, const Variables &variables,
 struct MorrisStep {
   std::size_t before, after; ///< runs
   std::size_t variable;
-  double change; ///< of its probability
 };
+
+/// How far each variable goes in Morris' design: between the ends of its grid.
+std::vector<double> morris_ranges(const Variables &variables);
 
 /// All of them, of a design that make_design() has made.
 std::vector<MorrisStep> morris_steps(const Points &design);

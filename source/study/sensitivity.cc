@@ -101,11 +101,13 @@ Sensitivity by_steps(const StudyResults &study, const std::size_t name,
                      const std::vector<MorrisStep> &steps) {
   Sensitivity found{name, std::vector<Effect>(study.variables.size())};
   std::vector<std::vector<double>> effects(study.variables.size());
-  for (const MorrisStep &step : steps)
-    if (has_number(study.runs[step.before], name) && has_number(study.runs[step.after], name))
-      effects[step.variable].push_back(
-          (study.runs[step.after].numbers[name] - study.runs[step.before].numbers[name]) /
-          step.change);
+  for (const MorrisStep &step : steps) {
+    const std::size_t i = step.variable;
+    const double change = study.values[step.after][i] - study.values[step.before][i];
+    const Run &before = study.runs[step.before], &after = study.runs[step.after];
+    if (change != 0. && has_number(before, name) && has_number(after, name))
+      effects[i].push_back((after.numbers[name] - before.numbers[name]) / change * study.ranges[i]);
+  }
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const double n = effects[i].size();
     if (n == 0.)

@@ -31,6 +31,7 @@ struct StudyResults {
   StudySettings settings;
   std::vector<std::string> variables;          ///< their names
   std::vector<std::string> described;          ///< how each varies, in words
+  std::vector<double> ranges;                  ///< of Morris' design: how far each goes
   Points design;                               ///< points of the unit cube, by run
   Points values;                               ///< by run, by variable
   std::vector<std::vector<std::string>> texts; ///< the same, as they stand in the file

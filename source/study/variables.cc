@@ -76,17 +76,21 @@ public:
 
   /// The entries that a path stands for, each place of a support on its own if that is asked for.
   std::vector<Variable::Entry> of(const Variation &variation, const std::string &path) const {
+    const std::string entry = entry_of(path);
     std::vector<Variable::Entry> found;
     for (const std::string &heading : headings(variation, path)) {
-      const unsigned int n = variation.independent ? n_places(heading, entry_of(path)) : 1;
-      if (n > 1)
-        for (unsigned int place = 1; place <= n; ++place)
-          found.push_back({joined(heading + '.' + std::to_string(place), entry_of(path)), 1.});
-      else
-        found.push_back({joined(heading, entry_of(path)), 1.});
-      if (variation.is_factor)
-        for (auto entry = found.end() - n; entry != found.end(); ++entry)
-          entry->factor = value_in_file(variation, heading, entry_of(path));
+      refuse_place_beyond(variation, heading, path);
+      const unsigned int n = n_places(heading, entry);
+      std::vector<std::string> parts;
+      if (!variation.independent || n == 1)
+        parts.push_back(heading);
+      for (unsigned int place = 1; place <= n; ++place)
+        if (const std::string one = heading + '.' + std::to_string(place);
+            n > 1 && (variation.independent || is_given(one, entry)))
+          parts.push_back(one);
+      for (const std::string &part : parts)
+        found.push_back({joined(part, entry),
+                         variation.is_factor ? value_in_file(variation, part, entry) : 1.});
     }
     return found;
   }
@@ -152,6 +156,32 @@ private:
     return nullptr;
   }
 
+  /// One place of a support, as in "Support rests.3"; null: the heading is none.
+  const FrictionSupport *support_of_place(const std::string &heading, unsigned int &place) const {
+    const auto dot = heading.rfind('.');
+    double number = 0.;
+    if (dot == std::string::npos || support_of(heading) != nullptr ||
+        !to_number(heading.substr(dot + 1), number) || !(number >= 1.))
+      return nullptr;
+    place = static_cast<unsigned int>(number) - 1;
+    return support_of(heading.substr(0, dot));
+  }
+
+  void refuse_place_beyond(const Variation &variation, const std::string &heading,
+                           const std::string &path) const {
+    unsigned int place = 0;
+    const FrictionSupport *const support = support_of_place(heading, place);
+    const auto n = support == nullptr ? places.end() : places.find(part_name(*support));
+    if (n != places.end() && place >= n->second)
+      fail(variation, path, "places 1 to " + std::to_string(n->second) + " of this support",
+           "a place that there is, or its section without a number for all of them");
+  }
+
+  bool is_given(const std::string &heading, const std::string &entry) const {
+    const ParameterFile::Section *const section = file.find(heading);
+    return section != nullptr && section->find(entry) != nullptr;
+  }
+
   unsigned int n_places(const std::string &heading, const std::string &entry) const {
     const FrictionSupport *const support = support_of(heading);
     const auto n = support == nullptr ? places.end() : places.find(part_name(*support));
@@ -166,10 +196,14 @@ private:
     double value = 0.;
     if (given != nullptr && to_number(given->value, value))
       return value;
-    const FrictionSupport *const support = support_of(heading);
+    unsigned int place = 0;
+    const FrictionSupport *support = support_of(heading);
+    const bool is_whole = support != nullptr;
+    if (!is_whole)
+      support = support_of_place(heading, place);
     if (given == nullptr && support != nullptr && has_parameter(*support, entry)) {
       const int i = parameter(*support, entry);
-      return support->parameters[i] /
+      return (is_whole ? support->parameters : support->parameters_of(place))[i] /
              scene.units.factor(laws.find(support->law).parameters[i].unit);
     }
     fail(variation, joined(heading, entry) + " = " + (given == nullptr ? "nothing" : given->value),
@@ -247,7 +281,10 @@ double Variables::quantile(const unsigned int v, const double u) const {
     return variation.from;
   if (u >= 1. && std::isfinite(variation.to))
     return variation.to;
-  return quantiles[v](std::clamp(u, never, 1. - never));
+  double value = quantiles[v](std::clamp(u, never, 1. - never));
+  if (variation.shape == Shape::uniform) // 0.3, and not 0.30000000000000004, between 0.1 and 0.5
+    to_number(rounded_number(value, 15), value);
+  return value;
 }
 
 namespace {

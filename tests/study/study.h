@@ -58,3 +58,34 @@ inline Study run_study(const std::string &program_path, const std::string &file,
   result.failed = program::text_of(into / "failed.csv");
   return result;
 }
+
+/// The two sliders of two_sliders.prm.
+inline constexpr double P1 = 1000., P2 = 2000., F1 = 900., k = 1e5;
+
+inline std::string program_path, mpirun, folder;
+
+inline Study study(const std::string &file, const Options &settings, const fs::path &into,
+                   const Options &start = {}, const Options &more = {}) {
+  return run_study(program_path, file, settings, into, start, more);
+}
+
+inline Study study(const Options &settings) {
+  const program::TemporaryFolder into;
+  return study(folder + "/sliders.prm", settings, into.path / "results");
+}
+
+inline const Options independent = {"Vary friction/Independent = true"};
+
+inline Options operator+(Options all, const Options &more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+/// What is known of their studies exactly (known.cc).
+void check_quantiles();
+void check_samples();
+void check_ranks_of_lists();
+void check_sobol_indices();
+void check_morris();
+void check_places();
+void check_units();

@@ -73,8 +73,9 @@ std::size_t RunJournal::read(StudyResults &study) const {
     if (pieces.front() != identity)
       throw UserError(
           "The study cannot be resumed.\n  read:    " + file +
-          ", runs of another study, of another file, or by another build of the program\n"
-          "  allowed: --resume with the file and options that the study began with\n"
+          ", runs of another study, of another file, of tables or laws that have changed, or by "
+          "another build of the program\n"
+          "  allowed: --resume with the files and options that the study began with\n"
           "  try:     the study without --resume, from its beginning");
     for (auto bytes = pieces.begin() + 1; bytes != pieces.end(); ++bytes) {
       std::uint64_t number = 0;

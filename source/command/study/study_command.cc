@@ -119,6 +119,7 @@ StudyResults make_runs(const StudyCase &of, const Variables &variables, const Sa
     study.variables.push_back(variables[i].name);
     study.described.push_back(in_words(variables.variation(i)));
   }
+  study.ranges = morris_ranges(variables);
   for (const std::vector<double> &point : study.design) {
     std::vector<double> &values = study.values.emplace_back();
     std::vector<std::string> &texts = study.texts.emplace_back();
@@ -132,11 +133,23 @@ StudyResults make_runs(const StudyCase &of, const Variables &variables, const Sa
   return study;
 }
 
-/// All that the numbers of a study depend on.
-std::string identity_of(const StudyCase &of) {
+/// All that the numbers of a study depend on: files that the parameter file names by what they make
+/// of the case as it stands, those among the values that vary by their bytes.
+std::string identity_of(const StudyCase &of, const std::vector<double> &nominal) {
   std::string text = program_version() + '\n' + of.scene.input;
   for (const std::string &setting : of.options.overrides)
     text += '\n' + setting;
+  for (const double number : nominal)
+    text += '\n' + exact_number(number);
+  const std::filesystem::path folder =
+      std::filesystem::path(of.options.parameter_file).parent_path();
+  for (const Variation &variation : of.scene.study.variations)
+    for (const std::string &value : variation.values)
+      if (std::filesystem::is_regular_file(folder / value)) {
+        std::ostringstream bytes;
+        bytes << std::ifstream(folder / value, std::ios::binary).rdbuf();
+        text += '\n' + bytes.str();
+      }
   for (const ResultName &name : of.names)
     text += '\n' + column_name(name);
   return text;
@@ -214,7 +227,7 @@ Results solve_nominal(const StudyCase &of, const LawLibrary &laws) {
 void run_study(const StudyCase &of, const Variables &variables, const Sampling &sampling,
                const Results &nominal, const std::string &work, StudyResults &study) {
   const dealii::Timer wall;
-  RunJournal journal(work, identity_of(of));
+  RunJournal journal(work, identity_of(of, study.nominal));
   if (this_process() == 0 && of.options.resume)
     study.n_resumed = journal.read(study);
   solve_runs(of, variables, journal, study);

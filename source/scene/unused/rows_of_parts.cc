@@ -133,6 +133,14 @@ const Rows &rows_of_parts() {
                        "with Law = " + law + ", which acts along the normal alone");
        }},
       {"Support",
+       {"Locking acceleration", "Drag"},
+       [](const Place &at) {
+         const bool is_snubber = at.raw("Kind") == "snubber" || at.raw("Law") == "snubber";
+         return unless(!is_snubber || at.number("Locking velocity") != 0.,
+                       "without a Locking velocity, for it locks in any motion; with a large one "
+                       "the acceleration alone locks it");
+       }},
+      {"Support",
        {"Ground motion time"},
        [](const Place &at) {
          return unless(!at.raw("Ground motion").empty(), "without a Ground motion");

@@ -130,6 +130,15 @@ void parse_local(const ParameterReader &in, const std::string &axis, Quantity &q
   quantity.along = Quantity::Along::local;
 }
 
+double time_of_run(const ParameterReader &in, const std::string &name, const std::string &word,
+                   const std::string &piece) {
+  const double time = number_of(in, name, word);
+  if (!(time >= 0.))
+    in.fail(name, "a time of the run, which begins at 0 s", "'time 0' for its beginning",
+            "'" + piece + "'");
+  return time;
+}
+
 /// An interval of the run from the beginning of a step to its end.
 void take_interval_of_step(const ParameterReader &in, const std::string &text, const Scene &scene,
                            Quantity &quantity) {
@@ -174,10 +183,11 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
       quantity.pipe = words[1];
       in.find(quantity.name, words[1], names(scene.pipes), "pipe");
     } else if (words.size() == 2 && words[0] == "time")
-      quantity.time = number_of(in, quantity.name, words[1]);
+      quantity.time = time_of_run(in, quantity.name, words[1], piece);
     else if (words.size() == 2 && quantity.over != Over::end &&
              (words[0] == "from" || words[0] == "to"))
-      (words[0] == "from" ? quantity.from : quantity.to) = number_of(in, quantity.name, words[1]);
+      (words[0] == "from" ? quantity.from : quantity.to) =
+          time_of_run(in, quantity.name, words[1], piece);
     else
       fail_form(in, quantity.name, piece);
   }
@@ -199,10 +209,13 @@ void parse_definition(const ParameterReader &in, const std::string &text, const 
 
 void parse_attributes(const ParameterReader &in, const std::vector<std::string> &pieces,
                       const unsigned int first, Quantity &quantity) {
+  std::set<std::string> keys;
   for (unsigned int i = first; i < pieces.size(); ++i) {
     const auto blank = pieces[i].find(' ');
     const std::string key = pieces[i].substr(0, blank),
                       value = blank == std::string::npos ? "" : pieces[i].substr(blank + 1);
+    if (!keys.insert(key).second)
+      in.fail(quantity.name, "each detail once", "one of them", "'" + key + "' twice");
     if (key == "scale") {
       quantity.scale = number_of(in, quantity.name, value);
       if (quantity.scale == 0.)
