@@ -3,7 +3,6 @@
 
 #include "base/number_text.h"
 #include "base/user_error.h"
-#include "scene/support_pair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,210 +19,11 @@ constexpr double never = 1e-9;
 /// Probability of a value between the outermost ones, which is no whole number but by chance.
 constexpr double anywhere = 0.3819660113;
 
-[[noreturn]] void fail(const Variation &variation, const std::string &read,
-                       const std::string &allowed, const std::string &hint) {
-  throw UserError(variation.origin + "\n  read:    " + read + "\n  allowed: " + allowed +
-                  "\n  try:     " + hint);
-}
-
-std::string heading_of(const std::string &path) {
-  const auto slash = path.find('/');
-  return slash == std::string::npos ? "" : tidy(path.substr(0, slash));
-}
-
-std::string entry_of(const std::string &path) {
-  return tidy(path.substr(path.find('/') == std::string::npos ? 0 : path.find('/') + 1));
-}
-
-std::string joined(const std::string &heading, const std::string &entry) {
-  return heading.empty() ? entry : heading + '/' + entry;
-}
-
-/// Entries that say which case this is and what is put out, not what it is like.
-void refuse_what_cannot_vary(const Variation &variation, const std::string &path) {
-  const std::set<std::string> sections = {"Output", "Study", "Quantities", "Exact"},
-                              entries = {"Title",        "Scene",    "Model",
-                                         "Units",        "Accuracy", "Law libraries",
-                                         "Free motions", "Monitors", "Friction multipliers"};
-  const std::string heading = heading_of(path);
-  if (sections.count(heading) > 0 || heading.rfind("Vary ", 0) == 0 ||
-      (heading.empty() && entries.count(path) > 0))
-    fail(variation, path,
-         "entries of the model: parts such as supports, loads and materials, 'Installation "
-         "temperature', and the sections Mesh, Solver and Time",
-         "another entry; --set changes this one for all runs");
-}
-
-/// A hanger is sized for the case as it stands, and is the same in all runs.
-void refuse_sized_hanger(const Scene &scene, const Variation &variation, const std::string &path) {
-  for (const Hanger &hanger : scene.hangers)
-    if (heading_of(path) == "Hanger " + hanger.name && hanger.cold_load == 0. &&
-        entry_of(path) != "Cold load")
-      fail(variation, path,
-           "Cold load and Stiffness of a hanger: this one is sized for the case as it stands, and "
-           "is built once",
-           "its Cold load and Stiffness set in the file; a run says what was chosen");
-}
-
-constexpr const char *friction = "Friction coefficient";
-
-/// Finds what the paths of a study stand for.
-class Entries {
-public:
-  Entries(const Scene &scene, const ParameterFile &file, const LawLibrary &laws,
-          const PlacesOfSupports &places)
-      : scene(scene), file(file), laws(laws), places(places) {}
-
-  /// The entries that a path stands for, each place of a support on its own if that is asked for.
-  std::vector<Variable::Entry> of(const Variation &variation, const std::string &path) const {
-    const std::string entry = entry_of(path);
-    std::vector<Variable::Entry> found;
-    for (const std::string &heading : headings(variation, path)) {
-      refuse_place_beyond(variation, heading, path);
-      const unsigned int n = n_places(heading, entry);
-      std::vector<std::string> parts;
-      if (!variation.independent || n == 1)
-        parts.push_back(heading);
-      for (unsigned int place = 1; place <= n; ++place)
-        if (const std::string one = heading + '.' + std::to_string(place);
-            n > 1 && (variation.independent || is_given(one, entry)))
-          parts.push_back(one);
-      for (const std::string &part : parts)
-        found.push_back({joined(part, entry),
-                         variation.is_factor ? value_in_file(variation, part, entry) : 1.});
-    }
-    return found;
-  }
-
-  /// Supports without friction that a star has not taken.
-  const std::set<std::string> &without_friction() const { return left_out; }
-
-private:
-  static bool is_friction(const std::string &entry) {
-    return entry == friction || entry == "Dynamic friction coefficient";
-  }
-
-  /// Whether it has friction, at one of its places at least.
-  bool slides(const FrictionSupport &support) const {
-    const int i = parameter(support, friction);
-    return support.parameters[i] > 0. ||
-           std::any_of(support.parameters_at.begin(), support.parameters_at.end(),
-                       [&](const auto &place) { return place.second[i] > 0.; });
-  }
-
-  /// All friction supports that have the entry, for a star: but for those without friction, as
-  /// rods, where it is a coefficient of friction.
-  std::vector<std::string> headings(const Variation &variation, const std::string &path) const {
-    const std::string heading = heading_of(path);
-    if (heading.find('*') == std::string::npos)
-      return {heading};
-    if (heading != "Support *")
-      fail(variation, path, "a star for the name of a support: 'Support *'",
-           "the sections one by one, with semicolons between them");
-    std::vector<std::string> found;
-    for (const FrictionSupport &support : scene.supports) {
-      const std::string one = "Support " + part_name(support);
-      if (is_friction(entry_of(path)) && has_parameter(support, friction) && !slides(support)) {
-        left_out.insert(part_name(support));
-        continue;
-      }
-      if (has_parameter(support, entry_of(path)) &&
-          std::count(found.begin(), found.end(), one) == 0)
-        found.push_back(one);
-    }
-    if (found.empty())
-      fail(variation, path, "an entry of a support's law, and supports that have one",
-           "'Support */Friction coefficient'");
-    return found;
-  }
-
-  bool has_parameter(const FrictionSupport &support, const std::string &entry) const {
-    return parameter(support, entry) < laws.find(support.law).n_parameters;
-  }
-
-  int parameter(const FrictionSupport &support, const std::string &entry) const {
-    const LawDescription &law = laws.find(support.law);
-    int i = 0;
-    while (i < law.n_parameters && law.parameters[i].name != entry)
-      ++i;
-    return i;
-  }
-
-  const FrictionSupport *support_of(const std::string &heading) const {
-    for (const FrictionSupport &support : scene.supports)
-      if ("Support " + part_name(support) == heading)
-        return &support;
-    return nullptr;
-  }
-
-  /// One place of a support, as in "Support rests.3"; null: the heading is none.
-  const FrictionSupport *support_of_place(const std::string &heading, unsigned int &place) const {
-    const auto dot = heading.rfind('.');
-    double number = 0.;
-    if (dot == std::string::npos || support_of(heading) != nullptr ||
-        !to_number(heading.substr(dot + 1), number) || !(number >= 1.))
-      return nullptr;
-    place = static_cast<unsigned int>(number) - 1;
-    return support_of(heading.substr(0, dot));
-  }
-
-  void refuse_place_beyond(const Variation &variation, const std::string &heading,
-                           const std::string &path) const {
-    unsigned int place = 0;
-    const FrictionSupport *const support = support_of_place(heading, place);
-    const auto n = support == nullptr ? places.end() : places.find(part_name(*support));
-    if (n != places.end() && place >= n->second)
-      fail(variation, path, "places 1 to " + std::to_string(n->second) + " of this support",
-           "a place that there is, or its section without a number for all of them");
-  }
-
-  bool is_given(const std::string &heading, const std::string &entry) const {
-    const ParameterFile::Section *const section = file.find(heading);
-    return section != nullptr && section->find(entry) != nullptr;
-  }
-
-  unsigned int n_places(const std::string &heading, const std::string &entry) const {
-    const FrictionSupport *const support = support_of(heading);
-    const auto n = support == nullptr ? places.end() : places.find(part_name(*support));
-    return n == places.end() || !has_parameter(*support, entry) ? 1 : n->second;
-  }
-
-  /// In the file's units.
-  double value_in_file(const Variation &variation, const std::string &heading,
-                       const std::string &entry) const {
-    const ParameterFile::Section *const section = file.find(heading);
-    const ParameterFile::Entry *const given = section == nullptr ? nullptr : section->find(entry);
-    double value = 0.;
-    if (given != nullptr && to_number(given->value, value))
-      return value;
-    unsigned int place = 0;
-    const FrictionSupport *support = support_of(heading);
-    const bool is_whole = support != nullptr;
-    if (!is_whole)
-      support = support_of_place(heading, place);
-    if (given == nullptr && support != nullptr && has_parameter(*support, entry)) {
-      const int i = parameter(*support, entry);
-      return (is_whole ? support->parameters : support->parameters_of(place))[i] /
-             scene.units.factor(laws.find(support->law).parameters[i].unit);
-    }
-    fail(variation, joined(heading, entry) + " = " + (given == nullptr ? "nothing" : given->value),
-         "with Meaning = factor, entries that are a number in the file",
-         "Meaning = value, or the entry set in the file");
-  }
-
-  const Scene &scene;
-  const ParameterFile &file;
-  const LawLibrary &laws;
-  const PlacesOfSupports &places;
-  mutable std::set<std::string> left_out;
-};
-
 /// The factor of all entries, if it is one.
-std::optional<double> factor_of_all(const std::vector<Variable::Entry> &entries) {
-  const bool is_one =
-      std::all_of(entries.begin(), entries.end(), [&](const Variable::Entry &entry) {
-        return entry.factor == entries.front().factor;
-      });
+std::optional<double> factor_of_all(const std::vector<VariedEntry> &entries) {
+  const bool is_one = std::all_of(entries.begin(), entries.end(), [&](const VariedEntry &entry) {
+    return entry.factor == entries.front().factor;
+  });
   return is_one ? std::optional<double>(entries.front().factor) : std::nullopt;
 }
 
@@ -246,18 +46,16 @@ std::function<double(double)> quantiles_of(const Variation &variation, const Sam
 Variables::Variables(const Scene &scene, const ParameterFile &file, const LawLibrary &laws,
                      const PlacesOfSupports &places, const Sampling &sampling)
     : variations(scene.study.variations) {
-  const Entries entries(scene, file, laws, places);
+  const VariedEntries entries(scene, file, laws, places);
   std::set<std::string> taken;
   for (unsigned int v = 0; v < variations.size(); ++v) {
     quantiles.push_back(quantiles_of(variations[v], sampling));
     Variable common{variations[v].name, {}, {}, v};
     for (const std::string &path : variations[v].entries) {
-      refuse_what_cannot_vary(variations[v], path);
-      refuse_sized_hanger(scene, variations[v], path);
-      for (const Variable::Entry &entry : entries.of(variations[v], path)) {
+      for (const VariedEntry &entry : entries.of(variations[v], path)) {
         if (!taken.insert(entry.path).second)
-          fail(variations[v], entry.path + ", a second time", "each entry in one section Vary",
-               "removing it from one of the two");
+          refuse_variation(variations[v], entry.path + ", a second time",
+                           "each entry in one section Vary", "removing it from one of the two");
         common.entries.push_back(entry);
       }
     }
@@ -268,7 +66,7 @@ Variables::Variables(const Scene &scene, const ParameterFile &file, const LawLib
       list.push_back(common);
       continue;
     }
-    for (const Variable::Entry &entry : common.entries)
+    for (const VariedEntry &entry : common.entries)
       list.push_back(
           {common.entries.size() == 1 ? common.name : entry.path, {entry}, entry.factor, v});
   }
@@ -319,7 +117,7 @@ std::vector<std::string> Variables::settings(const std::vector<double> &values,
                                              const std::vector<std::string> &texts) const {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < list.size(); ++i)
-    for (const Variable::Entry &entry : list[i].entries)
+    for (const VariedEntry &entry : list[i].entries)
       result.push_back(entry.path + " = " +
                        (list[i].of_all ? texts[i] : exact_number(values[i] * entry.factor)));
   return result;

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "scene/file/parameter_file.h"
-#include "scene/scene.h"
 #include "study/sampling.h"
-#include <frictionbeam/law_library.h>
+#include "study/varied_entries.h"
 
 #include <functional>
-#include <map>
 #include <optional>
-#include <set>
 
 namespace frictionbeam::study {
 
-/// Number of places of each support that has a law, by its name in the file.
-using PlacesOfSupports = std::map<std::string, unsigned int>;
-
 /// One independent number of a study: entries of the file that get it.
 struct Variable {
-  struct Entry {
-    std::string path;   ///< "Section/Entry", as of --set
-    double factor = 1.; ///< by which the number is multiplied: what the file says, or 1
-  };
   std::string name;
-  std::vector<Entry> entries;
+  std::vector<VariedEntry> entries;
   /// By which a factor is multiplied to be a value, where that is the same for all entries.
   std::optional<double> of_all;
   unsigned int variation = 0; ///< the section Vary that it comes from, in the order of the file

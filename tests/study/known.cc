@@ -133,6 +133,12 @@ void check_places() {
   }
   CHECK_NEAR(friction({"Vary friction/Entry = Support slide.1/Friction coefficient"}, "largest"),
              own + 0.3 * P1, 1e-8);
+  const program::TemporaryFolder into; // beside one that varies by itself the others do
+  CHECK_NEAR(study(folder + "/sliders_of_one_place.prm", {}, into.path / "results")
+                 .result("quantity friction")
+                 .at("largest")
+                 .get<double>(),
+             2. * 0.3 * P1 + 3. * 0.1 * P2, 1e-8);
 }
 
 /// Numbers of study.json are in the units of the case, as those of the tables.

@@ -63,7 +63,7 @@ bool all_entries(const Variables &variables, const Fits &fits) {
     for (const std::string &value : variables.variation(i).values)
       if (double number = 0.; !to_number(value, number))
         return false;
-    for (const Variable::Entry &entry : variables[i].entries)
+    for (const VariedEntry &entry : variables[i].entries)
       if (!fits(entry.path.substr(0, entry.path.find(' ')),
                 entry.path.substr(entry.path.find('/') + 1)))
         return false;
@@ -145,7 +145,7 @@ std::string identity_of(const StudyCase &of, const std::vector<double> &nominal)
       std::filesystem::path(of.options.parameter_file).parent_path();
   for (const Variation &variation : of.scene.study.variations)
     for (const std::string &value : variation.values)
-      if (std::filesystem::is_regular_file(folder / value)) {
+      if (std::error_code no_file; std::filesystem::is_regular_file(folder / value, no_file)) {
         std::ostringstream bytes;
         bytes << std::ifstream(folder / value, std::ios::binary).rdbuf();
         text += '\n' + bytes.str();
